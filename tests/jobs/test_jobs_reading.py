@@ -208,7 +208,7 @@ def test_an_axis_without_a_positioning_test_needs_a_circle() -> None:
     assert job(text + "circles: [{file: xy.csv}]\n").axes["X"].before == ()
 
 
-def test_keys_without_work_behind_them_are_said() -> None:
+def test_a_language_says_that_the_card_is_in_english() -> None:
     read = job("""
         compwright: 1
         controller: {format: x}
@@ -218,10 +218,10 @@ def test_keys_without_work_behind_them_are_said() -> None:
         report: {language: fr}
         cross: [{input: X, output: B, positions: [0, 1], deviations: [0, 1], unit: arcsec}]
         """)
-    assert {finding.code for finding in read.findings} == {"CW-J001"}
-    assert [
-        finding.message.removeprefix("read, but not used yet: ") for finding in read.findings
-    ] == ["report.language: fr: reports are in English"]
+    (finding,) = read.findings
+    assert (finding.code, finding.severity) == ("CW-J001", "info")
+    assert finding.message.endswith("the commissioning card is in English")
+    assert read.report.language == "fr"
 
 
 @pytest.mark.parametrize(

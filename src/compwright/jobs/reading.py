@@ -157,7 +157,7 @@ def _refuse_other_versions(document: YamlDocument, file: str) -> None:
 def job_of(section: JobSection, file: str) -> Job:
     """Return the record of a job that was found free of faults."""
     findings = (
-        *_pending_findings(section),
+        *_partial_findings(section),
         *_idle_findings(section),
         *_absent_axes(section),
         *_state_findings(section),
@@ -182,7 +182,7 @@ def job_of(section: JobSection, file: str) -> Job:
         decision_rule=section.decision_rule,
         proven=tuple(proof.model_dump() for proof in section.proven),
         standard=section.standard,
-        report=ReportHead(**section.report.model_dump(exclude={"language"})),
+        report=ReportHead(**section.report.model_dump()),
         circles=tuple(_circle(circle) for circle in section.circles),
         cross=tuple(_cross(entry) for entry in section.cross),
         apply=(
@@ -374,12 +374,10 @@ def _drifts(section: JobSection) -> dict[AxisKind, DriftRequest]:
     }
 
 
-def _pending_findings(section: JobSection) -> list[Finding]:
-    """Return a finding for every key that is read and has no effect yet."""
-    keys: dict[str, object] = {}
-    if section.report.language != "en":
-        keys["report.language"] = f"{section.report.language}: reports are in English"
-    return [Finding.of("CW-J001", "warning", key=key, value=value) for key, value in keys.items()]
+def _partial_findings(section: JobSection) -> list[Finding]:
+    """Return a finding for every key that has its effect on some of the files only."""
+    language = section.report.language
+    return [] if language == "en" else [Finding.of("CW-J001", "info", language=language)]
 
 
 def _absent_axes(section: JobSection) -> list[Finding]:

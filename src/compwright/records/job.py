@@ -16,6 +16,7 @@ from compwright.records.conditions import CircularBudget, Thermal, UncertaintyBu
 from compwright.records.drift import DriftRequest
 from compwright.records.environment import Environment, EnvironmentRequest
 from compwright.records.fitted import TableRequest
+from compwright.words.sentences import Language
 
 #: The value of a state that says "nothing is active in the control".
 NONE_STATE: tuple[str, ...] = ()
@@ -132,10 +133,11 @@ class Logo:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ReportHead:
-    """What stands at the head of reports, as far as the job gives it; ``logo``: its file, ``image``
-    what was read from it.
+    """The language of reports, and what stands at their head, as far as the job gives it; ``logo``:
+    its file, ``image`` what was read from it.
     """
 
+    language: Language = "en"
     number: str | None = None
     customer: str | None = None
     operator: str | None = None

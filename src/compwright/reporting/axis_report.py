@@ -14,11 +14,19 @@ from compwright.reporting.axis_figures import (
     table_figure,
 )
 from compwright.reporting.limiting import limits_block
-from compwright.reporting.numbers import decimals_of, number, plain, position_unit, unit_text
+from compwright.reporting.numbers import (
+    decimals_of,
+    number,
+    plain,
+    position_unit,
+    unit_text,
+    with_unit,
+)
 from compwright.reporting.page_parts import anchor
 from compwright.reporting.periods import periods_block
 from compwright.reporting.sections import Document, TextTable
 from compwright.reporting.worth import worth_block
+from compwright.words.sentences import Sentence, say
 
 _CHUNK: Final = 24  # rows of the table in numbers before a second column is begun
 
@@ -76,17 +84,18 @@ def _run_axis(
     }
 
 
-def _axis_facts(axis: Document, predicted: Document) -> list[tuple[str, str]]:
-    unit = axis.get("unit", "um")
-    facts = {
-        "control address": axis.get("address"),
-        "kind": axis.get("kind"),
-        "unit of deviations": unit_text(unit),
-    }
+def _axis_facts(axis: Document, predicted: Document) -> list[tuple[Sentence, str | Sentence]]:
+    unit = unit_text(axis.get("unit", "um"))
+    facts: list[tuple[Sentence, str | Sentence]] = []
+    if axis.get("address") not in (None, ""):
+        facts.append((say("fact.address"), plain(axis["address"])))
+    if axis.get("kind"):
+        facts.append((say("fact.kind"), say("label.kind", kind=str(axis["kind"]))))
+    facts.append((say("fact.unit"), unit))
     quantum = predicted.get("quantum")
     if quantum is not None:
-        facts["resolution of the table"] = f"{plain(quantum)} {unit_text(unit)}"
-    return sections.pairs(facts)
+        facts.append((say("fact.quantum"), with_unit(quantum, unit)))
+    return facts
 
 
 def _before_figure(
@@ -105,15 +114,15 @@ def _run_parameters(test: Document, result: Document | None, unit: object) -> di
     result = result or {}
     columns: list[dict[str, Any]] = [
         {
-            "title": "Before",
+            "title": say("head.before"),
             "values": test.get("before") or result.get("parameters"),
             "uncertainty": result.get("uncertainty"),
         },
-        {"title": "Predicted, same targets", "quantiles": test.get("predicted")},
+        {"title": say("head.predicted_same"), "quantiles": test.get("predicted")},
     ]
     if test.get("predicted_new_targets"):
         columns.append(
-            {"title": "Predicted, new targets", "quantiles": test["predicted_new_targets"]}
+            {"title": say("head.predicted_new"), "quantiles": test["predicted_new_targets"]}
         )
     return sections.parameter_block(
         unit, result.get("standard", ""), result.get("not_applicable"), columns
@@ -142,24 +151,21 @@ def _table(name: str, table: Document, axis: Document, predicted: Document) -> d
     )
     digits, places = decimals_of([*positive, *negative]), decimals_of(positions)
     title = [
-        ("Position", position_unit(unit)),
-        ("Correction +", unit_text(unit)),
-        ("Correction −", unit_text(unit)),
+        (say("head.position"), position_unit(unit)),
+        (say("head.correction", sign="+"), unit_text(unit)),
+        (say("head.correction", sign="−"), unit_text(unit)),
     ]
     rows = [
         [number(where, places), number(up, digits), number(down, digits)]
         for where, up, down in zip(positions, positive, negative, strict=True)
     ]
     height = max(_CHUNK, -(-len(rows) // 3))
-    caption = f"{len(rows)} nodes, as read back from the files."
-    if axis.get("wanted"):
-        caption += " Broad line: what was wanted before rounding and limits."
     return {
         "figure": table_figure(
             {"table": table, "wanted": axis.get("wanted"), "unit": unit},
             f"correction of axis {name}",
         ),
-        "caption": caption,
+        "caption": say("run.table", count=len(rows), wanted=bool(axis.get("wanted"))),
         "count": len(rows),
         "chunks": [
             {"heads": sections.heads(*title), "rows": rows[start : start + height]}
@@ -169,32 +175,21 @@ def _table(name: str, table: Document, axis: Document, predicted: Document) -> d
     }
 
 
-def _mode(axis: Document) -> str:
-    words = {
-        "single": "one curve and one reversal value",
-        "bidirectional": "one curve for each direction of approach",
-    }
-    text = plain(axis.get("mode_reason") or words.get(str(axis.get("mode")), ""))
-    return text[:1].upper() + text[1:]
+def _mode(axis: Document) -> str | Sentence:
+    reason = plain(axis.get("mode_reason") or "")
+    if reason:
+        return reason[:1].upper() + reason[1:]
+    words = {"single": say("run.single"), "bidirectional": say("run.bidirectional")}
+    return words.get(str(axis.get("mode")), "")
 
 
-def _state(state: object) -> str:
+def _state(state: object) -> str | Sentence:
     if state is None:
-        return (
-            "Not given. Without it no table is written: the new total has to hold what is active"
-            " already."
-        )
+        return say("run.state_not_given")
     if isinstance(state, str):
-        return (
-            "None: nothing was active in the control when the axis was measured."
-            if state == "none"
-            else state
-        )
+        return say("run.state_none") if state == "none" else state
     files = [str(file) for file in state] if isinstance(state, Iterable) else []
-    return (
-        f"As in {', '.join(files)}; the table is the total of what was there and what is to be"
-        " added."
-    )
+    return say("run.state_files", files=files)
 
 
 def _certificate(values: Document | None) -> TextTable | None:
@@ -207,4 +202,4 @@ def _certificate(values: Document | None) -> TextTable | None:
         ]
         for name, value in values.items()
     ]
-    return {"heads": sections.heads("Residual", ("Value", "")), "rows": rows}
+    return {"heads": sections.heads(say("head.residual"), (say("head.value"), "")), "rows": rows}

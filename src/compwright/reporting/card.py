@@ -162,7 +162,7 @@ def _limits(axes: Document, circles: Document) -> list[str]:
             for key, entry in accept.items()
         ]
         decisions += [f"{name}: {'; '.join(decided)}."] if decided else []
-        rules += rule_lines(accept, unit)
+        rules += map(str, rule_lines(accept, unit))
     return [*decisions, *dict.fromkeys(rules)]
 
 

@@ -14,6 +14,7 @@ from compwright.reporting.numbers import number, plain
 from compwright.reporting.page import inline_figure
 from compwright.reporting.polar import polar_figure
 from compwright.reporting.sections import Document
+from compwright.words.sentences import Sentence, say
 
 _PARAMETERS: Final = (
     "G_ccw",
@@ -96,24 +97,28 @@ def _limit_row(index: int, name: str, circle: Document, key: str) -> dict[str, A
     )
     after = (circle.get("after") or {}).get(key)
     # The table of a verification has a column for the unit.
-    unit = "" if "after" in circle else " µm"
+    unit = "" if "after" in circle else "µm"
     return {
-        "axis": f"Circle {plain(name)}",
+        "axis": say("report.circle", plane=plain(name), name=""),
         "anchor": f"circle-{index}",
-        "loading": {"tone": "none", "text": "circular test"},
+        "loading": {"tone": "none", "text": say("label.circular_test")},
         "symbol": parameter_words(key),
-        "before": f"{number(before)}{unit}",
+        "before": _with_unit(number(before), unit),
         "unit": "µm",
-        "median": f"{sections.median_text(band)}{unit}",
+        "median": _with_unit(sections.median_text(band), unit),
         "spread": sections.spread_text(band),
         "after": number(after),
-        "limit": f"{number(limit['limit'])}{unit}",
+        "limit": _with_unit(number(limit["limit"]), unit),
         "mark": sections.decision_mark(limit["decision"]),
         "bar": sections.bar(before, band, limit["limit"], after),
     }
 
 
-def rules(circle: Document) -> list[str]:
+def _with_unit(text: str, unit: str) -> str | Sentence:
+    return say("label.with_unit", value=text, unit=unit) if unit else text
+
+
+def rules(circle: Document) -> list[Sentence]:
     """Return by which rule the limits of a circle were decided; empty without limits."""
     return sections.rule_lines(circle.get("accept") or {}, "µm", after="after" in circle)
 
@@ -142,23 +147,25 @@ def _table(circle: Document, result: Document | None) -> dict[str, Any]:
     rows = []
     for name, words, unit in names:
         band = predicted.get(name) or {}
-        spread = f"{number(band.get('p05'))} to {number(band.get('p95'))}" if band else ""
-        row = [words, unit, number(before.get(name))]
+        spread = sections.spread_text(band)
+        row: list[str | Sentence] = [words, unit, number(before.get(name))]
         row += [number(stated[name]["U"]) if name in stated else ""] if stated else []
         row += [number(band.get("median")), spread]
         row += [] if after is None else [number(after.get(name))]
         rows.append([*row, *_decision(limits.get(name))] if limits else row)
     heads = [
-        *sections.heads("Quantity", "Unit", ("Before", "")),
+        *sections.heads(say("head.quantity"), say("head.unit"), (say("head.before"), "")),
         *(sections.heads(("U", "k = 2")) if stated else []),
-        *sections.heads(("Predicted", "median"), ("Predicted", "5–95 %")),
+        *sections.heads(
+            (say("head.predicted"), say("label.median")), (say("head.predicted"), "5–95 %")
+        ),
     ]
-    heads = heads if after is None else [*heads, *sections.heads(("After", ""))]
-    heads += sections.heads(("Limit", ""), "Decision") if limits else []
+    heads = heads if after is None else [*heads, *sections.heads((say("head.after"), ""))]
+    heads += sections.heads((say("head.limit"), ""), say("head.decision")) if limits else []
     return {"title": "", "heads": heads, "rows": rows}
 
 
-def _decision(limit: Document | None) -> list[str]:
+def _decision(limit: Document | None) -> list[str | Sentence]:
     if limit is None:
         return ["", ""]
     return [number(limit["limit"]), sections.decision_mark(limit["decision"])["text"]]

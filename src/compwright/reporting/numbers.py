@@ -13,25 +13,6 @@ from compwright.words.sentences import NumberText, Sentence, say
 #: Stands where a quantity is not defined or was not measured.
 MISSING: Final = "—"
 
-#: How limits were decided, by the rule of the job.
-SIMPLE: Final = (
-    "Accepted when the 95 % value lies within the limit, rejected when the 5 % value lies beyond"
-    " it; the measurement uncertainty is not counted: no guard bands (ISO 14253-1)"
-)
-SIMPLE_AFTER: Final = (
-    "Accepted when the measured value lies within the limit, rejected when it lies beyond it; the"
-    " measurement uncertainty is not counted: no guard bands (ISO 14253-1)"
-)
-GUARDED: Final = (
-    "Guarded decision (ISO 14253-1): accepted when the 95 % value plus U lies within the limit,"
-    " rejected when the 5 % value less U lies beyond it; U (k = 2) of the coming test, with what"
-    " the first one has put into the table"
-)
-GUARDED_AFTER: Final = (
-    "Guarded decision (ISO 14253-1): accepted when the value plus U lies within the limit, rejected"
-    " when the value less U lies beyond it; U (k = 2) of the test after loading"
-)
-
 #: Decimals of a deviation in µm or arcsec: a tenth of what the standards print.
 DEVIATION_DECIMALS: Final = 2
 

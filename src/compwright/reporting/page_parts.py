@@ -8,13 +8,17 @@ from typing import Any
 from compwright.reporting import paper, sections
 from compwright.reporting.numbers import number, plain
 from compwright.reporting.sections import Document
+from compwright.words.sentences import Sentence, say
 
 
-def common(view: Document, evaluations: Sequence[tuple[str, Document | None]]) -> dict[str, Any]:
+def common(
+    view: Document, evaluations: Sequence[tuple[str | Sentence, Document | None]]
+) -> dict[str, Any]:
     """Return what every page shows: title, machine, control, and the tests of the ``evaluations``,
     each with its label.
     """
-    title = plain(view.get("title") or "compwright")
+    title = view.get("title") or "compwright"
+    title = title if isinstance(title, Sentence) else plain(title)
     results = [
         (label, result)
         for label, evaluation in evaluations
@@ -73,7 +77,7 @@ def anchor(index: int) -> str:
     return f"axis-{index}"
 
 
-def with_unit(value: object, unit: str) -> str:
+def with_unit(value: object, unit: str) -> str | Sentence:
     """Return a number with its unit; what stands for a missing one alone."""
     text = number(value)
-    return f"{text} {unit}" if value is not None else text
+    return say("label.with_unit", value=text, unit=unit) if value is not None else text

@@ -38,6 +38,7 @@ from compwright.reporting.page_parts import (
     with_unit,
 )
 from compwright.reporting.sections import Document, TextTable
+from compwright.words.sentences import Sentence, say
 
 
 def run_report(view: Document, each: Each = in_turn) -> bytes:
@@ -84,35 +85,26 @@ def run_report(view: Document, each: Each = in_turn) -> bytes:
                 None,
             ),
         },
+        view.get("language", "en"),
     )
 
 
-def _what_was_done(view: Document, axes: Document) -> str:
+def _what_was_done(view: Document, axes: Document) -> Sentence:
     results = (view.get("evaluation") or {}).get("results", [])
-    standards = sorted({standard_text(result.get("standard", "")) for result in results})
-    names = _list_of(axes)
-    control = plain((view.get("format") or {}).get("title", "the control"))
-    tests, verb = ("1 test", "was") if len(results) == 1 else (f"{len(results)} tests", "were")
-    axis = "axis" if len(axes) == 1 else "axes"
-    start = (
-        f"{tests} of {axis} {names} {verb} evaluated to {' and '.join(standards) or 'no standard'}."
-    )
-    if view.get("no_tables"):
-        return (
-            f"{start} The error was estimated over the travel. No table was written: predicted is"
-            " the next test without one."
-        )
-    return (
-        f"{start} The error was estimated over the travel; the best table that {control} can hold"
-        " was fitted, written in the control's own form, and read back from the files to predict"
-        " the next test. Nothing has been loaded yet: load the table with the commissioning card,"
-        " measure again, and run compwright verify."
+    return say(
+        "run.done",
+        tests=len(results),
+        count=len(axes),
+        axes=_listed(axes),
+        standards=sorted({standard_text(result.get("standard", "")) for result in results}),
+        control=plain((view.get("format") or {}).get("title", "")),
+        tables=not view.get("no_tables"),
     )
 
 
-def _list_of(names: Iterable[object]) -> str:
-    words = [str(name) for name in names]
-    return " and ".join(filter(None, [", ".join(words[:-1]), *words[-1:]])) or "none"
+def _listed(names: Iterable[object]) -> Sentence:
+    *others, last = tuple(map(str, names)) or ("",)
+    return say("given.list", others=others, last=last)
 
 
 def _run_verdict(
@@ -129,33 +121,41 @@ def _run_verdict(
         for entry in (one.get("accept") or {}).values()
     ]
     refused = {name: plain(axis["refused"]) for name, axis in axes.items() if axis.get("refused")}
-    why = " ".join(f"Axis {name}: {reason.rstrip('.')}." for name, reason in refused.items())
     first = {doubt["code"] for doubt in (view.get("prediction") or {}).get("doubts") or ()}
+    why: str | Sentence = ""
     if view.get("no_tables"):
-        tone, text, why = "bad", "No table was written", plain(view["no_tables"])
+        tone, text, why = "bad", say("run.no_table"), plain(view["no_tables"])
     elif refused:
-        tone, text = "bad", f"No table was written for axis {_list_of(refused)}"
+        tone, text = "bad", say("run.no_table_for", axes=_listed(refused))
+        reasons = [
+            say("run.refusal", axis=name, reason=reason.rstrip("."))
+            for name, reason in refused.items()
+        ]
+        why = say("given.sentences", sentences=reasons)
     elif first & DOUBTS:
-        tone, text = "open", "Undecided: check first what is named above"
+        tone, text = "open", say("run.check_first")
     elif "reject" in decisions:
-        tone, text = "bad", "At least one limit is predicted to be missed"
+        tone, text = "bad", say("run.limit_missed")
     elif "undecided" in decisions:
-        tone, text = "open", "At least one limit may or may not be met"
+        tone, text = "open", say("run.limit_open")
     elif "CW-P131" in first:
-        tone, text = "open", "Undecided: a circle is predicted to get worse"
+        tone, text = "open", say("run.circle_worse")
     elif decisions and first:
-        tone, text = (
-            "open",
-            "All limits are predicted to be met, as far as what is named above is right",
-        )
+        tone, text = "open", say("run.limits_met_if")
     elif decisions:
-        tone, text = "good", "All limits are predicted to be met"
+        tone, text = "good", say("run.limits_met")
     else:
-        tone, text = "open", "Predicted result; no limits were given to decide against"
-    return {"tone": tone, "text": text, "why": why, "rows": rows, "rule": _rule(predicted, circles)}
+        tone, text = "open", say("run.no_limits")
+    return {
+        "tone": tone,
+        "text": text,
+        "why": why,
+        "rows": rows,
+        "rule": _rule(predicted, circles),
+    }
 
 
-def _rule(predicted: Document, circles: Document) -> str:
+def _rule(predicted: Document, circles: Document) -> Sentence:
     """Return by which rule the limits were decided, with the guard bands of every axis and
     circle.
     """
@@ -166,7 +166,9 @@ def _rule(predicted: Document, circles: Document) -> str:
         for line in sections.rule_lines(accept, unit_text(predicted[name].get("unit", "um")))
     ]
     lines += [line for circle in circles.values() for line in rules(circle)]
-    return " ".join(dict.fromkeys(lines)) or str(paper.NO_LIMITS)
+    return (
+        say("given.sentences", sentences=list(dict.fromkeys(lines))) if lines else paper.NO_LIMITS
+    )
 
 
 def _run_rows(
@@ -229,9 +231,14 @@ def _cross(entry: Document) -> TextTable:
         [plain(where), number(value)]
         for where, value in zip(entry["positions"], entry["correction"], strict=True)
     ]
-    heads = sections.heads(("Position", position_unit(unit)), ("Correction", unit_text(unit)))
+    heads = sections.heads(
+        (say("head.position"), position_unit(unit)),
+        (say("head.correction", sign=""), unit_text(unit)),
+    )
     return {
-        "title": f"{plain(entry.get('input'))} bends {plain(entry.get('output'))}",
+        "title": say(
+            "run.bends", input=plain(entry.get("input")), output=plain(entry.get("output"))
+        ),
         "heads": heads,
         "rows": rows,
     }

@@ -13,12 +13,8 @@ from typing import Any, Final
 from compwright.foundations.findings import ACKNOWLEDGED, DOUBTS_FIRST, next_step
 from compwright.reporting.edition_terms import edition_symbol, parameter_term
 from compwright.reporting.numbers import (
-    GUARDED,
-    GUARDED_AFTER,
     MISSING,
     PARAMETERS,
-    SIMPLE,
-    SIMPLE_AFTER,
     decimals_of,
     number,
     plain,
@@ -34,9 +30,9 @@ Mark = dict[str, Any]
 TextTable = dict[str, Any]
 
 _DECISIONS: Final = {
-    "accept": {"tone": "good", "text": "✓ accept"},
-    "reject": {"tone": "bad", "text": "✗ reject"},
-    "undecided": {"tone": "open", "text": "? undecided"},
+    "accept": {"tone": "good", "text": say("decision.accept")},
+    "reject": {"tone": "bad", "text": say("decision.reject")},
+    "undecided": {"tone": "open", "text": say("decision.undecided")},
 }
 _SEVERITIES: Final = {
     "error": {"tone": "bad", "text": say("severity.error")},
@@ -44,9 +40,9 @@ _SEVERITIES: Final = {
     "info": {"tone": "none", "text": say("severity.info")},
 }
 _LOADING_WORDS: Final = {
-    "loaded": "✓ loaded",
-    "undecided": "? undecided",
-    "measurement": "? fault of measurement",
+    "loaded": say("mark.loaded"),
+    "undecided": say("decision.undecided"),
+    "measurement": say("mark.measurement"),
 }
 _BAR_WIDTH: Final = 200.0
 _COLUMNS: Final = 10  # traverses that fit across a page
@@ -54,7 +50,7 @@ _COLUMNS: Final = 10  # traverses that fit across a page
 
 def decision_mark(decision: object) -> Mark:
     """Return the mark of accept, reject or undecided; anything else is "no limit"."""
-    return dict(_DECISIONS.get(str(decision), {"tone": "none", "text": "no limit"}))
+    return dict(_DECISIONS.get(str(decision), {"tone": "none", "text": say("decision.no_limit")}))
 
 
 def loading_mark(verdict: object) -> Mark:
@@ -74,7 +70,7 @@ def pairs(values: Document | None) -> list[tuple[str, str]]:
 
 
 def heads(
-    *columns: tuple[str | Sentence, str] | str | Sentence,
+    *columns: tuple[str | Sentence, str | Sentence] | str | Sentence,
 ) -> list[dict[str, Any]]:
     """Return the heads of a table: a text alone is a column of words, a pair of name and unit one
     of numbers.
@@ -121,7 +117,7 @@ def acknowledged(items: Iterable[Document] | None) -> list[str]:
     ]
 
 
-def rule_lines(accept: Mapping[str, Any], unit: str, *, after: bool = False) -> list[str]:
+def rule_lines(accept: Mapping[str, Any], unit: str, *, after: bool = False) -> list[Sentence]:
     """Return by which rule the limits were decided, with the guard bands where it has some: of a
     prediction, or of the test ``after`` loading. Empty without limits.
     """
@@ -131,13 +127,12 @@ def rule_lines(accept: Mapping[str, Any], unit: str, *, after: bool = False) -> 
         if entry.get("rule") == "guarded"
     }
     bands = [
-        f"{letter} not stated" if U is None else f"{letter} {number(U)} {unit}"
+        say("rule.band", symbol=letter, U="" if U is None else number(U), unit=unit)
         for letter, U in guarded.items()
     ]
-    rule = GUARDED_AFTER if after else GUARDED
     if bands:
-        return [f"{rule}: {', '.join(bands)}."]
-    return [f"{SIMPLE_AFTER if after else SIMPLE}."] if accept else []
+        return [say("rule.guarded_after" if after else "rule.guarded", bands=bands)]
+    return [say("rule.simple_after" if after else "rule.simple")] if accept else []
 
 
 def assumed(facts: Iterable[Document] | None) -> list[dict[str, Any]]:
@@ -164,11 +159,11 @@ def evidence_mark(evidence: object) -> dict[str, Any]:
     return {"evidence": text, "open": unconfirmed}
 
 
-def spread_text(quantiles: object) -> str:
+def spread_text(quantiles: object) -> str | Sentence:
     """Return the 5-95 % of a predicted parameter, or nothing."""
     if not isinstance(quantiles, Mapping) or quantiles.get("p05") is None:
         return ""
-    return f"{number(quantiles['p05'])} to {number(quantiles.get('p95'))}"
+    return say("label.range", low=number(quantiles["p05"]), high=number(quantiles.get("p95")))
 
 
 def median_text(quantiles: object) -> str:
@@ -271,18 +266,19 @@ def _has_spread(column: Document) -> bool:
 
 def _column_note(column: Document, unit: str) -> str | Sentence:
     if "notes" in column:
-        return "of the prediction"
+        return say("label.of_the_prediction")
     if "quantiles" in column:
-        return f"{unit}; median, 5–95 %"
+        return say("label.with_range", unit=unit)
     if column.get("uncertainty"):
         factor = next(iter(column["uncertainty"].values())).get("coverage", 2)
         return say("label.with_uncertainty", unit=unit, k=plain(factor))
     return unit
 
 
-def _value(column: Document, key: str) -> str:
+def _value(column: Document, key: str) -> str | Sentence:
     if "notes" in column:
-        return str(column["notes"].get(key, ""))
+        note: str | Sentence = column["notes"].get(key, "")
+        return note
     if "quantiles" in column:
         return median_text((column["quantiles"] or {}).get(key))
     return number((column.get("values") or {}).get(key))
@@ -297,7 +293,7 @@ def _spread(column: Document, key: str) -> str | Sentence | None:
     return say("label.plus_minus", U=number(entry["U"])) if entry else ""
 
 
-def result_block(result: Document, label: str = "") -> dict[str, Any]:
+def result_block(result: Document, label: str | Sentence = "") -> dict[str, Any]:
     """Return one positioning result under its axis, name and ``label``: sentence, uncertainty,
     statistics, single readings.
     """

@@ -84,7 +84,7 @@ def prediction_tables(prediction: Mapping[str, Any]) -> list[RenderableType]:
                 ),
                 _prediction_table(test, accept, unit),
             ]
-        shown += [Text(line) for line in rule_lines(axis["accept"], unit)]
+        shown += [Text(str(line)) for line in rule_lines(axis["accept"], unit)]
         shown.append(Text(_table_line(axis, unit)))
         limits = limits_line(axis)
         shown += [Text(limits)] if limits else []
@@ -187,7 +187,7 @@ def circle_tables(circles: Mapping[str, Any]) -> list[RenderableType]:
         shown += [
             Rule(Text(f"circle {name}", style="bold"), align="left", characters="─"),
             table,
-            *(Text(line) for line in rule_lines(accept, "µm", after=after is not None)),
+            *(Text(str(line)) for line in rule_lines(accept, "µm", after=after is not None)),
             Text(),
         ]
     return shown
@@ -295,7 +295,7 @@ def verification_tables(document: Mapping[str, Any]) -> list[RenderableType]:
                 characters="─",
             ),
             table,
-            *(Text(line) for line in rule_lines(axis["accept"], unit, after=True)),
+            *(Text(str(line)) for line in rule_lines(axis["accept"], unit, after=True)),
             Text.assemble("Loading: ", _word(loading["verdict"]), f". {loading['message']}"),
             *(Text(f"  look at: {sentence}") for sentence in loading.get("look_at", ())),
             *finding_lines(axis["findings"]),

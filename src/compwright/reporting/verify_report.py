@@ -15,6 +15,7 @@ from compwright.reporting.numbers import number, plain, symbol, unit_text
 from compwright.reporting.page import render_page
 from compwright.reporting.page_parts import anchor, common, conditions, paper_content, remaining
 from compwright.reporting.sections import Document, TextTable
+from compwright.words.sentences import Sentence, say
 
 #: Of the conditions of a test after loading.
 AFTER_LOADING = "on, as loaded after the run of this job; what the test shows of it: see Loading"
@@ -49,7 +50,9 @@ def verify_report(view: Document) -> bytes:
     return render_page(
         "verify.html",
         {
-            **common(view, list(zip(("before", "after"), evaluations, strict=True))),
+            **common(
+                view, list(zip((say("label.before"), say("label.after")), evaluations, strict=True))
+            ),
             **paper_content(view, (view.get("evaluation_after") or {}).get("results") or ()),
             "statement": paper.conformity(
                 [
@@ -71,6 +74,7 @@ def verify_report(view: Document) -> bytes:
             "circles": circled,
             "findings": remaining(view, blocks, *evaluations),
         },
+        view.get("language", "en"),
     )
 
 
@@ -78,9 +82,12 @@ def _next_round(then: Document | None) -> dict[str, Any] | None:
     """Return what becomes of the next round; None where none was asked for."""
     if then is None:
         return None
-    marks = {True: ("good", "further table"), False: ("open", "no further table")}
+    marks = {
+        True: ("good", say("verify.further_table")),
+        False: ("open", say("verify.no_further_table")),
+    }
     return {
-        "heading": "Next round" if then["written"] else "No next round",
+        "heading": say("verify.next_round", written=bool(then["written"])),
         "reason": plain(then["reason"]),
         "axes": [
             {
@@ -145,18 +152,18 @@ def _verify_axis(index: int, name: str, axis: Document, view: Document) -> dict[
     measured = after or before or {}
     columns = [
         {
-            "title": "Before",
+            "title": say("head.before"),
             "values": axis.get("before"),
             "uncertainty": (before or {}).get("uncertainty"),
         },
-        {"title": "Predicted", "quantiles": axis.get("predicted")},
+        {"title": say("head.predicted"), "quantiles": axis.get("predicted")},
         {
-            "title": "After",
+            "title": say("head.after"),
             "values": axis.get("after"),
             "uncertainty": (after or {}).get("uncertainty"),
         },
     ]
-    within = {True: "within", False: "outside"}
+    within = {True: say("verify.within"), False: say("verify.outside")}
     notes = {
         key: within.get(value, "") for key, value in (axis.get("within_prediction") or {}).items()
     }
@@ -207,22 +214,22 @@ def _after_figure(
 
 def _loading(loading: Document) -> dict[str, Any]:
     verdict = loading.get("verdict", "undecided")
-    facts: dict[str, Any] = {}
+    facts: list[tuple[Sentence, str]] = []
     if loading.get("equivalent"):
-        facts["cannot be told from"] = ", ".join(
-            str(name).replace("_", " ") for name in loading["equivalent"]
-        )
-    if verdict == "scaled":
-        facts["factor"] = loading.get("factor")
-    if verdict == "shifted":
-        facts["shift in nodes"] = loading.get("shift_nodes")
-    if verdict == "wrong_axis":
-        facts["table of axis"] = loading.get("of")
+        names = ", ".join(str(name).replace("_", " ") for name in loading["equivalent"])
+        facts.append((say("verify.equivalent"), names))
+    for name, key, words in (
+        ("scaled", "factor", say("verify.factor")),
+        ("shifted", "shift_nodes", say("verify.shift")),
+        ("wrong_axis", "of", say("verify.table_of")),
+    ):
+        if verdict == name and loading.get(key) not in (None, ""):
+            facts.append((words, plain(loading[key])))
     return {
         "mark": sections.loading_mark(verdict),
         "message": plain(loading.get("message") or ""),
         "look_at": [plain(sentence) for sentence in loading.get("look_at") or ()],
-        "facts": sections.pairs(facts),
+        "facts": facts,
     }
 
 
@@ -240,7 +247,11 @@ def _acceptance(limits: Document, unit: object) -> TextTable | None:
     ]
     return {
         "heads": sections.heads(
-            "Limit on", ("After", word), ("U", word), ("Limit", word), "Decision"
+            say("head.limit_on"),
+            (say("head.after"), word),
+            ("U", word),
+            (say("head.limit"), word),
+            say("head.decision"),
         ),
         "rows": rows,
     }

@@ -49,6 +49,14 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "budget.setup": "Montage de l'instrument",
     "budget.title": "Bilan de l'incertitude de mesure, sur {length}",
+    "decision.accept": "✓ accepté",
+    "decision.no_limit": "sans limite",
+    "decision.reject": "✗ refusé",
+    "decision.undecided": "? indécis",
+    "fact.address": "adresse dans la commande",
+    "fact.kind": "type",
+    "fact.quantum": "résolution de la table",
+    "fact.unit": "unité des écarts",
     "given.approaches": "{counts} ; {cycle:choose|standard=cycle normal|step=cycle en pas}",
     "given.arc": "de {start}° à {end}°, {extent}°",
     "given.at_end": "{text} {end:choose|_start=au début|_end=à la fin}",
@@ -65,27 +73,45 @@ SENTENCES: Final[dict[str, str]] = {
         " {what:choose|scale=règle|workpiece=pièce} {alpha_m} µm/(m K) à {T_m} °C, instrument"
         " {alpha_d} µm/(m K) à {T_d} °C, point fixe {x_fix} mm"
     ),
+    "given.list": "{others:if|{others} et |}{last:if|{last}|aucun}",
     "given.listed": "{items}",
     "given.of_tests": "{names} : {statement}",
     "given.radius": "rayon {radius} mm",
     "given.samples": "{counts} points de mesure",
     "given.sense": "{sense:choose|ccw=sens inverse des aiguilles|cw=sens des aiguilles}",
+    "given.sentences": "{sentences:join| }",
     "given.smoothing": "aucun par compwright : chaque point compte",
     "given.statements": "{statements:join| ; }",
     "given.targets": "{count} de {first} à {last} {unit} ; liste en annexe A",
+    "head.after": "Après",
     "head.approach": "Sens d'approche",
+    "head.assumed_value": "Valeur supposée",
+    "head.axis": "Axe",
+    "head.before": "Avant",
     "head.clause": "Paragraphe",
     "head.contribution": "Contribution u",
+    "head.correction": "Correction{sign:if| {sign}}",
     "head.coverage_factor": "Facteur conventionnel k",
+    "head.decision": "Décision",
     "head.distribution": "Loi",
+    "head.evidence": "Preuve",
     "head.expanded_uncertainty": "Incertitude étendue U",
     "head.extreme": "Extremum",
+    "head.fact": "Fait",
     "head.file": "Fichier",
     "head.item": "Indication",
+    "head.limit": "Limite",
+    "head.limit_on": "Limite sur",
+    "head.loading": "Chargement",
     "head.mean": "moyenne {sign}",
     "head.parameter": "Paramètre",
     "head.position": "Position",
+    "head.predicted": "Prévu",
+    "head.predicted_new": "Prévu, nouveaux points visés",
+    "head.predicted_same": "Prévu, mêmes points visés",
+    "head.quantity": "Grandeur",
     "head.remark": "Remarque",
+    "head.residual": "Résidu",
     "head.sensitivity": "Sensibilité",
     "head.source": "Source",
     "head.standard": "Norme",
@@ -137,9 +163,19 @@ SENTENCES: Final[dict[str, str]] = {
     "item.temperatures_instrument": "Température des capteurs de l'instrument, début et fin",
     "item.travel": "Course de l'axe",
     "item.warm_up": "Mise en température avant l'essai",
+    "label.after": "après",
+    "label.before": "avant",
+    "label.circular_test": "essai de circularité",
+    "label.conformity": "Déclaration de conformité : {statement}",
+    "label.control": "commande",
+    "label.decision_rule": "Règle de décision : {rule}",
     "label.extreme_at": "{symbol} à {place} {unit}",
+    "label.kind": "{kind:choose|linear=axe linéaire|rotary=axe rotatif}",
+    "label.median": "médiane",
     "label.not_stated": "non indiqué",
+    "label.of_the_prediction": "de la prévision",
     "label.plus_minus": "± {U}",
+    "label.range": "{low} à {high}",
     "label.test_sentence": (
         "{standard}, {cycle:choose|standard=cycle normal|step=cycle en pas}, {targets}"
         " {targets:plural|point visé|points visés}, passages : {counts:if|{counts}|aucun}, limites"
@@ -148,8 +184,12 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "label.test_title": "Axe {axis}, {name:if|{name}|essai}{label:if|, {label}}",
     "label.traverses": "{count} en {sign}",
+    "label.unconfirmed": "! non confirmé",
+    "label.with_range": "{unit} ; médiane, 5–95 %",
     "label.with_uncertainty": "{unit} ; ± U, k = {k}",
     "label.with_unit": "{value} {unit}",
+    "mark.loaded": "✓ chargée",
+    "mark.measurement": "? défaut de mesure",
     "parameter.A": "Exactitude bidirectionnelle de positionnement",
     "parameter.A_negative": "Exactitude unidirectionnelle de positionnement, approche −",
     "parameter.A_positive": "Exactitude unidirectionnelle de positionnement, approche +",
@@ -179,6 +219,7 @@ SENTENCES: Final[dict[str, str]] = {
     "report.axis": "Axe {axis}{name:if|, {name}}",
     "report.both": "les deux",
     "report.circle": "Cercle {plane}{name:if|, {name}}",
+    "report.compensation": "Compensation de {axes:if|{axes}|{count} axes}",
     "report.conditions": "Conditions d'essai, {standard}",
     "report.conform": "La machine respecte toutes les limites du tableau ci-dessus.",
     "report.conformity_open": (
@@ -206,7 +247,9 @@ SENTENCES: Final[dict[str, str]] = {
     "report.no_number": "Rapport sans numéro",
     "report.not_conform": "La machine ne respecte pas toutes les limites du tableau ci-dessus.",
     "report.number": "Numéro du rapport",
+    "report.open_sections": "Les parties dépliées sont imprimées.",
     "report.operator": "Opérateur",
+    "report.other_findings": "Autres constats",
     "report.page": "Page",
     "report.page_of": "sur",
     "report.parameters": "Paramètres",
@@ -229,9 +272,138 @@ SENTENCES: Final[dict[str, str]] = {
     "report.statistics": (
         "Moyennes, écarts-types et répétabilité en {count} {count:plural|point visé|points visés}"
     ),
+    "report.test": "Essai {name}",
     "report.title": "Rapport d'essai{tests:plural|| de {tests} essais}",
     "report.unread": "Fichiers non évalués",
+    "report.verification": "Vérification de {axes}",
+    "rule.band": "{symbol} {U:if|{U} {unit}|non indiqué}",
+    "rule.guarded": (
+        "Décision avec bande de garde (ISO 14253-1) : accepté si la valeur à 95 % plus U est dans"
+        " la limite, refusé si la valeur à 5 % moins U est au-delà ; U (k = 2) de l'essai à venir,"
+        " avec ce que le premier a mis dans la table : {bands}."
+    ),
+    "rule.guarded_after": (
+        "Décision avec bande de garde (ISO 14253-1) : accepté si la valeur plus U est dans la"
+        " limite, refusé si la valeur moins U est au-delà ; U (k = 2) de l'essai après chargement"
+        " : {bands}."
+    ),
+    "rule.simple": (
+        "Accepté si la valeur à 95 % est dans la limite, refusé si la valeur à 5 % est au-delà ;"
+        " l'incertitude de mesure ne compte pas : pas de bandes de garde (ISO 14253-1)."
+    ),
+    "rule.simple_after": (
+        "Accepté si la valeur mesurée est dans la limite, refusé si elle est au-delà ;"
+        " l'incertitude de mesure ne compte pas : pas de bandes de garde (ISO 14253-1)."
+    ),
+    "run.annex_c": "Annexe C : compensation",
+    "run.assumed": "Faits supposés",
+    "run.assumed_note": (
+        "Absents des fichiers fournis ; les résultats ne valent que si ces faits sont vrais."
+    ),
+    "run.axis_table": "Axe {axis} : table",
+    "run.bends": "{input} corrige {output}",
+    "run.bidirectional": "Une courbe par sens d'approche",
+    "run.card": "Fiche de mise en service (en anglais)",
+    "run.certificate": "Preuve de l'ajustement",
+    "run.changes": "Ancien et nouveau",
+    "run.check_first": "Indécis : vérifier d'abord ce qui est cité ci-dessus",
+    "run.circle_worse": "Indécis : la prévision est qu'un cercle se dégrade",
+    "run.comparison": "Avant et prévu",
+    "run.comparison_note": (
+        "Avant et, à la même échelle, ce qu'un essai aux mêmes points visés devrait montrer."
+    ),
+    "run.compensation": "Compensation",
+    "run.correction": "Correction : ce que la commande ajoute à la consigne.",
+    "run.cross": "Tables entre axes",
+    "run.done": (
+        "{tests:plural|1 essai|{tests} essais} {count:plural|de l'axe|des axes} {axes}"
+        " {tests:plural|a été évalué|ont été évalués} selon {standards:if|{standards:and}|aucune"
+        " norme}. L'erreur a été estimée sur la course{tables:if| ; la meilleure table que"
+        " {control:if|{control}|la commande} peut contenir a été calculée, écrite dans la forme de"
+        " la commande et relue dans les fichiers pour prévoir l'essai suivant. Rien n'est encore"
+        " chargé : charger la table avec la fiche de mise en service, mesurer de nouveau et lancer"
+        " compwright verify.|. Aucune table n'a été écrite : la prévision est celle de l'essai"
+        " suivant sans table.}"
+    ),
+    "run.estimate": "Axe {axis} : erreur estimée",
+    "run.estimate_note": (
+        "Ce que la table doit enlever : l'écart sur la course dans l'état où il a été mesuré, avec"
+        " son incertitude."
+    ),
+    "run.files": "Fichiers",
+    "run.files_written": "Fichiers écrits",
+    "run.in_english": (
+        "Sont en anglais : les constats, les doutes et les raisons, les indications du dossier de"
+        " travail et des fichiers, le nom de la commande, le contenu des faits supposés, les"
+        " parties sur les causes limitantes, l'utilité des points et les périodes, la liste des"
+        " entrées modifiées, les noms dans la preuve de l'ajustement, les textes des figures, les"
+        " paramètres des essais de circularité et la fiche de mise en service."
+    ),
+    "run.legend": (
+        "Gris : avant. Bleu : 5 à 95 % de nouveaux essais aux mêmes points visés, trait vertical :"
+        " médiane. Tirets : limite."
+    ),
+    "run.limit_missed": "D'après la prévision, au moins une limite ne sera pas respectée",
+    "run.limit_open": "Pour au moins une limite, il est incertain qu'elle soit respectée",
+    "run.limits": "Axe {axis} : causes limitantes",
+    "run.limits_met": "D'après la prévision, toutes les limites seront respectées",
+    "run.limits_met_if": (
+        "D'après la prévision, toutes les limites seront respectées, si ce qui est cité ci-dessus"
+        " est vrai"
+    ),
+    "run.no_axis_table": "Pas de table pour cet axe{reason:if| : {reason}}.",
+    "run.no_limits": "Résultat prévu ; aucune limite n'est indiquée pour décider",
+    "run.no_statement": (
+        "Déclaration de conformité : aucune. Les décisions portent sur l'essai suivant tel qu'il"
+        " est prévu ; le rapport de compwright verify décide de la machine."
+    ),
+    "run.no_table": "Aucune table n'a été écrite",
+    "run.no_table_for": "Aucune table n'a été écrite pour l'axe {axes}",
+    "run.periods": "Axe {axis} : périodes de l'erreur",
+    "run.points": "Table en chiffres : {count:plural|{count} point|{count} points}",
+    "run.provenance": "Origine des données",
+    "run.raw_readings": "Lectures brutes",
+    "run.refusal": "Axe {axis} : {reason}.",
+    "run.single": "Une courbe et une valeur de réversibilité",
+    "run.state": "Axe {axis} : état de la commande pris en compte",
+    "run.state_files": (
+        "Comme dans {files} ; la table est la somme de ce qui y était et de ce qui s'ajoute."
+    ),
+    "run.state_none": "Aucun : rien n'était actif dans la commande quand l'axe a été mesuré.",
+    "run.state_not_given": (
+        "Non indiqué. Sans lui, aucune table n'est écrite : la nouvelle somme doit contenir ce qui"
+        " est déjà actif."
+    ),
+    "run.table": (
+        "{count} nœuds, tels que relus dans les fichiers.{wanted:if| Trait large : le tracé voulu"
+        " avant arrondi et limites.}"
+    ),
+    "run.worth": "Axe {axis} : utilité des points de la table",
     "severity.error": "✗ erreur",
     "severity.info": "info",
     "severity.warning": "! attention",
+    "verify.comparison": "Avant, prévu et après",
+    "verify.comparison_note": (
+        "Une seule échelle. Prévu : moyennes attendues aux points visés du premier essai."
+    ),
+    "verify.equivalent": "impossible à distinguer de",
+    "verify.factor": "facteur",
+    "verify.further_table": "nouvelle table",
+    "verify.in_english": (
+        "Sont en anglais : le résultat en tête, les énoncés sur le chargement et le tour suivant,"
+        " les constats, les doutes et les raisons, les indications du dossier de travail et des"
+        " fichiers, le nom de la commande, les textes des figures et les paramètres des essais de"
+        " circularité."
+    ),
+    "verify.legend": (
+        "Gris : avant. Bleu : prévision de 5 à 95 %, trait vertical : mesuré après chargement."
+        " Tirets : limite."
+    ),
+    "verify.look_at": "À vérifier :",
+    "verify.next_round": "{written:if|Tour suivant|Pas de tour suivant}",
+    "verify.no_further_table": "pas de nouvelle table",
+    "verify.outside": "hors",
+    "verify.shift": "décalage en nœuds",
+    "verify.table_of": "table de l'axe",
+    "verify.within": "dans",
 }

@@ -49,6 +49,14 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "budget.setup": "Aufbau des Messgeräts",
     "budget.title": "Budget der Messunsicherheit, über {length}",
+    "decision.accept": "✓ angenommen",
+    "decision.no_limit": "kein Grenzwert",
+    "decision.reject": "✗ abgelehnt",
+    "decision.undecided": "? offen",
+    "fact.address": "Adresse in der Steuerung",
+    "fact.kind": "Art",
+    "fact.quantum": "Auflösung der Tabelle",
+    "fact.unit": "Einheit der Abweichungen",
     "given.approaches": "{counts}; {cycle:choose|standard=Standardzyklus|step=Schrittzyklus}",
     "given.arc": "von {start}° bis {end}°, {extent}°",
     "given.at_end": "{text} {end:choose|_start=zu Beginn|_end=am Ende}",
@@ -65,27 +73,45 @@ SENTENCES: Final[dict[str, str]] = {
         " {what:choose|scale=Maßstab|workpiece=Werkstück} {alpha_m} µm/(m K) bei {T_m} °C,"
         " Messgerät {alpha_d} µm/(m K) bei {T_d} °C, Festpunkt {x_fix} mm"
     ),
+    "given.list": "{others:if|{others} und |}{last:if|{last}|keine}",
     "given.listed": "{items}",
     "given.of_tests": "{names}: {statement}",
     "given.radius": "Radius {radius} mm",
     "given.samples": "{counts} Messpunkte",
     "given.sense": "{sense:choose|ccw=Gegenuhrzeigersinn|cw=Uhrzeigersinn}",
+    "given.sentences": "{sentences:join| }",
     "given.smoothing": "keine durch compwright: Jeder Messpunkt zählt",
     "given.statements": "{statements:join|; }",
     "given.targets": "{count} von {first} bis {last} {unit}; Liste in Anhang A",
+    "head.after": "Nachher",
     "head.approach": "Anfahrrichtung",
+    "head.assumed_value": "Angenommener Wert",
+    "head.axis": "Achse",
+    "head.before": "Vorher",
     "head.clause": "Abschnitt",
     "head.contribution": "Beitrag u",
+    "head.correction": "Korrektur{sign:if| {sign}}",
     "head.coverage_factor": "Erweiterungsfaktor k",
+    "head.decision": "Entscheidung",
     "head.distribution": "Verteilung",
+    "head.evidence": "Nachweis",
     "head.expanded_uncertainty": "Erweiterte Unsicherheit U",
     "head.extreme": "Extremwert",
+    "head.fact": "Tatsache",
     "head.file": "Datei",
     "head.item": "Angabe",
+    "head.limit": "Grenzwert",
+    "head.limit_on": "Grenzwert für",
+    "head.loading": "Laden",
     "head.mean": "Mittel {sign}",
     "head.parameter": "Kennwert",
     "head.position": "Position",
+    "head.predicted": "Vorhersage",
+    "head.predicted_new": "Vorhersage, neue Zielpositionen",
+    "head.predicted_same": "Vorhersage, gleiche Zielpositionen",
+    "head.quantity": "Größe",
     "head.remark": "Bemerkung",
+    "head.residual": "Restfehler",
     "head.sensitivity": "Empfindlichkeit",
     "head.source": "Quelle",
     "head.standard": "Norm",
@@ -135,9 +161,19 @@ SENTENCES: Final[dict[str, str]] = {
     "item.temperatures_instrument": "Temperatur der Fühler des Messgeräts, Beginn und Ende",
     "item.travel": "Verfahrweg der Achse",
     "item.warm_up": "Warmlaufen vor der Prüfung",
+    "label.after": "nachher",
+    "label.before": "vorher",
+    "label.circular_test": "Kreisformprüfung",
+    "label.conformity": "Konformitätserklärung: {statement}",
+    "label.control": "Steuerung",
+    "label.decision_rule": "Entscheidungsregel: {rule}",
     "label.extreme_at": "{symbol} bei {place} {unit}",
+    "label.kind": "{kind:choose|linear=Linearachse|rotary=Drehachse}",
+    "label.median": "Median",
     "label.not_stated": "nicht angegeben",
+    "label.of_the_prediction": "der Vorhersage",
     "label.plus_minus": "± {U}",
+    "label.range": "{low} bis {high}",
     "label.test_sentence": (
         "{standard}, {cycle:choose|standard=Standardzyklus|step=Schrittzyklus}, {targets}"
         " {targets:plural|Zielposition|Zielpositionen}, Messreihen: {counts:if|{counts}|keine},"
@@ -146,8 +182,12 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "label.test_title": "Achse {axis}, {name:if|{name}|Prüfung}{label:if|, {label}}",
     "label.traverses": "{count} in {sign}",
+    "label.unconfirmed": "! unbestätigt",
+    "label.with_range": "{unit}; Median, 5–95 %",
     "label.with_uncertainty": "{unit}; ± U, k = {k}",
     "label.with_unit": "{value} {unit}",
+    "mark.loaded": "✓ geladen",
+    "mark.measurement": "? Fehler der Messung",
     "parameter.A": "Genauigkeit der Positionierung, zweiseitig",
     "parameter.A_negative": "Genauigkeit der Positionierung, Anfahrrichtung −",
     "parameter.A_positive": "Genauigkeit der Positionierung, Anfahrrichtung +",
@@ -176,6 +216,7 @@ SENTENCES: Final[dict[str, str]] = {
     "report.axis": "Achse {axis}{name:if|, {name}}",
     "report.both": "beide",
     "report.circle": "Kreis {plane}{name:if|, {name}}",
+    "report.compensation": "Kompensation von {axes:if|{axes}|{count} Achsen}",
     "report.conditions": "Prüfbedingungen, {standard}",
     "report.conform": "Die Maschine hält alle Grenzwerte der obigen Tabelle ein.",
     "report.conformity_open": (
@@ -203,7 +244,9 @@ SENTENCES: Final[dict[str, str]] = {
     "report.no_number": "Bericht ohne Nummer",
     "report.not_conform": "Die Maschine hält nicht alle Grenzwerte der obigen Tabelle ein.",
     "report.number": "Berichtsnummer",
+    "report.open_sections": "Aufgeklappte Abschnitte werden gedruckt.",
     "report.operator": "Prüfer",
+    "report.other_findings": "Weitere Befunde",
     "report.page": "Seite",
     "report.page_of": "von",
     "report.parameters": "Kennwerte",
@@ -228,9 +271,143 @@ SENTENCES: Final[dict[str, str]] = {
         "Mittelwerte, Standardabweichungen und Wiederholpräzision an {count}"
         " {count:plural|Zielposition|Zielpositionen}"
     ),
+    "report.test": "Prüfung {name}",
     "report.title": "Prüfbericht{tests:plural|| über {tests} Prüfungen}",
     "report.unread": "Nicht ausgewertete Dateien",
+    "report.verification": "Nachprüfung von {axes}",
+    "rule.band": "{symbol} {U:if|{U} {unit}|nicht angegeben}",
+    "rule.guarded": (
+        "Entscheidung mit Schutzabstand (ISO 14253-1): angenommen, wenn der 95-%-Wert plus U"
+        " innerhalb des Grenzwerts liegt; abgelehnt, wenn der 5-%-Wert minus U darüber liegt; U (k"
+        " = 2) der nächsten Prüfung, mit dem Beitrag, den die erste in die Tabelle gebracht hat:"
+        " {bands}."
+    ),
+    "rule.guarded_after": (
+        "Entscheidung mit Schutzabstand (ISO 14253-1): angenommen, wenn der Wert plus U innerhalb"
+        " des Grenzwerts liegt; abgelehnt, wenn der Wert minus U darüber liegt; U (k = 2) der"
+        " Prüfung nach dem Laden: {bands}."
+    ),
+    "rule.simple": (
+        "Angenommen, wenn der 95-%-Wert innerhalb des Grenzwerts liegt; abgelehnt, wenn der"
+        " 5-%-Wert darüber liegt; die Messunsicherheit zählt nicht: keine Schutzabstände (ISO"
+        " 14253-1)."
+    ),
+    "rule.simple_after": (
+        "Angenommen, wenn der Messwert innerhalb des Grenzwerts liegt; abgelehnt, wenn er darüber"
+        " liegt; die Messunsicherheit zählt nicht: keine Schutzabstände (ISO 14253-1)."
+    ),
+    "run.annex_c": "Anhang C: Kompensation",
+    "run.assumed": "Annahmen",
+    "run.assumed_note": (
+        "Nicht in den vorliegenden Dateien; die Ergebnisse gelten nur, wenn dies zutrifft."
+    ),
+    "run.axis_table": "Achse {axis}: Tabelle",
+    "run.bends": "{input} korrigiert {output}",
+    "run.bidirectional": "Eine Kurve je Anfahrrichtung",
+    "run.card": "Inbetriebnahmekarte (Englisch)",
+    "run.certificate": "Nachweis der Anpassung",
+    "run.changes": "Alt und neu",
+    "run.check_first": "Offen: Zuerst prüfen, was oben genannt ist",
+    "run.circle_worse": "Offen: Für einen Kreis ist eine Verschlechterung vorhergesagt",
+    "run.comparison": "Vorher und Vorhersage",
+    "run.comparison_note": (
+        "Vorher und, im gleichen Maßstab, was eine Prüfung an den gleichen Zielpositionen"
+        " voraussichtlich zeigt."
+    ),
+    "run.compensation": "Kompensation",
+    "run.correction": "Korrektur: was die Steuerung zum Sollwert addiert.",
+    "run.cross": "Tabellen zwischen Achsen",
+    "run.done": (
+        "{tests:plural|1 Prüfung|{tests} Prüfungen} der {count:plural|Achse|Achsen} {axes}"
+        " {tests:plural|wurde|wurden} nach {standards:if|{standards:and}|keiner Norm} ausgewertet."
+        " Der Fehler wurde über den Verfahrweg geschätzt{tables:if|. Die beste Tabelle, die"
+        " {control:if|{control}|die Steuerung} aufnehmen kann, wurde berechnet, in der Form der"
+        " Steuerung geschrieben und aus den Dateien zurückgelesen, um die nächste Prüfung"
+        " vorherzusagen. Noch ist nichts geladen: Die Tabelle nach der Inbetriebnahmekarte laden,"
+        " erneut messen und compwright verify ausführen.|. Es wurde keine Tabelle geschrieben:"
+        " Vorhergesagt ist die nächste Prüfung ohne Tabelle.}"
+    ),
+    "run.estimate": "Achse {axis}: geschätzter Fehler",
+    "run.estimate_note": (
+        "Was die Tabelle beseitigen soll: die Abweichung über den Verfahrweg in dem Zustand, in"
+        " dem gemessen wurde, mit ihrer Unsicherheit."
+    ),
+    "run.files": "Dateien",
+    "run.files_written": "Geschriebene Dateien",
+    "run.in_english": (
+        "Auf Englisch sind: Befunde, Zweifel und Begründungen, Angaben des Auftrags und der"
+        " Dateien, der Name der Steuerung, der Inhalt der Annahmen, die Abschnitte über"
+        " begrenzende Ursachen, den Nutzen der Punkte und Perioden, die Liste der geänderten"
+        " Einträge, die Namen im Nachweis der Anpassung, die Beschriftung der Bilder, die"
+        " Kennwerte der Kreisformprüfungen und die Inbetriebnahmekarte."
+    ),
+    "run.legend": (
+        "Grau: vorher. Blau: 5 bis 95 % neuer Prüfungen an den gleichen Zielpositionen,"
+        " senkrechter Strich: Median. Gestrichelt: Grenzwert."
+    ),
+    "run.limit_missed": "Nach der Vorhersage wird mindestens ein Grenzwert nicht eingehalten",
+    "run.limit_open": "Bei mindestens einem Grenzwert ist offen, ob er eingehalten wird",
+    "run.limits": "Achse {axis}: begrenzende Ursachen",
+    "run.limits_met": "Nach der Vorhersage werden alle Grenzwerte eingehalten",
+    "run.limits_met_if": (
+        "Nach der Vorhersage werden alle Grenzwerte eingehalten, soweit zutrifft, was oben genannt"
+        " ist"
+    ),
+    "run.no_axis_table": "Keine Tabelle für diese Achse{reason:if|: {reason}}.",
+    "run.no_limits": (
+        "Vorhergesagtes Ergebnis; es sind keine Grenzwerte für eine Entscheidung angegeben"
+    ),
+    "run.no_statement": (
+        "Konformitätserklärung: keine. Die Entscheidungen betreffen die vorhergesagte nächste"
+        " Prüfung; über die Maschine entscheidet der Bericht von compwright verify."
+    ),
+    "run.no_table": "Es wurde keine Tabelle geschrieben",
+    "run.no_table_for": "Für Achse {axes} wurde keine Tabelle geschrieben",
+    "run.periods": "Achse {axis}: Perioden des Fehlers",
+    "run.points": "Tabelle in Zahlen: {count:plural|{count} Punkt|{count} Punkte}",
+    "run.provenance": "Herkunft der Daten",
+    "run.raw_readings": "Rohmesswerte",
+    "run.refusal": "Achse {axis}: {reason}.",
+    "run.single": "Eine Kurve und ein Wert der Umkehrspanne",
+    "run.state": "Achse {axis}: angenommener Zustand der Steuerung",
+    "run.state_files": (
+        "Wie in {files}; die Tabelle ist die Summe aus dem, was vorhanden war, und dem, was"
+        " hinzukommt."
+    ),
+    "run.state_none": "Keiner: In der Steuerung war nichts aktiv, als die Achse gemessen wurde.",
+    "run.state_not_given": (
+        "Nicht angegeben. Ohne ihn wird keine Tabelle geschrieben: Die neue Summe muss enthalten,"
+        " was schon aktiv ist."
+    ),
+    "run.table": (
+        "{count} Stützpunkte, wie aus den Dateien zurückgelesen.{wanted:if| Breite Linie: der"
+        " gewünschte Verlauf vor Rundung und Begrenzung.}"
+    ),
+    "run.worth": "Achse {axis}: Nutzen der Tabellenpunkte",
     "severity.error": "✗ Fehler",
     "severity.info": "Hinweis",
     "severity.warning": "! Warnung",
+    "verify.comparison": "Vorher, Vorhersage und nachher",
+    "verify.comparison_note": (
+        "Ein Maßstab. Vorhersage: erwartete Mittelwerte an den Zielpositionen der ersten Prüfung."
+    ),
+    "verify.equivalent": "nicht zu unterscheiden von",
+    "verify.factor": "Faktor",
+    "verify.further_table": "weitere Tabelle",
+    "verify.in_english": (
+        "Auf Englisch sind: das Ergebnis am Anfang, die Aussagen über das Laden und die nächste"
+        " Runde, Befunde, Zweifel und Begründungen, Angaben des Auftrags und der Dateien, der Name"
+        " der Steuerung, die Beschriftung der Bilder und die Kennwerte der Kreisformprüfungen."
+    ),
+    "verify.legend": (
+        "Grau: vorher. Blau: Vorhersage 5 bis 95 %, senkrechter Strich: nach dem Laden gemessen."
+        " Gestrichelt: Grenzwert."
+    ),
+    "verify.look_at": "Zu prüfen:",
+    "verify.next_round": "{written:if|Nächste Runde|Keine nächste Runde}",
+    "verify.no_further_table": "keine weitere Tabelle",
+    "verify.outside": "außerhalb",
+    "verify.shift": "Verschiebung in Stützpunkten",
+    "verify.table_of": "Tabelle der Achse",
+    "verify.within": "innerhalb",
 }

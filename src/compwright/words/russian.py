@@ -46,6 +46,14 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "budget.setup": "Установка прибора",
     "budget.title": "Бюджет неопределенности измерений, на длине {length}",
+    "decision.accept": "✓ принято",
+    "decision.no_limit": "нет допуска",
+    "decision.reject": "✗ отклонено",
+    "decision.undecided": "? не решено",
+    "fact.address": "адрес в системе ЧПУ",
+    "fact.kind": "вид",
+    "fact.quantum": "дискретность таблицы",
+    "fact.unit": "единица отклонений",
     "given.approaches": "{counts}; {cycle:choose|standard=стандартный цикл|step=шаговый цикл}",
     "given.arc": "от {start}° до {end}°, {extent}°",
     "given.at_end": "{text} {end:choose|_start=в начале|_end=в конце}",
@@ -62,27 +70,45 @@ SENTENCES: Final[dict[str, str]] = {
         " {alpha_m} µm/(m K) при {T_m} °C, прибор {alpha_d} µm/(m K) при {T_d} °C, неподвижная"
         " точка {x_fix} mm"
     ),
+    "given.list": "{others:if|{others} и |}{last:if|{last}|нет}",
     "given.listed": "{items}",
     "given.of_tests": "{names}: {statement}",
     "given.radius": "радиус {radius} mm",
     "given.samples": "точек измерения: {counts}",
     "given.sense": "{sense:choose|ccw=против часовой стрелки|cw=по часовой стрелке}",
+    "given.sentences": "{sentences:join| }",
     "given.smoothing": "compwright не сглаживает: учтена каждая точка",
     "given.statements": "{statements:join|; }",
     "given.targets": "{count}, от {first} до {last} {unit}; перечень в приложении A",
+    "head.after": "После",
     "head.approach": "Направление подхода",
+    "head.assumed_value": "Принятое значение",
+    "head.axis": "Ось",
+    "head.before": "До",
     "head.clause": "Пункт",
     "head.contribution": "Вклад u",
+    "head.correction": "Коррекция{sign:if| {sign}}",
     "head.coverage_factor": "Фактор охвата k",
+    "head.decision": "Решение",
     "head.distribution": "Распределение",
+    "head.evidence": "Основание",
     "head.expanded_uncertainty": "Расширенная неопределенность U",
     "head.extreme": "Крайнее значение",
+    "head.fact": "Факт",
     "head.file": "Файл",
     "head.item": "Сведения",
+    "head.limit": "Допуск",
+    "head.limit_on": "Допуск на",
+    "head.loading": "Загрузка",
     "head.mean": "среднее {sign}",
     "head.parameter": "Параметр",
     "head.position": "Позиция",
+    "head.predicted": "Прогноз",
+    "head.predicted_new": "Прогноз, новые заданные позиции",
+    "head.predicted_same": "Прогноз, те же заданные позиции",
+    "head.quantity": "Величина",
     "head.remark": "Примечание",
+    "head.residual": "Остаток",
     "head.sensitivity": "Чувствительность",
     "head.source": "Источник",
     "head.standard": "Стандарт",
@@ -132,9 +158,19 @@ SENTENCES: Final[dict[str, str]] = {
     "item.temperatures_instrument": "Температура датчиков прибора в начале и конце",
     "item.travel": "Ход оси",
     "item.warm_up": "Прогрев перед проверкой",
+    "label.after": "после",
+    "label.before": "до",
+    "label.circular_test": "круговая проверка",
+    "label.conformity": "Заявление о соответствии: {statement}",
+    "label.control": "система ЧПУ",
+    "label.decision_rule": "Правило решения: {rule}",
     "label.extreme_at": "{symbol} на {place} {unit}",
+    "label.kind": "{kind:choose|linear=линейная ось|rotary=ось вращения}",
+    "label.median": "медиана",
     "label.not_stated": "не указано",
+    "label.of_the_prediction": "прогноза",
     "label.plus_minus": "± {U}",
+    "label.range": "от {low} до {high}",
     "label.test_sentence": (
         "{standard}, {cycle:choose|standard=стандартный цикл|step=шаговый цикл}, {targets}"
         " {targets:plural|заданная позиция|заданные позиции|заданных позиций}, проходы:"
@@ -144,8 +180,12 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "label.test_title": "Ось {axis}, {name:if|{name}|проверка}{label:if|, {label}}",
     "label.traverses": "{count} в {sign}",
+    "label.unconfirmed": "! не подтверждено",
+    "label.with_range": "{unit}; медиана, 5–95 %",
     "label.with_uncertainty": "{unit}; ± U, k = {k}",
     "label.with_unit": "{value} {unit}",
+    "mark.loaded": "✓ загружена",
+    "mark.measurement": "? ошибка измерения",
     "parameter.A": "Точность двустороннего позиционирования",
     "parameter.A_negative": "Точность одностороннего позиционирования, подход −",
     "parameter.A_positive": "Точность одностороннего позиционирования, подход +",
@@ -175,6 +215,7 @@ SENTENCES: Final[dict[str, str]] = {
     "report.axis": "Ось {axis}{name:if|, {name}}",
     "report.both": "оба",
     "report.circle": "Окружность {plane}{name:if|, {name}}",
+    "report.compensation": "Коррекция: {axes:if|{axes}|осей {count}}",
     "report.conditions": "Условия проверки, {standard}",
     "report.conform": "Станок соответствует всем допускам таблицы выше.",
     "report.conformity_open": (
@@ -200,7 +241,9 @@ SENTENCES: Final[dict[str, str]] = {
     "report.no_number": "Протокол без номера",
     "report.not_conform": "Станок соответствует не всем допускам таблицы выше.",
     "report.number": "Номер протокола",
+    "report.open_sections": "Печатаются раскрытые разделы.",
     "report.operator": "Оператор",
+    "report.other_findings": "Прочие замечания",
     "report.page": "Страница",
     "report.page_of": "из",
     "report.parameters": "Параметры",
@@ -224,9 +267,129 @@ SENTENCES: Final[dict[str, str]] = {
         "Средние, среднеквадратические отклонения и повторяемость на {count}"
         " {count:plural|заданной позиции|заданных позициях|заданных позициях}"
     ),
+    "report.test": "Проверка {name}",
     "report.title": "Протокол испытаний{tests:plural||: {tests} проверки|: {tests} проверок}",
     "report.unread": "Необработанные файлы",
+    "report.verification": "Проверка после загрузки: {axes}",
+    "rule.band": "{symbol} {U:if|{U} {unit}|не указано}",
+    "rule.guarded": (
+        "Решение с защитной полосой (ISO 14253-1): принято, если значение 95 % плюс U в пределах"
+        " допуска; отклонено, если значение 5 % минус U за его пределами; U (k = 2) предстоящей"
+        " проверки вместе с тем, что первая внесла в таблицу: {bands}."
+    ),
+    "rule.guarded_after": (
+        "Решение с защитной полосой (ISO 14253-1): принято, если значение плюс U в пределах"
+        " допуска; отклонено, если значение минус U за его пределами; U (k = 2) проверки после"
+        " загрузки: {bands}."
+    ),
+    "rule.simple": (
+        "Принято, если значение 95 % в пределах допуска; отклонено, если значение 5 % за его"
+        " пределами; неопределенность измерений не учитывается: без защитных полос (ISO 14253-1)."
+    ),
+    "rule.simple_after": (
+        "Принято, если измеренное значение в пределах допуска; отклонено, если за его пределами;"
+        " неопределенность измерений не учитывается: без защитных полос (ISO 14253-1)."
+    ),
+    "run.annex_c": "Приложение C: коррекция",
+    "run.assumed": "Допущения",
+    "run.assumed_note": "В переданных файлах этого нет; результаты верны, только если это так.",
+    "run.axis_table": "Ось {axis}: таблица",
+    "run.bends": "{input} корректирует {output}",
+    "run.bidirectional": "По одной кривой на каждое направление подхода",
+    "run.card": "Карта ввода (на английском языке)",
+    "run.certificate": "Подтверждение расчета",
+    "run.changes": "Старое и новое",
+    "run.check_first": "Не решено: сначала проверить указанное выше",
+    "run.circle_worse": "Не решено: по прогнозу одна окружность ухудшится",
+    "run.comparison": "До и прогноз",
+    "run.comparison_note": (
+        "До коррекции и, в том же масштабе, ожидаемый результат проверки в тех же заданных"
+        " позициях."
+    ),
+    "run.compensation": "Коррекция",
+    "run.correction": "Коррекция: то, что система ЧПУ прибавляет к заданию.",
+    "run.cross": "Таблицы между осями",
+    "run.done": (
+        "Обработано: {tests} {tests:plural|проверка|проверки|проверок}, {count:plural|ось|оси|оси}"
+        " {axes}, стандарт: {standards:if|{standards:and}|нет}. Погрешность оценена по всему"
+        " ходу{tables:if|. Рассчитана лучшая таблица, которую может хранить"
+        " {control:if|{control}|система ЧПУ}; она записана в форме системы ЧПУ и прочитана из"
+        " файлов обратно, чтобы предсказать следующую проверку. Пока ничего не загружено:"
+        " загрузите таблицу по карте ввода, измерьте снова и запустите compwright verify.|."
+        " Таблица не записана: прогноз относится к следующей проверке без таблицы.}"
+    ),
+    "run.estimate": "Ось {axis}: оценка погрешности",
+    "run.estimate_note": (
+        "Что должна устранить таблица: отклонение по ходу в том состоянии, в котором его измерили,"
+        " с его неопределенностью."
+    ),
+    "run.files": "Файлы",
+    "run.files_written": "Записанные файлы",
+    "run.in_english": (
+        "На английском языке приведены: замечания, сомнения и причины, сведения из задания и"
+        " файлов, название системы ЧПУ, содержание допущений, разделы о том, что ограничивает ось,"
+        " о пользе точек и о периодах, перечень измененных записей, названия в подтверждении"
+        " расчета, надписи на рисунках, параметры круговых проверок и карта ввода."
+    ),
+    "run.legend": (
+        "Серое: до. Синее: от 5 до 95 % новых проверок в тех же заданных позициях, вертикальная"
+        " черта: медиана. Штрихи: допуск."
+    ),
+    "run.limit_missed": "По прогнозу хотя бы один допуск не будет выдержан",
+    "run.limit_open": "Хотя бы для одного допуска неясно, будет ли он выдержан",
+    "run.limits": "Ось {axis}: что ее ограничивает",
+    "run.limits_met": "По прогнозу все допуски будут выдержаны",
+    "run.limits_met_if": "По прогнозу все допуски будут выдержаны, если указанное выше верно",
+    "run.no_axis_table": "Для этой оси нет таблицы{reason:if|: {reason}}.",
+    "run.no_limits": "Прогноз результата; допуски для решения не заданы",
+    "run.no_statement": (
+        "Заявление о соответствии: нет. Решения относятся к прогнозу следующей проверки; о станке"
+        " решает протокол compwright verify."
+    ),
+    "run.no_table": "Таблица не записана",
+    "run.no_table_for": "Таблица не записана для оси {axes}",
+    "run.periods": "Ось {axis}: периоды погрешности",
+    "run.points": "Таблица в числах: {count} {count:plural|точка|точки|точек}",
+    "run.provenance": "Происхождение данных",
+    "run.raw_readings": "Исходные отсчеты",
+    "run.refusal": "Ось {axis}: {reason}.",
+    "run.single": "Одна кривая и одно значение зоны нечувствительности",
+    "run.state": "Ось {axis}: принятое состояние системы ЧПУ",
+    "run.state_files": "Как в {files}; таблица содержит сумму прежних и добавляемых значений.",
+    "run.state_none": "Нет: при измерении оси в системе ЧПУ ничего не действовало.",
+    "run.state_not_given": (
+        "Не указано. Без этого таблица не записывается: новая сумма должна содержать то, что уже"
+        " действует."
+    ),
+    "run.table": (
+        "Узлов: {count}, как прочитано из файлов.{wanted:if| Широкая линия: желаемое до округления"
+        " и ограничений.}"
+    ),
+    "run.worth": "Ось {axis}: польза точек таблицы",
     "severity.error": "✗ ошибка",
     "severity.info": "сведения",
     "severity.warning": "! важно",
+    "verify.comparison": "До, прогноз и после",
+    "verify.comparison_note": (
+        "Один масштаб. Прогноз: ожидаемые средние в заданных позициях первой проверки."
+    ),
+    "verify.equivalent": "неотличимо от",
+    "verify.factor": "множитель",
+    "verify.further_table": "еще одна таблица",
+    "verify.in_english": (
+        "На английском языке приведены: результат в начале, сведения о загрузке и следующем цикле,"
+        " замечания, сомнения и причины, сведения из задания и файлов, название системы ЧПУ,"
+        " надписи на рисунках и параметры круговых проверок."
+    ),
+    "verify.legend": (
+        "Серое: до. Синее: прогноз от 5 до 95 %, вертикальная черта: измерено после загрузки."
+        " Штрихи: допуск."
+    ),
+    "verify.look_at": "Проверить:",
+    "verify.next_round": "{written:if|Следующий цикл|Следующего цикла нет}",
+    "verify.no_further_table": "больше таблиц нет",
+    "verify.outside": "вне",
+    "verify.shift": "сдвиг в узлах",
+    "verify.table_of": "таблица оси",
+    "verify.within": "в пределах",
 }

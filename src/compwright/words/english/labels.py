@@ -47,6 +47,14 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "budget.setup": "Set-up",
     "budget.title": "Budget of the measurement uncertainty, over {length}",
+    "decision.accept": "✓ accept",
+    "decision.no_limit": "no limit",
+    "decision.reject": "✗ reject",
+    "decision.undecided": "? undecided",
+    "fact.address": "control address",
+    "fact.kind": "kind",
+    "fact.quantum": "resolution of the table",
+    "fact.unit": "unit of deviations",
     "given.approaches": "{counts}; {cycle} cycle",
     "given.arc": "from {start}° to {end}°, {extent}°",
     "given.at_end": "{text} {end:choose|_start=at the start|_end=at the end}",
@@ -62,27 +70,45 @@ SENTENCES: Final[dict[str, str]] = {
         "applied by compwright: readings reduced to 20 °C, {what} {alpha_m} µm/(m K) at {T_m} "
         "°C, instrument {alpha_d} µm/(m K) at {T_d} °C, fixed point {x_fix} mm"
     ),
+    "given.list": "{others:if|{others} and |}{last:if|{last}|none}",
     "given.listed": "{items}",
     "given.of_tests": "{names}: {statement}",
     "given.radius": "radius {radius} mm",
     "given.samples": "{counts} samples",
     "given.sense": "{sense:choose|ccw=counter-clockwise|cw=clockwise}",
+    "given.sentences": "{sentences:join| }",
     "given.smoothing": "none by compwright: every sample counts",
     "given.statements": "{statements:join|; }",
     "given.targets": "{count} from {first} to {last} {unit}; listed in annex A",
+    "head.after": "After",
     "head.approach": "Approach",
+    "head.assumed_value": "Assumed value",
+    "head.axis": "Axis",
+    "head.before": "Before",
     "head.clause": "Clause",
     "head.contribution": "Contribution u",
+    "head.correction": "Correction{sign:if| {sign}}",
     "head.coverage_factor": "Coverage factor k",
+    "head.decision": "Decision",
     "head.distribution": "Distribution",
+    "head.evidence": "Evidence",
     "head.expanded_uncertainty": "Expanded uncertainty U",
     "head.extreme": "Extreme",
+    "head.fact": "Fact",
     "head.file": "File",
     "head.item": "Item",
+    "head.limit": "Limit",
+    "head.limit_on": "Limit on",
+    "head.loading": "Loading",
     "head.mean": "mean {sign}",
     "head.parameter": "Parameter",
     "head.position": "Position",
+    "head.predicted": "Predicted",
+    "head.predicted_new": "Predicted, new targets",
+    "head.predicted_same": "Predicted, same targets",
+    "head.quantity": "Quantity",
     "head.remark": "Remark",
+    "head.residual": "Residual",
     "head.sensitivity": "Sensitivity",
     "head.source": "Source",
     "head.standard": "Standard",
@@ -132,9 +158,19 @@ SENTENCES: Final[dict[str, str]] = {
     "item.temperatures_instrument": "Temperature of the instrument's sensors, start and end",
     "item.travel": "Travel of the axis",
     "item.warm_up": "Warm-up before the test",
+    "label.after": "after",
+    "label.before": "before",
+    "label.circular_test": "circular test",
+    "label.conformity": "Statement of conformity: {statement}",
+    "label.control": "control",
+    "label.decision_rule": "Decision rule: {rule}",
     "label.extreme_at": "{symbol} at {place} {unit}",
+    "label.kind": "{kind}",
+    "label.median": "median",
     "label.not_stated": "not stated",
+    "label.of_the_prediction": "of the prediction",
     "label.plus_minus": "± {U}",
+    "label.range": "{low} to {high}",
     "label.test_sentence": (
         "{standard}, {cycle} cycle, {targets} target positions, traverses: "
         "{counts:if|{counts}|none}, limits drawn at ± {coverage} s.{extremes:if| Extremes: "
@@ -143,8 +179,12 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "label.test_title": "Axis {axis}, {name:if|{name}|test}{label:if|, {label}}",
     "label.traverses": "{count} in {sign}",
+    "label.unconfirmed": "! unconfirmed",
+    "label.with_range": "{unit}; median, 5–95 %",
     "label.with_uncertainty": "{unit}; ± U, k = {k}",
     "label.with_unit": "{value} {unit}",
+    "mark.loaded": "✓ loaded",
+    "mark.measurement": "? fault of measurement",
     "parameter.A": "{term:if|{term}|Bidirectional accuracy}",
     "parameter.A_negative": "{term:if|{term}|Accuracy, approach −}",
     "parameter.A_positive": "{term:if|{term}|Accuracy, approach +}",
@@ -174,6 +214,7 @@ SENTENCES: Final[dict[str, str]] = {
     "report.axis": "Axis {axis}{name:if|, {name}}",
     "report.both": "both",
     "report.circle": "Circle {plane}{name:if|, {name}}",
+    "report.compensation": "Compensation of {axes:if|{axes}|{count} axes}",
     "report.conditions": "Conditions of the test, {standard}",
     "report.conform": "The machine conforms to every limit of the table above.",
     "report.conformity_open": (
@@ -199,7 +240,9 @@ SENTENCES: Final[dict[str, str]] = {
     "report.no_number": "Report without a number",
     "report.not_conform": "The machine does not conform to every limit of the table above.",
     "report.number": "Report number",
+    "report.open_sections": "Sections that stand open are printed.",
     "report.operator": "Operator",
+    "report.other_findings": "Other findings",
     "report.page": "Page",
     "report.page_of": "of",
     "report.parameters": "Parameters",
@@ -220,9 +263,134 @@ SENTENCES: Final[dict[str, str]] = {
         "the mean at + minus the mean at −."
     ),
     "report.statistics": "Means, standard deviations and repeatability at {count} target positions",
+    "report.test": "Test {name}",
     "report.title": "Test report{tests:plural|| of {tests} tests}",
     "report.unread": "Files that were not evaluated",
+    "report.verification": "Verification of {axes}",
+    "rule.band": "{symbol} {U:if|{U} {unit}|not stated}",
+    "rule.guarded": (
+        "Guarded decision (ISO 14253-1): accepted when the 95 % value plus U lies within the"
+        " limit, rejected when the 5 % value less U lies beyond it; U (k = 2) of the coming test,"
+        " with what the first one has put into the table: {bands}."
+    ),
+    "rule.guarded_after": (
+        "Guarded decision (ISO 14253-1): accepted when the value plus U lies within the limit,"
+        " rejected when the value less U lies beyond it; U (k = 2) of the test after loading:"
+        " {bands}."
+    ),
+    "rule.simple": (
+        "Accepted when the 95 % value lies within the limit, rejected when the 5 % value lies"
+        " beyond it; the measurement uncertainty is not counted: no guard bands (ISO 14253-1)."
+    ),
+    "rule.simple_after": (
+        "Accepted when the measured value lies within the limit, rejected when it lies beyond it;"
+        " the measurement uncertainty is not counted: no guard bands (ISO 14253-1)."
+    ),
+    "run.annex_c": "Annex C: compensation",
+    "run.assumed": "Assumed facts",
+    "run.assumed_note": (
+        "Not in the files that were given; the results hold only where these are true."
+    ),
+    "run.axis_table": "Axis {axis}: table",
+    "run.bends": "{input} bends {output}",
+    "run.bidirectional": "One curve for each direction of approach",
+    "run.card": "Commissioning card",
+    "run.certificate": "Certificate of the fit",
+    "run.changes": "Old to new",
+    "run.check_first": "Undecided: check first what is named above",
+    "run.circle_worse": "Undecided: a circle is predicted to get worse",
+    "run.comparison": "Before and predicted",
+    "run.comparison_note": (
+        "Before and, on the same scale, what a test at the same targets is expected to show."
+    ),
+    "run.compensation": "Compensation",
+    "run.correction": "Correction: what the control adds to the command.",
+    "run.cross": "Cross tables",
+    "run.done": (
+        "{tests:plural|1 test|{tests} tests} of {count:plural|axis|axes} {axes}"
+        " {tests:plural|was|were} evaluated to {standards:if|{standards:and}|no standard}. The"
+        " error was estimated over the travel{tables:if|; the best table that"
+        " {control:if|{control}|the control} can hold was fitted, written in the control's own"
+        " form, and read back from the files to predict the next test. Nothing has been loaded"
+        " yet: load the table with the commissioning card, measure again, and run compwright"
+        " verify.|. No table was written: predicted is the next test without one.}"
+    ),
+    "run.estimate": "Axis {axis}: estimated error",
+    "run.estimate_note": (
+        "What the table is meant to remove: the deviation over the travel in the state in which it"
+        " was measured, with its uncertainty."
+    ),
+    "run.files": "Files",
+    "run.files_written": "Files written",
+    "run.in_english": (
+        "Findings, doubts and reasons, statements of the job and of the files, the name of the"
+        " control, assumed facts, what limits an axis, the worth of points, periods, the list of"
+        " changed entries, the names in the certificate of the fit, the words in figures, the"
+        " parameters of circular tests and the commissioning card are in English."
+    ),
+    "run.legend": (
+        "Grey: before. Blue: 5 to 95 % of fresh tests at the same targets, upright line: median."
+        " Dashed: limit."
+    ),
+    "run.limit_missed": "At least one limit is predicted to be missed",
+    "run.limit_open": "At least one limit may or may not be met",
+    "run.limits": "Axis {axis}: what limits it",
+    "run.limits_met": "All limits are predicted to be met",
+    "run.limits_met_if": (
+        "All limits are predicted to be met, as far as what is named above is right"
+    ),
+    "run.no_axis_table": "No table for this axis{reason:if|: {reason}}.",
+    "run.no_limits": "Predicted result; no limits were given to decide against",
+    "run.no_statement": (
+        "Statement of conformity: none. The decisions are about the predicted next test; the"
+        " report of compwright verify decides about the machine."
+    ),
+    "run.no_table": "No table was written",
+    "run.no_table_for": "No table was written for axis {axes}",
+    "run.periods": "Axis {axis}: periods of the error",
+    "run.points": "Table in numbers: {count} points",
+    "run.provenance": "Provenance",
+    "run.raw_readings": "Raw readings",
+    "run.refusal": "Axis {axis}: {reason}.",
+    "run.single": "One curve and one reversal value",
+    "run.state": "Axis {axis}: state of the control that was taken",
+    "run.state_files": (
+        "As in {files}; the table is the total of what was there and what is to be added."
+    ),
+    "run.state_none": "None: nothing was active in the control when the axis was measured.",
+    "run.state_not_given": (
+        "Not given. Without it no table is written: the new total has to hold what is active"
+        " already."
+    ),
+    "run.table": (
+        "{count} nodes, as read back from the files.{wanted:if| Broad line: what was wanted before"
+        " rounding and limits.}"
+    ),
+    "run.worth": "Axis {axis}: what the points of the table are worth",
     "severity.error": "✗ error",
     "severity.info": "info",
     "severity.warning": "! warning",
+    "verify.comparison": "Before, predicted and after",
+    "verify.comparison_note": (
+        "One scale. Predicted: expected means at the targets of the first test."
+    ),
+    "verify.equivalent": "cannot be told from",
+    "verify.factor": "factor",
+    "verify.further_table": "further table",
+    "verify.in_english": (
+        "The result on top, loading and the next round, findings, doubts and reasons, statements"
+        " of the job and of the files, the name of the control, the words in figures and the"
+        " parameters of circular tests are in English."
+    ),
+    "verify.legend": (
+        "Grey: before. Blue: predicted 5 to 95 %, upright line: measured after loading. Dashed:"
+        " limit."
+    ),
+    "verify.look_at": "Look at:",
+    "verify.next_round": "{written:if|Next round|No next round}",
+    "verify.no_further_table": "no further table",
+    "verify.outside": "outside",
+    "verify.shift": "shift in nodes",
+    "verify.table_of": "table of axis",
+    "verify.within": "within",
 }

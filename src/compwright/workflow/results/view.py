@@ -20,6 +20,7 @@ from compwright.records.axis import Direction
 from compwright.records.circular import CircularResult
 from compwright.records.job import Job
 from compwright.records.result import PositioningResult
+from compwright.words.sentences import say
 from compwright.workflow.results.stated import (
     report_document,
     stated_of_axes,
@@ -58,10 +59,8 @@ def run_view(
     if stated:
         state = list(state_files) or "none"
     return {
-        "title": (
-            f"Compensation of {', '.join(works)}"
-            if len(works) < 6
-            else f"Compensation of {len(works)} axes"
+        "title": say(
+            "report.compensation", axes=list(works) if len(works) < 6 else (), count=len(works)
         ),
         "machine": dict(job.machine),
         "format": {"id": control.id, "title": control.definition.title},
@@ -77,6 +76,7 @@ def _paper(job: Job, command: Sequence[str], options: Sequence[str] = ()) -> dic
     before and behind the job.
     """
     return {
+        "language": job.report.language,
         "report": report_document(job),
         "stated": {"axes": stated_of_axes(job), "circles": stated_of_circles(job)},
         "command": shlex.join(["compwright", *command, Path(job.file).name or JOB, *options]),
@@ -160,7 +160,7 @@ def verify_view(
     verification document, ``after`` the tests as they were given.
     """
     return {
-        "title": f"Verification of {', '.join(axes)}",
+        "title": say("report.verification", axes=list(axes)),
         "machine": dict(job.machine),
         "format": {"id": control.id, "title": control.definition.title},
         "axes": {
