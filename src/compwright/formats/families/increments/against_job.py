@@ -72,7 +72,7 @@ def check_reference(
         values.wrong(
             "reference_coordinate",
             message,
-            f"{reference:g}, as the job says",
+            f"{reference:g}, `reference` of the job (0 where it gives none)",
             given.text,
             hint=f"set `reference: {where:g}` in the job, if the control is right",
         )
