@@ -190,7 +190,8 @@ def refused(folder: Path, test: str, record: str) -> int:
         ("thermal: {alpha_m: 11.5}\n", None, 2, "T_m"),
         ("thermal: {alpha_m: 11.5}\n", "time,air_c,pressure_hpa,humidity_percent\n0,20,1013,50\n",
          3, "T_m"),
-        ("", "time,material_c\n0,20\n1,20\n", 3, "otherwise than the record"),
+        ("thermal: {alpha_m: 11.5}\n", "time,material_c\n0,20\n1,20\n", 3,
+         "otherwise than the record"),
     ],
 )  # fmt: skip
 def test_temperatures_that_nothing_states(
@@ -246,3 +247,36 @@ def test_after_loading_the_times_decide(tmp_path: Path, capsys: pytest.CaptureFi
     # the same axis at other hours: the light is taken out of both
     assert axis["after"]["B"] == pytest.approx(axis["before"]["B"], abs=0.01)
     assert axis["after"]["E"] == pytest.approx(axis["before"]["E"], abs=0.01)
+
+
+@pytest.mark.parametrize("stated", ["air and material", "XC-80", "yes", "Luft", "weather station"])
+def test_a_compensation_that_is_not_understood_counts_for_the_air(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], stated: str
+) -> None:
+    assert refused(tmp_path, readings(header=stated), RECORD) == 3
+    assert "already compensated for the air" in capsys.readouterr().err
+
+
+def test_material_compensation_leaves_the_air(tmp_path: Path) -> None:
+    result = evaluated(
+        tmp_path,
+        readings(header="material expansion"),
+        f"{{files: hall.csv, instrument_air: {DISPLAY}}}",
+    )
+    assert deviations(result) == pytest.approx(np.stack([TRUTH, TRUTH], axis=1), abs=0.0025)
+
+
+@pytest.mark.parametrize(
+    ("test", "record", "expected"),
+    [
+        (readings().replace("2026-11-24T09:00:00", "9 o'clock", 1), RECORD, "every reading"),
+        (readings(), "time,material_c\n2026-11-24T08:00:00,20\n2026-11-24T09:10:00,20\n",
+         "nothing would be removed"),
+        (readings(), "time,material_c\n23:50:00,20\n00:10:00,20\n", "go backwards"),
+    ],
+)  # fmt: skip
+def test_times_and_records_that_would_mislead(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], test: str, record: str, expected: str
+) -> None:
+    assert refused(tmp_path, test, record) == 3
+    assert expected in capsys.readouterr().err

@@ -274,7 +274,7 @@ def test_an_option_of_the_whole_control_is_none_of_one_axis(
     ("y", "state", "why"),
     [
         ("before: [y.csv], options: {method: line}", "none", "method: line"),
-        ("before: []", "[MP.TXT]", "MP720 acts on Y"),
+        ("before: []", "[MP.TXT]", "MP720 corrects Y now"),
     ],
 )
 def test_a_column_beside_the_linear_error_of_its_axis_is_refused(

@@ -17,11 +17,17 @@ from compwright.records.conditions import Thermal
 from compwright.records.positioning import PositioningTest
 from compwright.words.sentences import say
 
-_CODE: Final = "CW-T024"
 _NOTHING: Final = frozenset({"", "-", "no", "none", "nothing", "nichts", "keine", "0", "false"})
 _AIR_ONLY: Final = re.compile(
     r"^(?:(?:air|wavelength|refractive|refraction|index|of|the|light|laser|pressure|humidity|environment|environmental|edlen|and|only"
     r"|temperature(?=.*\bair\b)|(?<=air )temperature)\s*)+$"
+)
+
+
+#: Of the material alone, and not of the air: "temperature" by itself may be either.
+_MATERIAL_ONLY: Final = re.compile(
+    r"^(?=.*\b(?:material|expansion|scale|workpiece)\b)"
+    r"(?:(?:material|thermal|expansion|scale|workpiece|temperature|of|the|and|only|machine)\s*)+$"
 )
 
 
@@ -37,9 +43,12 @@ def instrument_compensated_expansion(compensated_for: str) -> bool:
 
 
 def instrument_compensated_air(compensated_for: str) -> bool:
-    """Whether the header text says that the instrument already compensated for the air."""
+    """Whether the header text says that the instrument already compensated for the air. A part that
+    is not clearly about the material alone counts, because removing the air's effect twice is worse
+    than asking.
+    """
     parts = [part.strip().lower() for part in re.split(r"[,;+/]", compensated_for)]
-    return any(part not in _NOTHING and _AIR_ONLY.match(part) for part in parts)
+    return any(part not in _NOTHING and not _MATERIAL_ONLY.match(part) for part in parts)
 
 
 def refuse_rotary(test: PositioningTest) -> None:
@@ -116,12 +125,12 @@ def remove_differential_expansion(test: PositioningTest, thermal: Thermal) -> Po
         test,
         positive=test.positive - expansion,
         negative=test.negative - expansion,
-        findings=(*test.findings, expansion_finding(thermal), *_risen(test, thermal)),
+        findings=(*test.findings, expansion_finding(thermal), *rise_findings(test, thermal)),
         thermal=thermal,
     )
 
 
-def _risen(test: PositioningTest, thermal: Thermal) -> tuple[Finding, ...]:
+def rise_findings(test: PositioningTest, thermal: Thermal) -> tuple[Finding, ...]:
     """Return what the temperature did between start and end of the test (CW-T025)."""
     if thermal.rise_m == 0.0 and thermal.rise_d == 0.0:
         return ()

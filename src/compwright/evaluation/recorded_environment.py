@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
+from datetime import UTC, datetime
 from typing import Final
 
 import numpy as np
@@ -22,6 +23,7 @@ from compwright.evaluation.expansion import (
     instrument_compensated_air,
     refuse_reduced,
     refuse_rotary,
+    rise_findings,
 )
 from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.findings import Finding
@@ -35,24 +37,37 @@ _EQUATIONS: Final = {"ciddor": ciddor, "edlen": edlen}
 #: A gap in the record is named where it is this many times the usual distance of its rows.
 _GAP: Final = 5.0
 _PER_MILLION: Final = 1e6
+#: µm/m: below this the lowest and the highest rate print alike.
+_SAME_RATE: Final = 0.001
+#: µm over the targets: below this it does not matter when a reading was taken.
+_SMALL: Final = 0.5
 
 
 def reduce_by_record(
-    test: PositioningTest, environment: Environment, thermal: Thermal | None, zero: float
+    test: PositioningTest,
+    environment: Environment,
+    thermal: Thermal | None,
+    zero: float,
+    *,
+    own_temperature: bool,
 ) -> PositioningTest:
     """Return ``test`` (machine coordinates) without what the air did to the light and, where
     ``thermal`` is given, without the differential expansion, both at the moment of each reading.
-    ``zero``: where the display was zeroed, mm.
+    ``zero``: where the display was zeroed, mm; ``own_temperature``: T_m of ``thermal`` is stated by
+    the test itself.
 
     Findings: CW-T024 and CW-T028 what was removed, CW-T029 how light, expansion and the rest
     changed over the test, CW-T038 a gap in the record, CW-T039 readings without times: for them the
-    mean of the record counts. Without columns of the air only the expansion is removed.
+    mean of the record counts, of the material only where the test states no temperature of its own.
+    Without columns of the air only the expansion is removed.
 
     Raises UsageError for a rotary axis, InputError where the instrument did it already, where times
     are missing that are needed or are given otherwise than in the record, and where the record does
     not reach over the test.
     """
     refuse_rotary(test)
+    if thermal is None and not environment.record.has_air:
+        return replace(test, times=None)
     if environment.record.has_air:
         _refuse_compensated_air(test)
     if thermal is not None:
@@ -66,16 +81,18 @@ def reduce_by_record(
     if environment.record.has_air:
         index, counted = _index(environment, at), _counted(environment)
         light = (test.targets[:, np.newaxis] + readings - zero) * (1.0 - counted / index)
-        findings.append(_light_finding(environment, at, 1.0 - counted / index))
+        findings.append(_light_finding(environment, at, 1.0 - counted / index, zero))
     if thermal is not None:
-        T_m = at.get(MATERIAL, np.full_like(readings, thermal.T_m))
-        thermal = replace(thermal, T_m=float(np.nanmean(T_m)), rise_m=0.0, rise_d=0.0)
+        T_m = np.full_like(readings, thermal.T_m)
+        if MATERIAL in at and not (times is None and own_temperature):
+            T_m = at[MATERIAL]
+            thermal = replace(thermal, T_m=float(np.nanmean(T_m)), rise_m=0.0)
         slope = thermal.slope + 1e-6 * thermal.alpha_m * (T_m - thermal.T_m)
         expansion = (test.targets[:, np.newaxis] - thermal.x_fix) * slope
-        findings.append(expansion_finding(thermal))
+        findings += [expansion_finding(thermal), *rise_findings(test, thermal)]
     removed = light + expansion
     if times is None:
-        findings.append(_untimed_finding(environment, test, thermal))
+        findings += _untimed(environment, test, None if own_temperature else thermal)
     else:
         findings += _changes(times, split, light, expansion, readings - removed)
     return replace(
@@ -130,6 +147,21 @@ def _times(test: PositioningTest, environment: Environment) -> FloatArray | None
             )
         )
     times = np.hstack([test.times.positive, test.times.negative])
+    missing = np.isfinite(np.hstack([test.positive, test.negative])) & ~np.isfinite(times)
+    if np.any(missing):
+        raise InputError(
+            Fault(
+                message="does not say of every reading when it was taken",
+                file=_file(test),
+                place="column time",
+                expected="a time in every row, all of one form",
+                found=(
+                    f"{int(missing.sum())} of {missing.size} without, the first at"
+                    f" {test.targets[int(np.argmax(missing.any(axis=1)))]:.10g} mm"
+                ),
+                hint="correct these cells, or take the column out",
+            )
+        )
     if test.times.clock != record.clock:
         raise InputError(
             Fault(
@@ -148,8 +180,8 @@ def _times(test: PositioningTest, environment: Environment) -> FloatArray | None
             Fault(
                 message="the record of the environment does not reach over the test",
                 file=", ".join(source.file for source in record.sources),
-                expected=f"rows from {first:.10g} to {last:.10g} ({_unit_of(record)})",
-                found=f"rows from {record.times[0]:.10g} to {record.times[-1]:.10g}",
+                expected=f"rows from {_shown(first, record)} to {_shown(last, record)}",
+                found=f"{_shown(record.times[0], record)} to {_shown(record.times[-1], record)}",
                 hint=(
                     f"name the record of the time of {_file(test)} too: `environment: [FILE,"
                     " FILE]`, or correct the clock of one of them"
@@ -159,11 +191,12 @@ def _times(test: PositioningTest, environment: Environment) -> FloatArray | None
     return times
 
 
-def _unit_of(record: EnvironmentRecord) -> str:
-    return {
-        "number": "as the files count",
-        "time of day": "s since midnight",
-    }.get(record.clock, "s since 1970")
+def _shown(time: float, record: EnvironmentRecord) -> str:
+    """Return a time as people write it."""
+    if record.clock == "number":
+        return f"{time:.10g}"
+    moment = datetime.fromtimestamp(time, UTC)
+    return f"{moment:%H:%M:%S}" if record.clock == "time of day" else f"{moment:%Y-%m-%d %H:%M:%S}"
 
 
 def _usual_distance(record: EnvironmentRecord) -> float:
@@ -208,7 +241,7 @@ def _gap(record: EnvironmentRecord, times: FloatArray) -> Iterator[Finding]:
 
 
 def _light_finding(
-    environment: Environment, at: Mapping[str, FloatArray], rate: FloatArray
+    environment: Environment, at: Mapping[str, FloatArray], rate: FloatArray, zero: float
 ) -> Finding:
     air = environment.instrument_air
     least, most = (_PER_MILLION * float(pick(rate)) for pick in (np.nanmin, np.nanmax))
@@ -216,7 +249,8 @@ def _light_finding(
         "CW-T028",
         "info" if air is None or air.stated else "warning",
         least=least,
-        most=most,
+        most=most if most - least > _SAME_RATE else None,
+        zero=zero,
         equation=environment.equation,
         air_c=float(np.nanmean(at["air_c"])),
         pressure_hpa=float(np.nanmean(at["pressure_hpa"])),
@@ -226,11 +260,12 @@ def _light_finding(
     )
 
 
-def _untimed_finding(
+def _untimed(
     environment: Environment, test: PositioningTest, thermal: Thermal | None
-) -> Finding:
-    """Return what the record varies by while nothing says when the readings were taken, in µm over
-    the targets.
+) -> Iterator[Finding]:
+    """Yield by how much the reduction varies within the record, µm over the targets, where nothing
+    says when the readings were taken; nothing where that is small. ``thermal``: the expansion whose
+    temperature is that of the record.
     """
     record = environment.record
     varied = np.zeros_like(record.times)
@@ -239,12 +274,9 @@ def _untimed_finding(
     if thermal is not None and MATERIAL in record.values:
         varied = varied + 1e-6 * thermal.alpha_m * record.values[MATERIAL]
     length = float(test.targets[-1] - test.targets[0])
-    return Finding.of(
-        "CW-T039",
-        "warning",
-        range=float(np.ptp(varied)) * length * MICROMETRES_PER_MILLIMETRE,
-        length=length,
-    )
+    size = float(np.ptp(varied)) * length * MICROMETRES_PER_MILLIMETRE
+    if size > _SMALL:
+        yield Finding.of("CW-T039", "warning", range=size, length=length)
 
 
 def _changes(

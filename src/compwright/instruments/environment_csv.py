@@ -60,6 +60,13 @@ def read_environment(content: bytes, file: str) -> EnvironmentRecord:
         )
         faults.raise_if_any()
     clock, times = times_of(table.of(TIME), table.place(TIME), faults)
+    if clock == "time of day" and np.any(np.diff(times) < 0.0):
+        faults.add(
+            "the times of day go backwards: over midnight, or in no order",
+            place=table.place(TIME)(int(np.argmax(np.diff(times) < 0.0)) + 1),
+            expected="times of day that rise, or dates with them",
+            hint="write the date with each time, here and in the measurement files",
+        )
     marks = DecimalMarks(faults)
     values = {name: _column(table, name, marks, faults) for name in columns}
     marks.check(comma_is_delimiter=table.delimiter == ",")
@@ -130,11 +137,15 @@ def joined(records: Sequence[EnvironmentRecord]) -> EnvironmentRecord:
 def _column(table: CsvTable, name: str, marks: DecimalMarks, faults: FaultList) -> FloatArray:
     numbers = marks.parse_all(table.of(name), table.lines, table.place(name), name)
     low, high = _PLAUSIBLE[name]
-    for index in np.flatnonzero((numbers < low) | (numbers > high)):
+    outside = np.flatnonzero((numbers < low) | (numbers > high))
+    if outside.size:
         faults.add(
-            f"cannot be a value of {name}: is it in another unit?",
-            place=table.place(name)(int(index)),
+            f"cannot be in the unit of {name}",
+            place=table.place(name)(int(outside[0])),
             expected=f"{low:g} to {high:g}",
-            found=shown(table.of(name)[int(index)]),
+            found=(
+                f"{shown(table.of(name)[int(outside[0])])} ({outside.size} of {numbers.size} rows)"
+            ),
+            hint="convert the column to the unit of its name (°C, hPa, %)",
         )
     return numbers

@@ -303,12 +303,13 @@ def _long(
 
 
 def _timed(table: CsvTable, readings: Readings) -> Readings:
-    """Return the readings with the times of a column ``time``, for rows that have one."""
+    """Return the readings with the times of a column ``time``, NaN where a row gives none; without
+    them where no row does.
+    """
     if TIME not in table.columns:
         return readings
-    unread = FaultList("")
-    clock, times = times_of(table.of(TIME), table.place(TIME), unread)
-    return readings if unread else replace(readings, clock=clock, times=times)
+    clock, times = times_of(table.of(TIME), table.place(TIME), FaultList(""))
+    return replace(readings, clock=clock, times=times) if np.isfinite(times).any() else readings
 
 
 def _wide(

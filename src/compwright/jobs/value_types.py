@@ -62,7 +62,7 @@ def yes_or_no(value: Any) -> Any:
 
 
 def files_or_mapping(value: Any) -> Any:
-    """Accept one file or several, or the word none, in place of a mapping with ``files``."""
+    """Accept one file or several in place of a mapping with ``files``."""
     return value if isinstance(value, dict) else {"files": value}
 
 

@@ -213,7 +213,7 @@ SENTENCES: Final[dict[str, str]] = {
         " La traçabilité des valeurs repose sur les certificats d'étalonnage des instruments de"
         " mesure cités."
     ),
-    "report.acknowledged": "Doutes confirmés",
+    "report.acknowledged": "Doutes pris en compte",
     "report.annex_a": "Annexe A : points visés et lectures brutes",
     "report.annex_b": "Annexe B : origine des données",
     "report.axis": "Axe {axis}{name:if|, {name}}",
@@ -267,7 +267,8 @@ SENTENCES: Final[dict[str, str]] = {
     "report.sign_place": "Lieu, date",
     "report.signs": (
         "Écart : position mesurée moins point visé. Approche + : dans le sens positif de la"
-        " machine. B est la moyenne à + moins la moyenne à −."
+        " machine. Erreur de réversibilité à un point visé : moyenne à + moins moyenne"
+        " à − ; B en est la plus grande valeur absolue."
     ),
     "report.statistics": (
         "Moyennes, écarts-types et répétabilité en {count} {count:plural|point visé|points visés}"

@@ -202,15 +202,15 @@ SENTENCES: Final[dict[str, str]] = {
     "parameter.Ps_max": "Größte Positionsstreubreite",
     "parameter.Ps_mean": "Mittlere Positionsstreubreite",
     "parameter.R": "Wiederholpräzision der Positionierung, zweiseitig",
-    "parameter.R_negative": "Wiederholpräzision der Positionierung, Anfahrrichtung −",
-    "parameter.R_positive": "Wiederholpräzision der Positionierung, Anfahrrichtung +",
+    "parameter.R_negative": "Wiederholpräzision der Positionierung, einseitig, Anfahrrichtung −",
+    "parameter.R_positive": "Wiederholpräzision der Positionierung, einseitig, Anfahrrichtung +",
     "parameter.U_max": "Größte Umkehrspanne",
     "parameter.U_mean": "Mittlere Umkehrspanne",
     "report.accreditation": (
         "Dies ist ein Prüfbericht, kein Kalibrierschein eines akkreditierten Laboratoriums. Die"
         " Rückführung der Werte beruht auf den Kalibrierscheinen der genannten Messgeräte."
     ),
-    "report.acknowledged": "Bestätigte Zweifel",
+    "report.acknowledged": "Zur Kenntnis genommene Zweifel",
     "report.annex_a": "Anhang A: Zielpositionen und Rohmesswerte",
     "report.annex_b": "Anhang B: Herkunft der Daten",
     "report.axis": "Achse {axis}{name:if|, {name}}",
@@ -265,7 +265,8 @@ SENTENCES: Final[dict[str, str]] = {
     "report.sign_place": "Ort, Datum",
     "report.signs": (
         "Abweichung: gemessene Position minus Zielposition. Anfahrrichtung +: in positiver"
-        " Maschinenrichtung. B ist das Mittel bei + minus das Mittel bei −."
+        " Maschinenrichtung. Umkehrspanne an einer Zielposition: Mittel bei + minus Mittel"
+        " bei −; B ist ihr größter Betrag."
     ),
     "report.statistics": (
         "Mittelwerte, Standardabweichungen und Wiederholpräzision an {count}"

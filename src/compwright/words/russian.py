@@ -54,7 +54,7 @@ SENTENCES: Final[dict[str, str]] = {
     "fact.kind": "вид",
     "fact.quantum": "дискретность таблицы",
     "fact.unit": "единица отклонений",
-    "given.approaches": "{counts}; {cycle:choose|standard=стандартный цикл|step=шаговый цикл}",
+    "given.approaches": "{counts}; {cycle:choose|standard=стандартный цикл|step=пошаговый цикл}",
     "given.arc": "от {start}° до {end}°, {extent}°",
     "given.at_end": "{text} {end:choose|_start=в начале|_end=в конце}",
     "given.axis": "{axis}, {kind:choose|linear=линейная ось|rotary=ось вращения}",
@@ -172,7 +172,7 @@ SENTENCES: Final[dict[str, str]] = {
     "label.plus_minus": "± {U}",
     "label.range": "от {low} до {high}",
     "label.test_sentence": (
-        "{standard}, {cycle:choose|standard=стандартный цикл|step=шаговый цикл}, {targets}"
+        "{standard}, {cycle:choose|standard=стандартный цикл|step=пошаговый цикл}, {targets}"
         " {targets:plural|заданная позиция|заданные позиции|заданных позиций}, проходы:"
         " {counts:if|{counts}|нет}, границы ± {coverage} s.{extremes:if| Крайние значения:"
         " {extremes:join|; }.}{uncertainty:if|| Неопределенности измерений нет: составляющие не"
@@ -209,7 +209,7 @@ SENTENCES: Final[dict[str, str]] = {
         " Прослеживаемость значений основана на свидетельствах о калибровке названных измерительных"
         " приборов."
     ),
-    "report.acknowledged": "Подтвержденные сомнения",
+    "report.acknowledged": "Принятые к сведению сомнения",
     "report.annex_a": "Приложение A: заданные позиции и исходные отсчеты",
     "report.annex_b": "Приложение B: происхождение данных",
     "report.axis": "Ось {axis}{name:if|, {name}}",
@@ -261,7 +261,8 @@ SENTENCES: Final[dict[str, str]] = {
     "report.sign_place": "Место, дата",
     "report.signs": (
         "Отклонение: действительная позиция минус заданная. Подход +: в положительном направлении"
-        " станка. B: среднее при подходе + минус среднее при подходе −."
+        " станка. Зона нечувствительности в целевой позиции: среднее при подходе +"
+        " минус среднее при подходе −; B: наибольшее по модулю."
     ),
     "report.statistics": (
         "Средние, среднеквадратические отклонения и повторяемость на {count}"

@@ -204,13 +204,13 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-T026.whole": (
         "E_VE is {E_VE}, the largest range of {file} within all of its {minutes:g} min. It"
-        " has to be as long as a positioning test: give duration_min where that is another"
-        " time."
+        " must be as long as a positioning test: give the time of yours as duration_min where it"
+        " is shorter."
     ),
     "CW-T026.within": "E_VE is {E_VE}, the largest range of {file} within {minutes:g} min.",
     "CW-T027": (
-        "The stand-still test {file} says too little of E_VE: {reasons:join|; }. Record the"
-        " reading of the axis at rest for as long as a test takes."
+        "The stand-still test {file} shows too little of E_VE: {reasons:join|; }. Record the"
+        " reading of the axis at rest, at least ten times, for as long as a test takes."
     ),
     "CW-T027.coarse": (
         "up to {minutes:g} min lie between two readings: what comes and goes is missed"
@@ -220,13 +220,14 @@ SENTENCES: Final[dict[str, str]] = {
         " min|no positioning test is so short}: the drift of a test is larger"
     ),
     "CW-T028": (
-        "The air changed the light: {least:+.3f} to {most:+.3f} µm/m were removed"
+        "The air changed the light: {least:+.3f}{most:if| to {most:+.3f}|} µm/m from {zero:.10g} mm"
+        " on, where the display shows 0, was removed"
         " ({equation:choose|ciddor=Ciddor|edlen=Edlén}; air at {air_c:.4g} °C,"
         " {pressure_hpa:.6g} hPa, {humidity_percent:.3g} % on average). The display of the"
-        " instrument {assumed:if|is assumed to count|counts} for a refractive index of"
+        " instrument {assumed:if|is assumed to use|uses} the refractive index"
         " {counted:.9f}"
         "{assumed:if|, air at 20 °C, 1013.25 hPa and 50 %: give `instrument_air` under"
-        " `environment` where it counts for another|}."
+        " `environment` where it uses another|}."
     ),
     "CW-T029": (
         "From the first to the last reading the light changed by {light:+.2f} µm and the expansion"
@@ -242,8 +243,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-T039": (
         "The readings do not say when they were taken: the mean of the record of the environment"
-        " was used. Within the record it varies by {range:.2f} µm over {length:.5g} mm. Add a"
-        " column `time` to the measurement file."
+        " was used. Within the record the correction varies by {range:.2f} µm over {length:.5g} mm,"
+        " and the readings may be wrong by as much. Add a column `time` to the measurement file, or"
+        " give the record of the time of the test alone."
     ),
     "CW-T030.small": (
         "All readings lie within {spread}: few machines are that good. Is the unit right?"

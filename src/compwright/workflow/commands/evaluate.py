@@ -271,6 +271,13 @@ def _without_stand_still(document: Mapping[str, Any]) -> Mapping[str, Any]:
     number, and has neither page nor picture.
     """
     tests = [result for result in document["results"] if result["kind"] != "environment"]
+    if document["results"] and not tests:
+        raise UsageError(
+            Fault(
+                message="a stand-still test is one number: it has neither page nor picture",
+                hint="give a positioning or circular test too, or leave this option out",
+            )
+        )
     return {**document, "results": tests}
 
 

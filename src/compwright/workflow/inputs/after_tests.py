@@ -17,6 +17,7 @@ from compwright.foundations.errors import (
     raise_all,
 )
 from compwright.foundations.session import Session
+from compwright.records.environment import MATERIAL
 from compwright.records.job import AxisJob, Job, TestRequest
 from compwright.records.plan import Plan
 from compwright.records.positioning import PositioningTest
@@ -141,12 +142,15 @@ def _without_temperature(
     before = next((each.test for each in planned if each.test.name == request.name), None)
     if before is None or before.thermal is None or test.thermal is None:
         return
+    record = request.environment.record if request.environment is not None else None
     of_first, now = (temperatures_of([each]) for each in (before, test))
     for name, temperature, expands in (
         ("T_m", before.thermal.T_m, True),
         ("T_d", before.thermal.T_d, before.thermal.alpha_d != 0.0),
     ):
         own = name in request.own_temperatures or name in of_first
+        if name == "T_m" and record is not None and MATERIAL in record.values:
+            continue  # both tests have the temperature of their own hours
         if own and expands and name not in now:
             message = (
                 "states no temperature, and the test that it repeats was referred to 20 °C from a"

@@ -169,7 +169,7 @@ def read_test(
         _check_axis(entry.axis, part)
     _check_one_map(entry, request, parts)
     test = to_machine(merge(parts, request.name), request.position_map)
-    thermal = request.thermal
+    thermal, stated = request.thermal, {}
     if thermal is not None:
         of_files = temperatures_of(parts).items()
         stated = {name: T for name, T in of_files if name not in request.own_temperatures}
@@ -177,7 +177,8 @@ def read_test(
     if request.environment is not None:
         mapped = profile.position_map if profile is not None else None
         zero = (mapped or request.position_map).offset
-        test = reduce_by_record(test, request.environment, thermal, zero)
+        own = "T_m" in {*stated, *request.own_temperatures}
+        test = reduce_by_record(test, request.environment, thermal, zero, own_temperature=own)
     elif thermal is not None:
         test = remove_differential_expansion(test, thermal)
     finding = skipped_finding([shown_path(path) for path in skipped])

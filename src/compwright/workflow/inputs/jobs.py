@@ -32,7 +32,7 @@ from compwright.jobs.command_line import job_from_options
 from compwright.jobs.consistency import NONE_WORD
 from compwright.jobs.reading import read_job
 from compwright.records.axis import Axis, AxisKind
-from compwright.records.environment import MATERIAL, Environment
+from compwright.records.environment import AIR, MATERIAL, Environment
 from compwright.records.job import Job
 from compwright.records.options import KIND, REFERENCE, REFERENCE_RETURN
 from compwright.records.plan import Texts
@@ -113,8 +113,19 @@ def _with_environment(session: Session, job: Job, folder: Path) -> Job:
         ),
         None if material is None else float(material.mean()),
     )
-    every = [job.thermal, *(entry.thermal for entry in job.axes.values())]
-    every += [test.thermal for entry in job.axes.values() for test in entry.before]
+    every = [test.thermal for entry in job.axes.values() for test in entry.before]
+    every += [job.thermal] if job.circles else []
+    if not record.has_air and not any(every):
+        raise InputError(
+            Fault(
+                message="holds the temperature of the material alone, and the job has no `thermal`:"
+                " nothing would be removed",
+                file=", ".join(request.files),
+                place="environment",
+                hint="add `thermal: {alpha_m: 11.5}` with the coefficient of the scale, or columns"
+                f" {', '.join(AIR)}",
+            )
+        )
     if any(thermal is not None and math.isnan(thermal.T_m) for thermal in every):
         fault = Fault(
             message="has no column material_c, and no key states the temperature T_m",
