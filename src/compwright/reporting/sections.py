@@ -333,6 +333,7 @@ def result_block(result: Document, label: str | Sentence = "") -> dict[str, Any]
         "statistics": _statistics(result, unit, where),
         "readings": _readings(result, unit, where),
         "reduced": _readings(result, unit, where, reduced=True),
+        "at_20": bool(result.get("thermal")),
     }
 
 

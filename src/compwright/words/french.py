@@ -259,6 +259,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "report.readings": "Lectures",
     "report.readings_measured": "Lectures telles que mesurées",
+    "report.readings_air": "Lectures corrigées de l'effet de l'air sur la lumière",
     "report.readings_reduced": "Lectures ramenées à 20 °C",
     "report.results": "Résultats",
     "report.see_tests": "voir les pages des essais",

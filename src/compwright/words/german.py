@@ -257,6 +257,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "report.readings": "Einzelwerte",
     "report.readings_measured": "Einzelwerte, wie gemessen",
+    "report.readings_air": "Einzelwerte, Einfluss der Luft auf das Licht herausgerechnet",
     "report.readings_reduced": "Einzelwerte, auf 20 °C umgerechnet",
     "report.results": "Ergebnisse",
     "report.see_tests": "siehe Seiten der Prüfungen",

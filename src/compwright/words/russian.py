@@ -253,6 +253,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "report.readings": "Отсчеты",
     "report.readings_measured": "Отсчеты, как измерено",
+    "report.readings_air": "Отсчеты без влияния воздуха на свет",
     "report.readings_reduced": "Отсчеты, приведенные к 20 °C",
     "report.results": "Результаты",
     "report.see_tests": "см. страницы проверок",

@@ -252,6 +252,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "report.readings": "Single readings",
     "report.readings_measured": "Single readings, as measured",
+    "report.readings_air": "Single readings, the effect of the air on the light removed",
     "report.readings_reduced": "Single readings, reduced to 20 °C",
     "report.results": "Results",
     "report.see_tests": "see the pages of the tests",
