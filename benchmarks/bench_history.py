@@ -496,16 +496,16 @@ def count_steps(made: Machine, axis: dict[str, Any], tally: Tally) -> None:
 
 def count_date(made: Machine, trend: dict[str, Any] | None, crossing: float, tally: Tally) -> None:
     """Count whether the date on which the machine reaches its limit lies in the interval."""
-    told = trend and trend["crosses"]
-    tally.count(f"forecast: given for {made.limit}", told)
-    if not told:
+    forecast = trend and trend["crosses"]
+    tally.count(f"forecast: given for {made.limit}", forecast)
+    if not forecast:
         return
     true = (START + dt.timedelta(days=round(crossing * YEAR))).isoformat()
-    held = (told["earliest"] or "9999") <= true <= (told["latest"] or "9999")
+    held = (forecast["earliest"] or "9999") <= true <= (forecast["latest"] or "9999")
     tally.count(HELD, held)
     tally.count(f"{HELD}, {made.limit}", held)
     if not held:
-        tally.wrong.append(f"{made.limit} reached {true}, forecast {told}")
+        tally.wrong.append(f"{made.limit} reached {true}, forecast {forecast}")
 
 
 def batches(numbers: Sequence[int]) -> Iterator[Sequence[int]]:

@@ -159,9 +159,9 @@ def test_small_files_alone_say_everything_of_their_axis(address: str) -> None:
         assert one.axes[address].backlash == pytest.approx(new.backlash, abs=1e-9)
     facts = whole.facts_of(address)
     of_files = ("archive", "others_protected")  # what is said of the archive itself
-    said = {name: fact for name, fact in facts.stated.items() if name not in of_files}
+    left_open = {name: fact for name, fact in facts.stated.items() if name not in of_files}
     assert replace(alone.facts_of(address), name=None, pairs=facts.pairs) == (
-        replace(facts, name=None, stated=said)
+        replace(facts, name=None, stated=left_open)
     )
 
 

@@ -55,7 +55,7 @@ from compwright.records.circular import (
 
 #: ISO 230-4 asks for arcs of at least 90°; a shorter one tells hardly anything apart.
 LEAST_ARC: Final = 90.0
-#: Samples of one run below which the causes cannot be told from the noise.
+#: Samples of one run below which the causes cannot be distinguished from the noise.
 LEAST_SAMPLES: Final = 24
 #: Samples of one run that are fitted: five times those of the finest ballbar; a million would fill
 #: the memory and tell no more.

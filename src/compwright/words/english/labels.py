@@ -375,7 +375,7 @@ SENTENCES: Final[dict[str, str]] = {
     "verify.comparison_note": (
         "One scale. Predicted: expected means at the targets of the first test."
     ),
-    "verify.equivalent": "cannot be told from",
+    "verify.equivalent": "cannot be distinguished from",
     "verify.factor": "factor",
     "verify.further_table": "further table",
     "verify.in_english": (

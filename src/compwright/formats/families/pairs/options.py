@@ -125,7 +125,7 @@ def too_few(name: str, format_id: str, needed: int, found: int, allowed: tuple[i
             else "none: the option is not given"
         ),
         hint=(
-            f"look in the control for {needed} tables that nobody uses, the machine's builder"
+            f"look in the control for {needed} unused tables, the machine's builder"
             " included, then give their indices as `cec_tables` in the options"
         ),
     )
