@@ -28,8 +28,8 @@ from examiner_circles import AXES, TURNS, Circle, circle
 from compwright.evaluation.circular import evaluate_circle
 from compwright.foundations.session import Session
 from compwright.instruments.circular_csv import read_circular_csv
+from compwright.planning.circle_diagnosis import diagnosed_circle
 from compwright.planning.circles import CIRCULAR_STANDARD as STANDARD
-from compwright.planning.diagnosed import diagnosed_circle
 from compwright.records.circular import CircularTest
 from compwright.records.correction_need import need_of
 from compwright.workflow.commands.run import PlannedJob, planned

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from compwright.evaluation.standards import evaluate
-from compwright.planning.axes import AxisWork, predict_axis, start_axis
+from compwright.planning.axis_work import AxisWork, predict_axis, start_axis
 from compwright.prediction.active_corrections import Correction, nothing
 from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
 from compwright.records.conditions import Thermal, UncertaintyBudget

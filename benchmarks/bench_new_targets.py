@@ -38,8 +38,8 @@ from examiner_axes import (
 )
 
 from compwright.planning import new_targets
-from compwright.planning.axes import predict_axis, start_axis
-from compwright.planning.limits import accept_decisions
+from compwright.planning.axis_work import predict_axis, start_axis
+from compwright.planning.limit_decisions import accept_decisions
 from compwright.prediction.active_corrections import nothing
 from compwright.records.axis import Axis as JobAxis
 from compwright.records.axis import AxisKind, Direction

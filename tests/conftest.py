@@ -23,9 +23,24 @@ from typing import Any, Final
 import pytest
 from hypothesis import settings
 
-from compwright.estimation import axis, circle, likelihood, model, noise, peaks, step_evidence
+from compwright.estimation import (
+    axis,
+    circle,
+    likelihood,
+    model,
+    noise,
+    posterior_peaks,
+    step_evidence,
+)
 from compwright.foundations.processors import look_for_garbage_seldom
-from compwright.planning import circles, diagnosed, fresh, misread, wanted, worth
+from compwright.planning import (
+    circle_diagnosis,
+    circles,
+    point_count_tradeoff,
+    sign_and_unit_doubts,
+    simulated_repeat_tests,
+    wanted_correction,
+)
 from compwright.verification import likelihood as after_tests
 from frames import paint, unpaint
 from remembered import remembered
@@ -41,14 +56,14 @@ _SAMPLING: Final = (
     (noise, "_SETTLING", 8),
     (noise, "_DRAWS", 12),
     (axis, "_DRAWS", 12),
-    (fresh, "_DRAWS", 240),
-    (fresh, "_FEWEST_DRAWS", 240),
-    (fresh, "_SETS", 6),
+    (simulated_repeat_tests, "_DRAWS", 240),
+    (simulated_repeat_tests, "_FEWEST_DRAWS", 240),
+    (simulated_repeat_tests, "_SETS", 6),
     (circles, "DRAWS", 20),
-    (worth, "_SIZES", 2),
+    (point_count_tradeoff, "_SIZES", 2),
     (likelihood, "_DRAWS", 4),
     # One climb to the posterior's peak, and a coarser search for jumps.
-    (peaks, "_ITERATIONS", 8),
+    (posterior_peaks, "_ITERATIONS", 8),
     (model, "_starts", _first_start),
     (step_evidence, "_LENGTHS", step_evidence._LENGTHS[::3]),
     (step_evidence, "_SIZES", 3),
@@ -58,11 +73,11 @@ _WHOLE: Final = tuple(getattr(room, name) for room, name, _ in _SAMPLING)
 #: Where estimates are asked for, and the function that remembers them: brief ones, others.
 _BRIEF_ESTIMATES, _WHOLE_ESTIMATES = (
     (
-        (wanted, "noise_of", noise_of),
+        (wanted_correction, "noise_of", noise_of),
         (after_tests, "noise_of", noise_of),
-        (wanted, "estimate_axis", remembered(axis.estimate_axis)),
-        (misread, "log_likelihood", remembered(likelihood.log_likelihood)),
-        (diagnosed, "diagnose", remembered(circle.diagnose)),
+        (wanted_correction, "estimate_axis", remembered(axis.estimate_axis)),
+        (sign_and_unit_doubts, "log_likelihood", remembered(likelihood.log_likelihood)),
+        (circle_diagnosis, "diagnose", remembered(circle.diagnose)),
     )
     for noise_of in (remembered(noise.noise_of), remembered(noise.noise_of))
 )

@@ -12,7 +12,7 @@ from compwright.records.verification import LoadingVerdict
 from compwright.verification.hypothesis import Hypothesis
 from compwright.verification.likelihood import AfterMeans, ErrorBelief
 from compwright.verification.loading import judge_loading
-from compwright.verification.views import View, measurement_views
+from compwright.verification.measurement_cases import View, measurement_views
 
 #: Equally likely noises of a test.
 DRAWS = 6

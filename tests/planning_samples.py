@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 
 from compwright.estimation.axis import Draws
 from compwright.evaluation.standards import evaluate
-from compwright.planning.axes import AxisWork
+from compwright.planning.axis_work import AxisWork
 from compwright.planning.circles import CircleWork
-from compwright.planning.wanted import MeasuredError
+from compwright.planning.wanted_correction import MeasuredError
 from compwright.prediction.active_corrections import Correction, nothing
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.capacity import Capacity

@@ -21,7 +21,7 @@ from compwright.evaluation.circular_uncertainty import circular_uncertainties
 from compwright.foundations.findings import Finding
 from compwright.planning.circles import undecided_circles, with_uncertainty
 from compwright.planning.doubts import Noticed, doubts_among
-from compwright.planning.limits import (
+from compwright.planning.limit_decisions import (
     circle_decisions,
     lacking_circle_guard,
     measured_circle_decisions,

@@ -17,7 +17,7 @@ from test_planning_limits import entry_of, predicted
 from compwright.cli import run as compwright
 from compwright.estimation.hidden_periods import hidden_periods
 from compwright.estimation.periods import search_periods
-from compwright.planning.limits import accept_decisions
+from compwright.planning.limit_decisions import accept_decisions
 from compwright.records.axis import AxisKind
 from compwright.records.prediction import Quantiles
 from loop import Floats, Machine, accuracy, csv_of

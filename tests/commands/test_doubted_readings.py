@@ -17,8 +17,8 @@ from compwright.cli import run as compwright
 from compwright.evaluation.plausibility import plausibility_findings
 from compwright.evaluation.same_error import same_error_findings, same_error_odds
 from compwright.evaluation.typical_magnitudes import turned_odds
-from compwright.planning.misread import misread_findings
-from compwright.planning.wanted import observed_tests
+from compwright.planning.sign_and_unit_doubts import misread_findings
+from compwright.planning.wanted_correction import observed_tests
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation
 from compwright.records.plan import PlannedTest

@@ -16,8 +16,8 @@ import pytest
 from compwright.controls import control
 from compwright.controls.control import read_files
 from compwright.estimation.circle import _thinned
-from compwright.evaluation.copies import same_runs, same_runs_findings
-from compwright.evaluation.readings import drift, suspect_traverses
+from compwright.evaluation.copied_runs import same_runs, same_runs_findings
+from compwright.evaluation.reading_checks import drift, suspect_traverses
 from compwright.evaluation.standards import evaluate
 from compwright.formats.families.control_texts import _UNKNOWN, _assigned_names, texts_of
 from compwright.foundations import yaml_reader
@@ -105,7 +105,7 @@ def test_copies_and_drift_are_found_among_many_runs() -> None:
 def test_the_chance_of_an_order_is_the_same_by_orders_and_by_the_normal_limit(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    from compwright.evaluation import readings as module
+    from compwright.evaluation import reading_checks as module
 
     table = np.random.default_rng(3).normal(size=(4, 90))
     centred = np.arange(90.0) - 44.5

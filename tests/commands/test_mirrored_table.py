@@ -15,7 +15,7 @@ import pytest
 from test_verify_proof import sinumerik
 
 from compwright.cli import run as compwright
-from compwright.planning.mirrored import is_mirror_image
+from compwright.planning.mirror_image import is_mirror_image
 from loop import Floats, Machine, csv_of
 
 MACHINE = Machine()

@@ -16,7 +16,7 @@ from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation, ControlState
 from compwright.records.plan import PlannedTest
 from compwright.records.positioning import PositioningTest
-from compwright.verification.old_table import OldTable
+from compwright.verification.existing_table import OldTable
 from compwright.workflow.run.old_tables import judged_old_table
 from loop import Floats, Machine, csv_of
 

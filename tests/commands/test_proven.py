@@ -12,7 +12,7 @@ import pytest
 import yaml
 
 from compwright.cli import run as compwright
-from compwright.verification.proven import SURE, proven_axis, sign_odds
+from compwright.verification.proven_facts import SURE, proven_axis, sign_odds
 from places import PROJECT
 
 EXAMPLE = PROJECT / "examples" / "fanuc-backup"

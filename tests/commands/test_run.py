@@ -21,7 +21,7 @@ from compwright.controls import control as control_module
 from compwright.documents.json_text import to_json
 from compwright.documents.plan import plan_document, read_plan
 from compwright.planning import tables as planning_tables
-from compwright.planning.wanted import measured_error, observed_tests
+from compwright.planning.wanted_correction import measured_error, observed_tests
 from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile
 from loop import Floats, Machine, csv_of

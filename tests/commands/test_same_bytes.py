@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from compwright.records.settled import settled, settled_number
+from compwright.records.rounding import settled, settled_number
 
 SOURCE = Path(__file__).resolve().parents[2] / "src"
 MACHINE = """

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from compwright.cli import run as compwright
-from compwright.evaluation.drift import environmental_variation
+from compwright.evaluation.environmental_variation import environmental_variation
 from compwright.foundations.errors import InputError, UsageError
 from compwright.foundations.provenance import Source
 from compwright.foundations.session import Session

@@ -16,7 +16,7 @@ import pytest
 from circle_machine import Machine, Setup, measured
 from compwright.cli import run as compwright
 from compwright.documents.circular import circular_document
-from compwright.planning.diagnosed import diagnosed_circle
+from compwright.planning.circle_diagnosis import diagnosed_circle
 from compwright.simulation.circular_files import to_circular_csv
 
 pytestmark = pytest.mark.brief

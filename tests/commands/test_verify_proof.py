@@ -22,8 +22,8 @@ from compwright.documents.verification import _within
 from compwright.foundations.session import Session
 from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile
-from compwright.verification.measurement import noise_odds
-from compwright.verification.same_job import stale_plan
+from compwright.verification.measurement_faults import noise_odds
+from compwright.verification.stale_plan import stale_plan
 from compwright.workflow.inputs.after_tests import read_again
 from compwright.workflow.inputs.jobs import read_job_file
 from loop import Floats, Machine, csv_of

@@ -18,7 +18,7 @@ import test_fanuc_backup_honoured as plain
 from test_fanuc_backup_honoured import UNIT, Bench, Edits, said
 
 from compwright.cli import run as compwright
-from compwright.planning import waves
+from compwright.planning import repeating_table
 from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.correction import no_compensation
 from compwright.records.estimate import WantedCorrection
@@ -94,7 +94,10 @@ def test_what_the_main_table_holds_of_the_period_is_left_to_the_second() -> None
     table = replace(
         no_compensation("4", AxisKind.ROTARY), positions=nodes, positive=values, negative=values
     )
-    bare, held = waves._left(wanted, table, ()), waves._left(wanted, table, (PERIOD,))
+    bare, held = (
+        repeating_table._left(wanted, table, ()),
+        repeating_table._left(wanted, table, (PERIOD,)),
+    )
     folded = [one.reshape(-1)[:7200].reshape(90, 80).mean(axis=0) for one in (bare, held, wave)]
     assert np.std(folded[0]) < 0.7 * np.std(wave)
     assert folded[1] == pytest.approx(folded[2], abs=0.02 * AMPLITUDE)

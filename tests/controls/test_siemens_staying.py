@@ -21,7 +21,7 @@ from compwright.cli import run as compwright
 from compwright.formats.control_format import control_format
 from compwright.formats.families.activity import Activity
 from compwright.foundations.errors import CapacityError, InputError, UsageError
-from compwright.planning.wanted import without_others
+from compwright.planning.wanted_correction import without_others
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.correction import ControlFile, ControlState
 from compwright.records.estimate import WantedCorrection

@@ -13,11 +13,11 @@ import pytest
 from compwright.estimation.axis import estimate_axis
 from compwright.estimation.noise import noise_of
 from compwright.estimation.noise_posterior import NoisePosterior
-from compwright.estimation.observed import ObservedTest
+from compwright.estimation.observed_test import ObservedTest
 from compwright.evaluation.statistics import parameters
 from compwright.prediction.fresh_noise import fresh_noise
+from compwright.prediction.fresh_scatter import fresh_scatter
 from compwright.prediction.positioning import predict_test
-from compwright.prediction.scatter import fresh_scatter
 from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.noise import NoiseDraws
 from compwright.records.positioning import PositioningTest

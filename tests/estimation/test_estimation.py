@@ -16,7 +16,7 @@ from compwright.estimation.axis import AxisPosterior, estimate_axis
 from compwright.estimation.basis import Basis, folded
 from compwright.estimation.cells import cells_of, visible_harmonics, visible_periods
 from compwright.estimation.evidence import Evidence, Prior
-from compwright.estimation.observed import ObservedTest
+from compwright.estimation.observed_test import ObservedTest
 from compwright.foundations.errors import InputError, UsageError
 from compwright.records.axis import AxisKind
 from compwright.records.positioning import PositioningTest

@@ -7,7 +7,7 @@ from itertools import product
 import numpy as np
 import pytest
 
-from compwright.estimation.noise_moves import (
+from compwright.estimation.noise_move_selection import (
     ScoreEvidence,
     draw_moved,
     draw_share,

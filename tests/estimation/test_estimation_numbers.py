@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from circle_machine import Machine, Setup, distance, measured
 from compwright.estimation.basis import hidden_share, log_density, smooth_density
+from compwright.estimation.cholesky import factored, factored_with_values, inverse_of_lower
 from compwright.estimation.circle_centre import second_order
 from compwright.estimation.circle_cyclic import longest_pitch, search, shortest_pitch
 from compwright.estimation.circle_fit import Weighted, fit, problem_of, white
@@ -29,9 +30,8 @@ from compwright.estimation.circle_model import (
 )
 from compwright.estimation.circle_noise import grid_of
 from compwright.estimation.circle_report import shrink_doubt
-from compwright.estimation.factors import factored, factored_with_values, inverse_of_lower
 from compwright.estimation.hyperparameters import _log_student, draw_hyperparameters
-from compwright.estimation.peaks import peaks_of
+from compwright.estimation.posterior_peaks import peaks_of
 
 Array = NDArray[np.float64]
 R = 150.0

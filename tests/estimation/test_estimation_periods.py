@@ -14,7 +14,7 @@ from compwright.estimation.basis import Basis
 from compwright.estimation.cells import cells_of
 from compwright.estimation.evidence import EXCESS
 from compwright.estimation.model import Periods, Travel, evidence_of
-from compwright.estimation.observed import ObservedTest
+from compwright.estimation.observed_test import ObservedTest
 from compwright.estimation.period_likelihood import (
     AMPLITUDES,
     SMOOTHNESS,
@@ -22,10 +22,10 @@ from compwright.estimation.period_likelihood import (
     NodeChoice,
     PeriodLikelihood,
 )
-from compwright.estimation.period_middles import FITTED, fitted_periods, middles_of, unseen_periods
+from compwright.estimation.period_means import FITTED, fitted_periods, middles_of, unseen_periods
 from compwright.estimation.period_models import PeriodSearch
-from compwright.estimation.period_window import Window, alikeness
 from compwright.estimation.periods import search_periods
+from compwright.estimation.spectral_window import Window, alikeness
 from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.positioning import PositioningTest
 

@@ -14,7 +14,7 @@ from compwright.estimation.cells import cells_of
 from compwright.estimation.evidence import _by_cells, _by_weights, _Marginal
 from compwright.estimation.model import Periods, Travel, evidence_of
 from compwright.estimation.noise_posterior import NoisePosterior
-from compwright.estimation.observed import ObservedTest, traverse_columns
+from compwright.estimation.observed_test import ObservedTest, traverse_columns
 from compwright.records.axis import AxisKind
 from compwright.records.noise import normal_noise
 from compwright.records.positioning import PositioningTest

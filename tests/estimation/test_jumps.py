@@ -12,7 +12,7 @@ import pytest
 from compwright.estimation.axis import AxisPosterior, estimate_axis
 from compwright.estimation.jumps import Jump, jumps_of
 from compwright.estimation.noise import noise_of
-from compwright.estimation.observed import ObservedTest
+from compwright.estimation.observed_test import ObservedTest
 from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.positioning import PositioningTest
 

@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from compwright.evaluation.changed import (
+from compwright.evaluation.change_significance import (
     UncertainValue,
     chance,
     difference,

@@ -19,8 +19,8 @@ from compwright.evaluation.uncertainty import slope_between_tests
 from compwright.foundations.errors import InputError, UsageError
 from compwright.foundations.session import Session
 from compwright.jobs.reading import read_job
-from compwright.planning.axes import predict_axis, start_axis
-from compwright.planning.declared import fresh_slope, slope_after, with_slopes
+from compwright.planning.axis_work import predict_axis, start_axis
+from compwright.planning.temperature_slopes import fresh_slope, slope_after, with_slopes
 from compwright.prediction.active_corrections import nothing
 from compwright.records.axis import AxisKind
 from compwright.records.conditions import Thermal, UncertaintyBudget

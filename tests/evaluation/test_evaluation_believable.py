@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from compwright.evaluation.valid_readings import believable, chance_of_zero, not_made
-from compwright.planning.wanted import observed_tests
+from compwright.planning.wanted_correction import observed_tests
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.plan import PlannedTest
 from compwright.records.positioning import PositioningTest

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import ArrayLike
 
-from compwright.evaluation.checks import plan_findings
+from compwright.evaluation.plan_checks import plan_findings
 from compwright.evaluation.standards import evaluate
 from compwright.records.axis import AxisKind
 from compwright.records.positioning import Cycle, PositioningTest

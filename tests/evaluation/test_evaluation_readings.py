@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from compwright.evaluation.readings import (
+from compwright.evaluation.reading_checks import (
     drift,
     reading_findings,
     suspect_readings,

@@ -7,8 +7,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from compwright.evaluation import repeats
-from compwright.evaluation.repeats import repeat_findings, share_a_run
+from compwright.evaluation import duplicate_measurements
+from compwright.evaluation.duplicate_measurements import repeat_findings, share_a_run
 from compwright.foundations.provenance import Source
 from compwright.records.positioning import PositioningTest
 from planning_samples import UM, Floats, readings_of
@@ -161,7 +161,7 @@ def test_five_targets_read_coarsely_are_told_apart_at_once(monkeypatch: pytest.M
     def counted(gaps: Floats) -> int:
         raise AssertionError(gaps)
 
-    monkeypatch.setattr(repeats, "_most_alike", counted)
+    monkeypatch.setattr(duplicate_measurements, "_most_alike", counted)
     tests = [
         named(measured(seed, step=1e-3, targets=TARGETS[:5]), f"t{seed}") for seed in range(60)
     ]

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from compwright.fitting import solve
 from compwright.fitting.certify import certificate, range_gap
 from compwright.fitting.fit import fit_table
-from compwright.fitting.periodic import without_periods
+from compwright.fitting.period_removal import without_periods
 from compwright.fitting.problem import QuadraticProblem, hat_matrix, quadrature
 from compwright.fitting.rounding import round_curve
 from compwright.fitting.solve import solve_quadratic

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from compwright.fitting import lattice_part
 from compwright.fitting.certify import lattice_certificate
 from compwright.fitting.chain import Limits, Push, Wish, build_chain, no_push, priced, relax
-from compwright.fitting.endless import over_one_period
+from compwright.fitting.endless_axis import over_one_period
 from compwright.fitting.fit import fit_table
 from compwright.fitting.lattice import best_totals
 from compwright.fitting.lattice_part import LatticePart

@@ -11,11 +11,11 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from compwright.fitting import ranges
+from compwright.fitting import mean_range
 from compwright.fitting.chain import Wish, build_chain
 from compwright.fitting.fit import fit_table
+from compwright.fitting.mean_range import Deviations, solve_ranges
 from compwright.fitting.problem import QuadraticProblem, Rows
-from compwright.fitting.ranges import Deviations, solve_ranges
 from compwright.fitting.rounding import to_quanta
 from compwright.fitting.sparse import entries, identity, stacked
 from compwright.foundations.errors import CapacityError, Fault
@@ -116,14 +116,14 @@ def test_where_the_solver_gives_up_on_the_square_the_least_range_counts(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """Clarabel calls some of these problems infeasible, although the least range fulfils them."""
-    usual = ranges._cvxpy
+    usual = mean_range._cvxpy
 
     def gives_up(cost: Array, G: Any, h: Array, P: Any, n: int) -> tuple[Array, Array]:
         if P is not None:
             raise CapacityError(Fault(message="no certified solution"))
         return usual(cost, G, h, P, n)
 
-    monkeypatch.setattr(ranges, "_cvxpy", gives_up)
+    monkeypatch.setattr(mean_range, "_cvxpy", gives_up)
     x, proof = solve_ranges(*pulled_up(1.0), slack=0.1)
     assert x == pytest.approx([0.0], abs=1e-6)
     assert max(proof.values()) < 1e-6

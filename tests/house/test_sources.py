@@ -32,14 +32,14 @@ EXEMPT = {
     "estimation.circle_path": "which causes have the same shape, of those whose formulas stand elsewhere",
     "estimation.circle_solution": "the record of a fit whose formulas are elsewhere",
     "fitting.__init__": "no code",
-    "fitting.anchored": "counts whole spacings from the reference; what it refuses is the control's",
+    "fitting.reference_grids": "counts whole spacings from the reference; what it refuses is the control's",
     "fitting.truncation": "compares a loss with the noise and words a fault",
-    "fitting.endless": "a plain mean of the turns",
+    "fitting.endless_axis": "a plain mean of the turns",
     "fitting.grid": "takes one of the grids that are made elsewhere, and says why not",
-    "fitting.named_spacing": "counts quanta of the position between the ends of the table",
-    "fitting.remarks": "words what was computed elsewhere",
+    "fitting.requested_spacing": "counts quanta of the position between the ends of the table",
+    "fitting.table_findings": "words what was computed elsewhere",
     "fitting.existing_grid": "compares the existing nodes with the limits of the control",
-    "fitting.steps": "counts quanta of the position",
+    "fitting.grid_steps": "counts quanta of the position",
 }
 
 

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from compwright.cli import run as compwright
-from compwright.evaluation.copies import same_runs_findings
+from compwright.evaluation.copied_runs import same_runs_findings
 from compwright.foundations.session import Session
 from compwright.workflow.inputs.job_inputs import read_measurement
 from loop import Floats, Machine, csv_of

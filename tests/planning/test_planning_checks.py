@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from compwright.planning.axes import AxisWork
-from compwright.planning.checks import Checks, laser_over, lost_motion, mismatch, scale_error
+from compwright.planning.axis_work import AxisWork
+from compwright.planning.circle_checks import Checks, laser_over, lost_motion, mismatch, scale_error
 from compwright.planning.circles import CircleWork
-from compwright.planning.stated import Stated
+from compwright.planning.value_with_error import Stated
 from compwright.prediction.active_corrections import IDLE, ActiveCorrections
 from compwright.records.axis import AxisKind
 from compwright.records.conditions import UncertaintyBudget

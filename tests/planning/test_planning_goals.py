@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 
 from compwright.evaluation.standards import evaluate
-from compwright.planning.axes import AxisWork, start_axis
 from compwright.planning.axis_fits import fit_all
-from compwright.planning.fresh import Like, fresh_tests
-from compwright.planning.goals import goal_findings
+from compwright.planning.axis_work import AxisWork, start_axis
+from compwright.planning.goal_findings import goal_findings
 from compwright.planning.scenarios import alike, gains, scenarios_of
+from compwright.planning.simulated_repeat_tests import Like, fresh_tests
 from compwright.prediction.active_corrections import nothing
 from compwright.records.axis import Axis, Direction
 from compwright.records.capacity import Capacity

@@ -13,11 +13,11 @@ import pytest
 
 from compwright.estimation.axis import Draws
 from compwright.evaluation.standards import evaluate
-from compwright.planning.declared import slope_after
-from compwright.planning.fresh import Like
-from compwright.planning.guard import guard_bands
-from compwright.planning.outlook import predict_same_targets
-from compwright.planning.wanted import MeasuredError
+from compwright.planning.guard_bands import guard_bands
+from compwright.planning.predicted_gain import predict_same_targets
+from compwright.planning.simulated_repeat_tests import Like
+from compwright.planning.temperature_slopes import slope_after
+from compwright.planning.wanted_correction import MeasuredError
 from compwright.prediction.active_corrections import Correction, nothing
 from compwright.records.axis import AxisKind
 from compwright.records.conditions import Thermal, UncertaintyBudget

@@ -9,11 +9,10 @@ import numpy as np
 import pytest
 
 from compwright.estimation.axis import Draws
-from compwright.planning.axes import AxisWork
 from compwright.planning.axis_fits import fit_all
-from compwright.planning.drifting import drift_or_reversal
-from compwright.planning.fresh import Like, fresh_tests
-from compwright.planning.limiting import (
+from compwright.planning.axis_work import AxisWork
+from compwright.planning.drift_doubts import drift_or_reversal
+from compwright.planning.limiting_causes import (
     DRIFT,
     NO_TABLE,
     NOISE,
@@ -22,9 +21,10 @@ from compwright.planning.limiting import (
     UNKNOWN,
     what_limits,
 )
+from compwright.planning.point_count_tradeoff import worth_of_points
 from compwright.planning.shortfalls import PERIOD, QUANTUM, REVERSAL, shortfalls
-from compwright.planning.verdict import verdict
-from compwright.planning.worth import worth_of_points
+from compwright.planning.simulated_repeat_tests import Like, fresh_tests
+from compwright.planning.table_verdict import verdict
 from compwright.prediction.active_corrections import nothing
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.capacity import Capacity

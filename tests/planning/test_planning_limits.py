@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from compwright.foundations.errors import UsageError
-from compwright.planning.limits import (
+from compwright.planning.limit_decisions import (
     accept_decisions,
     accepted_index,
     check_limits,

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from compwright.evaluation.standards import evaluate
-from compwright.planning import fresh
-from compwright.planning.axes import AxisWork, no_gain
-from compwright.planning.outlook import predict, spread_of, why_not_better, why_not_seen
+from compwright.planning import simulated_repeat_tests
+from compwright.planning.axis_work import AxisWork, no_gain
+from compwright.planning.predicted_gain import predict, spread_of, why_not_better, why_not_seen
 from compwright.prediction.active_corrections import difference, nothing
 from compwright.records.axis import AxisKind
 from compwright.records.correction import AxisCompensation
@@ -68,8 +68,10 @@ def test_new_targets_stay_away_from_the_ends_and_see_what_lies_between(
             return super().draw(positions, count, rng, test)
 
     work = work_of(Watching(np.zeros_like, np.zeros_like))
-    monkeypatch.setattr(fresh, "draws_like", lambda _: 5)
-    found = fresh.fresh_tests(work.results[0], work.posterior, work.planned.axis).quantiles(nothing)
+    monkeypatch.setattr(simulated_repeat_tests, "draws_like", lambda _: 5)
+    found = simulated_repeat_tests.fresh_tests(
+        work.results[0], work.posterior, work.planned.axis
+    ).quantiles(nothing)
     assert set(found) >= {"A", "E", "R"}
     assert seen[0].shape == (5, work.results[0].test.targets.size)
     assert (seen[0] >= 4.0).all()
@@ -177,7 +179,7 @@ def test_one_reading_far_off_does_not_stop_a_table(
     """One reading ``off`` makes A with the table and without it, alike but for rounding: 4 s of its
     cell, which no table moves. The others show that 30 µm/m become 2.
     """
-    monkeypatch.setattr(fresh, "draws_like", lambda _: 5)
+    monkeypatch.setattr(simulated_repeat_tests, "draws_like", lambda _: 5)
     work = work_of(SLOPED)
     result = work.results[0]
     rng = np.random.default_rng(4)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from compwright.planning.reversals import own_reversal, rise_of
+from compwright.planning.reversal_along_travel import own_reversal, rise_of
 from compwright.prediction.active_corrections import nothing
 from compwright.records.axis import AxisKind
 from compwright.records.estimate import ErrorEstimate

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from compwright.foundations.errors import CapacityError, Fault
-from compwright.planning.axes import AxisWork, CapacityOf
-from compwright.planning.checks import Checks
+from compwright.planning.axis_work import AxisWork, CapacityOf
+from compwright.planning.circle_checks import Checks
 from compwright.planning.circles import CircleWork
 from compwright.planning.scale import Scaled, scale_steps, scaled_axes, shrinking
 from compwright.prediction.active_corrections import IDLE, ActiveCorrections

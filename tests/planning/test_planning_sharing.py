@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from compwright.planning.sharing import shared_fairly
+from compwright.planning.shared_points import shared_fairly
 from compwright.records.capacity import Capacity
 from compwright.records.fitted import TableRequest
 from compwright.records.plan import PlannedAxis

@@ -8,8 +8,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from compwright.planning.together import counted_together, with_active_corrections
-from compwright.planning.wanted import MeasuredError, measured_error, observed_tests
+from compwright.planning.consistent_tests import counted_together, with_active_corrections
+from compwright.planning.wanted_correction import MeasuredError, measured_error, observed_tests
 from compwright.records.axis import Axis, Direction, Motion
 from compwright.records.correction import AxisCompensation, ControlState
 from compwright.records.facts import AxisFacts

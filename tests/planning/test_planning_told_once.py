@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from compwright.evaluation.standards import evaluate
-from compwright.planning.axes import AxisWork, start_axis
+from compwright.planning.axis_work import AxisWork, start_axis
 from compwright.prediction.active_corrections import nothing
 from compwright.records.correction import ControlState
 from compwright.records.plan import PlannedTest

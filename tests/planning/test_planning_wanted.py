@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from compwright.foundations.errors import InputError
-from compwright.planning.wanted import (
+from compwright.planning.wanted_correction import (
     MeasuredError,
     check_coverage,
     dense_positions,

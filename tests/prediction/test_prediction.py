@@ -14,13 +14,13 @@ from hypothesis import strategies as st
 
 from compwright.evaluation.statistics import mean_deviation, parameters, standard_deviation
 from compwright.foundations.errors import UsageError
+from compwright.prediction.fresh_scatter import fresh_scatter
 from compwright.prediction.positioning import (
     Quantiles,
     decide_prediction,
     dithered_targets,
     predict_test,
 )
-from compwright.prediction.scatter import fresh_scatter
 from compwright.records.axis import FloatArray
 from compwright.records.noise import normal_noise
 

@@ -15,7 +15,6 @@ from compwright.records.correction import AxisCompensation, no_compensation
 from compwright.records.noise import normal_noise
 from compwright.records.positioning import PositioningTest
 from compwright.records.verification import LoadingName, LoadingVerdict
-from compwright.verification.hypotheses import loading_hypotheses
 from compwright.verification.hypothesis import Loading
 from compwright.verification.likelihood import (
     Curves,
@@ -25,7 +24,13 @@ from compwright.verification.likelihood import (
     fits_of,
 )
 from compwright.verification.loading import judge_loading
-from compwright.verification.views import View, measurement_views, of_other_axis, unit_views
+from compwright.verification.loading_hypotheses import loading_hypotheses
+from compwright.verification.measurement_cases import (
+    View,
+    measurement_views,
+    of_other_axis,
+    unit_views,
+)
 from compwright.words.sentences import say
 from compwright.workflow.verify.verified_axis import _looks
 from loadings import known, means_of

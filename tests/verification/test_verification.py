@@ -14,7 +14,7 @@ from compwright.evaluation.decision import Decision
 from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.verification import LoadingName, LoadingVerdict
 from compwright.verification.acceptance import overall_verdict
-from compwright.verification.measurement import normal_score
+from compwright.verification.measurement_faults import normal_score
 from loadings import judged, ways_of
 
 UM = 1e-3  # mm

@@ -14,7 +14,11 @@ import pytest
 from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.positioning import PositioningTest
 from compwright.records.verification import LoadingVerdict
-from compwright.verification.measurement import copied_scatter, measurement_fault, proof_lacking
+from compwright.verification.measurement_faults import (
+    copied_scatter,
+    measurement_fault,
+    proof_lacking,
+)
 from compwright.verification.read_back import judge_read_back
 from evaluation_samples import axis_test
 from loadings import judged as judged_loading

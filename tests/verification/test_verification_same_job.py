@@ -15,7 +15,7 @@ from compwright.records.fitted import TableRequest
 from compwright.records.job import AxisJob, CircleRequest, Job, TestRequest
 from compwright.records.plan import Plan, PlannedAxis
 from compwright.records.positioning import PositioningTest
-from compwright.verification.same_job import stale_plan
+from compwright.verification.stale_plan import stale_plan
 from planning_samples import KnownAxis, axis_of, circle_of, job_of, work_of
 
 PLANNED = work_of(KnownAxis(np.zeros_like, np.zeros_like)).planned

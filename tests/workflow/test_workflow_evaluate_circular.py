@@ -26,7 +26,7 @@ from compwright.cli import run as compwright
 from compwright.estimation.circle import diagnose
 from compwright.foundations.errors import UsageError
 from compwright.foundations.session import Session
-from compwright.planning import diagnosed
+from compwright.planning import circle_diagnosis
 from compwright.records.circular import CircularTest, Diagnosis
 from compwright.simulation.circular import CircleErrors, CirclePlan, record_circle
 from compwright.simulation.circular_files import to_b5r
@@ -413,7 +413,7 @@ def test_causes_without_a_standard_error_are_not_given(
             },
         )
 
-    monkeypatch.setattr(diagnosed, "diagnose", unsound)
+    monkeypatch.setattr(circle_diagnosis, "diagnose", unsound)
     put(tmp_path, xy=csv_of())
     (result,) = evaluate_files(Session(), [tmp_path]).document["results"]
     assert result["diagnosis"] is None

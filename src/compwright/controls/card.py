@@ -24,7 +24,7 @@ from compwright.formats.families.card_words import AxisCard, CardRequest
 from compwright.formats.text.diff import compare_files
 from compwright.formats.text.loading_order import loading_order
 from compwright.foundations.units import outside_factor, outside_unit, shown_unit
-from compwright.planning.axes import AxisWork
+from compwright.planning.axis_work import AxisWork
 from compwright.planning.quick_check import check_positions, moved_by, quick_check
 from compwright.records.axis import Axis, partner_of
 from compwright.records.correction import AxisCompensation, ControlFile, no_compensation

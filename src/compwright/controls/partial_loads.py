@@ -14,9 +14,9 @@ from compwright.evaluation.standards import evaluate
 from compwright.formats.text.entered import Entries, same_text
 from compwright.foundations.errors import CompwrightError
 from compwright.foundations.units import outside_factor, shown_unit
-from compwright.planning.axes import AxisWork
-from compwright.planning.outlook import yardstick
-from compwright.planning.wanted import with_change
+from compwright.planning.axis_work import AxisWork
+from compwright.planning.predicted_gain import yardstick
+from compwright.planning.wanted_correction import with_change
 from compwright.prediction.active_corrections import Correction, difference
 from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile

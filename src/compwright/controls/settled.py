@@ -14,7 +14,7 @@ from compwright.formats.families.shapes import RULES
 from compwright.formats.text.addresses import normal_address, normal_text
 from compwright.formats.text.values import name_of
 from compwright.foundations.errors import Fault, UsageError, raise_all
-from compwright.planning.wanted import LEAST_COVERED, covered
+from compwright.planning.wanted_correction import LEAST_COVERED, covered
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import Assumption, ControlState
 from compwright.records.facts import AxisFacts

@@ -14,7 +14,7 @@ from compwright.documents.findings import finding_documents
 from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE
 from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularEffect, CircularResult, CircularRun, Diagnosis
-from compwright.records.settled import OUTSIDE
+from compwright.records.rounding import OUTSIDE
 
 #: Digits after the decimal point: takes away the noise of binary numbers and the last bits of the
 #: fit, keeps every real digit.

@@ -25,7 +25,7 @@ from compwright.records.prediction import (
     TestPrediction,
 )
 from compwright.records.result import PositioningResult
-from compwright.records.settled import OUTSIDE, settled_number
+from compwright.records.rounding import OUTSIDE, settled_number
 
 SCHEMA = "compwright/prediction/1"
 

@@ -17,7 +17,7 @@ from compwright.documents.recorded_test import PARAMETERS, Errors, measured_test
 from compwright.foundations.errors import InputError, raise_all
 from compwright.foundations.provenance import fingerprint
 from compwright.foundations.utf8 import encoded
-from compwright.records.record import RecordedInput
+from compwright.records.input_record import RecordedInput
 
 SCHEMA = "compwright/record/1"
 RECORD = "record.json"

@@ -17,7 +17,7 @@ from compwright.foundations.key_faults import KeyFault
 from compwright.foundations.record_schemas import RecordForm, RecordSchemas
 from compwright.foundations.validation import checked
 from compwright.records.axis import FloatArray
-from compwright.records.record import InputRole
+from compwright.records.input_record import InputRole
 
 
 def faults_of_record(data: Mapping[str, Any]) -> list[KeyFault]:

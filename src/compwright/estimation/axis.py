@@ -28,7 +28,6 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from compwright.estimation.averaged import averaged
 from compwright.estimation.cells import (
     Cells,
     cells_of,
@@ -38,18 +37,19 @@ from compwright.estimation.cells import (
 from compwright.estimation.evidence import Weights
 from compwright.estimation.hidden_periods import HiddenPeriods, hidden_periods
 from compwright.estimation.model import MixturePart, Periods, Travel, basis_of
-from compwright.estimation.observed import ObservedTest
-from compwright.estimation.own_slopes import slope_findings
+from compwright.estimation.model_average import averaged
+from compwright.estimation.observed_test import ObservedTest
 from compwright.estimation.period_findings import period_findings, unseen_findings
-from compwright.estimation.period_middles import fitted_periods, middles_of, unseen_periods
+from compwright.estimation.period_means import fitted_periods, middles_of, unseen_periods
 from compwright.estimation.period_models import PeriodSearch
 from compwright.estimation.periods import search_periods
+from compwright.estimation.slope_findings import slope_findings
 from compwright.foundations.errors import Fault, UsageError
 from compwright.foundations.findings import Finding
 from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.estimate import AxisPeriod, ErrorEstimate
 from compwright.records.noise import NoiseDraws, normal_noise
-from compwright.records.settled import LOGARITHM, settled, settled_number
+from compwright.records.rounding import LOGARITHM, settled, settled_number
 
 _DRAWS: Final = 48  # distinct hyperparameters kept for summaries and predictions
 

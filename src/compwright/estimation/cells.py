@@ -12,11 +12,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from compwright.estimation.basis import HARMONICS, folded, hidden_share
+from compwright.estimation.datum_columns import own_columns
 from compwright.estimation.evidence import CellData
 from compwright.estimation.jumps import Jump, jumps_of
 from compwright.estimation.noise_posterior import NoisePosterior
-from compwright.estimation.observed import ObservedCells, ObservedTest, cell_means
-from compwright.estimation.own_lines import own_columns
+from compwright.estimation.observed_test import ObservedCells, ObservedTest, cell_means
 from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.findings import Finding
 from compwright.records.axis import AxisKind, FloatArray

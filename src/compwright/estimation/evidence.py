@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from compwright.estimation.basis import Basis, log_density, smooth_density
-from compwright.estimation.factors import factored, factored_with_values, inverse_of_lower
+from compwright.estimation.cholesky import factored, factored_with_values, inverse_of_lower
 from compwright.records.axis import FloatArray
 
 NOISE, LOCAL, SMOOTH, LENGTH, EXCESS, REVERSAL, REVERSAL_LENGTH, PERIODIC = range(8)

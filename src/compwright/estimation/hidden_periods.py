@@ -43,8 +43,8 @@ from compwright.estimation.period_likelihood import (
     log_sums,
 )
 from compwright.estimation.period_models import PeriodSearch, log_sum
-from compwright.estimation.period_window import Window, alikeness
 from compwright.estimation.periods import FURTHER, LEAST_REPEATS, LEFT, SHORTEST, wave_columns
+from compwright.estimation.spectral_window import Window, alikeness
 from compwright.estimation.usual_periods import usual_periods
 from compwright.records.axis import AxisKind, FloatArray
 

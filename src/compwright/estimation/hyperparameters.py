@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from compwright.estimation.evidence import Evidence
-from compwright.estimation.peaks import Peak, peaks_of
+from compwright.estimation.posterior_peaks import Peak, peaks_of
 from compwright.records.axis import FloatArray
 
 _TAIL_DOF: Final = 5.0  # of the Student distribution that proposes draws

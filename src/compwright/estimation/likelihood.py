@@ -17,7 +17,7 @@ import numpy as np
 
 from compwright.estimation.cells import Cells, cells_of, visible_periods
 from compwright.estimation.model import FittedModel, Periods, Travel, fitted
-from compwright.estimation.observed import ObservedTest
+from compwright.estimation.observed_test import ObservedTest
 from compwright.records.axis import FloatArray
 
 _DRAWS: Final = 12  # of the hyperparameters: the evidence is then good to a few tenths

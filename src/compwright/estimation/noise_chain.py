@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from compwright.estimation.cells import LEAST_NOISE
-from compwright.estimation.noise_moves import draw_share
+from compwright.estimation.noise_move_selection import draw_share
 from compwright.estimation.noise_patterns import OFFSET, Sizes, patterns_of
 from compwright.estimation.noise_readings import (
     CellReadings,

@@ -16,7 +16,7 @@ from typing import Final
 
 import numpy as np
 
-from compwright.estimation.noise_moves import ScoreEvidence, draw_moved, drawn_from_prior
+from compwright.estimation.noise_move_selection import ScoreEvidence, draw_moved, drawn_from_prior
 from compwright.estimation.noise_patterns import (
     DRIFT,
     DRIFT_TILT,

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from compwright.estimation.basis import ALIASED
 from compwright.estimation.period_likelihood import IntArray, NodeChoice, PeriodLikelihood
-from compwright.estimation.period_window import Window, alikeness
+from compwright.estimation.spectral_window import Window, alikeness
 from compwright.estimation.usual_periods import UsualPeriod
 from compwright.records.axis import FloatArray
 

@@ -12,9 +12,9 @@ from typing import Final
 
 import numpy as np
 
-from compwright.evaluation.copies import same_runs_findings
-from compwright.evaluation.readings import position_text, text_of
-from compwright.evaluation.scatter import pooled_scatter, spread_of
+from compwright.evaluation.copied_runs import same_runs_findings
+from compwright.evaluation.pooled_scatter import pooled_scatter, spread_of
+from compwright.evaluation.reading_checks import position_text, text_of
 from compwright.evaluation.statistics import mean_deviation
 from compwright.evaluation.typical_magnitudes import turned_odds, unit_odds
 from compwright.foundations.findings import Finding

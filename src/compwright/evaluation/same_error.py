@@ -15,7 +15,7 @@ from typing import Final
 
 import numpy as np
 
-from compwright.evaluation.scatter import pooled_scatter
+from compwright.evaluation.pooled_scatter import pooled_scatter
 from compwright.evaluation.statistics import count_readings, mean_deviation
 from compwright.foundations.findings import Finding
 from compwright.records.axis import Direction, FloatArray

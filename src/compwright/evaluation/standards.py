@@ -16,9 +16,9 @@ from typing import Final, Literal, TypeVar
 
 import numpy as np
 
-from compwright.evaluation.checks import plan_findings
+from compwright.evaluation.plan_checks import plan_findings
 from compwright.evaluation.plausibility import plausibility_findings
-from compwright.evaluation.readings import position_text, reading_findings, sign_text, text_of
+from compwright.evaluation.reading_checks import position_text, reading_findings, sign_text, text_of
 from compwright.evaluation.statistics import (
     ISO_NAMES,
     RANGE_FACTORS_1988,

@@ -17,7 +17,7 @@ from __future__ import annotations
 import math
 from typing import Final
 
-from compwright.evaluation.scatter import pooled_scatter, spread_of
+from compwright.evaluation.pooled_scatter import pooled_scatter, spread_of
 from compwright.foundations.units import outside_factor
 from compwright.records.axis import AxisKind
 from compwright.records.positioning import PositioningTest

@@ -16,7 +16,7 @@ from typing import Final, Literal
 
 import numpy as np
 
-from compwright.evaluation.environment import without_environment
+from compwright.evaluation.scatter_without_environment import without_environment
 from compwright.evaluation.statistics import mean_deviation, parameters, standard_deviation
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, outside_unit

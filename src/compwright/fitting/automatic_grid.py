@@ -1,5 +1,5 @@
 """The automatic choice of the nodes: as few as the error needs, as many as the control allows. What
-straight lines between nodes lose is computed, not estimated (`losses`).
+straight lines between nodes lose is computed, not estimated (`grid_losses`).
 """
 
 from __future__ import annotations
@@ -9,10 +9,10 @@ from typing import Final
 
 import numpy as np
 
-from compwright.fitting.held_grid import HeldGrid, grid_of, held_part, unfollowed
-from compwright.fitting.losses import good_enough, grid_loss, magnification_needed
-from compwright.fitting.named_spacing import Span
-from compwright.fitting.steps import GridCandidate, own_steps, round_steps, taken_steps, whole
+from compwright.fitting.grid_losses import good_enough, grid_loss, magnification_needed
+from compwright.fitting.grid_steps import GridCandidate, own_steps, round_steps, taken_steps, whole
+from compwright.fitting.requested_spacing import Span
+from compwright.fitting.unresolved_periods import HeldGrid, grid_of, held_part, unfollowed
 from compwright.foundations.errors import CapacityError, Fault
 from compwright.records.axis import FloatArray
 from compwright.records.capacity import Capacity, Lattice

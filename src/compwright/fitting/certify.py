@@ -20,7 +20,7 @@ from compwright.records.axis import Direction, FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation
 from compwright.records.estimate import WantedCorrection
-from compwright.records.settled import RESIDUE, settled_number
+from compwright.records.rounding import RESIDUE, settled_number
 
 #: A table of whole increments must keep every limit to this share of the unit: arithmetic dust.
 WHOLE: Final = 1e-6

@@ -10,7 +10,7 @@ from typing import Final
 
 import numpy as np
 
-from compwright.fitting.steps import taken_steps
+from compwright.fitting.grid_steps import taken_steps
 from compwright.foundations.errors import CapacityError, Fault
 from compwright.foundations.findings import Finding
 from compwright.records.axis import FloatArray

@@ -16,12 +16,10 @@ import numpy as np
 
 from compwright.fitting.certify import rounded_proof
 from compwright.fitting.datum import with_datum
-from compwright.fitting.endless import over_one_period
+from compwright.fitting.endless_axis import over_one_period
 from compwright.fitting.goals import Range, as_wish, best_for, mean_over
 from compwright.fitting.grid import choose_grid
-from compwright.fitting.held_grid import HeldGrid
-from compwright.fitting.line import fit_line
-from compwright.fitting.losses import NOISE_SHARE
+from compwright.fitting.grid_losses import NOISE_SHARE
 from compwright.fitting.problem import (
     BOTH,
     QuadraticProblem,
@@ -32,10 +30,12 @@ from compwright.fitting.problem import (
     sampled,
     state_problem,
 )
-from compwright.fitting.remarks import added, edge_findings, loss_findings, worth_saying
 from compwright.fitting.rounding import round_curve, to_quanta
 from compwright.fitting.solve import solve_quadratic
-from compwright.fitting.whole import goal_finding, whole_table
+from compwright.fitting.straight_line import fit_line
+from compwright.fitting.table_findings import added, edge_findings, loss_findings, worth_saying
+from compwright.fitting.unresolved_periods import HeldGrid
+from compwright.fitting.whole_increments import goal_finding, whole_table
 from compwright.foundations.errors import CapacityError, Fault
 from compwright.foundations.numerals import significant
 from compwright.records.axis import Direction, FloatArray

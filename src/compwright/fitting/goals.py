@@ -17,8 +17,8 @@ from typing import Final, Literal
 
 import numpy as np
 
+from compwright.fitting.mean_range import Deviations, product, solve_ranges
 from compwright.fitting.problem import BOTH, QuadraticProblem, UnknownsLayout, bends, hat_matrix
-from compwright.fitting.ranges import Deviations, product, solve_ranges
 from compwright.fitting.sparse import IntArray, SparseMatrix, entries, identity, stacked, sum_of
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.capacity import Capacity

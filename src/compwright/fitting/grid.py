@@ -11,12 +11,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from compwright.fitting.anchored import anchored_grids
 from compwright.fitting.automatic_grid import candidates_over, grid_chosen, most_points
 from compwright.fitting.existing_grid import existing_nodes, too_close
-from compwright.fitting.held_grid import HeldGrid, grid_of
-from compwright.fitting.named_spacing import Span, spaced_as_named
-from compwright.fitting.steps import GridCandidate, whole
+from compwright.fitting.grid_steps import GridCandidate, whole
+from compwright.fitting.reference_grids import anchored_grids
+from compwright.fitting.requested_spacing import Span, spaced_as_named
+from compwright.fitting.unresolved_periods import HeldGrid, grid_of
 from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
 from compwright.records.axis import FloatArray
 from compwright.records.capacity import Capacity

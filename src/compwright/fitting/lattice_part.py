@@ -29,8 +29,8 @@ from compwright.fitting.chain import (
     Limits,
     Relaxation,
 )
+from compwright.fitting.dynamic_programming import cheapest, closed_lanes, reachable
 from compwright.fitting.sparse import IntArray
-from compwright.fitting.windows import cheapest, closed_lanes, reachable
 from compwright.records.axis import FloatArray
 
 #: Slack of windows against rounding errors, in steps and as a share of U.

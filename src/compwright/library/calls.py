@@ -83,7 +83,7 @@ def evaluate(
             DEFAULT_CIRCULAR_STANDARD,
             circular_standard_by_id,
         )
-        from compwright.planning.diagnosed import diagnosed_circle
+        from compwright.planning.circle_diagnosis import diagnosed_circle
 
         edition = circular_standard_by_id(standard or DEFAULT_CIRCULAR_STANDARD).id
         return Evaluation(circular_document(diagnosed_circle(test, edition)))
@@ -110,7 +110,7 @@ def estimate(
     """
     from compwright.estimation.axis import estimate_axis
     from compwright.estimation.noise import noise_of
-    from compwright.estimation.observed import ObservedTest
+    from compwright.estimation.observed_test import ObservedTest
 
     given = [tests] if isinstance(tests, PositioningTest) else list(tests)
     axes = sorted({test.axis for test in given})

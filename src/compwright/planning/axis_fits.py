@@ -9,16 +9,16 @@ from typing import Final, Literal
 from compwright.foundations.errors import CapacityError, CompwrightError, Fault, collect, raise_all
 from compwright.foundations.findings import doubts_of
 from compwright.foundations.side_by_side import Each, in_turn
-from compwright.planning.axes import AxisWork, CapacityOf, fresh_like_first
-from compwright.planning.declared import fresh_slope
-from compwright.planning.fresh import FreshTests, Like
-from compwright.planning.outlook import predict
+from compwright.planning.axis_work import AxisWork, CapacityOf, fresh_like_first
 from compwright.planning.practical_tables import Shown, practical_table
-from compwright.planning.reversals import drift_within, rise_of, rises_as_drift
+from compwright.planning.predicted_gain import predict
+from compwright.planning.reversal_along_travel import drift_within, rise_of, rises_as_drift
 from compwright.planning.scenarios import alike, gains, scenarios_of
-from compwright.planning.sharing import shared_fairly
+from compwright.planning.shared_points import shared_fairly
+from compwright.planning.simulated_repeat_tests import FreshTests, Like
 from compwright.planning.tables import fit_within, freely_chosen
-from compwright.planning.wanted import (
+from compwright.planning.temperature_slopes import fresh_slope
+from compwright.planning.wanted_correction import (
     wanted_correction,
 )
 from compwright.prediction.active_corrections import difference

@@ -9,14 +9,20 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
-from compwright.planning.axes import AxisWork, fresh_like_first, no_gain, predict_axis, start_axis
-from compwright.planning.drifting import drift_or_reversal
-from compwright.planning.goals import goal_findings
-from compwright.planning.limiting import what_limits
-from compwright.planning.never_applied import never_applied
+from compwright.planning.axis_work import (
+    AxisWork,
+    fresh_like_first,
+    no_gain,
+    predict_axis,
+    start_axis,
+)
+from compwright.planning.drift_doubts import drift_or_reversal
+from compwright.planning.goal_findings import goal_findings
+from compwright.planning.limiting_causes import what_limits
+from compwright.planning.point_count_tradeoff import worth_of_points
 from compwright.planning.shortfalls import unheld_period
-from compwright.planning.verdict import stopped, verdict
-from compwright.planning.worth import worth_of_points
+from compwright.planning.table_verdict import stopped, verdict
+from compwright.planning.unapplied_steps import never_applied
 from compwright.prediction.active_corrections import Correction, nothing
 from compwright.records.correction import AxisCompensation, ControlState
 from compwright.records.job import AxisJob, Job

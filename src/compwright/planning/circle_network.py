@@ -19,7 +19,7 @@ import numpy as np
 from compwright.estimation.circle_model import PRIOR_SCALE, PRIORS, SOFTEST_LOOP
 from compwright.foundations.findings import Finding
 from compwright.planning.circles import CircleWork, effect_of, with_its_lag
-from compwright.planning.stated import SIGNIFICANT, Stated
+from compwright.planning.value_with_error import SIGNIFICANT, Stated
 from compwright.words.sentences import Sentence, say
 
 _PPM: Final = 1e6

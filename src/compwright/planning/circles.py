@@ -21,8 +21,8 @@ from compwright.foundations.errors import (
     raise_all,
 )
 from compwright.foundations.findings import Finding
-from compwright.planning.diagnosed import diagnosed_circle
-from compwright.planning.limits import limit_faults
+from compwright.planning.circle_diagnosis import diagnosed_circle
+from compwright.planning.limit_decisions import limit_faults
 from compwright.prediction.active_corrections import ActiveCorrections
 from compwright.prediction.circular import moved_test, predict_circle
 from compwright.records.axis import Axis, AxisKind

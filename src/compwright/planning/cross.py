@@ -16,7 +16,7 @@ import numpy as np
 
 from compwright.foundations.findings import Finding, Severity
 from compwright.planning.circles import CircleWork, effect_of, why_undetermined
-from compwright.planning.stated import SIGNIFICANT
+from compwright.planning.value_with_error import SIGNIFICANT
 from compwright.prediction.active_corrections import ActiveCorrections
 from compwright.prediction.circular import path_of
 from compwright.records.axis import Axis, Direction, FloatArray

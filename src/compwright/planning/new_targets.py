@@ -10,11 +10,11 @@ from typing import Final, Literal
 from compwright.estimation.hidden_periods import HiddenPeriods
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
-from compwright.planning.declared import fresh_slope
-from compwright.planning.fresh import FreshTests, Like, fresh_tests, generator
-from compwright.planning.limits import accept_decisions, accepted_index, magnitude
+from compwright.planning.limit_decisions import accept_decisions, accepted_index, magnitude
 from compwright.planning.motions import with_motion
-from compwright.planning.wanted import MeasuredError
+from compwright.planning.simulated_repeat_tests import FreshTests, Like, fresh_tests, generator
+from compwright.planning.temperature_slopes import fresh_slope
+from compwright.planning.wanted_correction import MeasuredError
 from compwright.prediction.active_corrections import Correction
 from compwright.records.axis import Axis
 from compwright.records.job import AxisJob

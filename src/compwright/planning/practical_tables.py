@@ -13,7 +13,7 @@ from compwright.fitting.grid import possible_grids
 from compwright.foundations.errors import CapacityError
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
-from compwright.planning.outlook import yardstick
+from compwright.planning.predicted_gain import yardstick
 from compwright.planning.tables import fit_within, grid_words, next_to_nothing
 from compwright.records.axis import Axis, FloatArray
 from compwright.records.capacity import Capacity

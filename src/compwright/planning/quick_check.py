@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from compwright.planning.axes import AxisWork
+from compwright.planning.axis_work import AxisWork
 from compwright.prediction.active_corrections import Correction, difference
 from compwright.records.axis import Direction, FloatArray
 

@@ -15,12 +15,12 @@ import numpy as np
 from compwright.estimation.circle_model import SOFTEST_LOOP
 from compwright.foundations.errors import CapacityError
 from compwright.foundations.findings import Finding
-from compwright.planning.axes import CapacityOf
-from compwright.planning.checks import ENDS, Checks, mismatch, scale_error
+from compwright.planning.axis_work import CapacityOf
+from compwright.planning.circle_checks import ENDS, Checks, mismatch, scale_error
 from compwright.planning.circles import CircleWork, effect_of, why_undetermined, with_its_lag
-from compwright.planning.stated import Stated
 from compwright.planning.tables import NEW_GRID, fit_remaining, fit_staying
-from compwright.planning.wanted import dense_positions, held_by, wanted_correction
+from compwright.planning.value_with_error import Stated
+from compwright.planning.wanted_correction import dense_positions, held_by, wanted_correction
 from compwright.prediction.active_corrections import IDLE, ActiveCorrections
 from compwright.records.axis import Axis, Direction
 from compwright.records.correction import ControlState

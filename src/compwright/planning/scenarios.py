@@ -8,16 +8,16 @@ from typing import Final, Literal
 
 import numpy as np
 
-from compwright.planning.fresh import END_MARGIN, FreshTests, generator
-from compwright.planning.wanted import MeasuredError
+from compwright.planning.simulated_repeat_tests import END_MARGIN, FreshTests, generator
+from compwright.planning.wanted_correction import MeasuredError
 from compwright.prediction.active_corrections import Correction
+from compwright.prediction.fresh_scatter import fresh_scatter
 from compwright.prediction.positioning import dithered_targets
-from compwright.prediction.scatter import fresh_scatter
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.estimate import ErrorEstimate, Scenarios
 from compwright.records.fitted import FittedTable
 from compwright.records.result import PositioningResult
-from compwright.records.settled import settled
+from compwright.records.rounding import settled
 
 #: Different sets of new targets, and tests at each: so many sets that targets of one or another lie
 #: everywhere in each half of them, and few enough tests for a linear program.

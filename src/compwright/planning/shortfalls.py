@@ -14,13 +14,13 @@ from typing import Final
 
 import numpy as np
 
-from compwright.fitting.endless import over_one_period
+from compwright.fitting.endless_axis import over_one_period
 from compwright.fitting.fit import fit_table
 from compwright.fitting.grid import choose_grid
-from compwright.fitting.held_grid import held_part
+from compwright.fitting.unresolved_periods import held_part
 from compwright.foundations.errors import CapacityError
 from compwright.foundations.findings import Finding
-from compwright.planning.wanted import without_others
+from compwright.planning.wanted_correction import without_others
 from compwright.prediction.active_corrections import Correction, difference
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.capacity import Capacity

@@ -12,15 +12,15 @@ from typing import Final
 import numpy as np
 
 from compwright.fitting.fit import fit_table
-from compwright.fitting.losses import good_enough
+from compwright.fitting.grid_losses import good_enough
 from compwright.fitting.truncation import beyond_limits, far_beyond
 from compwright.foundations.errors import CapacityError, raise_all
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
-from compwright.planning.outlook import yardstick
-from compwright.planning.slopes import with_line
-from compwright.planning.wanted import without_others
-from compwright.planning.waves import with_wave
+from compwright.planning.predicted_gain import yardstick
+from compwright.planning.repeating_table import with_wave
+from compwright.planning.separate_line import with_line
+from compwright.planning.wanted_correction import without_others
 from compwright.records.axis import Axis, FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.estimate import WantedCorrection

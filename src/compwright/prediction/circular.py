@@ -21,7 +21,7 @@ from compwright.evaluation.circular import evaluate_circle
 from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularResult, CircularRun, CircularTest, Diagnosis
 from compwright.records.prediction import CirclePrediction, Quantiles
-from compwright.records.settled import settled_number
+from compwright.records.rounding import settled_number
 
 __all__ = ["CirclePath", "moved_test", "path_of", "predict_circle"]
 

@@ -12,10 +12,10 @@ import numpy as np
 from compwright.evaluation.decision import Decision
 from compwright.evaluation.statistics import parameters, vdi_parameters
 from compwright.foundations.errors import Fault, UsageError
-from compwright.prediction.scatter import FreshScatter
+from compwright.prediction.fresh_scatter import FreshScatter
 from compwright.records.axis import FloatArray
 from compwright.records.prediction import Quantiles
-from compwright.records.settled import settled_number
+from compwright.records.rounding import settled_number
 
 __all__ = [
     "Quantiles",

@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from compwright.estimation.noise import noise_of
-from compwright.estimation.observed import traverse_columns
+from compwright.estimation.observed_test import traverse_columns
 from compwright.evaluation.statistics import count_readings, mean_deviation
 from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.noise import NoiseDraws

@@ -1,5 +1,5 @@
 """Was the table loaded? The test after loading is compared with every way of loading
-(`verification.hypotheses`), by joint likelihood of the tests before and after.
+(`verification.loading_hypotheses`), by joint likelihood of the tests before and after.
 
 The deviation before is an expectation with uncertainty, from the tests before. So the noise of both
 sides counts; a plain regression of after minus before on the correction is biased, because the
@@ -18,15 +18,9 @@ import numpy as np
 
 from compwright.foundations.findings import Finding
 from compwright.records.verification import LoadingName, LoadingVerdict
+from compwright.verification.hypothesis_rating import Rated, rate
 from compwright.verification.likelihood import AfterMeans
-from compwright.verification.loading_names import (
-    LEAST_SLOPE,
-    REFUSED,
-    NamedLoading,
-    factor_of,
-    named,
-)
-from compwright.verification.loading_words import (
+from compwright.verification.loading_messages import (
     Shown,
     declared_slope_text,
     named_message,
@@ -36,8 +30,14 @@ from compwright.verification.loading_words import (
     straight_line_message,
     thermal_message,
 )
-from compwright.verification.rating import Rated, rate
-from compwright.verification.views import View
+from compwright.verification.loading_names import (
+    LEAST_SLOPE,
+    REFUSED,
+    NamedLoading,
+    factor_of,
+    named,
+)
+from compwright.verification.measurement_cases import View
 from compwright.words.sentences import Sentence, say
 
 #: A name is given from this probability on, those that no test could tell from it counted with it.

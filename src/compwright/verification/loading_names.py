@@ -14,8 +14,8 @@ import numpy as np
 from compwright.records.axis import FloatArray
 from compwright.records.verification import Candidate, LoadingName
 from compwright.verification.hypothesis import UNKNOWN_FACTOR
+from compwright.verification.hypothesis_rating import Rated, distances
 from compwright.verification.likelihood import AfterMeans
-from compwright.verification.rating import Rated, distances
 
 #: A test that fits is refused in 1 of 1000 cases by what is left over, and by a slope beyond what
 #: is declared: normal score.

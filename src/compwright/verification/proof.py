@@ -15,7 +15,7 @@ from itertools import combinations
 from pathlib import Path
 from typing import Any, Final, TypeVar
 
-from compwright.evaluation.repeats import NamedTest, same_measurement
+from compwright.evaluation.duplicate_measurements import NamedTest, same_measurement
 from compwright.foundations.findings import Finding
 from compwright.foundations.provenance import share_a_file
 from compwright.records.circular import CircularResult, CircularTest
@@ -24,14 +24,14 @@ from compwright.records.job import Job
 from compwright.records.plan import Plan
 from compwright.records.positioning import PositioningTest
 from compwright.records.result import PositioningResult
-from compwright.verification.measurement import NamedFault, copied_scatter
+from compwright.verification.measurement_faults import NamedFault, copied_scatter
 from compwright.words.sentences import say
 
 #: Warnings that only say that values are larger than those of a quiet machine, or that an
 #: assumption was stated: they leave the verdict.
 _HARMLESS: Final = frozenset({"CW-T012", "CW-T013", "CW-T014", "CW-T022"})
-#: The size of the readings is compared with the first test's (`verification.measurement`), which
-#: decides better than the test alone.
+#: The size of the readings is compared with the first test's (`verification.measurement_faults`),
+#: which decides better than the test alone.
 _COMPARED_WITH_FIRST: Final = frozenset({"CW-T030"})
 #: Doubts, and these warnings about the readings, count whether or not the first test had them too.
 #: All others count where it had not.

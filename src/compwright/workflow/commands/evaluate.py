@@ -451,7 +451,7 @@ def _with_repeats(tests: Sequence[Evaluated]) -> list[dict[str, Any]]:
     readings = [one.test for one in tests if one.test is not None]
     if len(readings) < 2:
         return [one.entry for one in tests]
-    from compwright.evaluation.repeats import repeat_findings
+    from compwright.evaluation.duplicate_measurements import repeat_findings
 
     repeated = iter(repeat_findings(readings))
     for one in tests:

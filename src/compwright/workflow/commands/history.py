@@ -10,7 +10,7 @@ from typing import Any
 
 from compwright.documents.history import TestSeries, history_csv, history_document
 from compwright.documents.json_text import to_json
-from compwright.evaluation.series import noted_changes, noted_trends, without_repeats
+from compwright.evaluation.series_changes import noted_changes, noted_trends, without_repeats
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, collect
 from compwright.foundations.session import Session

@@ -27,7 +27,7 @@ from compwright.foundations.extras import installed_version
 from compwright.foundations.provenance import fingerprint
 from compwright.foundations.session import Session
 from compwright.foundations.utf8 import encoded
-from compwright.planning.diagnosed import diagnosed_circle
+from compwright.planning.circle_diagnosis import diagnosed_circle
 from compwright.records.positioning import PositioningTest
 from compwright.workflow.inputs.evaluated import tests_in
 from compwright.workflow.results.single_files import refuse_other_kinds

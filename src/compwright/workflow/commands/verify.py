@@ -37,7 +37,7 @@ from compwright.records.job import AS_FOUND, Job
 from compwright.records.plan import Plan
 from compwright.verification.acceptance import OverallVerdict, overall_verdict
 from compwright.verification.proof import changed_limits, copies, not_measured, old_circles
-from compwright.verification.same_job import stale, stale_plan
+from compwright.verification.stale_plan import stale, stale_plan
 from compwright.workflow.commands.compare import compare_plan
 from compwright.workflow.inputs.after_tests import after_tests, read_again
 from compwright.workflow.inputs.input_copies import BY_VERIFY, INPUTS, files_of_verify

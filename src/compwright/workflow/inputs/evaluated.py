@@ -111,7 +111,7 @@ class FilesEvaluator:
     def _stand_still(self, given: FileToEvaluate) -> FileTests:
         """Return a stand-still test evaluated."""
         from compwright.documents.stand_still import stand_still_document
-        from compwright.evaluation.drift import environmental_variation
+        from compwright.evaluation.environmental_variation import environmental_variation
         from compwright.instruments.drift_csv import read_drift
 
         try:
@@ -142,7 +142,7 @@ class CirclesEvaluator:
     def __call__(self, test: CircularTest) -> FileTests:
         """Return the test evaluated; whatever is wrong with it is noted as a fault of its file."""
         from compwright.documents.circular import circular_document
-        from compwright.planning.diagnosed import diagnosed_circle
+        from compwright.planning.circle_diagnosis import diagnosed_circle
 
         try:
             entry = circular_document(diagnosed_circle(test, self.request.circular))

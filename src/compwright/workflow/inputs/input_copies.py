@@ -13,9 +13,9 @@ from compwright.foundations import storage
 from compwright.foundations.provenance import fingerprint
 from compwright.foundations.session import Session
 from compwright.foundations.utf8 import shown_path
+from compwright.records.input_record import InputRole, RecordedInput
 from compwright.records.job import Job
 from compwright.records.plan import Texts
-from compwright.records.record import InputRole, RecordedInput
 from compwright.workflow.inputs.measurement_files import measurement_files
 
 INPUTS = "inputs"

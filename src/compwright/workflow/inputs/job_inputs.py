@@ -10,8 +10,8 @@ from compwright.controls.control import Control, decode, read_files
 from compwright.controls.decoded import DecodedState
 from compwright.controls.gantries import partner_questions
 from compwright.controls.settled import length_unit, other_joints
+from compwright.evaluation.environment_reduction import reduce_by_record
 from compwright.evaluation.expansion import remove_differential_expansion
-from compwright.evaluation.recorded_environment import reduce_by_record
 from compwright.evaluation.temperatures import at_temperatures, temperatures_of
 from compwright.foundations import storage
 from compwright.foundations.errors import (

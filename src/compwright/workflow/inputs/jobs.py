@@ -13,7 +13,7 @@ from compwright.controls.control import Control, Origin, open_control
 from compwright.controls.definitions import is_path
 from compwright.documents.plan import carried_definition
 from compwright.documents.record import RECORD, copied_by_record
-from compwright.evaluation.drift import environmental_variation
+from compwright.evaluation.environmental_variation import environmental_variation
 from compwright.foundations import storage
 from compwright.foundations.errors import (
     CompwrightError,

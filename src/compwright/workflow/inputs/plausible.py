@@ -10,8 +10,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import combinations
 from typing import Final
 
+from compwright.evaluation.duplicate_measurements import NamedTest, same_measurement
 from compwright.evaluation.plausibility import certain_fault, wrong_target_unit
-from compwright.evaluation.repeats import NamedTest, same_measurement
 from compwright.foundations.errors import Fault
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.job import Job

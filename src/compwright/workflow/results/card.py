@@ -20,7 +20,7 @@ from compwright.controls.control import Control
 from compwright.controls.decoded import DecodedState
 from compwright.documents.decode import assumed_documents
 from compwright.foundations.utf8 import encoded, visible_lines
-from compwright.planning.axes import AxisWork
+from compwright.planning.axis_work import AxisWork
 from compwright.records.correction import Assumption, ControlFile
 from compwright.records.job import AS_FOUND, Job
 from compwright.workflow.inputs.job_inputs import JobInputs

@@ -14,7 +14,7 @@ from compwright.documents.circular import circular_document
 from compwright.documents.evaluation import evaluation_document
 from compwright.documents.findings import finding_documents
 from compwright.foundations.units import outside_factor, outside_unit
-from compwright.planning.axes import AxisWork
+from compwright.planning.axis_work import AxisWork
 from compwright.prediction.active_corrections import difference
 from compwright.records.axis import Direction
 from compwright.records.circular import CircularResult

@@ -8,10 +8,10 @@ from dataclasses import dataclass, replace
 from compwright import __version__
 from compwright.foundations.findings import RESULTS, Finding, doubts_of
 from compwright.jobs.idle_keys import unused_acknowledgements
-from compwright.planning.axes import AxisWork
+from compwright.planning.axis_work import AxisWork
 from compwright.planning.circles import undecided_circles, worse_circles
 from compwright.planning.doubts import Doubts, Noticed, doubts_among, undecided
-from compwright.planning.limits import lacking_circle_guard
+from compwright.planning.limit_decisions import lacking_circle_guard
 from compwright.records.correction import Assumption
 from compwright.records.plan import Plan
 from compwright.words.sentences import say

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 from compwright.controls.control import Control
 from compwright.foundations.side_by_side import Each, in_turn
-from compwright.planning.axes import AxisWork
 from compwright.planning.axis_fits import fit_all
+from compwright.planning.axis_work import AxisWork
 from compwright.planning.scale import Scaled, scaled_axes
 from compwright.records.plan import PlannedAxis
 from compwright.workflow.run.measured import Measured

@@ -16,7 +16,7 @@ from compwright.controls.settled import (
     unknown_zeros,
     with_counted_turns,
 )
-from compwright.evaluation.repeats import NamedTest
+from compwright.evaluation.duplicate_measurements import NamedTest
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.findings import Finding

@@ -12,9 +12,9 @@ import numpy as np
 
 from compwright.foundations.findings import Finding
 from compwright.foundations.side_by_side import Each
-from compwright.planning.axes import AxisWork
+from compwright.planning.axis_work import AxisWork
 from compwright.planning.motions import with_backlash
-from compwright.planning.wanted import (
+from compwright.planning.wanted_correction import (
     UNDECLARED_SLOPE,
     held_by,
     measured_error,
@@ -23,12 +23,12 @@ from compwright.planning.wanted import (
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation, ControlState
 from compwright.records.plan import PlannedTest
-from compwright.verification.hypotheses import loading_hypotheses
+from compwright.verification.existing_table import OldTable
 from compwright.verification.hypothesis import Loading
 from compwright.verification.likelihood import after_means, belief_of, draws_for
 from compwright.verification.loading import judge_loading
-from compwright.verification.old_table import OldTable
-from compwright.verification.views import View, measurement_views
+from compwright.verification.loading_hypotheses import loading_hypotheses
+from compwright.verification.measurement_cases import View, measurement_views
 from compwright.words.sentences import say
 from compwright.workflow.run.measured import Measured
 
@@ -156,6 +156,6 @@ def _of_others(
 
 def _slope(off: PlannedTest, on: PlannedTest) -> float:
     """Return the standard deviation of the slope between two tests, mm/mm: as declared, else that
-    of a usual change of temperature (`planning.wanted`).
+    of a usual change of temperature (`planning.wanted_correction`).
     """
     return max(math.hypot(off.slope_std, on.slope_std), UNDECLARED_SLOPE)

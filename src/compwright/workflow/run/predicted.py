@@ -11,10 +11,10 @@ from compwright.controls.gantries import skew_findings
 from compwright.foundations.findings import Finding
 from compwright.foundations.side_by_side import Each, in_turn
 from compwright.planning import axis_tasks
-from compwright.planning.axes import AxisWork
+from compwright.planning.axis_work import AxisWork
 from compwright.planning.circles import CircleWork, predicted_circle
-from compwright.planning.limits import circle_decisions
-from compwright.planning.outlook import yardstick
+from compwright.planning.limit_decisions import circle_decisions
+from compwright.planning.predicted_gain import yardstick
 from compwright.prediction.active_corrections import IDLE, ActiveCorrections, Correction
 from compwright.records.job import AS_FOUND
 from compwright.records.prediction import AxisPrediction, CirclePrediction, TestPrediction

@@ -12,12 +12,12 @@ from compwright.evaluation.same_error import same_error_findings
 from compwright.foundations.findings import Finding
 from compwright.foundations.side_by_side import Each, in_turn
 from compwright.planning import axis_tasks
-from compwright.planning.axes import AxisWork
-from compwright.planning.checks import Checks
+from compwright.planning.axis_work import AxisWork
+from compwright.planning.circle_checks import Checks
 from compwright.planning.circle_network import network_findings
 from compwright.planning.circles import CircleWork, checked_axes, start_circles
-from compwright.planning.file_statements import with_statements
-from compwright.planning.mirrored import MIRRORED
+from compwright.planning.header_statements import with_statements
+from compwright.planning.mirror_image import MIRRORED
 from compwright.records.job import Job
 from compwright.records.positioning import PositioningTest
 from compwright.workflow.run.measured import Measured

@@ -16,7 +16,7 @@ from compwright.foundations.errors import CompwrightError, UsageError, raise_all
 from compwright.foundations.findings import Finding
 from compwright.foundations.side_by_side import Each, in_turn
 from compwright.planning import axis_tasks
-from compwright.planning.axes import AxisWork
+from compwright.planning.axis_work import AxisWork
 from compwright.planning.cross import plan_cross
 from compwright.planning.scale import scale_steps
 from compwright.records.axis import Axis

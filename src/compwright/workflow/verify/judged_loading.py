@@ -9,10 +9,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from compwright.estimation.observed import ObservedTest
-from compwright.planning.declared import relative_to_first, slope_after
+from compwright.estimation.observed_test import ObservedTest
 from compwright.planning.motions import with_motion
-from compwright.planning.wanted import (
+from compwright.planning.temperature_slopes import relative_to_first, slope_after
+from compwright.planning.wanted_correction import (
     MeasuredError,
     held_by,
     measured_error,
@@ -27,11 +27,17 @@ from compwright.records.noise import NoiseDraws
 from compwright.records.plan import PlannedAxis
 from compwright.records.positioning import PositioningTest
 from compwright.records.verification import LoadingVerdict
-from compwright.verification.hypotheses import loading_hypotheses
 from compwright.verification.hypothesis import Loading
 from compwright.verification.likelihood import after_means, belief_of, draws_for
 from compwright.verification.loading import judge_loading
-from compwright.verification.views import UNLIKE, View, measurement_views, of_other_axis, unit_views
+from compwright.verification.loading_hypotheses import loading_hypotheses
+from compwright.verification.measurement_cases import (
+    UNLIKE,
+    View,
+    measurement_views,
+    of_other_axis,
+    unit_views,
+)
 from compwright.words.sentences import say
 
 

@@ -15,7 +15,7 @@ from compwright.documents.verification import VerifiedAxis
 from compwright.evaluation.statistics import count_readings, mean_deviation
 from compwright.foundations import storage
 from compwright.records.axis import Direction, FloatArray
-from compwright.verification.proven import ProvenAxis, proven_axis, sign_odds
+from compwright.verification.proven_facts import ProvenAxis, proven_axis, sign_odds
 from compwright.workflow.verify.next_round import Verified
 
 FOLDER: Final = "proven"

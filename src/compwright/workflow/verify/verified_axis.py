@@ -16,15 +16,15 @@ from compwright.documents.verification import ExpectedMeans, VerifiedAxis
 from compwright.estimation.cells import folded_findings
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
-from compwright.planning.axes import evaluated
-from compwright.planning.declared import fresh_slope
-from compwright.planning.file_statements import stated_after
-from compwright.planning.fresh import Like
-from compwright.planning.guard import guard_bands
-from compwright.planning.limits import lacking_guard, measured_decisions, unguarded
+from compwright.planning.axis_work import evaluated
+from compwright.planning.guard_bands import guard_bands
+from compwright.planning.header_statements import stated_after
+from compwright.planning.limit_decisions import lacking_guard, measured_decisions, unguarded
 from compwright.planning.motions import with_motion
-from compwright.planning.outlook import predict_same_targets
-from compwright.planning.wanted import MeasuredError, measured_error, observed_tests
+from compwright.planning.predicted_gain import predict_same_targets
+from compwright.planning.simulated_repeat_tests import Like
+from compwright.planning.temperature_slopes import fresh_slope
+from compwright.planning.wanted_correction import MeasuredError, measured_error, observed_tests
 from compwright.prediction.active_corrections import Correction, difference, nothing
 from compwright.prediction.dead_zone import as_applied
 from compwright.records.axis import Axis, Direction, partner_of
@@ -34,10 +34,10 @@ from compwright.records.job import Acknowledged, Job
 from compwright.records.plan import PlannedAxis, PlannedTest
 from compwright.records.prediction import AcceptDecision
 from compwright.records.result import PositioningResult
-from compwright.records.settled import LOGARITHM, settled_number
+from compwright.records.rounding import LOGARITHM, settled_number
 from compwright.records.verification import LoadingName, LoadingVerdict
-from compwright.verification.hypotheses import OF_VALUES
-from compwright.verification.measurement import NamedFault, measurement_fault, proof_lacking
+from compwright.verification.loading_hypotheses import OF_VALUES
+from compwright.verification.measurement_faults import NamedFault, measurement_fault, proof_lacking
 from compwright.verification.proof import AfterTest, doubted, doubts_after
 from compwright.workflow.verify.judged_loading import judged_loading
 

@@ -29,6 +29,7 @@ from compwright.foundations.provenance import share_a_file
 from compwright.foundations.session import Session
 from compwright.foundations.utf8 import shown_path
 from compwright.instruments.circular_reading import is_circular, read_circular
+from compwright.planning.circle_diagnosis import diagnosed_circle
 from compwright.planning.circles import (
     CIRCULAR_STANDARD,
     effect_of,
@@ -36,10 +37,9 @@ from compwright.planning.circles import (
     predicted_circle,
     with_uncertainty,
 )
-from compwright.planning.diagnosed import diagnosed_circle
-from compwright.planning.file_statements import stated_after
-from compwright.planning.limits import lacking_circle_guard, measured_circle_decisions
-from compwright.planning.stated import SIGNIFICANT
+from compwright.planning.header_statements import stated_after
+from compwright.planning.limit_decisions import lacking_circle_guard, measured_circle_decisions
+from compwright.planning.value_with_error import SIGNIFICANT
 from compwright.prediction.active_corrections import ActiveCorrections, added
 from compwright.records.axis import Axis
 from compwright.records.circular import CircularResult, CircularTest

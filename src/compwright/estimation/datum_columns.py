@@ -1,0 +1,58 @@
+"""What single tests of an axis have of their own: a datum each, and a slope where their temperature
+is uncertain: columns of a linear model with normal priors (Rasmussen and Williams, Gaussian
+Processes for Machine Learning, 2006, section 2.7).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from compwright.estimation.evidence import VAGUE
+from compwright.estimation.observed_test import ObservedCells, ObservedTest
+from compwright.records.axis import FloatArray
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class OwnColumns:
+    """``columns`` (c, e) over the cells of all tests, with the standard deviations ``stds`` (e,) of
+    their weights, in units of the scale; ``slopes``: by test, the column of its own slope, None
+    where it has none.
+    """
+
+    columns: FloatArray
+    stds: FloatArray
+    slopes: tuple[int | None, ...]
+
+
+def own_columns(
+    tests: Sequence[ObservedTest],
+    parts: Sequence[ObservedCells],
+    targets: FloatArray,
+    scale: float,
+) -> OwnColumns:
+    """Return the columns that single tests have of their own: a datum for each but the first, whose
+    datum is that of the error; and the slope of each whose slope is uncertain, about the middle of
+    the ``targets`` (m,) of all and 1 at their ends. ``scale``: mm or deg.
+    """
+    middle, half = 0.5 * (targets[0] + targets[-1]), 0.5 * float(np.ptp(targets))
+    columns: list[FloatArray] = []
+    stds: list[float] = []
+    slopes: list[int | None] = []
+    for index, each in enumerate(tests):
+        mine = [np.full(part.counts.size, float(k == index)) for k, part in enumerate(parts)]
+        own = np.concatenate(mine)
+        if index:
+            columns.append(own)
+            stds.append(VAGUE)
+        slopes.append(None)
+        if each.slope_std > 0.0:
+            slopes[-1] = len(columns)
+            places = np.concatenate([part.positions for part in parts])
+            columns.append(own * (places - middle) / half)
+            stds.append(each.slope_std * half / scale)
+    size = sum(part.counts.size for part in parts)
+    together = np.column_stack(columns) if columns else np.zeros((size, 0))
+    return OwnColumns(columns=together, stds=np.array(stds), slopes=tuple(slopes))

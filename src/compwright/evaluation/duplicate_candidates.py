@@ -1,0 +1,146 @@
+"""Which of many tests may be one measurement: candidates for `duplicate_measurements`, found by
+sorting readings instead of holding every test against every other.
+
+What `same_readings` and `share_a_run` call the same agrees but for one constant, the zero of the
+instrument: readings less one of them are the same numbers, and stand side by side when sorted.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Hashable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from compwright.records.axis import AxisKind, Direction, FloatArray
+from compwright.records.positioning import SAME_READING, PositioningTest
+
+#: Of the targets that two runs have in common so many are looked at, the lowest ones: enough that
+#: runs hardly agree there by chance, however coarse their digits.
+_LOOKED_AT: Final = 12
+
+_Numbers = NDArray[np.int64]
+
+
+@dataclass(frozen=True, slots=True)
+class _AlikeRun:
+    """A run of the test with the index ``owner``: its readings that were made, (n,) mm or deg, and
+    the numbers of their targets, ascending.
+    """
+
+    owner: int
+    places: _Numbers
+    values: FloatArray
+
+
+def alike_in_all(tests: Sequence[PositioningTest]) -> list[list[int]]:
+    """Return the groups (two or more indices, ascending) of ``tests`` that have the same targets
+    and agree reading by reading but for one constant, by `SAME_READING`.
+    """
+    blocks = [np.concatenate([test.positive.ravel(), test.negative.ravel()]) for test in tests]
+    made = [np.isfinite(block) for block in blocks]
+    shifted = [block[known] - block[known][:1] for block, known in zip(blocks, made, strict=True)]
+    groups: dict[Hashable, list[int]] = defaultdict(list)
+    for index, (test, known, places, values) in enumerate(
+        zip(tests, made, _places(tests), _numbered(shifted), strict=True)
+    ):
+        shape = test.kind, test.positive.shape, test.negative.shape
+        groups[*shape, known.tobytes(), places.tobytes(), values.tobytes()].append(index)
+    return [group for group in groups.values() if len(group) > 1]
+
+
+def alike_in_a_run(tests: Sequence[PositioningTest], fewest: int) -> Iterator[list[int]]:
+    """Yield the groups (two or more indices, ascending) of ``tests`` with a run in one direction
+    that agrees but for a constant at the `_LOOKED_AT` lowest of the targets that both have,
+    ``fewest`` or more of them: all tests with a run that agrees at every one are in such a group.
+
+    Runs that are the same everywhere were not made and do not count.
+    """
+    runs: dict[tuple[AxisKind, Direction], list[_AlikeRun]] = defaultdict(list)
+    for index, (test, places) in enumerate(zip(tests, _places(tests), strict=True)):
+        for direction in Direction:
+            for column in test.deviations(direction).T:
+                made = np.isfinite(column)
+                values = column[made]
+                if values.size >= fewest and np.ptp(values) > SAME_READING:
+                    runs[test.kind, direction].append(_AlikeRun(index, places[made], values))
+    for some in runs.values():
+        for group in _agreeing(some, fewest):
+            yield sorted(group)
+
+
+def _agreeing(runs: Sequence[_AlikeRun], fewest: int) -> Iterator[set[int]]:
+    """Yield the owners of runs that agree where they are looked at."""
+    grids: dict[bytes, list[_AlikeRun]] = defaultdict(list)
+    for run in runs:
+        grids[run.places.tobytes()].append(run)
+    looked: dict[bytes, list[_AlikeRun]] = defaultdict(list)
+    several = list(grids.values())
+    for grid, parts in enumerate(_looked_at([some[0].places for some in several], fewest)):
+        for part in parts:
+            looked[part] += several[grid]
+    for part, some in looked.items():
+        if len({run.owner for run in some}) < 2:
+            continue  # a test with targets of its own
+        yield from _same_there(some, np.frombuffer(part, dtype=np.int64))
+
+
+def _looked_at(grids: Sequence[_Numbers], fewest: int) -> list[set[bytes]]:
+    """Return for each grid of targets the parts of it at which it is compared with itself and with
+    the others.
+    """
+    having: dict[int, list[int]] = defaultdict(list)
+    for index, places in enumerate(grids):
+        for place in places.tolist():
+            having[place].append(index)
+    lists = {place: np.array(indices) for place, indices in having.items()}
+    found: list[set[bytes]] = [set() for _ in grids]
+    for index, places in enumerate(grids):
+        common = np.bincount(np.concatenate([lists[place] for place in places.tolist()]))
+        for other in (np.flatnonzero(common[index:] >= fewest) + index).tolist():
+            part = _common(places, grids[other])[:_LOOKED_AT].tobytes()
+            found[index].add(part)
+            found[other].add(part)
+    return found
+
+
+def _common(one: _Numbers, other: _Numbers) -> _Numbers:
+    return one if one is other else np.intersect1d(one, other, assume_unique=True)
+
+
+def _same_there(runs: Sequence[_AlikeRun], part: _Numbers) -> Iterator[set[int]]:
+    """Yield the owners of runs that agree at the targets ``part``, but for a constant."""
+    values = np.stack([run.values[np.searchsorted(run.places, part)] for run in runs])
+    columns = (values[:, 1:] - values[:, :1]).T
+    rows = np.column_stack([_numbers(column) for column in columns])
+    groups: dict[bytes, set[int]] = defaultdict(set)
+    for run, row in zip(runs, rows, strict=True):
+        groups[row.tobytes()].add(run.owner)
+    return (group for group in groups.values() if len(group) > 1)
+
+
+def _places(tests: Sequence[PositioningTest]) -> list[_Numbers]:
+    """Return the numbers of the targets of each test: the same for the same target."""
+    return _numbered([test.targets for test in tests])
+
+
+def _numbered(several: Sequence[FloatArray]) -> list[_Numbers]:
+    """Return `_numbers` of all arrays together, taken apart again."""
+    if not several:
+        return []
+    ends = np.cumsum([values.size for values in several])[:-1]
+    return np.split(_numbers(np.concatenate(several)), ends)
+
+
+def _numbers(values: FloatArray) -> _Numbers:
+    """Return a number for each value, ascending with it, the same for values within
+    `SAME_READING`.
+    """
+    order = np.argsort(values, kind="stable")
+    ordered = values[order]
+    numbers = np.empty(values.size, dtype=np.int64)
+    numbers[order] = np.cumsum(np.diff(ordered, prepend=ordered[:1]) > SAME_READING)
+    return numbers

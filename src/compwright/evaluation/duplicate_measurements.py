@@ -1,0 +1,259 @@
+"""Is it the same measurement twice? Find tests of one job with equal files or equal readings."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import combinations, product
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from compwright.evaluation.duplicate_candidates import alike_in_a_run, alike_in_all
+from compwright.evaluation.pooled_scatter import pooled_scatter
+from compwright.foundations.findings import Finding
+from compwright.foundations.provenance import Source, share_a_file
+from compwright.records.axis import Direction, FloatArray
+from compwright.records.positioning import SAME_READING, PositioningTest
+
+#: Runs are compared at as many common targets at least.
+_TARGETS: Final = 5
+#: Two runs are the same by chance where this many such pairs are expected.
+_CHANCE: Final = 1e-3
+#: Differences of runs that are held at once.
+_AT_ONCE: Final = 1_000_000
+#: Tests named in a message.
+_NAMED: Final = 4
+
+
+_Blocks = Mapping[Direction, FloatArray]
+
+
+@dataclass(frozen=True, slots=True)
+class NamedTest:
+    """A test by what the user calls it, with the files that it came from."""
+
+    words: str
+    sources: tuple[Source, ...]
+    test: PositioningTest | None = None
+
+
+def same_measurement(one: NamedTest, other: NamedTest) -> bool:
+    """Return whether two tests share a file by its content, hold the same scattering readings at
+    the same targets, or share a run.
+    """
+    if share_a_file(one.sources, other.sources):
+        return True
+    if one.test is None or other.test is None:
+        return False
+    return same_readings(one.test, other.test) or share_a_run(one.test, other.test)
+
+
+def same_readings(one: PositioningTest, other: PositioningTest) -> bool:
+    """Return whether two tests agree reading by reading, but for one constant: another zero of the
+    instrument.
+
+    Readings without any scatter may do so by chance and do not count.
+    """
+    if one.kind is not other.kind or pooled_scatter(one)[0] <= SAME_READING:
+        return False
+    pairs = (
+        (one.targets, other.targets),
+        (one.positive, other.positive),
+        (one.negative, other.negative),
+    )
+    if any(a.shape != b.shape for a, b in pairs) or not np.allclose(
+        one.targets, other.targets, rtol=0.0, atol=SAME_READING
+    ):
+        return False
+    gaps = np.concatenate([(a - b).ravel() for a, b in pairs[1:]])
+    made = np.concatenate([(np.isfinite(a) == np.isfinite(b)).ravel() for a, b in pairs[1:]])
+    known = gaps[np.isfinite(gaps)]
+    return bool(made.all() and known.size and np.ptp(known) <= SAME_READING)
+
+
+def share_a_run(one: PositioningTest, other: PositioningTest) -> bool:
+    """Return whether a run of one test is a run of the other, whatever its number, in every
+    direction that both have, but for one constant: some of the runs, or all in another order, given
+    as a test of their own.
+
+    Of the pairs of runs that differ, the share p of targets with one and the same difference tells
+    how often coarse digits agree; runs that agree at all of m targets do so with the chance
+    p^(m - 1) for each pair.
+    """
+    if one.kind is not other.kind:
+        return False
+    place = np.searchsorted(other.targets, one.targets - SAME_READING)
+    place = np.minimum(place, other.targets.size - 1)
+    at = np.flatnonzero(np.abs(other.targets[place] - one.targets) <= SAME_READING)
+    there = place[at]
+    if at.size < _TARGETS:
+        return False
+    ours = {direction: one.deviations(direction)[at] for direction in Direction}
+    others = {direction: other.deviations(direction)[there] for direction in Direction}
+    if _always_by_chance(ours, others):
+        return False
+    zeros = [found for way in Direction if (found := _zeros(ours[way], others[way])) is not None]
+    if not (zeros and _in_common(zeros)):
+        return False
+    apart, chances = [], []
+    for mine, theirs in product(Direction, repeat=2):
+        for gap in _gaps(ours[mine], others[theirs]):
+            if mine is theirs:
+                chances.append(gap.size - 1)
+            if mine is not theirs or np.ptp(gap) > SAME_READING:
+                apart.append(gap)
+    if not apart:
+        return False
+    shares = [_most_alike(gap) / gap.size for gap in apart]
+    return float(np.sum(np.mean(shares) ** np.asarray(chances))) < _CHANCE
+
+
+def _always_by_chance(ours: _Blocks, others: _Blocks) -> bool:
+    """Return whether runs at so few targets may always be the same by chance: of m differences one
+    is the commonest, so that p is 1/m or more. Counted are the runs without a gap.
+    """
+    targets = len(ours[Direction.POSITIVE])
+    pairs = 0
+    for direction in Direction:
+        whole = [
+            block[:, np.isfinite(block).all(axis=0)]
+            for block in (ours[direction], others[direction])
+        ]
+        moving = np.count_nonzero(np.ptp(whole[0], axis=0) > SAME_READING)
+        pairs += moving * whole[1].shape[1]
+    return bool(pairs * (1.0 / targets) ** (targets - 1) >= _CHANCE)
+
+
+def _zeros(mine: FloatArray, theirs: FloatArray) -> list[float] | None:
+    """Return the constants by which runs (columns) of two blocks differ that differ by nothing
+    else; None where no two runs can be compared, as `_gaps` does.
+    """
+    found: list[float] = []
+    compared = False
+    at_once = max(1, _AT_ONCE // max(theirs.size, 1))
+    for start in range(0, mine.shape[1], at_once):
+        left = mine[:, start : start + at_once, np.newaxis]
+        gaps = left - theirs[:, np.newaxis, :]
+        made = np.isfinite(gaps)
+        counted = (made.sum(axis=0) >= _TARGETS) & (_spread(left, made) > SAME_READING)
+        compared = compared or bool(counted.any())
+        same = counted & (_spread(gaps, made) <= SAME_READING)
+        first = np.take_along_axis(gaps, made.argmax(axis=0)[np.newaxis], axis=0)[0]
+        found += first[same].tolist()
+    return found if compared else None
+
+
+def _spread(values: FloatArray, where: NDArray[np.bool_]) -> FloatArray:
+    """Return the largest less the smallest of the values (c, ..) that count; below zero without
+    one.
+    """
+    largest = np.where(where, values, -np.inf).max(axis=0)
+    smallest = np.where(where, values, np.inf).min(axis=0)
+    spread: FloatArray = largest - smallest
+    return spread
+
+
+def _gaps(mine: FloatArray, theirs: FloatArray) -> Iterator[FloatArray]:
+    """Yield the differences between the runs (columns) of two blocks, pair by pair, at targets
+    where both have a reading.
+
+    Pairs with too few common readings are left out, and so are runs of zeros that were not made.
+    """
+    for left in mine.T:
+        for gap, both in zip(
+            (left[:, np.newaxis] - theirs).T,
+            (np.isfinite(left)[:, np.newaxis] & np.isfinite(theirs)).T,
+            strict=True,
+        ):
+            if np.count_nonzero(both) >= _TARGETS and np.ptp(left[both]) > SAME_READING:
+                yield gap[both]
+
+
+def _in_common(zeros: Sequence[Sequence[float]]) -> bool:
+    """Return whether one constant is among those of every direction."""
+    first, *others = zeros
+    return any(
+        all(any(abs(zero - each) <= SAME_READING for each in other) for other in others)
+        for zero in first
+    )
+
+
+def _most_alike(gaps: FloatArray) -> int:
+    """Return how many of the differences are one and the same."""
+    ordered = np.sort(gaps)
+    beyond = np.searchsorted(ordered, ordered + SAME_READING, side="right")
+    return int(np.max(beyond - np.arange(gaps.size)))
+
+
+def repeat_findings(tests: Sequence[PositioningTest]) -> list[Finding | None]:
+    """Return for each test that repeats the measurement of others the finding that says so
+    (CW-T034), None for the others. As `same_measurement` of any two of them would find it, in a
+    time that grows with their number, not with its square.
+    """
+    kinds = _one_of_each(tests)
+    sharing = _sharing_runs([tests[members[0]] for members in kinds])
+    found: list[Finding | None] = [None] * len(tests)
+    for kind, members in enumerate(kinds):
+        same = sorted(index for near in (kind, *sharing[kind]) for index in kinds[near])
+        for index in members:
+            others = [other for other in same[: _NAMED + 2] if other != index]
+            if others:
+                found[index] = _repeated([_file(tests[other]) for other in others])
+    return found
+
+
+def _sharing_runs(tests: Sequence[PositioningTest]) -> list[set[int]]:
+    """Return for each test those that share a run with it; of very many, more than are named."""
+    sharing: list[set[int]] = [set() for _ in tests]
+    looked_at: set[tuple[int, int]] = set()
+    for group in alike_in_a_run(tests, _TARGETS):
+        for one, other in combinations(group, 2):
+            if min(len(sharing[one]), len(sharing[other])) > _NAMED or (one, other) in looked_at:
+                continue
+            looked_at.add((one, other))
+            if share_a_run(tests[one], tests[other]):
+                sharing[one].add(other)
+                sharing[other].add(one)
+    return sharing
+
+
+def _one_of_each(tests: Sequence[PositioningTest]) -> list[list[int]]:
+    """Return the tests (their indices, ascending) in groups that have the same readings or come
+    from the same file; most groups hold one.
+    """
+    above = list(range(len(tests)))
+
+    def join(one: int, other: int) -> None:
+        low, high = sorted((_top(above, one), _top(above, other)))
+        above[high] = low
+
+    by_file: dict[str, int] = {}
+    for index, test in enumerate(tests):
+        for source in test.sources:
+            join(index, by_file.setdefault(source.sha256, index))
+    for first, *others in alike_in_all(tests):
+        if pooled_scatter(tests[first])[0] > SAME_READING:
+            for other in others:
+                join(first, other)
+    groups: dict[int, list[int]] = {}
+    for index in range(len(tests)):
+        groups.setdefault(_top(above, index), []).append(index)
+    return list(groups.values())
+
+
+def _top(above: list[int], index: int) -> int:
+    """Return the lowest index that ``index`` is joined to, and shorten the way there."""
+    while above[index] != index:
+        above[index] = above[above[index]]
+        index = above[index]
+    return index
+
+
+def _repeated(names: Sequence[str]) -> Finding:
+    return Finding.of("CW-T034", "warning", tests=names[:_NAMED], others=len(names) > _NAMED)
+
+
+def _file(test: PositioningTest) -> str:
+    return test.sources[0].file if test.sources else test.name

@@ -1,0 +1,314 @@
+"""What changed in a series of tests of one axis or one plane, beyond the uncertainty."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from datetime import datetime, timedelta
+from itertools import pairwise
+from typing import Final
+
+import numpy as np
+
+from compwright.evaluation.change_significance import (
+    UNDECLARED_SLOPE,
+    Change,
+    UncertainValue,
+    difference,
+    scatter_changed,
+)
+from compwright.evaluation.trends import Trend, trend_of
+from compwright.records.history import (
+    HistoryEntry,
+    NotedChange,
+    NotedJump,
+    NotedTrend,
+    SameTable,
+)
+
+#: Judged parameters. The others follow from these (E, R), or depend on single readings (G).
+JUDGED = ("A", "B", "B_mean", "s", "squareness")
+#: They depend on the targets: judged only between tests at the same targets, to one standard.
+_OF_TARGETS = frozenset({"A", "E", "M", "R", "B"})
+#: Targets are the same within this share of the measured length.
+_SAME_TARGET = 1e-3
+#: Comparisons from which the scatter from test to test is taken.
+_LEAST_COMPARISONS: Final = 4
+#: Share of each measured length that has to be common to both.
+_COMMON = 0.8
+
+
+def noted_changes(
+    entries: Sequence[HistoryEntry], trends: Sequence[NotedTrend]
+) -> list[NotedChange]:
+    """Return what changed between the tests of one axis or plane: each is compared with the last
+    comparable test before it.
+
+    ``entries`` in their order in time; ``trends``: theirs (`noted_trends`). What the other
+    comparisons differ by more than their standard errors explain is scatter from test to test.
+    """
+    jumped = {
+        (trend.parameter, jump.before, jump.after) for trend in trends for jump in trend.jumps
+    }
+    found = []
+    for parameter in JUDGED:
+        pairs = [
+            (earlier, place)
+            for place in range(len(entries))
+            if (earlier := _last_comparable(entries, place, parameter)) is not None
+        ]
+        usual = {
+            pair: _compared(entries[pair[0]], entries[pair[1]], parameter)[0]
+            for pair in pairs
+            if (parameter, *pair) not in jumped
+        }
+        for pair in pairs:
+            others = [other for each, other in usual.items() if not set(each) & set(pair)]
+            one, entry = entries[pair[0]], entries[pair[1]]
+            change, undeclared = _compared(one, entry, parameter, _between_tests(others))
+            if change.clear:
+                found.append(
+                    NotedChange(
+                        parameter=parameter,
+                        before=pair[0],
+                        after=pair[1],
+                        value_before=one.values[parameter],
+                        value_after=entry.values[parameter],
+                        size=change.size,
+                        std_error=change.std_error,
+                        score=change.score,
+                        chance=change.chance,
+                        table=same_table(one, entry),
+                        undeclared=undeclared,
+                    )
+                )
+    return sorted(found, key=lambda change: change.after)
+
+
+def _between_tests(others: Sequence[Change]) -> tuple[float, float]:
+    """Return the variance of a difference between two tests that their standard errors do not
+    explain, and its degrees of freedom, from other comparisons of the same parameter; 0 for fewer
+    than four.
+
+    Neighbouring differences share a test, which leaves two thirds of their number.
+    """
+    if len(others) < _LEAST_COMPARISONS:
+        return 0.0, math.inf
+    excess = [change.size**2 - change.std_error**2 for change in others]
+    return max(0.0, math.fsum(excess) / len(others)), 2.0 * len(others) / 3.0
+
+
+#: Parameters whose rate per year is estimated.
+_TRENDS: Final = ("A", "E", "M", "R", "B", "B_mean", "s", "slope", "squareness", "G_bidirectional")
+#: What no compensation table changes: the scatter of the machine.
+_SCATTER: Final = frozenset({"R", "s"})
+#: What depends on the length of the scale, so on temperature and instrument.
+_OF_LENGTH: Final = frozenset({"A", "E", "M", "slope"})
+#: Prior probability of a jump between two tests: the same table, files that do not say, another
+#: instrument; and where another parameter jumped, as after a collision.
+_SAME, _UNKNOWN, _INSTRUMENT, _OTHER_JUMPED = 0.02, 0.2, 0.3, 0.5
+#: Parameters that are estimated first: the reversal does not depend on temperature and shows a jump
+#: best, the slope next.
+_FIRST: Final = ("B_mean", "B", "slope")
+_DAYS: Final = 365.25
+
+
+def noted_trends(entries: Sequence[HistoryEntry]) -> Iterator[NotedTrend]:
+    """Yield the rate per year of each parameter, from the dated tests that can be compared with the
+    last one; ``entries`` in their order in time.
+
+    A jump of one parameter makes jumps of the others between the same tests likely: else a
+    collision that tilts the error curve within the temperature uncertainty looks like growth.
+    """
+    noted: dict[str, NotedTrend] = {}
+    for parameter in (*_FIRST, *(name for name in _TRENDS if name not in _FIRST)):
+        jumps = [jump for trend in noted.values() for jump in trend.jumps]
+        trend = _trend_of_parameter(entries, parameter, jumps)
+        if trend is not None:
+            noted[parameter] = trend
+    yield from (noted[parameter] for parameter in _TRENDS if parameter in noted)
+
+
+def _trend_of_parameter(
+    entries: Sequence[HistoryEntry], parameter: str, jumps: Sequence[NotedJump]
+) -> NotedTrend | None:
+    """Return the rate of one parameter; ``jumps``: those of parameters estimated before it."""
+    having = [
+        place for place, entry in enumerate(entries) if entry.day and parameter in entry.values
+    ]
+    places = [place for place in having if _alike(entries[place], entries[having[-1]], parameter)]
+    found = [entries[place] for place in places]
+    days = [datetime.fromisoformat(entry.day) for entry in found]
+    if len(days) < 2:
+        return None
+    odds = [
+        max(
+            _jump_odds(entries[one], entries[other], parameter),
+            _OTHER_JUMPED if any(one < jump.after <= other for jump in jumps) else 0.0,
+        )
+        for one, other in pairwise(places)
+    ]
+    trend = trend_of(
+        np.array([(day - days[0]).total_seconds() / 86400.0 / _DAYS for day in days]),
+        np.array([entry.values[parameter] for entry in found]),
+        np.array([_known_error(entry, parameter) for entry in found]),
+        odds,
+    )
+    return None if trend is None else _noted(parameter, places, trend, found[-1], days[-1])
+
+
+def _noted(
+    parameter: str, places: Sequence[int], trend: Trend, last: HistoryEntry, day: datetime
+) -> NotedTrend:
+    limit = last.limits.get(parameter)
+    # A limit is one of the size: lost motion makes the mean reversal value negative.
+    toward = -1.0 if last.values[parameter] < 0.0 else 1.0
+    forecast = None if limit is None else trend.reaches(limit, toward)
+    ahead = (
+        (None, None, None)
+        if forecast is None
+        else (forecast.median, forecast.earliest, forecast.latest)
+    )
+    reached, earliest, latest = (
+        "" if years is None else (day + timedelta(days=years * _DAYS)).date().isoformat()
+        for years in ahead
+    )
+    return NotedTrend(
+        parameter=parameter,
+        rate=trend.rate,
+        std_error=trend.std_error,
+        clear=trend.clear,
+        tests=tuple(places),
+        jumps=tuple(
+            NotedJump(
+                before=places[jump.before],
+                after=places[jump.before + 1],
+                size=jump.size,
+                std_error=jump.std_error,
+            )
+            for jump in trend.jumps
+        ),
+        limit=limit,
+        reached=reached,
+        earliest=earliest,
+        latest=latest,
+    )
+
+
+def _known_error(entry: HistoryEntry, parameter: str) -> float:
+    """Return the standard uncertainty that is known of a parameter: of the readings, and of the
+    temperature as far as it is declared, else 1 K of steel on a linear axis.
+    """
+    own = entry.errors.get(parameter, (0.0, 1.0))[0]
+    if entry.kind == "circular" or parameter not in _OF_LENGTH:
+        return own
+    length = max(entry.targets, default=0.0) - min(entry.targets, default=0.0)
+    per_metre = 1000.0 / length if parameter == "slope" and length else 1.0
+    U, coverage = entry.declared.get("E" if parameter == "slope" else parameter, (0.0, 1.0))
+    if U:
+        return math.hypot(own, per_metre * U / coverage)
+    undeclared = 0.0 if entry.rotary else UNDECLARED_SLOPE * length / 1000.0
+    return math.hypot(own, per_metre * undeclared)
+
+
+def _jump_odds(one: HistoryEntry, other: HistoryEntry, parameter: str) -> float:
+    """Return the prior probability that something other than wear lies between two tests."""
+    if parameter not in _SCATTER:
+        table = same_table(one, other)
+        if table == "changed":
+            return 1.0
+        if table == "unknown":
+            return _UNKNOWN
+    if parameter in _OF_LENGTH and one.instrument != other.instrument:
+        return _INSTRUMENT
+    return _SAME
+
+
+def _last_comparable(entries: Sequence[HistoryEntry], of: int, parameter: str) -> int | None:
+    for place in reversed(range(of)):
+        if _comparable(entries[place], entries[of], parameter):
+            return place
+    return None
+
+
+def _comparable(one: HistoryEntry, other: HistoryEntry, parameter: str) -> bool:
+    have = all(parameter in each.values and parameter in each.errors for each in (one, other))
+    return have and _alike(one, other, parameter)
+
+
+def _alike(one: HistoryEntry, other: HistoryEntry, parameter: str) -> bool:
+    """Whether a parameter was measured alike in two tests that have it."""
+    if one.unit != other.unit:
+        return False
+    if one.kind == "circular":
+        return True
+    if parameter in _OF_TARGETS:
+        return one.standard == other.standard and _same_targets(one.targets, other.targets)
+    return _common_length(one.targets, other.targets)
+
+
+def _same_targets(one: Sequence[float], other: Sequence[float]) -> bool:
+    if len(one) != len(other) or not one:
+        return False
+    allowed = _SAME_TARGET * (max(one) - min(one))
+    return bool(np.all(np.abs(np.sort(one) - np.sort(other)) <= allowed))
+
+
+def _common_length(one: Sequence[float], other: Sequence[float]) -> bool:
+    if not one or not other:
+        return False
+    common = min(max(one), max(other)) - max(min(one), min(other))
+    return all(common >= _COMMON * (max(each) - min(each)) for each in (one, other))
+
+
+def _compared(
+    one: HistoryEntry,
+    other: HistoryEntry,
+    parameter: str,
+    scatter: tuple[float, float] = (0.0, math.inf),
+) -> tuple[Change, bool]:
+    """Return the difference, and whether it includes a slope that is assumed because no uncertainty
+    is declared. ``scatter``: its variance from test to test, with degrees of freedom.
+    """
+    before, after = _parameter_value(one, parameter), _parameter_value(other, parameter)
+    if parameter == "s":
+        return scatter_changed(before, after), False
+    undeclared = (
+        parameter == "A"
+        and not other.rotary
+        and not (one.declared.get("A") and other.declared.get("A"))
+    )
+    length = max(other.targets) - min(other.targets) if undeclared else 0.0
+    assumed = UNDECLARED_SLOPE * length / 1000.0
+    return difference(before, after, assumed, scatter), undeclared
+
+
+def _parameter_value(entry: HistoryEntry, parameter: str) -> UncertainValue:
+    error, dof = entry.errors[parameter]
+    U, coverage = entry.declared.get(parameter, (0.0, 1.0))
+    return UncertainValue(entry.values[parameter], error, dof, U / coverage)
+
+
+def same_table(one: HistoryEntry, other: HistoryEntry) -> SameTable:
+    """Return whether the same table was active in two tests, as far as their files show."""
+    if not one.acting or not other.acting:
+        return "unknown"
+    if one.acting == other.acting:
+        return "same"
+    if one.folder == other.folder or "none" in (one.acting, other.acting):
+        return "changed"
+    return "unknown"  # a backup saved later is another file with the same table
+
+
+def without_repeats(entries: Sequence[HistoryEntry]) -> Iterator[HistoryEntry]:
+    """Yield each test of one axis or plane once, although a later job may use it again.
+
+    An entry that states which table was active takes precedence over one that does not.
+    """
+    kept: dict[tuple[str, ...], HistoryEntry] = {}
+    for entry in entries:
+        key = tuple(sorted(entry.sources)) or (entry.folder, str(entry.number))
+        known = kept.get(key)
+        if known is None or (known.taken == "before" and entry.taken == "after"):
+            kept[key] = entry
+    yield from kept.values()

@@ -1,0 +1,191 @@
+"""What nodes can hold of what is wanted.
+
+Of a sine, nodes hold the part that least squares leave them: all but 25 % of its rms at three nodes
+per period, 63 % a little above two; at just two 12 to 98 %, by the phase. Fewer than two follow it
+no more, they trace a longer wave instead (Shannon, Proceedings of the IRE 37, 1949, section II),
+which adds to the range of what is left.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Final
+
+import numpy as np
+
+from compwright.fitting.period_removal import without_periods
+from compwright.fitting.problem import hat_matrix, sampled
+from compwright.fitting.solve import least_squares
+from compwright.fitting.sparse import summed
+from compwright.foundations.findings import Finding
+from compwright.records.axis import Direction, FloatArray
+from compwright.records.capacity import Capacity
+from compwright.records.estimate import WantedCorrection
+from compwright.words.sentences import Amount
+
+#: A period is held from three points per period on (25 % of its rms is left then).
+_HOLD: Final = 3.0
+#: With two points per period nodes follow it in part (module docstring).
+_FOLLOW: Final = 2.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class HeldGrid:
+    """``nodes`` (k,) mm or deg; ``wanted``: what is left to fit: of periods that the nodes do not
+    hold only what they do hold.
+
+    ``left_out``: rms of the rest. ``points_loss``: rms that more points would save, 0 where the
+    number of points is no limit. ``kept``: the nodes are those of the grid that is in the control.
+    """
+
+    nodes: FloatArray
+    wanted: WantedCorrection
+    left_out: float = 0.0
+    points_loss: float = 0.0
+    findings: tuple[Finding, ...] = ()
+    kept: bool = False
+
+
+def unheld(nodes: FloatArray, periods: Sequence[float]) -> list[float]:
+    """Return the ``periods`` (mm or deg) that ``nodes`` (k,) hold in part at most."""
+    return _longer_than(nodes, periods, _HOLD)
+
+
+def unfollowed(nodes: FloatArray, periods: Sequence[float]) -> list[float]:
+    """Return the ``periods`` (mm or deg) of which ``nodes`` (k,) hold nothing that is worth it."""
+    return _longer_than(nodes, periods, _FOLLOW)
+
+
+def _longer_than(nodes: FloatArray, periods: Sequence[float], least: float) -> list[float]:
+    step = float(np.max(np.diff(nodes))) if nodes.size > 1 else np.inf
+    return [period for period in periods if step * least > period * (1 + 1e-9)]
+
+
+def held_part(nodes: FloatArray, wanted: WantedCorrection, capacity: Capacity) -> WantedCorrection:
+    """Return ``wanted`` (mm or deg) with what ``nodes`` (k,) hold of the periods that they are too
+    far apart for: their part of least mean square over the travel (Draper and Smith, Applied
+    Regression Analysis, 3rd ed. 1998, chapter 1), nothing of those that they do not follow.
+    """
+    lost = unheld(nodes, wanted.periods)
+    if not lost:
+        return wanted
+    smooth = without_periods(wanted, lost)[0]
+    out = unfollowed(nodes, lost)
+    if len(out) == len(lost):
+        return smooth
+    followed = without_periods(wanted, out)[0] if out else wanted
+    values = _projected(nodes, wanted, followed.positive - smooth.positive, capacity)
+    # What the nodes hold bends at them.
+    inside = nodes[(nodes > wanted.positions[0]) & (nodes < wanted.positions[-1])]
+    nearest = np.abs(inside[:, None] - _neighbours(wanted.positions, inside)).min(axis=1)
+    apart = 1e-6 * float(np.max(np.diff(nodes)))
+    where = np.union1d(wanted.positions, inside[nearest > apart])
+    held = (
+        hat_matrix(
+            where,
+            nodes,
+            below=capacity.below,
+            above=capacity.above,
+            interpolation=capacity.interpolation,
+        )
+        @ values
+    )
+    return replace(
+        smooth,
+        positions=where,
+        positive=np.interp(where, smooth.positions, smooth.positive) + held,
+        negative=np.interp(where, smooth.positions, smooth.negative) + held,
+    )
+
+
+def _projected(
+    nodes: FloatArray, wanted: WantedCorrection, wave: FloatArray, capacity: Capacity
+) -> FloatArray:
+    """Return the values (k,) at ``nodes`` that come closest to a ``wave`` (g,) at the positions of
+    ``wanted``, mm or deg; the same at both ends of an endless axis.
+    """
+    data = sampled(replace(wanted, positive=wave, negative=wave), nodes, capacity)
+    matrix, free = data.matrix, nodes.size
+    if capacity.period is not None:
+        free -= 1
+        shape = (matrix.shape[0], free)
+        matrix = summed(shape, matrix.row, matrix.column % free, matrix.value)
+    values = least_squares(matrix, data.weights, data.wanted[Direction.POSITIVE])
+    return values[np.arange(nodes.size) % free]
+
+
+def _neighbours(positions: FloatArray, places: FloatArray) -> FloatArray:
+    """Return the positions (p, 2) below and above each of the ``places`` (p,) between them."""
+    right = np.clip(np.searchsorted(positions, places), 1, positions.size - 1)
+    return np.column_stack([positions[right - 1], positions[right]])
+
+
+def grid_of(
+    nodes: FloatArray,
+    wanted: WantedCorrection,
+    capacity: Capacity,
+    *,
+    loss: float = 0.0,
+    finest: FloatArray | None = None,
+) -> HeldGrid:
+    """Return the grid of given nodes, with what they hold of short periods, and a finding where
+    they leave of them more than nothing; ``loss``: rms that more points would save. ``finest``: the
+    finest nodes that the control allows, where these were chosen among them.
+    """
+    lost = unheld(nodes, wanted.periods)
+    if not lost:
+        return HeldGrid(nodes=nodes, wanted=wanted, points_loss=loss)
+    held = held_part(nodes, wanted, capacity)
+    whole = without_periods(wanted, lost)[1]
+    rest = wanted.positive - np.interp(wanted.positions, held.positions, held.positive)
+    left = float(np.sqrt(np.mean(rest**2)))
+    found = _finding(nodes, wanted, capacity, (left, whole), finest)
+    return HeldGrid(nodes=nodes, wanted=held, left_out=left, points_loss=loss, findings=(found,))
+
+
+def _finding(
+    nodes: FloatArray,
+    wanted: WantedCorrection,
+    capacity: Capacity,
+    rms: tuple[float, float],
+    finest: FloatArray | None,
+) -> Finding:
+    """Return what ``nodes`` leave of the periods that they do not hold, ``rms`` of what is left and
+    of the whole (mm or deg), and which spacing would hold them.
+    """
+    shown = nodes if finest is None else finest
+    lost = unheld(nodes, wanted.periods)
+    unit = wanted.kind.unit
+    factor, small = (1e3, "µm") if unit == "mm" else (3600.0, "arcsec")
+    left, whole = rms
+    need, points = _holding(min(lost), wanted)
+    most = capacity.max_points
+    return Finding.of(
+        "CW-F002",
+        "info",
+        finest=finest is not None,
+        allowed=bool(capacity.max_points),
+        spacing=Amount(float(np.max(np.diff(shown))), unit, "g"),
+        points=shown.size,
+        periods=lost,
+        unit=unit,
+        left_out=len(unfollowed(nodes, lost)) == len(lost),
+        whole=Amount(whole * factor, small, "2sig"),
+        left=Amount(left * factor, small, "2sig"),
+        share=left / whole if whole > 0.0 else None,
+        needed_spacing=need,
+        needed_points=points,
+        most_points=most if most is not None and most < points else None,
+    )
+
+
+def _holding(period: float, wanted: WantedCorrection) -> tuple[float, int]:
+    """Return which spacing holds a ``period`` (mm or deg), and how many points that takes."""
+    need = period / _HOLD
+    # Three significant digits, downward, so that the named spacing does hold it.
+    digit = 10.0 ** (np.floor(np.log10(need)) - 2)
+    need = float(np.floor(need / digit + 1e-9)) * digit
+    length = float(wanted.positions[-1] - wanted.positions[0])
+    points = int(np.ceil(length / need - 1e-9)) + 1
+    return need, points

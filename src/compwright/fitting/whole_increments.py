@@ -1,0 +1,343 @@
+"""The table of a control that stores whole increments: the best on its lattice (``lattice``:
+Bellman, Dynamic Programming, 1957), what that costs, and why this magnification.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Final, Literal
+
+import numpy as np
+
+from compwright.fitting.certify import lattice_certificate, rounded_proof
+from compwright.fitting.chain import CurveChain, Wish, build_chain, no_push, relax
+from compwright.fitting.datum import zero_in_the_zero_state
+from compwright.fitting.lattice import LatticeSolution, best_totals, relaxed_bound
+from compwright.fitting.lattice_part import LatticePart
+from compwright.fitting.problem import Rows, Shape, quadrature, rows_at
+from compwright.fitting.table_findings import (
+    added,
+    edge_findings,
+    loss_findings,
+    small,
+    worth_saying,
+)
+from compwright.fitting.unresolved_periods import HeldGrid
+from compwright.foundations.errors import CapacityError, Fault
+from compwright.foundations.findings import Finding
+from compwright.records.axis import Direction, FloatArray
+from compwright.records.capacity import Capacity, Lattice
+from compwright.records.correction import AxisCompensation
+from compwright.records.estimate import WantedCorrection
+from compwright.records.fitted import FittedTable, Goal, Limit
+from compwright.words.sentences import Amount, say
+
+_HAIR: Final = 1e-6
+#: Less than this (µm or arcsec) is arithmetic.
+_NOTHING: Final = 1e-6
+_ANY: Final = (-(10**9), 10**9)
+#: The finding that a goal is not followed.
+GOAL_LEFT: Final = "CW-F010"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class WholeFit:
+    """One fit on a lattice: ``aim`` (totals, zero in the zero state) on ``nodes``."""
+
+    aim: WantedCorrection
+    nodes: FloatArray
+    shape: Shape
+    capacity: Capacity
+    lattice: Lattice
+    points: FloatArray
+    weights: FloatArray
+    rows: Rows
+
+    @property
+    def anchor(self) -> int:
+        """Index of the node at the reference."""
+        return int(np.argmin(np.abs(self.nodes - self.aim.reference)))
+
+    @property
+    def fixed(self) -> tuple[int, ...]:
+        """Nodes at which the curve of the zero state is zero."""
+        return (self.anchor,) if self.capacity.period is None else (0, self.nodes.size - 1)
+
+    def wish(self, direction: Direction, *, constant: bool = False) -> Wish:
+        """Return what is wanted in one direction."""
+        aims = np.interp(self.points, self.aim.positions, self.aim.total(direction))
+        return Wish(rows=self.rows, weights=self.weights, aims=aims, constant=constant)
+
+    def single(self, *, reversal: bool) -> CurveChain:
+        """Return the one curve for both directions, with a constant between them or none."""
+        home = self.aim.reference_return
+        wishes = (self.wish(home), self.wish(home.opposite, constant=reversal))
+        return build_chain(wishes, self.nodes.size, fixed=self.fixed, kept=(), closed=False)
+
+    def home_curve(self) -> CurveChain:
+        """Return the curve of the return direction alone."""
+        return build_chain(
+            (self.wish(self.aim.reference_return),),
+            self.nodes.size,
+            fixed=self.fixed,
+            kept=(),
+            closed=False,
+        )
+
+    def other_curve(self, *, free: bool) -> CurveChain:
+        """Return the other direction's curve; its value at the reference is free, or zero."""
+        wishes = (self.wish(self.aim.reference_return.opposite),)
+        endless = self.capacity.period is not None
+        if not free:
+            return build_chain(wishes, self.nodes.size, fixed=self.fixed, kept=(), closed=False)
+        return build_chain(wishes, self.nodes.size, fixed=(), kept=(self.anchor,), closed=endless)
+
+    def parts(self) -> tuple[LatticePart, ...]:
+        """Return the curves with the control's limits."""
+        if self.shape == "single":
+            constant = self._constant()
+            return (
+                replace(self._part(self.single(reversal=constant is not None)), constant=constant),
+            )
+        other = self._part(self.other_curve(free=self.lattice.offset_range is not None))
+        return (
+            self._part(self.home_curve()),
+            replace(
+                other, offsets=self.lattice.offset_range, magnified=self.lattice.offset_magnified
+            ),
+        )
+
+    def _part(self, chain: CurveChain) -> LatticePart:
+        low, high = self.capacity.value_range
+        return LatticePart(
+            chain=chain, low=low, high=high, anchor=int(np.searchsorted(chain.kept, self.anchor))
+        )
+
+    def _constant(self) -> tuple[float, int, int] | None:
+        quantum = self.capacity.backlash_quantum
+        if quantum is None:
+            return None
+        low, high = self.capacity.backlash_range
+        sign = self.aim.reference_return.opposite.sign
+        return (
+            sign * quantum,
+            int(np.ceil(low / quantum - _HAIR)),
+            int(np.floor(high / quantum + _HAIR)),
+        )
+
+    def free_bounds(self) -> dict[str, float]:
+        """Return the mean squares (of mm or deg) without whole numbers and limits, by what the
+        table may be.
+        """
+        two = replace(self, aim=zero_in_the_zero_state(self.aim, self.nodes, self.capacity)[0])
+        free = _free(two.home_curve()) + _free(two.other_curve(free=True))
+        with_constant = _free(self.single(reversal=True))
+        own = free
+        if self.shape == "single":
+            own = (
+                with_constant
+                if self.capacity.backlash_quantum is not None
+                else _free(self.single(reversal=False))
+            )
+        elif self.lattice.offset_range is None:
+            own = _free(self.home_curve()) + _free(self.other_curve(free=False))
+        return {"two tables": free, "one table": with_constant, "own": own}
+
+
+def _free(chain: CurveChain) -> float:
+    return relax(chain, no_push(chain)).base
+
+
+def fit_whole(
+    grid: HeldGrid,
+    aim: WantedCorrection,
+    shape: Shape,
+    capacity: Capacity,
+    lattice: Lattice,
+    *,
+    address: str,
+) -> tuple[AxisCompensation, dict[str, float], tuple[Limit, ...], tuple[Finding, ...]]:
+    """Return the table, its certificate, what limits cost (rms, mm or deg) and the magnification's
+    finding.
+
+    ``aim``: totals, zero in the zero state. The table is the exact optimum of the mean square over
+    the travel and both directions. Raises CapacityError where the limits allow no table at all.
+    """
+    points, weights = quadrature(aim.positions, grid.nodes, capacity.interpolation)
+    rows = rows_at(
+        points,
+        grid.nodes,
+        below=capacity.below,
+        above=capacity.above,
+        interpolation=capacity.interpolation,
+    )
+    fit = WholeFit(
+        aim=aim,
+        nodes=grid.nodes,
+        shape=shape,
+        capacity=capacity,
+        lattice=lattice,
+        points=points,
+        weights=weights,
+        rows=rows,
+    )
+    parts = fit.parts()
+    solution = best_totals(
+        parts,
+        unit=lattice.unit,
+        increments=lattice.increments,
+        magnifications=lattice.magnifications,
+    )
+    if solution is None:
+        raise CapacityError(
+            Fault(
+                message="no table of whole increments keeps the control's limits",
+                place="table",
+                expected="increments that contain 0",
+                found=f"{lattice.increments[0]} to {lattice.increments[1]}",
+                hint=("correct the limits of the increments in the options of the control"),
+            )
+        )
+    table = _table(fit, parts, solution, address)
+    proof = lattice_certificate(
+        table, aim, capacity, solution.magnification, (solution.objective, solution.bound)
+    )
+    return (
+        table,
+        proof,
+        _limits(fit, parts, solution, grid),
+        _magnification_finding(solution, lattice, aim),
+    )
+
+
+def _table(
+    fit: WholeFit, parts: tuple[LatticePart, ...], solution: LatticeSolution, address: str
+) -> AxisCompensation:
+    step = solution.magnification * fit.lattice.unit
+    curves = [
+        part.chain.expanded(found.totals).astype(np.float64) * step + found.shift + 0.0
+        for part, found in zip(parts, solution.parts, strict=True)
+    ]
+    own, other = curves[0], curves[-1]
+    home = fit.aim.reference_return
+    quantum = fit.capacity.backlash_quantum
+    positive, negative = (own, other) if home is Direction.POSITIVE else (other, own)
+    return AxisCompensation(
+        address=address,
+        kind=fit.aim.kind,
+        positions=fit.nodes,
+        positive=positive,
+        negative=negative,
+        backlash=(
+            solution.parts[0].count * quantum + 0.0
+            if fit.shape == "single" and quantum is not None
+            else 0.0
+        ),
+        reference_return=home,
+        below=fit.capacity.below,
+        above=fit.capacity.above,
+        interpolation=fit.capacity.interpolation,
+        period=fit.capacity.period,
+    )
+
+
+def _limits(
+    fit: WholeFit, parts: tuple[LatticePart, ...], solution: LatticeSolution, grid: HeldGrid
+) -> tuple[Limit, ...]:
+    """Return what each limit costs; costs add as squares, each is the root of a difference of two
+    mean squares.
+    """
+    unit, magnification = fit.lattice.unit, solution.magnification
+    free = {name: float(np.sqrt(max(0.0, value))) for name, value in fit.free_bounds().items()}
+    bound, reached = np.sqrt(max(0.0, solution.bound)), np.sqrt(solution.objective)
+    costs = [
+        ("spacing too wide for the period", grid.left_out),
+        ("number of points" if grid.points_loss else "spacing of the points", free["two tables"]),
+    ]
+    if fit.shape == "single":
+        costs.append(
+            ("one table for both directions", added(free["one table"], free["two tables"]))
+        )
+        costs.append(("no backlash value", added(free["own"], free["one table"])))
+    if bound > free["own"] * (1.0 + _HAIR):
+        ranged = np.sqrt(
+            max(0.0, relaxed_bound(parts, unit=unit, increments=_ANY, magnification=magnification))
+        )
+        costs.append(("value range", added(ranged, free["own"])))
+        costs.append(("largest increment", added(bound, ranged)))
+    costs.append(("quantum", added(reached, bound)))
+    return worth_saying(costs, unit * magnification)
+
+
+def _magnification_finding(
+    solution: LatticeSolution, lattice: Lattice, aim: WantedCorrection
+) -> tuple[Finding, ...]:
+    if len(lattice.magnifications) < 2:
+        return ()
+    factor, unit = small(aim.kind)
+    chosen, least, largest = solution.magnification, *lattice.increments
+    left = float(np.sqrt(solution.objective)) * factor
+    span = say("increments", least=least, largest=largest, symmetric=least == -largest)
+    rest = Amount(left, unit, "2sig") if left > _NOTHING else None
+    if solution.before is None:
+        return (
+            Finding.of(
+                "CW-F009.smallest",
+                "info",
+                magnification=chosen,
+                increments=span,
+                step=Amount(lattice.unit * factor, unit, ".4g"),
+                left=rest,
+            ),
+        )
+    before, bound = solution.before
+    return (
+        Finding.of(
+            "CW-F009.compared",
+            "info",
+            magnification=chosen,
+            before=before,
+            increments=span,
+            step=Amount(before * lattice.unit * factor, unit, ".4g"),
+            at_least=Amount(float(np.sqrt(max(0.0, bound))) * factor, unit, "2sig"),
+            left=rest,
+        ),
+    )
+
+
+def goal_finding(goal: Goal, why: Literal["slope", "increments", "no_gain"]) -> tuple[Finding, ...]:
+    """Return the finding that a goal other than the expected square is not followed: the control
+    has one ``slope``, whole ``increments``, or rounding leaves ``no_gain``.
+    """
+    if goal == "expected":
+        return ()
+    return (Finding.of("CW-F010", "info", goal=goal, why=why),)
+
+
+def whole_table(
+    grid: HeldGrid,
+    aim: WantedCorrection,
+    mode: tuple[Shape, str],
+    capacity: Capacity,
+    lattice: Lattice,
+    *,
+    address: str,
+) -> FittedTable:
+    """Return the fitted table with all its findings; ``mode``: the chosen shape and the reason."""
+    table, proof, limits, findings = fit_whole(
+        grid, aim, mode[0], capacity, lattice, address=address
+    )
+    return FittedTable(
+        compensation=table,
+        mode=mode[0],
+        mode_reason=mode[1],
+        certificate=rounded_proof(proof),
+        limits=limits,
+        findings=(
+            *grid.findings,
+            *findings,
+            *edge_findings(table, aim, kept=grid.kept),
+            *loss_findings(limits, aim),
+        ),
+        keeps_grid=grid.kept,
+    )

@@ -1,0 +1,228 @@
+"""Compare circles with the positioning test: lost motion and scale of one axis from both, each with
+its uncertainty.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from compwright.foundations.findings import Finding
+from compwright.planning.axis_work import AxisWork
+from compwright.planning.circles import CircleWork, effect_of
+from compwright.planning.value_with_error import Stated
+from compwright.prediction.active_corrections import IDLE, ActiveCorrections, difference
+from compwright.records.axis import Axis, Direction
+from compwright.records.job import Job
+
+ENDS = ("first", "second")
+_DRAWS = 500
+_UM, _PPM = 1e3, 1e6
+
+
+@dataclass(frozen=True, slots=True)
+class ByLaser:
+    """What the positioning test says of an axis over a circle, in the state in which the circle was
+    measured.
+    """
+
+    lost_motion: Stated
+    scale: Stated
+
+
+def laser_over(work: CircleWork, axis: AxisWork, index: int, during: ActiveCorrections) -> ByLaser:
+    """Return lost motion (mm, > 0 lags) and scale of an axis by its positioning test, at both ends
+    of a circle.
+
+    ``index`` 0: the axis is the circle's first one. The laser's own uncertainty per metre counts
+    where the job gives it.
+    """
+    radius, middle = work.planned.test.nominal_radius, work.planned.centre[index]
+    ends = np.array([middle - radius, middle + radius])
+    draws = axis.posterior.draw(ends, _DRAWS, np.random.default_rng(0))
+    change = difference(during.on(axis.planned.axis.name), axis.active)
+    positive = draws.positive + change(ends, Direction.POSITIVE)
+    negative = draws.negative + change(ends, Direction.NEGATIVE)
+    lost = np.mean(negative - positive, axis=1)
+    scale = np.mean([curve[:, 1] - curve[:, 0] for curve in (positive, negative)], axis=0) / (
+        2.0 * radius
+    )
+    return ByLaser(
+        lost_motion=Stated(float(np.mean(lost)), float(np.std(lost))),
+        scale=Stated(float(np.mean(scale)), float(np.std(scale))),
+    )
+
+
+def lost_motion(work: CircleWork, index: int) -> Stated | None:
+    """Return the lost motion, mm, of the circle's first (``index`` 0) or second axis."""
+    found = effect_of(work.result, f"backlash_{ENDS[index]}")
+    return None if found is None else Stated(found.value / _UM, found.std_error / _UM)
+
+
+def scale_error(work: CircleWork, index: int) -> Stated | None:
+    """Return the scale error (relative) of the first or second axis; None without a calibrated
+    bar.
+    """
+    found = effect_of(work.result, f"scale_error_{ENDS[index]}")
+    return None if found is None else Stated(found.value / _PPM, found.std_error / _PPM)
+
+
+def mismatch(work: CircleWork) -> Stated | None:
+    """Return scale of the first axis minus that of the second, relative."""
+    found = effect_of(work.result, "scale_mismatch")
+    across = 2.0 * work.planned.test.nominal_radius * _UM
+    return None if found is None else Stated(found.value / across, found.std_error / across)
+
+
+class Checks:
+    """Compares every circle of a job with the positioning tests of its axes."""
+
+    def __init__(
+        self, job: Job, works: Mapping[str, AxisWork], states: Mapping[str, ActiveCorrections]
+    ) -> None:
+        self.job = job
+        self.works = works
+        self.states = states
+
+    def laser(self, work: CircleWork, index: int) -> ByLaser | None:
+        """Return the values of the positioning test for an axis of a circle; None for an axis
+        without a positioning test in both directions.
+        """
+        axis = self.works.get(work.planned.test.axes[index])
+        if axis is None or not axis.results[0].test.bidirectional:
+            return None
+        found = laser_over(work, axis, index, self.states.get(work.planned.measured_in, IDLE))
+        budget = self.job.uncertainty
+        own = budget.device_per_m / 2.0 / _PPM if budget is not None else 0.0
+        return replace(
+            found, scale=replace(found.scale, std_error=float(np.hypot(found.scale.std_error, own)))
+        )
+
+    def findings(self, circles: Sequence[CircleWork]) -> Iterator[Finding]:
+        """Yield where laser and circle disagree beyond both uncertainties."""
+        for work in circles:
+            both = [self.laser(work, index) for index in (0, 1)]
+            for index, laser in enumerate(both):
+                if laser is not None:
+                    yield from self._lost(work, index, laser)
+                    yield from self._scale(work, index, laser)
+            if both[0] is not None and both[1] is not None:
+                yield from self._mismatch(work, both[0], both[1])
+
+    def _lost(self, work: CircleWork, index: int, laser: ByLaser) -> Iterator[Finding]:
+        circle = lost_motion(work, index)
+        if circle is None or not circle.differs(laser.lost_motion):
+            return
+        counts = "circle" if self.job.apply.backlash_from == "circle" else "laser"
+        yield Finding.of(
+            "CW-P114",
+            "warning",
+            axis=work.planned.test.axes[index],
+            laser=laser.lost_motion.words(_UM, "µm"),
+            circle=circle.words(_UM, "µm"),
+            test=work.name,
+            counts=counts,
+        )
+
+    def _scale(self, work: CircleWork, index: int, laser: ByLaser) -> Iterator[Finding]:
+        circle = scale_error(work, index)
+        if circle is None or not circle.differs(laser.scale):
+            return
+        yield Finding.of(
+            "CW-P115",
+            "warning",
+            axis=work.planned.test.axes[index],
+            laser=laser.scale.words(_PPM, "µm/m"),
+            circle=circle.words(_PPM, "µm/m"),
+            test=work.name,
+        )
+
+    def _mismatch(self, work: CircleWork, first: ByLaser, second: ByLaser) -> Iterator[Finding]:
+        circle = mismatch(work)
+        error = float(np.hypot(first.scale.std_error, second.scale.std_error))
+        laser = Stated(first.scale.value - second.scale.value, error)
+        if circle is None or not circle.differs(laser):
+            return
+        axes = " minus ".join(work.planned.test.axes)
+        yield Finding.of(
+            "CW-P116",
+            "warning",
+            pair=axes,
+            laser=laser.words(_PPM, "µm/m"),
+            circle=circle.words(_PPM, "µm/m"),
+            test=work.name,
+        )
+
+    def with_circle_backlash(
+        self, circles: Sequence[CircleWork]
+    ) -> tuple[dict[str, AxisWork], tuple[Finding, ...]]:
+        """Return the axes with the lost motion of their circles in place of that of the positioning
+        test, where the job requires it.
+        """
+        works = dict(self.works)
+        findings: list[Finding] = []
+        if self.job.apply.backlash_from != "circle":
+            return works, ()
+        findings += [
+            self._no_test(name)
+            for name, entry in self.job.axes.items()
+            if not entry.before and _on(circles, name)
+        ]
+        for name, axis in self.works.items():
+            shift = self._shift(name, circles)
+            if shift is None:
+                findings.append(self._not_taken(name, circles))
+                continue
+            works[name] = _shifted(axis, shift.value)
+            findings.append(Finding.of("CW-P117", "info", axis=name, shift=shift.words(_UM, "µm")))
+        if not any(finding.code == "CW-P117" for finding in findings):
+            findings.append(Finding.of("CW-P130.none", "error"))
+        return works, tuple(findings)
+
+    def _no_test(self, name: str) -> Finding:
+        return Finding.of("CW-P130.no_test", "error", axis=name)
+
+    def _not_taken(self, name: str, circles: Sequence[CircleWork]) -> Finding:
+        """Return why the lost motion of an axis stays that of the laser: no failure where no circle
+        lies on the axis.
+        """
+        if not _on(circles, name):
+            return Finding.of("CW-P130.no_circle", "warning", axis=name)
+        return Finding.of("CW-P130.unknown", "error", axis=name)
+
+    def _shift(self, name: str, circles: Sequence[CircleWork]) -> Stated | None:
+        """Return how much more lost motion (mm) than the laser the circles of an axis show, their
+        weighted mean.
+        """
+        values, weights = [], []
+        for work in circles:
+            if name not in work.planned.test.axes:
+                continue
+            index = work.planned.test.axes.index(name)
+            circle, laser = lost_motion(work, index), self.laser(work, index)
+            if circle is not None and laser is not None:
+                values.append(circle.value - laser.lost_motion.value)
+                weights.append(circle.std_error**-2)
+        if not values:
+            return None
+        return Stated(float(np.average(values, weights=weights)), float(np.sum(weights) ** -0.5))
+
+
+def _on(circles: Sequence[CircleWork], name: str) -> bool:
+    """Whether a circle lies on an axis."""
+    return any(name in work.planned.test.axes for work in circles)
+
+
+def _shifted(work: AxisWork, more: float) -> AxisWork:
+    """Return the axis with ``more`` (mm) lost motion in its estimate, against the direction of the
+    reference return.
+    """
+    axis: Axis = work.planned.axis
+    estimate = work.planned.estimate
+    if axis.reference_return is Direction.POSITIVE:
+        estimate = replace(estimate, mean_negative=estimate.mean_negative + more)
+    else:
+        estimate = replace(estimate, mean_positive=estimate.mean_positive - more)
+    return replace(work, planned=replace(work.planned, estimate=estimate))

@@ -1,0 +1,179 @@
+"""Which tests of an axis count together: those in known states of the control that show the same
+error as the first.
+
+The correction that was active in each is subtracted before the comparison.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Container, Iterator, Mapping, Sequence
+from dataclasses import replace
+from functools import cache
+from typing import Final
+
+import numpy as np
+
+from compwright.estimation.cells import visible_periods
+from compwright.estimation.observed_test import ObservedTest
+from compwright.evaluation.error_agreement import disagreeing_test
+from compwright.foundations.findings import Finding
+from compwright.planning.motions import backlash_more, with_motion
+from compwright.planning.wanted_correction import MeasuredError, held_by, measured_error
+from compwright.prediction.active_corrections import Correction, nothing
+from compwright.records.axis import Axis, Direction
+from compwright.records.correction import AxisCompensation, ControlState
+from compwright.records.plan import Acted, PlannedTest
+from compwright.records.positioning import PositioningTest
+
+#: Two periods found in two tests are one where they lie so close, relative to their size.
+_SAME: Final = 0.02
+
+
+def with_active_corrections(
+    tests: Sequence[PlannedTest], axis: Axis, states: Mapping[str, ControlState]
+) -> tuple[PlannedTest, ...]:
+    """Return the tests with the correction that was active in each, by its state (``states``, by
+    name) and its motion.
+
+    None where its difference from the first test is unknown, or where a test after the first has
+    readings at a single target, which say nothing about the error. Tests in one unknown state and
+    at one motion show the same error, whatever was active.
+    """
+    return tuple(
+        replace(test, acted=_active_values(test, tests[0], axis, states))
+        if place == 0 or _tells_something(test.test)
+        else test
+        for place, test in enumerate(tests)
+    )
+
+
+def active_at(
+    test: PlannedTest, axis: Axis, states: Mapping[str, ControlState]
+) -> Correction | None:
+    """Return the correction that was active in a test, by position and direction; None where it is
+    unknown.
+    """
+    state = states.get(test.measured_in)
+    if state is None:
+        return None
+    return with_motion(held_by(state, axis).at, axis, backlash_more(axis, test.motion, state))
+
+
+def _tells_something(test: PositioningTest) -> bool:
+    read = sum(test.readings(direction) for direction in Direction)
+    return int(np.count_nonzero(read)) > 1
+
+
+def _active_values(
+    test: PlannedTest, first: PlannedTest, axis: Axis, states: Mapping[str, ControlState]
+) -> Acted | None:
+    if first.measured_in in states:
+        correction = active_at(test, axis, states)
+    elif (test.measured_in, test.motion) == (first.measured_in, first.motion):
+        correction = nothing
+    else:
+        correction = None
+    if correction is None:
+        return None
+    targets = test.test.targets
+    return correction(targets, Direction.POSITIVE), correction(targets, Direction.NEGATIVE)
+
+
+def counted_together(
+    tests: tuple[PlannedTest, ...],
+    observed: Sequence[ObservedTest],
+    axis: Axis,
+    active: AxisCompensation | None,
+) -> tuple[tuple[PlannedTest, ...], MeasuredError, tuple[Finding, ...]]:
+    """Return the tests, with those left out of the count that contradict the first; the error from
+    the others; and the doubts.
+
+    ``observed``: the same tests with the active correction subtracted; ``active``: the correction
+    during the first.
+    """
+
+    @cache
+    def alone(place: int) -> MeasuredError:
+        others = set(range(len(tests))) - {place}
+        return measured_error(_counted_out(tests, others), observed, axis, active)
+
+    doubts = dict(_disagreeing(tests, alone))
+    counted = _counted_out(tests, doubts)
+    if sum(test.acted is not None for test in counted) > 1:
+        error = measured_error(counted, observed, axis, active)
+    else:
+        error = alone(0)
+    return counted, error, tuple(doubts.values())
+
+
+def _disagreeing(
+    tests: Sequence[PlannedTest], alone: Callable[[int], MeasuredError]
+) -> Iterator[tuple[int, Finding]]:
+    """Yield the index and the doubt of each test that contradicts the first; ``alone``: the error
+    from one test alone, by its index.
+
+    Each of the two tests predicts the other: a short test predicts little of a long one, the long
+    one much of it.
+    """
+    for place, other in enumerate(tests[1:], start=1):
+        if other.acted is None:
+            continue
+        names = tests[0].test.name, other.test.name
+        first, second = (tests[0], alone(0)), (other, alone(place))
+        finding = _doubt(first, second, names) or _doubt(second, first, names)
+        if finding is not None:
+            yield place, finding
+
+
+def _doubt(
+    telling: tuple[PlannedTest, MeasuredError],
+    shown: tuple[PlannedTest, MeasuredError],
+    names: tuple[str, str],
+) -> Finding | None:
+    """Return the doubt about a test (``shown``) that does not show the error from another one
+    (``telling``); each is given with the error from it alone.
+
+    Only the directions in which a test was taken count. Each test has its own noise.
+    """
+    (source, error), (test, own) = telling, shown
+    targets = test.test.targets
+    estimate = error.own.summary(targets)
+    active = test.acted or (np.zeros_like(targets), np.zeros_like(targets))
+    expected = {
+        side: estimate.mean(side) + more
+        for side, more in zip(Direction, active, strict=True)
+        if source.test.readings(side).any()
+    }
+    std = {Direction.POSITIVE: estimate.std_positive, Direction.NEGATIVE: estimate.std_negative}
+    return disagreeing_test(
+        test.test,
+        expected,
+        std,
+        own.own.summary(targets).noise,
+        names,
+        _only_there(shown, telling),
+    )
+
+
+def _only_there(
+    shown: tuple[PlannedTest, MeasuredError], telling: tuple[PlannedTest, MeasuredError]
+) -> tuple[float, ...]:
+    """Return the periods that one test shows and another one does not know of, because its targets
+    hide them or because it found none there: it expects nothing of them.
+    """
+    one, other = (
+        visible_periods(
+            test.test.targets, [each.period for each in error.own.periods if each.named]
+        )
+        for test, error in (shown, telling)
+    )
+    return tuple(
+        period for period in one if all(abs(period - each) > _SAME * period for each in other)
+    )
+
+
+def _counted_out(tests: Sequence[PlannedTest], places: Container[int]) -> tuple[PlannedTest, ...]:
+    """Return the tests with those at ``places`` left out of the count."""
+    return tuple(
+        replace(test, acted=None) if place in places else test for place, test in enumerate(tests)
+    )

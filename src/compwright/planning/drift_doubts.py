@@ -1,0 +1,95 @@
+"""Drift within a run looks like a reversal error that varies along the travel.
+
+A run goes up through the m targets and down again (ISO 230-2, standard test cycle): 2 m readings at
+equal times, target i (0 .. m - 1) in + as number i, in - as number 2 m - 1 - i. An axis that drifts
+by D from the first of n runs to the last moves by D / (n - 1) within each. Its reversal (mean in +
+minus mean in -) then changes by -(2 m - 1 - 2 i) / (2 m) of that: one half on average, nearly all
+of it at the low end, nearly nothing at the high end.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Final
+
+import numpy as np
+
+from compwright.foundations.findings import Finding
+from compwright.foundations.units import outside_factor, shown_unit
+from compwright.planning.axis_work import AxisWork
+from compwright.planning.reversal_along_travel import (
+    drift_within,
+    own_reversal,
+    rise_of,
+    rises_as_drift,
+)
+from compwright.planning.simulated_repeat_tests import FreshTests
+from compwright.records.axis import Direction
+from compwright.records.rounding import settled_number
+from compwright.words.sentences import Amount
+
+#: A backlash value is doubted from where the drift may make out so much of it, and so much of the
+#: standard deviation of one reading.
+_OF_THE_REVERSAL: Final = 0.25
+_OF_THE_NOISE: Final = 0.5
+
+
+def drift_or_reversal(work: AxisWork, fresh: FreshTests) -> Iterator[Finding]:
+    """Yield a finding where the table may hold the drift of the test.
+
+    CW-P153: the second table that the job requires; CW-P154: the constant between the directions,
+    which is the backlash value, or that of two curves where the control has none.
+    """
+    planned, test = work.planned, work.results[0].test
+    runs = min(int(np.max(test.readings(way), initial=0.0)) for way in Direction)
+    if planned.fitted is None or runs < 2:
+        return
+    noise = fresh.draws.noise
+    drift = settled_number(np.median(noise.drift))
+    if planned.fitted.mode == "bidirectional":
+        yield from _second_table(work, drift, drift_within(test, noise))
+    elif work.capacity is not None and (
+        work.capacity.curves == 2 or work.capacity.backlash_quantum is not None
+    ):
+        along = (test.targets - noise.centre) / noise.half
+        each = (drift + np.median(noise.drift_tilt) * along) / (runs - 1)
+        m = test.targets.size
+        waits = (2 * m - 1 - 2 * np.arange(m)) / (2 * m)
+        yield from _backlash_value(work, drift, settled_number(-float(np.mean(waits * each))))
+
+
+def _second_table(work: AxisWork, drift: float, within: float) -> Iterator[Finding]:
+    """Yield CW-P153: ``drift`` from the first run to the last, ``within`` a run; mm or deg."""
+    rises = rise_of(work.planned.estimate, work.active)
+    if not rises_as_drift(rises, within):
+        return
+    risen, drifted, shown = _texts(work, rises, drift, within)
+    yield Finding.of(
+        "CW-P153", "warning", axis=work.planned.axis.name, risen=risen, drifted=drifted, shown=shown
+    )
+
+
+def _backlash_value(work: AxisWork, drift: float, moved: float) -> Iterator[Finding]:
+    """Yield CW-P154: ``drift`` from the first run to the last, by which the mean reversal is
+    ``moved``; mm or deg.
+    """
+    _, reversal = own_reversal(work.planned.estimate, work.active)
+    mean = settled_number(float(np.mean(reversal)))
+    noise = work.planned.estimate.noise
+    if abs(moved) < max(_OF_THE_REVERSAL * abs(mean), _OF_THE_NOISE * noise, 1e-9):
+        return
+    measured, drifted, shown = _texts(work, mean, drift, moved)
+    yield Finding.of(
+        "CW-P154",
+        "warning",
+        axis=work.planned.axis.name,
+        measured=measured,
+        drifted=drifted,
+        shown=shown,
+    )
+
+
+def _texts(work: AxisWork, *sizes: float) -> Iterator[Amount]:
+    unit = work.planned.axis.kind.unit
+    factor, small = outside_factor(unit), shown_unit(unit)
+    return (Amount(one * factor, small, "+.2f") for one in sizes)

@@ -1,0 +1,75 @@
+"""The guard band of a decision about a test that is to come (ISO 14253-1): the expanded uncertainty
+of its parameters, with what the tests before it have put into the table.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import replace
+
+from compwright.evaluation.uncertainty import expanded_uncertainties
+from compwright.planning.predicted_gain import predict_same_targets
+from compwright.planning.simulated_repeat_tests import Like
+from compwright.planning.temperature_slopes import slope_after, slope_in_table
+from compwright.planning.wanted_correction import MeasuredError, with_change
+from compwright.prediction.active_corrections import Correction
+from compwright.records.axis import AxisKind, Direction
+from compwright.records.job import Job
+from compwright.records.plan import PlannedAxis
+from compwright.records.prediction import Quantiles
+from compwright.records.result import ExpandedUncertainty, PositioningResult
+
+
+def guard_bands(
+    job: Job,
+    planned: PlannedAxis,
+    place: int,
+    result: PositioningResult,
+    posterior: MeasuredError,
+    change: Correction,
+) -> Mapping[str, ExpandedUncertainty] | None:
+    """Return U (mm or deg, k = 2) of the parameters of a fresh test like ``result``, after a
+    ``change`` of the correction.
+
+    ``result``: the test at ``place`` of its axis. None where the job declares no uncertainty, and
+    for VDI 3441.
+
+    It is the U of the measured test after the change (`expanded_uncertainties`), because U depends
+    on the remaining curve. Temperature, misalignment and set-up are drawn twice: for the test from
+    which the table is made, whose error stays in the machine, and for the fresh one. The instrument
+    and the coefficient of expansion are the same in both: the table contains their error and the
+    fresh test does not show it, so they count once. U is at least the amount by which the declared
+    slopes of both tests move the ends of the band: a guarded decision accepts and rejects nothing
+    that a simple one leaves undecided.
+    """
+    test, kind = result.test, result.test.kind
+    budget = job.budget(kind)
+    if budget is None:
+        return None
+    if kind is AxisKind.ROTARY:  # set-up gives no slope of angles: add both draws
+        budget = replace(budget, setup=math.hypot(budget.setup, budget.setup))
+    stated, _ = expanded_uncertainties(
+        with_change(test, *(change(test.targets, direction) for direction in Direction)),
+        result.parameters,
+        result.coverage,
+        budget,
+        test.thermal,
+        table_slope=slope_in_table(job, planned.tests, test),
+    )
+    slope = slope_after(job, planned.tests, test)
+    if stated is None or slope == 0.0:
+        return stated
+    still, sloped = (
+        predict_same_targets(result, posterior, change, planned.axis, Like(place, std))
+        for std in (0.0, slope)
+    )
+    return {
+        name: replace(each, U=max(each.U, _moved(still[name], sloped[name])))
+        for name, each in stated.items()
+    }
+
+
+def _moved(narrow: Quantiles, wide: Quantiles) -> float:
+    """Return by how much ``wide`` reaches beyond ``narrow``, at the end where it is more."""
+    return max(wide.p95 - narrow.p95, narrow.p05 - wide.p05)

@@ -1,0 +1,126 @@
+"""What the files of a test state in their headers, next to what the job states, and next to each
+other.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from typing import Final, TypeVar
+
+import numpy as np
+
+from compwright.foundations.findings import Finding
+from compwright.planning.circles import CircleWork
+from compwright.planning.wanted_correction import held_by
+from compwright.records.axis import Axis
+from compwright.records.circular import CircularResult
+from compwright.records.correction import ControlState
+from compwright.records.plan import PlannedTest
+from compwright.records.positioning import PositioningTest
+from compwright.records.result import PositioningResult
+from compwright.words.sentences import Sentence, say
+
+_Result = TypeVar("_Result", PositioningResult, CircularResult)
+
+_KEY: Final = "compensation"
+_ON: Final = re.compile(r"(on|yes|active|ein|an|ja|oui|вкл\w*|да)\b", re.IGNORECASE)
+_OFF: Final = re.compile(
+    r"(off|no|none|not active|inactive|aus|nein|non|выкл\w*|нет)\b", re.IGNORECASE
+)
+
+
+def statement_findings(
+    tests: Sequence[PlannedTest], axis: Axis, states: Mapping[str, ControlState]
+) -> Iterator[Finding]:
+    """Yield where the headers of an axis' files contradict the state of the control that the job
+    gives, or each other. ``states``: by name, those whose content is stated.
+    """
+    for planned in tests:
+        yield from _differences(planned.test, axis)
+        what = _contradiction(planned.test.header, planned.measured_in, (axis,), states)
+        if what is not None:
+            sentence = say("of_test", axis=axis.name, test=planned.test.name, finding=what)
+            yield Finding("CW-P162", "warning", sentence, axes=(axis.name,))
+
+
+def with_statements(
+    works: Iterable[CircleWork], axes: Mapping[str, Axis], states: Mapping[str, ControlState]
+) -> tuple[CircleWork, ...]:
+    """Return circular tests with a finding where their header contradicts the state of the job."""
+    checked = []
+    for work in works:
+        test = work.result.test
+        both = [axes[name] for name in test.axes if name in axes]
+        what = _contradiction(test.header, work.planned.measured_in, both, states)
+        if what is not None:
+            findings = (*work.result.findings, Finding("CW-P162", "warning", what))
+            checked.append(replace(work, result=replace(work.result, findings=findings)))
+        else:
+            checked.append(work)
+    return tuple(checked)
+
+
+def stated_after(result: _Result, axes: Sequence[str]) -> _Result:
+    """Return the result of a test after loading, with a doubt where its header says that
+    compensation was off. ``axes``: those of which the plan loads a table; none: nothing to compare.
+    """
+    stated = _stated(result.test.header)
+    if not axes or False not in stated:
+        return result
+    doubt = Finding.of(
+        "CW-P162.after", "warning", axes=tuple(axes), both=True in stated, names=axes
+    )
+    return replace(result, findings=(*result.findings, doubt))
+
+
+def _contradiction(
+    header: Mapping[str, str],
+    measured_in: str,
+    axes: Sequence[Axis],
+    states: Mapping[str, ControlState],
+) -> Sentence | None:
+    """Return how a header contradicts the state in which its test was taken, as far as ``axes``
+    show it, and what to do; None where it does not.
+    """
+    stated, state = _stated(header), states.get(measured_in)
+    if len(stated) > 1:
+        return say("CW-P162.both")
+    if not stated or state is None or not axes:
+        return None
+    (on,) = stated
+    active = any(_is_active(state, axis) for axis in axes)
+    if on == active:
+        return None
+    names = [axis.name for axis in axes]
+    return say("CW-P162.state", on=on, state=measured_in, active=active, names=names)
+
+
+def _is_active(state: ControlState, axis: Axis) -> bool:
+    held = held_by(state, axis)
+    return bool(held.backlash or np.any(held.positive) or np.any(held.negative))
+
+
+def _stated(header: Mapping[str, str]) -> set[bool]:
+    """Return the state of compensation in the headers: on, off, both, or nothing that is
+    understood.
+    """
+    texts = [text for key, text in header.items() if key.strip().lower() == _KEY]
+    lines = [line.strip() for text in texts for line in text.splitlines()]
+    return {_OFF.match(line) is None for line in lines if _ON.match(line) or _OFF.match(line)}
+
+
+def _differences(test: PositioningTest, axis: Axis) -> Iterator[Finding]:
+    """Yield what the files of one test state differently."""
+    if len(test.sources) < 2:
+        return
+    differing = [
+        f"{key}: {' / '.join(lines)}"
+        for key, text in test.header.items()
+        if len(lines := [line.strip() for line in text.splitlines() if line.strip()]) > 1
+    ]
+    if differing:
+        yield Finding.of(
+            "CW-P163", "info", axes=(axis.name,), axis=axis.name, test=test.name, keys=differing
+        )

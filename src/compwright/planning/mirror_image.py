@@ -1,0 +1,133 @@
+"""Is the table in the control the mirror image of a test that should have been taken with it?
+
+Then the table was made from this very test: it was not active in the test, and a further table
+would remove the same error twice.
+
+Compared are the means of both directions without their straight line. A temperature changes the
+line, a partly copied backlash value the distance of the directions; neither changes the rest. A
+test that was taken with its table shows what the table leaves: little of the table's own shape,
+plus or minus a quarter (`planning.sign_and_unit_doubts`), and hardly ever all of it with the
+opposite sign.
+
+A table that changes an older one is the mirror image of the test where the older one is small
+relative to the change. Where it is not, shapes cannot decide: the plan of that run can
+(`workflow.inputs.own_output`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Final
+
+import numpy as np
+
+from compwright.estimation.observed_test import ObservedTest
+from compwright.evaluation.statistics import count_readings, mean_deviation
+from compwright.foundations.findings import Finding
+from compwright.foundations.units import outside_factor, shown_unit
+from compwright.planning.wanted_correction import held_by
+from compwright.records.axis import Axis, Direction, FloatArray
+from compwright.records.correction import ControlState
+from compwright.records.plan import PlannedTest
+from compwright.records.positioning import PositioningTest
+
+#: The code of the doubt: no table is written without its acknowledgement.
+MIRRORED: Final = "CW-P161"
+#: With fewer targets a shape says nothing.
+_FEWEST: Final = 6
+#: Both shapes are so many times the noise of a mean.
+_SEEN: Final = 4.0
+#: What the table has not of the test's shape: this part of the smaller one at most, and twice the
+#: noise. Steps of the control, short waves between its points, and the shape of an older table that
+#: was in the control before stay in the sum of both. Less than 1 % of sound tests that show as much
+#: as their table has come below.
+_LEFT: Final = 0.45
+_NOISE: Final = 2.0
+
+
+def mirrored_tests(
+    tests: Sequence[PlannedTest],
+    observed: Sequence[ObservedTest],
+    axis: Axis,
+    states: Mapping[str, ControlState],
+) -> Iterator[tuple[int, Finding]]:
+    """Yield the place and a doubt (CW-P161) of each test whose mirror image is the table of its
+    state, or what that table has more than the one of another state; ``observed``: the same tests.
+    """
+    for place, (planned, bare) in enumerate(zip(tests, observed, strict=True)):
+        if planned.measured_in not in states or planned.test.targets.size < _FEWEST:
+            continue
+        test = planned.test
+        there = _middle_of_table(states[planned.measured_in], axis, test)
+        before = [
+            _middle_of_table(state, axis, test)
+            for name, state in states.items()
+            if name != planned.measured_in
+        ]
+        noise = _noise(bare)
+        shown = mean_middle(test)
+        changes = (there, *(there - other for other in before))
+        if shown is not None and any(
+            is_mirror_image(change, shown, test.targets, noise) for change in changes
+        ):
+            yield place, _doubt(planned, axis, shown)
+
+
+def is_mirror_image(
+    table: FloatArray, shown: FloatArray, targets: FloatArray, noise: float
+) -> bool:
+    """Return whether ``table`` (m,) has the shape of what a test has ``shown`` (m,) at its
+    ``targets`` (m,), turned; ``noise``: standard deviation of a mean. mm or deg.
+    """
+    along = np.linspace(-1.0, 1.0, targets.size) if targets.size < 2 else targets - targets.mean()
+    bent, seen = (
+        curve - np.polyval(np.polyfit(along, curve, 1), along) for curve in (table, shown)
+    )
+    sizes = [float(np.sqrt(np.mean(np.square(curve)))) for curve in (bent, seen)]
+    if min(sizes) <= max(_SEEN * noise, 1e-9):
+        return False
+    left = float(np.sqrt(np.mean(np.square(seen + bent))))
+    return left <= float(np.hypot(_LEFT * min(sizes), _NOISE * noise))
+
+
+def mean_middle(test: PositioningTest) -> FloatArray | None:
+    """Return the mean (m,) of both directions at each target, or of the one that was measured; None
+    where a target has no reading.
+    """
+    means = [
+        mean_deviation(test.deviations(direction))
+        for direction in Direction
+        if test.readings(direction).any()
+    ]
+    middle: FloatArray = np.mean(means, axis=0)
+    return middle if np.all(np.isfinite(middle)) else None
+
+
+def _middle_of_table(state: ControlState, axis: Axis, test: PositioningTest) -> FloatArray:
+    table = held_by(state, axis)
+    curves = [
+        table.at(test.targets, direction)
+        for direction in Direction
+        if test.readings(direction).any()
+    ]
+    middle: FloatArray = np.mean(curves, axis=0)
+    return middle
+
+
+def _noise(bare: ObservedTest) -> float:
+    """Return the standard deviation of a middle."""
+    counts = sum(count_readings(bare.test.deviations(direction)) for direction in Direction)
+    return 0.0 if bare.noise is None else float(bare.noise.sigma / np.sqrt(np.max(counts)))
+
+
+def _doubt(planned: PlannedTest, axis: Axis, shown: FloatArray) -> Finding:
+    unit = shown_unit(axis.kind.unit)
+    size = float(np.ptp(shown)) * outside_factor(axis.kind.unit)
+    return Finding.of(
+        "CW-P161",
+        "warning",
+        measured_in=planned.measured_in,
+        test=planned.test.name,
+        size=size,
+        unit=unit,
+    )

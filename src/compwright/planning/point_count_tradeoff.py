@@ -1,0 +1,109 @@
+"""What a point of the table is worth: the predicted parameter over the number of points."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Final
+
+import numpy as np
+
+from compwright.fitting.grid import possible_grids
+from compwright.foundations.errors import CapacityError
+from compwright.planning.axis_work import AxisWork
+from compwright.planning.simulated_repeat_tests import FreshTests
+from compwright.planning.tables import fit_remaining
+from compwright.prediction.active_corrections import Correction, difference
+from compwright.records.axis import FloatArray
+from compwright.records.capacity import Capacity
+from compwright.records.fitted import TableRequest
+from compwright.records.limits import Worth
+
+#: Number of sizes that are shown in addition to the written and the existing one.
+_SIZES: Final = 7
+#: Most points that are considered: with more, nodes lie closer than targets are dithered.
+_MOST: Final = 400
+
+
+def worth_of_points(
+    work: AxisWork, new: Correction, fresh: FreshTests, name: str
+) -> tuple[Worth, ...]:
+    """Return what fresh tests at new targets show of the parameter ``name`` with tables of several
+    numbers of points, ascending; with ``new`` for the one that is written. Empty where there is
+    nothing to choose: no table, or only one grid.
+
+    Every table is fitted to what is wanted under the control's own limits, on equally spaced nodes
+    that it can hold.
+    """
+    wanted, fitted, capacity = work.planned.wanted, work.planned.fitted, work.capacity
+    if wanted is None or fitted is None or capacity is None or capacity.line is not None:
+        return ()
+    written = fitted.compensation.positions
+    if capacity.nodes is not None or written.size < 2:
+        return ()
+    request = TableRequest(mode=fitted.mode)
+    grids = possible_grids(wanted, capacity, request, _MOST)
+    there = np.array(capacity.there)
+    others = [grid for grid in _spread(grids) if grid.size not in (written.size, there.size)]
+    if there.size > 1 and not np.array_equal(there, written):
+        others.append(there)
+    found = [_worth(fresh, new, written, work.active, name, written=True)]
+    for nodes in others:
+        table = _table_on(nodes, work, capacity, request)
+        if table is not None:
+            found.append(_worth(fresh, table, nodes, work.active, name, there=nodes is there))
+    if len(found) < 3:
+        return ()
+    if np.array_equal(there, written):
+        found[0] = replace(found[0], there=True)
+    return tuple(sorted(found, key=lambda one: one.points))
+
+
+def _spread(grids: Sequence[FloatArray]) -> list[FloatArray]:
+    """Return grids whose numbers of points grow by about the same factor, first and last
+    included.
+    """
+    if not grids:
+        return []
+    sizes = np.array([grid.size for grid in grids])
+    steps = np.geomspace(sizes[0], sizes[-1], _SIZES)
+    chosen = sorted({int(np.argmin(np.abs(np.log(sizes / step)))) for step in steps})
+    return [grids[index] for index in chosen]
+
+
+def _table_on(
+    nodes: FloatArray, work: AxisWork, capacity: Capacity, request: TableRequest
+) -> Correction | None:
+    """Return what a table on ``nodes`` does; None where the control cannot hold one."""
+    wanted = work.planned.wanted
+    if wanted is None:
+        return None
+    given = replace(capacity, nodes=tuple(nodes.tolist()), there=())
+    try:
+        return fit_remaining(
+            replace(wanted, scenarios=None), given, request, work.planned.axis, costs=False
+        ).compensation.at
+    except CapacityError:
+        return None
+
+
+def _worth(
+    fresh: FreshTests,
+    new: Correction,
+    nodes: FloatArray,
+    active: Correction,
+    name: str,
+    *,
+    written: bool = False,
+    there: bool = False,
+) -> Worth:
+    shown = fresh.quantiles(difference(new, active), only=name)[name]
+    return Worth(
+        points=nodes.size,
+        spacing=float(np.max(np.diff(nodes))),
+        median=shown.median,
+        p05=shown.p05,
+        p95=shown.p95,
+        written=written,
+        there=there,
+    )

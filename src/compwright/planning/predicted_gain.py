@@ -1,0 +1,143 @@
+"""What the next positioning test will show, and whether a table is worth loading."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from compwright.foundations.units import outside_factor, shown_unit
+from compwright.planning.simulated_repeat_tests import (
+    BAND,
+    FIRST,
+    FreshTests,
+    Like,
+    draws_like,
+    fresh_tests,
+    generator,
+)
+from compwright.planning.wanted_correction import MeasuredError
+from compwright.prediction.active_corrections import Correction
+from compwright.prediction.fresh_scatter import fresh_scatter
+from compwright.prediction.positioning import fresh_slopes, predict_test
+from compwright.records.axis import Axis, Direction
+from compwright.records.prediction import Quantiles, TestPrediction
+from compwright.records.result import PositioningResult
+
+
+def predict(
+    result: PositioningResult,
+    posterior: MeasuredError,
+    change: Correction,
+    axis: Axis,
+    like: Like = FIRST,
+    fresh: FreshTests | None = None,
+) -> TestPrediction:
+    """Return what a fresh test like ``result`` will show with the changed correction, at its
+    targets and at new ones; ``fresh``: tests at new ones, where they are drawn already.
+    """
+    drawn = fresh or fresh_tests(result, posterior, axis, like)
+    return TestPrediction(
+        name=result.test.name,
+        before=result,
+        predicted=predict_same_targets(result, posterior, change, axis, like),
+        predicted_new_targets=drawn.quantiles(change),
+    )
+
+
+def predict_same_targets(
+    result: PositioningResult,
+    posterior: MeasuredError,
+    change: Correction,
+    axis: Axis,
+    like: Like = FIRST,
+) -> Mapping[str, Quantiles]:
+    """Return what a fresh test like ``result`` will show with the changed correction at its own
+    targets.
+    """
+    targets = result.test.targets
+    rng = generator(axis.name, result.test.name, "draws")
+    count = draws_like(result)
+    draws = posterior.draw(targets, count, rng, like.place)
+    runs = [result.test.readings(direction) for direction in Direction]
+    scatter = fresh_scatter(draws.noise, targets, runs[0], runs[1], rng)
+    slopes = fresh_slopes(targets, count, like.slope_std, rng)
+    predicted = predict_test(
+        draws.positive + slopes,
+        draws.negative + slopes,
+        scatter,
+        change_positive=change(targets, Direction.POSITIVE),
+        change_negative=change(targets, Direction.NEGATIVE),
+        coverage=result.coverage,
+        vdi=result.standard == "vdi3441",
+    )
+    return {
+        name: value for name, value in predicted.items() if result.parameters.get(name) is not None
+    }
+
+
+def why_not_better(
+    before: PositioningResult,
+    after: PositioningResult,
+    old: Mapping[str, Quantiles],
+    new: Mapping[str, Quantiles],
+) -> str:
+    """Return why a table would not improve the axis, or an empty text when it does.
+
+    ``before``, ``after``: the measured test re-evaluated with what the control does now and with
+    what the new files give; ``old``, ``new``: what newly dithered targets will show, from the same
+    draws. Judged by the first of A, E, ... that the test has.
+    """
+    name = yardstick(before)
+    if name is None:
+        return ""
+    factor = outside_factor(before.test.kind.unit)
+    unit = shown_unit(before.test.kind.unit)
+    was, becomes = before.parameters[name], after.parameters[name]
+    if was is not None and becomes is not None and abs(becomes) >= abs(was):
+        return (
+            f"the measured test re-evaluated with the table gives {name} {becomes * factor:.2f}"
+            f" {unit}, without it {was * factor:.2f} {unit}"
+        )
+    if name in new and name in old and abs(new[name].median) >= abs(old[name].median):
+        return (
+            f"at new targets {name} is expected to be {new[name].median * factor:.2f} {unit} with"
+            f" the table, {old[name].median * factor:.2f} {unit} without it"
+        )
+    return ""
+
+
+def why_not_seen(
+    before: PositioningResult, old: Mapping[str, Quantiles], new: Mapping[str, Quantiles]
+) -> str:
+    """Return why no test would show what a table gains, or an empty text when one does: the
+    parameter that judges tables falls by no more than one standard deviation by which it differs
+    from test to test.
+
+    Arguments as of `why_not_better`, which has found the table better.
+    """
+    name = yardstick(before)
+    if name is None or name not in new or name not in old:
+        return ""
+    factor = outside_factor(before.test.kind.unit)
+    unit = shown_unit(before.test.kind.unit)
+    was, becomes = (abs(each[name].median) for each in (old, new))
+    spread = spread_of(new[name])
+    if was - becomes > spread:
+        return ""
+    return (
+        f"at new targets {name} is expected to be {becomes * factor:.2f} {unit} with a further"
+        f" table, {was * factor:.2f} {unit} without it, and differs by {spread * factor:.2f} {unit}"
+        " from one test to the next: the gain is within the uncertainty"
+    )
+
+
+def spread_of(shown: Quantiles) -> float:
+    """Return the standard deviation of a parameter between tests, from the part below its median: a
+    few outlying readings widen the part above.
+    """
+    return 2.0 * (shown.median - shown.p05) / BAND
+
+
+def yardstick(result: PositioningResult) -> str | None:
+    """Return the first of A, E, ... that a test has: by it tables are judged."""
+    names = ("A", "E", "A_positive", "A_negative", "E_positive", "E_negative", "P", "R", "B_mean")
+    return next((name for name in names if result.parameters.get(name) is not None), None)

@@ -1,0 +1,60 @@
+"""The reversal of an axis along its travel, and whether the drift of its test explains how it
+changes.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+
+from compwright.prediction.active_corrections import Correction
+from compwright.records.axis import AxisKind, Direction, FloatArray
+from compwright.records.estimate import ErrorEstimate
+from compwright.records.noise import NoiseDraws
+from compwright.records.positioning import PositioningTest
+from compwright.records.rounding import settled_number
+
+#: The reversal changes by about what the drift would give: within this factor.
+_ALIKE: Final = 2.0
+
+
+def own_reversal(estimate: ErrorEstimate, active: Correction) -> tuple[FloatArray, FloatArray]:
+    """Return positions (k,) over the measured range, and the reversal of the axis itself there
+    (without the ``active`` correction), mean in + minus mean in -, mm or deg.
+
+    For a rotary axis whole turns are removed: its travel may begin at a reference some turns away
+    from the measured range.
+    """
+    low, high = estimate.measured
+    where = estimate.positions
+    within = low + (where - low) % 360.0 if estimate.kind is AxisKind.ROTARY else where
+    inside = (within >= low) & (within <= high)
+    reversal: FloatArray = (
+        estimate.mean_positive
+        - active(where, Direction.POSITIVE)
+        - estimate.mean_negative
+        + active(where, Direction.NEGATIVE)
+    )
+    return within[inside], reversal[inside]
+
+
+def rise_of(estimate: ErrorEstimate, active: Correction) -> float:
+    """Return by how much the reversal of the axis itself rises from end to end of the measured
+    range, mm or deg: by a straight line.
+    """
+    where, reversal = own_reversal(estimate, active)
+    slope = np.polyfit(where - where[0], reversal, 1)[0]
+    low, high = estimate.measured
+    return settled_number(slope * (high - low))
+
+
+def drift_within(test: PositioningTest, noise: NoiseDraws) -> float:
+    """Return by how much the axis drifts within a run, mm or deg; 0 where nothing shows it."""
+    runs = min(int(np.max(test.readings(way), initial=0.0)) for way in Direction)
+    return 0.0 if runs < 2 else settled_number(np.median(noise.drift)) / (runs - 1)
+
+
+def rises_as_drift(rise: float, within: float) -> bool:
+    """Return whether a reversal that rises by ``rise`` may be the drift ``within`` each run."""
+    return within != 0.0 and 1.0 / _ALIKE <= rise / within <= _ALIKE

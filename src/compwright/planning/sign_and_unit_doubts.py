@@ -1,0 +1,171 @@
+"""Do the readings of a test agree with its file and its state?
+
+The readings as stated are compared with the same readings under another assumption: opposite sign,
++ and - exchanged, targets in the opposite order, positions counted against the machine, or the
+table of the control not active.
+
+Each assumption leaves an error of the axis, and is as likely as that error. Errors of axes are
+smooth. Jumps from target to target must therefore come from jumps of the active table, and targets
+with random parts (ISO 230-2:1988, 4.3.2) must lie where the error predicts. Four tables of five are
+assumed to be made for their axis: the error is the opposite of the table times a factor of 1 ±
+0.25. Half of these tables hold the jumps too (periods, wear), half the smooth part alone. For the
+fifth the factor is anything about 0. Flat readings with an active table are therefore what a good
+table leaves, and no doubt. Without a table, sign and directions leave an error as smooth as before;
+they are not judged here (`evaluation.plausibility` judges the reversal).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Final
+
+import numpy as np
+
+from compwright.estimation.likelihood import Shape, log_likelihood
+from compwright.estimation.model import Travel
+from compwright.estimation.observed_test import ObservedTest
+from compwright.evaluation.copied_runs import same_runs_findings
+from compwright.evaluation.plausibility import reversal_above_zero
+from compwright.foundations.findings import Finding
+from compwright.planning.consistent_tests import active_at
+from compwright.planning.mirror_image import mirrored_tests
+from compwright.planning.reading_interpretations import (
+    ActiveAt,
+    TestReading,
+    WayOfReading,
+    plus,
+    ways_of_reading,
+)
+from compwright.records.axis import Axis
+from compwright.records.correction import ControlState
+from compwright.records.plan import PlannedTest
+from compwright.records.result import PositioningResult
+from compwright.records.rounding import LOGARITHM, settled_number
+from compwright.words.sentences import say
+
+#: How much less usual than a test as stated each other way of reading is: a weak prior.
+_PRIOR: Final[Mapping[WayOfReading, float]] = {
+    "stated": 0.88,
+    "off": 0.05,
+    "sign": 0.02,
+    "directions": 0.02,
+    "order": 0.015,
+    "against": 0.015,
+}
+#: A test is doubted where it is as stated with less than this probability.
+_DOUBTED: Final = 0.2
+#: Other ways of reading that are named.
+_NAMED: Final = 0.1
+#: Standard deviation of the factor of a table, about 1 where it was made for this error, about 0
+#: where it was not; and the share of the cases: made for all of it, for its smooth part, for none.
+_MADE_FOR_IT: Final = 0.25
+_ANYTHING: Final = 1.0
+_SHARES: Final = (0.4, 0.4, 0.2)
+#: Fewest targets of a test that is judged.
+_FEWEST: Final = 6
+#: Largest ratio that is reported: beyond, what the model leaves out decides.
+_MOST: Final = 1e6
+
+
+def misread_tests(
+    tests: Sequence[PlannedTest],
+    observed: Sequence[ObservedTest],
+    axis: Axis,
+    states: Mapping[str, ControlState],
+) -> tuple[Finding, ...]:
+    """Return the doubts about the tests of an axis (CW-P160, and CW-P161 of `mirrored_tests`).
+
+    ``observed``: the same tests with the correction that was active in them subtracted, as far as
+    ``states`` (by name) give it. A test that made its table gets no second doubt.
+    """
+    mirrored = dict(mirrored_tests(tests, observed, axis, states))
+    known = states if tests[0].measured_in in states else {}
+    misread = (
+        finding
+        for place, (planned, bare) in enumerate(zip(tests, observed, strict=True))
+        if place not in mirrored
+        for finding in misread_findings(
+            # Copied runs tell nothing of the noise: it is inferred with the error.
+            replace(bare, noise=None) if same_runs_findings(planned.test) else bare,
+            axis,
+            active_at(planned, axis, known),
+        )
+    )
+    return (*mirrored.values(), *misread)
+
+
+def with_known_backlash(result: PositioningResult, bare: ObservedTest) -> PositioningResult:
+    """Return the result with CW-T032 (reversal above zero) as information where the active backlash
+    value explains it.
+
+    That is: in ``bare``, the test with the active correction subtracted, the reversal is not above
+    zero.
+    """
+    if reversal_above_zero(bare.test):
+        return result
+    findings = tuple(
+        replace(
+            finding,
+            severity="info",
+            sentence=say("backlash_compensation_larger", finding=finding.sentence),
+        )
+        if finding.code == "CW-T032"
+        else finding
+        for finding in result.findings
+    )
+    return replace(result, findings=findings)
+
+
+def misread_findings(
+    bare: ObservedTest, axis: Axis, active: ActiveAt | None
+) -> tuple[Finding, ...]:
+    """Return the doubt (CW-P160) about a test whose readings are far more likely under another
+    assumption than as stated, with the odds.
+
+    ``bare``: the test with the active correction subtracted; ``active``: that correction by
+    position and direction, mm or deg, None where it is unknown.
+    """
+    if bare.test.targets.size < _FEWEST:
+        return ()
+    ways = ways_of_reading(bare, axis, active)
+    if len(ways) < 2:
+        return ()
+    logs = {
+        reading.way: settled_number(_log_likelihood(reading, axis), LOGARITHM) for reading in ways
+    }
+    return _doubt(logs, bare.test.name)
+
+
+def _log_likelihood(reading: TestReading, axis: Axis) -> float:
+    travel, periods = Travel(*axis.travel, axis.modulo), axis.screw_pitch
+    if reading.table is None or reading.smooth is None:
+        return log_likelihood(reading.error, travel, periods)
+    whole, smooth = reading.table, reading.smooth
+    cases = (
+        (plus(reading.error, whole), Shape(*whole, _MADE_FOR_IT)),
+        (plus(reading.error, smooth), Shape(*smooth, _MADE_FOR_IT)),
+        (reading.error, Shape(*smooth, _ANYTHING)),
+    )
+    parts = [
+        math.log(share) + log_likelihood(error, travel, periods, shape)
+        for share, (error, shape) in zip(_SHARES, cases, strict=True)
+    ]
+    return float(np.logaddexp.reduce(parts))
+
+
+def _doubt(logs: Mapping[WayOfReading, float], name: str) -> tuple[Finding, ...]:
+    priors = {way: math.log(_PRIOR[way]) + value for way, value in logs.items()}
+    whole = float(np.logaddexp.reduce(np.array(list(priors.values()))))
+    probability = {way: math.exp(value - whole) for way, value in priors.items()}
+    if probability["stated"] > _DOUBTED:
+        return ()
+    others = sorted(
+        (way for way in probability if way != "stated" and probability[way] >= _NAMED),
+        key=lambda way: -probability[way],
+    )
+    ratios = {way: math.exp(min(logs[way] - logs["stated"], math.log(_MOST))) for way in others}
+    ways = [say("CW-P160.way", way=way, odds=ratio) for way, ratio in ratios.items()]
+    checks = [say("CW-P160.check", way=way) for way in others]
+    return (Finding.of("CW-P160", "warning", test=name, ways=ways, checks=checks),)

@@ -1,0 +1,212 @@
+"""Fresh tests of one axis at newly dithered targets, all from the same draws: two answers differ
+only by the requested change, not by chance.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, fields
+from itertools import pairwise
+from typing import Any, Final
+
+import numpy as np
+
+from compwright.estimation.axis import Draws
+from compwright.planning.wanted_correction import MeasuredError
+from compwright.prediction.active_corrections import Correction
+from compwright.prediction.fresh_scatter import FreshScatter, fresh_scatter
+from compwright.prediction.positioning import dithered_targets, fresh_slopes, predict_test
+from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
+from compwright.records.noise import IndexArray, NoiseDraws, NoisePart, without
+from compwright.records.prediction import Quantiles
+from compwright.records.result import PositioningResult
+
+#: Fresh tests that are drawn: fewer where a test has more than so many readings, some always.
+_DRAWS: Final = 2000
+_READINGS: Final = 4000
+_FEWEST_DRAWS: Final = 400
+#: Newly dithered targets stay this far from the ends of the travel: mm, and for rotary axes deg.
+END_MARGIN: Final = {AxisKind.LINEAR: 4.0, AxisKind.ROTARY: 0.0}
+#: Different sets of new targets: so many that some have a target wherever the error may differ from
+#: the table, such as between two targets about a jump; and targets of all sets, at most.
+_SETS: Final = 40
+_MOST_TARGETS: Final = 2000
+#: From 5 to 95 % a normal law is so many standard deviations wide.
+BAND: Final = 3.29
+
+
+@dataclass(frozen=True, slots=True)
+class Like:
+    """How a fresh test is taken: with the noise of which test of the axis (its ``place`` among
+    them), and with which standard deviation of its slope, mm/mm, from a temperature that is not
+    known better.
+    """
+
+    place: int = 0
+    slope_std: float = 0.0
+
+
+#: As the first test of an axis, at a known temperature.
+FIRST: Final = Like()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FreshTests:
+    """Draws of the deviation at new targets, mm or deg.
+
+    ``sets`` (k, m): sets of targets with the ``expected`` deviation (k, m), and ``chosen`` (s,):
+    the set of each draw, ascending. Tests like ``result`` add the scatter of the readings, from the
+    generator in ``state``, and ``slopes`` (s, m) from an uncertain temperature. ``drawn``: the
+    scatter of all parts of the noise, once it is needed, and the scatter without the last removed
+    parts (both are large).
+    """
+
+    result: PositioningResult
+    sets: FloatArray
+    expected: Mapping[Direction, FloatArray]
+    chosen: IndexArray
+    draws: Draws
+    slopes: FloatArray
+    state: Any
+    drawn: dict[frozenset[NoisePart], FreshScatter] = field(default_factory=dict)
+
+    @property
+    def targets(self) -> FloatArray:
+        """The targets (s, m) of each draw."""
+        return self.sets[self.chosen]
+
+    def quantiles(
+        self,
+        change: Correction,
+        *,
+        known: bool = True,
+        unknown: bool = True,
+        warm: bool = True,
+        cured: Sequence[NoisePart] = (),
+        only: str | None = None,
+        waves: FloatArray | None = None,
+    ) -> Mapping[str, Quantiles]:
+        """Return the parameters of the tests after a ``change`` of the correction, by name.
+
+        ``known``: whether to include the estimated error and the change, ``unknown``: the
+        uncertainty of the estimate, ``warm``: the slopes; ``cured``: parts of the noise to leave
+        out; ``only``: the one parameter to compute; ``waves`` (s, m): added to the deviation.
+        """
+        deviations = []
+        for direction, drawn in (
+            (Direction.POSITIVE, self.draws.positive),
+            (Direction.NEGATIVE, self.draws.negative),
+        ):
+            mean = self.expected[direction]
+            there = (mean + change(self.sets, direction))[self.chosen] if known else 0.0
+            left_open = drawn - mean[self.chosen] if unknown else np.zeros_like(drawn)
+            added = 0.0 if waves is None else waves
+            deviations.append(there + left_open + (self.slopes if warm else 0.0) + added)
+        still = np.zeros(self.sets.shape[1])
+        found = predict_test(
+            deviations[0],
+            deviations[1],
+            self._scatter_without(frozenset(cured)),
+            change_positive=still,
+            change_negative=still,
+            coverage=self.result.coverage,
+            vdi=self.result.standard == "vdi3441",
+            only=only,
+        )
+        return {
+            name: value
+            for name, value in found.items()
+            if self.result.parameters.get(name) is not None
+        }
+
+    def has(self, parts: Sequence[NoisePart]) -> bool:
+        """Whether any draw of the noise has any of its ``parts``."""
+        noise = self.draws.noise
+        bare = without(noise, *parts)
+        return any(
+            not np.array_equal(getattr(noise, each.name), getattr(bare, each.name))
+            for each in fields(noise)
+        )
+
+    def _scatter_without(self, parts: frozenset[NoisePart]) -> FreshScatter:
+        removed = parts if parts and self.has(tuple(parts)) else frozenset()
+        if removed not in self.drawn:
+            for other in [key for key in self.drawn if key and removed]:
+                del self.drawn[other]
+            rng = np.random.default_rng()
+            rng.bit_generator.state = self.state
+            bare = without(self.draws.noise, *removed)
+            self.drawn[removed] = _scatter(self.result, bare, self.sets, self.chosen, rng)
+        return self.drawn[removed]
+
+
+def draws_like(result: PositioningResult) -> int:
+    """Return how many fresh tests like ``result`` are drawn: time and memory of all of them grow no
+    more than its own readings do, and many readings scatter less from test to test.
+    """
+    readings = result.test.positive.size + result.test.negative.size
+    return min(_DRAWS, max(_FEWEST_DRAWS, _DRAWS * _READINGS // max(readings, 1)))
+
+
+def fresh_tests(
+    result: PositioningResult, posterior: MeasuredError, axis: Axis, like: Like = FIRST
+) -> FreshTests:
+    """Return fresh tests of ``axis`` like ``result`` at newly dithered targets; the same for the
+    same names of axis and test.
+    """
+    name, m = result.test.name, result.test.targets.size
+    count = draws_like(result)
+    rng = generator(axis.name, name, "targets")
+    several = min(_SETS, count, max(1, _MOST_TARGETS // m))
+    sets = np.array(
+        [dithered_targets(axis.travel, m, rng, END_MARGIN[axis.kind]) for _ in range(several)]
+    )
+    unique, back = np.unique(sets, return_inverse=True)
+    estimate = posterior.summary(unique)
+    rng = generator(axis.name, name, "draws")
+    chosen = np.arange(count) * several // count
+    draws = posterior.draw(sets[chosen], count, rng, like.place)
+    state = rng.bit_generator.state
+    drawn: dict[frozenset[NoisePart], FreshScatter] = {}
+    if like.slope_std > 0.0:  # the slopes come after the scatter
+        drawn[frozenset()] = _scatter(result, draws.noise, sets, chosen, rng)
+    return FreshTests(
+        result=result,
+        sets=sets,
+        expected={way: estimate.mean(way)[back.reshape(sets.shape)] for way in Direction},
+        chosen=chosen,
+        draws=draws,
+        slopes=fresh_slopes(sets[chosen], count, like.slope_std, rng),
+        state=state,
+        drawn=drawn,
+    )
+
+
+def _scatter(
+    result: PositioningResult,
+    noise: NoiseDraws,
+    sets: FloatArray,
+    chosen: IndexArray,
+    rng: np.random.Generator,
+) -> FreshScatter:
+    plus, minus = (
+        int(np.max(result.test.readings(direction), initial=0.0)) for direction in Direction
+    )
+    ends = np.searchsorted(chosen, np.arange(len(sets) + 1)).tolist()
+    parts = [
+        fresh_scatter(noise.taken(slice(*own)), targets, plus, minus, rng)
+        for own, targets in zip(pairwise(ends), sets, strict=True)
+    ]
+    return FreshScatter(
+        **{
+            each.name: np.vstack([getattr(one, each.name) for one in parts])
+            for each in fields(FreshScatter)
+        }
+    )
+
+
+def generator(*names: str) -> np.random.Generator:
+    """Return a generator that depends on the names only: the same job predicts the same numbers."""
+    digest = hashlib.sha256("\x1f".join(names).encode("utf-8", "surrogatepass")).digest()
+    return np.random.default_rng(int.from_bytes(digest[:8], "big"))

@@ -1,0 +1,123 @@
+"""Is a table what an axis needs? What it corrects, what no table corrects, and who can help."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Final
+
+from compwright.foundations.findings import Finding
+from compwright.foundations.units import outside_factor, shown_unit
+from compwright.planning.limiting_causes import DRIFT, NOISE, OUTLIERS, TRAVERSES, UNKNOWN
+from compwright.planning.shortfalls import PERIOD, REVERSAL
+from compwright.records.axis import Axis
+from compwright.records.limits import Cause, Limiting
+from compwright.words.sentences import Amount, say
+
+#: From this share of the parameter on a cause is the reason.
+_DOMINATES: Final = 0.5
+#: Causes for which there is advice (sentence ``table_advice``).
+_CURED_ELSEWHERE: Final = frozenset({NOISE, OUTLIERS, TRAVERSES, DRIFT, REVERSAL, PERIOD, UNKNOWN})
+#: What is left to other causes, of which no single one is the largest.
+_REMAINING: Final = "what no table of this control takes away"
+
+
+def verdict(axis: Axis, limiting: Limiting, *, tabled: bool, refused: bool) -> Iterator[Finding]:
+    """Yield a finding where a table improves an axis little (CW-P150), or some while most is
+    scatter (CW-P151).
+
+    ``tabled``: a table is written; ``refused``: one was made and improves nothing. A gain counts
+    when it is more than one standard deviation of the parameter between tests.
+    """
+    left = limiting.then if tabled else limiting.now if refused else limiting.least
+    gained = limiting.now - left
+    helps = gained > limiting.spread
+    scatter = limiting.least / limiting.now if limiting.now > 0.0 else 0.0
+    factor, unit = outside_factor(axis.kind.unit), shown_unit(axis.kind.unit)
+    name, now = limiting.parameter, Amount(limiting.now * factor, unit)
+    if helps and tabled:
+        yield from _what_remains(axis, limiting, scatter)
+    if helps:
+        return
+    main = _main_cause(limiting, scatter)
+    if main is None:
+        return
+    share = main.value / limiting.then
+    yield Finding.of(
+        "CW-P150",
+        "warning",
+        axis=axis.name,
+        parameter=name,
+        now=now,
+        with_table=Amount(limiting.then * factor, unit) if tabled else None,
+        cause=main.cause,
+        value=main.value * factor,
+        unit=unit,
+        share=share,
+        advice=say("table_advice", cause=main.cause),
+    )
+
+
+def stopped(axis: Axis, limiting: Limiting) -> Finding:
+    """Return the finding (CW-P155) that an axis is left as it is because its table gains nothing
+    that a test would show, with the largest remaining cause.
+    """
+    factor, unit = outside_factor(axis.kind.unit), shown_unit(axis.kind.unit)
+    name, left = limiting.parameter, limiting.now
+    main = _main_cause(limiting, 0.0)
+    if main is not None and main.cause != NOISE:
+        cause, value = main.cause, main.value
+    elif limiting.least >= _DOMINATES * left:
+        cause, value = NOISE, limiting.least
+    else:
+        cause, value = _REMAINING, left - limiting.least
+    return Finding.of(
+        "CW-P155",
+        "info",
+        axis=axis.name,
+        cause=cause,
+        value=value * factor,
+        unit=unit,
+        parameter=name,
+        left=left * factor,
+    )
+
+
+def _what_remains(axis: Axis, limiting: Limiting, scatter: float) -> Iterator[Finding]:
+    """Yield what makes most of the parameter although the table helps."""
+    factor, unit = outside_factor(axis.kind.unit), shown_unit(axis.kind.unit)
+    main = _main_cause(limiting, 0.0)
+    if main is not None and main.cause != NOISE:
+        yield Finding.of(
+            "CW-P151.cause",
+            "info",
+            axis=axis.name,
+            parameter=limiting.parameter,
+            now=Amount(limiting.now * factor, unit),
+            taken=1.0 - limiting.then / limiting.now,
+            cause=main.cause,
+            value=main.value * factor,
+            left=Amount(limiting.then * factor, unit),
+            advice=say("table_advice", cause=main.cause),
+        )
+    elif scatter >= _DOMINATES:
+        yield Finding.of(
+            "CW-P151.scatter",
+            "info",
+            axis=axis.name,
+            parameter=limiting.parameter,
+            now=Amount(limiting.now * factor, unit),
+            taken=1.0 - limiting.then / limiting.now,
+            scatter=scatter,
+        )
+
+
+def _main_cause(limiting: Limiting, scatter: float) -> Cause | None:
+    """Return the cause that explains why a table does not help; None where there is no advice about
+    it.
+    """
+    known = [cause for cause in limiting.causes if cause.cause in _CURED_ELSEWHERE]
+    largest = max(known, key=lambda cause: cause.value, default=None)
+    if largest is None or not limiting.then > 0.0:
+        return None
+    enough = largest.value >= _DOMINATES * limiting.then or scatter >= _DOMINATES
+    return largest if enough else None

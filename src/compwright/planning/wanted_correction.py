@@ -1,0 +1,327 @@
+"""From tests and the state of the control to the table that the control shall hold."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from compwright.estimation.axis import AxisPosterior, Draws, estimate_axis
+from compwright.estimation.noise import noise_of
+from compwright.estimation.noise_posterior import NoisePosterior
+from compwright.estimation.observed_test import ObservedTest
+from compwright.evaluation.valid_readings import not_made, without_traverses
+from compwright.foundations.errors import Fault, InputError
+from compwright.foundations.findings import Finding
+from compwright.prediction.dead_zone import as_applied
+from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
+from compwright.records.correction import AxisCompensation, ControlState, no_compensation
+from compwright.records.estimate import ErrorEstimate, WantedCorrection
+from compwright.records.plan import Acted, PlannedTest
+from compwright.records.positioning import PositioningTest
+
+#: Points over the travel at which estimate and wanted correction are kept: at least, at most, and
+#: per period.
+DENSE_LEAST = 401
+DENSE_MOST = 4001
+DENSE_PER_PERIOD = 10
+#: Share of the travel that the targets of an axis have to cover at least.
+LEAST_COVERED = 0.5
+#: Slope (mm/mm) by which two tests may differ where no uncertainty is declared: a machine that has
+#: run, or a hall later in the day, is easily one kelvin warmer, and steel grows by 11.5 µm/m per
+#: kelvin.
+UNDECLARED_SLOPE = 11.5e-6
+
+
+@dataclass(frozen=True, slots=True)
+class MeasuredError:
+    """The error of an axis from its tests: that of the axis itself, estimated, and the known
+    correction during the first of them.
+
+    A table may have any shape: it is subtracted before the smooth error is estimated, and added
+    again exactly. ``counted``: by test of the axis, its index in the estimate, None where it does
+    not count; ``noises``: by test, the noise from its repeated readings.
+    """
+
+    own: AxisPosterior
+    active: AxisCompensation | None
+    counted: tuple[int | None, ...] = (0,)
+    noises: tuple[NoisePosterior | None, ...] = (None,)
+
+    @property
+    def noise(self) -> float:
+        """Standard deviation of one reading of the first test, mm or deg."""
+        return self.own.noise
+
+    @property
+    def noise_dof(self) -> float:
+        """Degrees of freedom of ``noise``."""
+        return self.own.noise_dof
+
+    @property
+    def reversal_log_odds(self) -> float:
+        """Natural logarithm of the evidence for a reversal of the axis itself that varies with
+        position.
+        """
+        return self.own.reversal_log_odds
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """The findings of the estimation."""
+        return self.own.findings
+
+    def summary(self, positions: FloatArray) -> ErrorEstimate:
+        """Return mean and standard deviation of the deviation at ``positions`` (g,), with the
+        correction active that was active during the first test.
+        """
+        estimate = self.own.summary(positions)
+        if self.active is None:
+            return estimate
+        return replace(
+            estimate,
+            mean_positive=estimate.mean_positive + self.active.at(positions, Direction.POSITIVE),
+            mean_negative=estimate.mean_negative + self.active.at(positions, Direction.NEGATIVE),
+        )
+
+    def draw(
+        self, positions: FloatArray, count: int, rng: np.random.Generator, test: int = 0
+    ) -> Draws:
+        """Return ``count`` joint draws of the deviation at ``positions`` (k,), with the correction
+        of the first test active, and of the noise of ``test`` (its index among the tests of the
+        axis).
+        """
+        place, own = self.counted[test], self.noises[test]
+        draws = self.own.draw(positions, count, rng, place or 0)
+        if place is None and own is not None:
+            evenly = np.arange(count) * own.fresh.count // count
+            draws = replace(draws, noise=own.fresh.taken(evenly))
+        if self.active is None:
+            return draws
+        return replace(
+            draws,
+            positive=draws.positive + self.active.at(positions, Direction.POSITIVE),
+            negative=draws.negative + self.active.at(positions, Direction.NEGATIVE),
+        )
+
+
+def observed_tests(
+    tests: Sequence[PlannedTest], active: AxisCompensation | None
+) -> tuple[ObservedTest, ...]:
+    """Return the tests as input of the estimation, with the noise inferred from their repeated
+    readings.
+
+    Subtracted from each: the correction that was active in it (``acted``; ``active`` for the
+    first). Left out: the traverses that were not made.
+    """
+    observed = []
+    for place, planned in enumerate(tests):
+        active_then = planned.acted
+        test = without_traverses(planned.test, not_made(planned.test))
+        if place == 0 and active is not None:
+            active_then = _at(active, test)
+        bare = test if active_then is None else with_change(test, -active_then[0], -active_then[1])
+        observed.append(ObservedTest(test=bare, noise=noise_of(bare), slope_std=planned.slope_std))
+    return tuple(observed)
+
+
+def measured_error(
+    tests: Sequence[PlannedTest],
+    observed: Sequence[ObservedTest],
+    axis: Axis,
+    active: AxisCompensation | None,
+) -> MeasuredError:
+    """Return the error of ``axis`` from those of its tests that count (those with ``acted``; the
+    first where none has it).
+
+    ``observed``: the same tests, as input of the estimation; ``active``: the correction of the
+    control during the first, None where it is unknown. The same tests give the same answer.
+    """
+    counting = [test.acted is not None for test in tests]
+    counting[0] = counting[0] or not any(counting)
+    places = np.cumsum(counting) - 1
+    own = estimate_axis(
+        _with_own_slopes([each for each, counts in zip(observed, counting, strict=True) if counts]),
+        travel=axis.travel,
+        periods=axis.screw_pitch,
+        suggested=() if axis.suggested_period is None else (axis.suggested_period,),
+        nodes=() if active is None else _nodes_of(active),
+        turn=axis.modulo,
+    )
+    return MeasuredError(
+        own,
+        active,
+        tuple(int(p) if counts else None for p, counts in zip(places, counting, strict=True)),
+        tuple(each.noise for each in observed),
+    )
+
+
+def _nodes_of(active: AxisCompensation) -> tuple[float, ...]:
+    """Return the points where the active tables bend."""
+    tables = [
+        each
+        for each in (active, *active.others)
+        if np.any(each.positive != 0.0) or np.any(each.negative != 0.0)
+    ]
+    together = [table.positions for table in tables]
+    return tuple(np.unique(np.concatenate(together)).tolist()) if together else ()
+
+
+def _with_own_slopes(tests: Sequence[ObservedTest]) -> list[ObservedTest]:
+    """Return the tests, each with a slope of its own in addition to that of the axis.
+
+    Its standard deviation is the declared one, else `UNDECLARED_SLOPE` relative to the first test
+    that covers more than half of the measured range (a short test does not determine a slope).
+    Angles do not grow with temperature.
+    """
+    ranges = np.array([(each.test.targets[0], each.test.targets[-1]) for each in tests])
+    lengths = np.round(np.ptp(ranges, axis=1) / max(float(np.ptp(ranges)), 1e-12), 6)
+    level = int(np.argmax(np.minimum(lengths, 0.5)))
+    return [
+        each
+        if place == level or each.slope_std > 0.0 or each.test.kind is AxisKind.ROTARY
+        else replace(each, slope_std=UNDECLARED_SLOPE)
+        for place, each in enumerate(tests)
+    ]
+
+
+def _at(active: AxisCompensation, test: PositioningTest) -> Acted:
+    return (
+        active.at(test.targets, Direction.POSITIVE),
+        active.at(test.targets, Direction.NEGATIVE),
+    )
+
+
+def check_coverage(file: str, axis: Axis, tests: Sequence[PositioningTest]) -> None:
+    """Raise InputError where the targets of the tests from which the table is made together cover
+    less than half of the axis' travel.
+
+    The rest is extrapolated, and a table over less than half of the travel would be a guess. A gap
+    between two tests is not covered. For an endless axis, the turn minus the largest gap between
+    neighbouring targets counts, compared with the travel within one turn.
+    """
+    low, high = axis.travel
+    targets = np.unique(np.concatenate([test.targets for test in tests]))
+    if axis.modulo is not None:
+        travel = min(high - low, axis.modulo)
+        around = np.unique(np.mod(targets, axis.modulo))
+        measured = axis.modulo - float(np.max(np.diff(np.append(around, around[0] + axis.modulo))))
+    else:
+        travel = high - low
+        measured = covered(tests, low, high)
+    if measured >= LEAST_COVERED * travel - 1e-9 * travel:
+        return
+    unit = axis.kind.unit
+    names = " and ".join(test.name for test in tests)
+    which = f"test {names}" if len(tests) == 1 else f"tests {names}"
+    raise InputError(
+        Fault(
+            message=(
+                f"the targets of {which}, from which the table of axis "
+                f"{axis.name} is made, cover less than half of its travel; the "
+                "rest would be guesswork"
+            ),
+            file=file,
+            place=f"axes.{axis.name}.travel",
+            expected=(
+                f"the travel that was measured, or targets over at least half of {travel:g} {unit}"
+            ),
+            found=(
+                f"targets from {targets[0]:g} to {targets[-1]:g} {unit}, travel {low:g} to {high:g}"
+                f" {unit}"
+            ),
+            hint=("measure over the whole travel, or set `travel` to the measured part"),
+        )
+    )
+
+
+def covered(tests: Sequence[PositioningTest], low: float, high: float) -> float:
+    """Return how much of the travel lies between the first and the last target of any test."""
+    ranges = sorted(
+        (max(float(test.targets[0]), low), min(float(test.targets[-1]), high)) for test in tests
+    )
+    length, reached = 0.0, -np.inf
+    for start, end in ranges:
+        length += max(0.0, end - max(start, reached))
+        reached = max(reached, end)
+    return length
+
+
+def held_by(state: ControlState, axis: Axis) -> AxisCompensation:
+    """Return what a state of the control does on an axis; an axis of which it does not speak has no
+    compensation.
+    """
+    none = no_compensation(axis.address, axis.kind, axis.reference_return)
+    return as_applied(state.axes.get(axis.address, none), axis)
+
+
+def dense_positions(axis: Axis, periods: Sequence[float]) -> FloatArray:
+    """Return equally spaced positions over the travel (one turn from the reference of an endless
+    axis).
+
+    They are close enough for the shortest of the ``periods`` (mm or deg).
+    """
+    low, high = (
+        axis.travel if axis.modulo is None else (axis.reference, axis.reference + axis.modulo)
+    )
+    wanted = DENSE_LEAST
+    if periods:
+        wanted = int(np.ceil((high - low) / min(periods) * DENSE_PER_PERIOD)) + 1
+    return np.linspace(low, high, int(np.clip(wanted, DENSE_LEAST, DENSE_MOST)))
+
+
+def wanted_correction(
+    estimate: ErrorEstimate, active: AxisCompensation, axis: Axis, *, reversal_log_odds: float
+) -> WantedCorrection:
+    """Return the totals that would remove the estimated error: the correction during the test minus
+    the error.
+
+    wanted(x, d) = active(x, d) - error(x, d), shifted by one constant so that it is zero at the
+    reference approached in the reference-return direction. Where the reference lies outside the
+    travel, the nearest end of the travel is used. Periods are included if they are more probable
+    than not.
+    """
+    positive = active.at(estimate.positions, Direction.POSITIVE) - estimate.mean_positive
+    negative = active.at(estimate.positions, Direction.NEGATIVE) - estimate.mean_negative
+    at_reference = positive if axis.reference_return is Direction.POSITIVE else negative
+    shift = float(np.interp(axis.reference, estimate.positions, at_reference))
+    return WantedCorrection(
+        kind=axis.kind,
+        positions=estimate.positions,
+        positive=positive - shift,
+        negative=negative - shift,
+        reference=axis.reference,
+        reference_return=axis.reference_return,
+        noise=estimate.noise,
+        reversal_log_odds=reversal_log_odds,
+        periods=tuple(each.period for each in estimate.periods if each.named),
+    )
+
+
+def without_others(wanted: WantedCorrection, stays: Sequence[AxisCompensation]) -> WantedCorrection:
+    """Return the part of the wanted correction that the tables that stay do not hold, zero at the
+    reference.
+    """
+    if not stays:
+        return wanted
+    curves = {}
+    for direction in Direction:
+        theirs = np.sum([one.at(wanted.positions, direction) for one in stays], axis=0)
+        curves[direction] = wanted.total(direction) - theirs
+    at_reference = curves[wanted.reference_return]
+    shift = float(np.interp(wanted.reference, wanted.positions, at_reference))
+    positive, negative = (curves[direction] - shift for direction in Direction)
+    return replace(wanted, positive=positive, negative=negative)
+
+
+def with_change(
+    test: PositioningTest, positive: FloatArray, negative: FloatArray
+) -> PositioningTest:
+    """Return the test as it would have come out with the correction changed by (m,) ``positive``
+    and ``negative``.
+    """
+    return replace(
+        test,
+        positive=test.positive + positive[:, np.newaxis],
+        negative=test.negative + negative[:, np.newaxis],
+    )

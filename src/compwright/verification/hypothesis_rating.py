@@ -1,0 +1,179 @@
+"""Rate every way of loading by a test after loading.
+
+All unknowns are integrated, none is fitted (Kass and Raftery, J. Am. Stat. Assoc. 90, 1995): a name
+wins by probability, not by more adjustable values.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Final
+
+import numpy as np
+
+from compwright.records.axis import FloatArray
+from compwright.records.verification import LoadingName
+from compwright.verification.hypothesis import Hypothesis
+from compwright.verification.likelihood import AfterMeans, Curves, Fits, fits_of
+from compwright.verification.measurement_cases import View
+
+#: Standard deviation of a slope of any size, mm/mm: 3 K of steel.
+_ANY_SLOPE: Final = 35e-6
+#: Prior odds of all faults of loading on an axis that is longer or shorter now, two faults at once,
+#: against a loaded table, and of a loaded table on one. Shared among them: a slope takes away what
+#: a curve has of its own, and among hundreds of curves one always fits by chance.
+_SLOPED: Final = 0.002
+_THERMAL: Final = 0.2
+#: Distance from the loaded table and the old control, in standard errors, from which a fault counts
+#: in full.
+_SEEN: Final = 3.0
+
+
+@dataclass(frozen=True, slots=True)
+class Rated:
+    """A hypothesis rated by a test: ``expected`` (2, m), the best-fitting noise-free test;
+    ``probability``; ``score`` of the residual; slope and factor with their standard errors.
+    """
+
+    hypothesis: Hypothesis
+    name: LoadingName
+    expected: FloatArray
+    probability: float
+    log: float
+    score: float
+    slope: tuple[float, float]
+    amount: tuple[float, float]
+    base: FloatArray
+
+
+def rate(
+    after: AfterMeans, views: Sequence[View], slope: float | None
+) -> tuple[list[Rated], tuple[float, float]]:
+    """Return all hypotheses rated by the test, and the part of the planned effect that it shows (1
+    loaded, 0 not active) with its standard error (inf: the test cannot show it).
+    """
+    found: list[Rated] = []
+    effect = (0.0, math.inf)
+    for view in views:
+        ways = view.hypotheses
+        part = _effect(view.hypotheses)
+        measured = ways if part is None else [*ways, part]
+        sloped = slope is not None and all(each.name != "measurement" for each in ways)
+        more = (0.0, _ANY_SLOPE) if sloped else (0.0,)
+        fits = fits_of(after, view.belief, _curves_of(measured), slope or 0.0, more)
+        if part is not None and fits.amount[len(ways), 1] > 0.0:
+            effect = (float(fits.amount[len(ways), 0]), float(fits.amount[len(ways), 1]))
+        rows = [(index, way) for index, way in enumerate(ways)]
+        if sloped:
+            share = _SLOPED / max(1.0, sum(each.weight for each in ways if each.name != "loaded"))
+            rows += [
+                (len(measured) + index, _on_slope(way, share)) for index, way in enumerate(ways)
+            ]
+        found += [_rated_by(after, view, fits, index, way) for index, way in rows]
+    found = _relevant(after, found)
+    logs = np.array([each.log for each in found])
+    shares = np.exp(logs - logs.max())
+    shares = shares / shares.sum()
+    return [
+        replace(each, probability=float(share)) for each, share in zip(found, shares, strict=True)
+    ], effect
+
+
+def _rated_by(after: AfterMeans, view: View, fits: Fits, index: int, way: Hypothesis) -> Rated:
+    """Return a way of ``view`` with row ``index`` of ``fits``; its probability is not known yet."""
+    expected = view.belief.mean + way.change
+    amount = float(fits.amount[index, 0]) if way.free is not None else 0.0
+    if way.free is not None:
+        expected = expected + amount * way.free
+    if way.sloped:
+        along = after.targets - after.targets.mean()
+        expected = expected + fits.slope[index, 0] * along
+    return Rated(
+        hypothesis=way,
+        name="thermal" if way.sloped and way.name == "loaded" else way.name,
+        expected=expected,
+        probability=0.0,
+        log=math.log(way.weight) + float(fits.log_likelihood[index]),
+        score=float(fits.score[index]),
+        slope=(float(fits.slope[index, 0]), float(fits.slope[index, 1])),
+        amount=(amount, float(fits.amount[index, 1])),
+        base=view.belief.mean,
+    )
+
+
+def _relevant(after: AfterMeans, rated: Sequence[Rated]) -> list[Rated]:
+    """Return the hypotheses with less weight for those that this test hardly distinguishes from a
+    table that is active as planned, or not at all.
+
+    The weight is reduced by the square of the distance, up to `_SEEN` standard errors: such
+    hypotheses change nothing that the test could show.
+    """
+    ends = [
+        next((each for each in rated if each.name == name), None)
+        for name in ("loaded", "not_active")
+    ]
+    off = np.full(len(rated), math.inf)
+    for end in ends:
+        if end is not None:
+            off = np.minimum(off, distances(after, end, rated))
+    counts = np.log(np.clip((off / _SEEN) ** 2, 1e-6, 1.0))
+    return [
+        each
+        if each.name in ("loaded", "thermal", "not_active") or each.hypothesis.free is not None
+        else replace(each, log=each.log + float(less))
+        for each, less in zip(rated, counts, strict=True)
+    ]
+
+
+def _effect(ways: Sequence[Hypothesis]) -> Hypothesis | None:
+    """Return the old control with any part of the planned effect; None where it is not asked."""
+    loaded = next((each for each in ways if each.name == "loaded"), None)
+    inactive = next((each for each in ways if each.name == "not_active"), None)
+    if loaded is None or inactive is None:
+        return None
+    return replace(inactive, free=loaded.change - inactive.change, slack=0.0)
+
+
+def _on_slope(way: Hypothesis, share: float) -> Hypothesis:
+    """Return a way of loading on an axis that is longer or shorter now; ``share``: prior odds of a
+    fault there against the fault alone.
+    """
+    odds = _THERMAL if way.name == "loaded" else share
+    return replace(way, sloped=True, weight=odds * way.weight)
+
+
+def _curves_of(ways: Sequence[Hypothesis]) -> Curves:
+    """Return the curves of hypotheses as the likelihood takes them."""
+    return Curves(
+        change=np.stack([each.change for each in ways], axis=2),
+        free={number: each.free for number, each in enumerate(ways) if each.free is not None},
+        slack=np.array([each.slack for each in ways]),
+    )
+
+
+def distances(after: AfterMeans, best: Rated, rated: Sequence[Rated]) -> FloatArray:
+    """Return the distances (H,) of the noise-free tests of the hypotheses from that of the best, in
+    standard errors; free values are those that give the least distance.
+    """
+    used = np.isfinite(after.plain)
+    along = np.broadcast_to(after.targets - after.targets.mean(), after.plain.shape)
+
+    def flat(values: FloatArray) -> FloatArray:
+        kept: FloatArray = values[used] - values[used].mean()
+        return kept
+
+    goal, slope = flat(best.expected), flat(along)
+    off = []
+    for each in rated:
+        way = each.hypothesis
+        left = goal - flat(each.base + way.change)
+        if way.free is not None:
+            columns = [flat(way.free), *([slope] if way.sloped else [])]
+            matrix = np.column_stack(columns)
+            left = left - matrix @ np.linalg.lstsq(matrix, left, rcond=None)[0]
+        elif way.sloped:
+            left = left - slope * (float(slope @ left) / float(slope @ slope))
+        off.append(float(np.linalg.norm(left)))
+    return np.array(off) / after.std_error

@@ -1,0 +1,328 @@
+"""Is the test after loading credible? It is compared with the first test of its axis before any
+verdict.
+
+A named fault (`measurement_fault`) is certain: only a fault of the measurement gives such readings.
+A doubt (`doubts_of_test`) is a missing proof; each names the measurement that gives it. mm or deg.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Final, Literal
+
+import numpy as np
+
+from compwright.evaluation.copied_runs import same_runs
+from compwright.evaluation.plausibility import (
+    FEWEST_TARGETS,
+    certain_fault,
+    wrong_target_unit,
+)
+from compwright.evaluation.pooled_scatter import pooled_scatter, spread_of
+from compwright.evaluation.reading_checks import position_text, text_of
+from compwright.evaluation.statistics import mean_deviation
+from compwright.foundations.findings import Finding
+from compwright.records.axis import AxisKind, Direction, FloatArray
+from compwright.records.positioning import SAME_READING, PositioningTest
+from compwright.records.verification import MeasurementFault
+from compwright.words.sentences import Sentence, say
+
+#: Honest tests of one axis scatter differently: another day, another averaging of the instrument.
+#: Up to three times as quiet or as loud is believed; beyond, the ratio of the pooled variances has
+#: to be as improbable as 1 in 1000 (normal score 3.09).
+_BELIEVED: Final = 3.0
+_IMPROBABLE: Final = 3.09
+#: Readings rounded to a step scatter by 0.29 of it: a first test as coarse as that cannot say that
+#: another one is too quiet.
+_ROUNDED: Final = 0.5
+#: The scatter of two tests has nothing to do with each other. Beyond this correlation, with so many
+#: degrees of freedom, it was copied.
+_COPIED: Final = 0.95
+_ENOUGH: Final = 15
+#: How much wider than the widest gap of the first test's targets a gap may be: targets dithered by
+#: 0.3 of an interval give 1.6.
+_GAP: Final = 2.0
+_THOUSAND: Final = 1000.0
+#: Degrees of freedom from which repeated readings say what is usual between them.
+_FEW_REPEATS: Final = 5
+
+
+@dataclass(frozen=True, slots=True)
+class NamedFault:
+    """A fault of the measurement that is certain: ``of`` by the contract's words, ``sentence`` what
+    was seen and what to do.
+    """
+
+    of: MeasurementFault
+    sentence: Sentence
+
+
+def measurement_fault(
+    after: PositioningTest, first: PositioningTest, travel: tuple[float, float]
+) -> NamedFault | None:
+    """Return the fault that the test after loading shows for certain against the ``first`` test of
+    the axis, or None.
+    """
+    spread = spread_of(after)
+    if spread <= SAME_READING or any(finding.code == "CW-R009" for finding in after.findings):
+        return NamedFault("zeros", say("CW-V026.zeros"))
+    copy = _copied(after, first)
+    if copy is not None:
+        return NamedFault("copied", copy)
+    unit = wrong_target_unit(after, travel) if not wrong_target_unit(first, travel) else ""
+    if unit:
+        return NamedFault("unit", say("CW-V026.targets", unit=unit))
+    scale = _thousand(after, first)
+    if scale is not None:
+        return NamedFault("unit", scale)
+    return None
+
+
+def _copied(after: PositioningTest, first: PositioningTest) -> Sentence | None:
+    """Return how the readings were copied; None where they are a measurement of their own."""
+    for way, positive, negative in (
+        ("same", first.positive, first.negative),
+        ("sign", -first.positive, -first.negative),
+        ("direction", first.negative, first.positive),
+    ):
+        if _shifted(after, first, positive, negative):
+            return say("CW-V026.copied", test=first.name, way=way)
+    groups = same_runs(after)
+    every = all(
+        len(groups[side]) == 1 and len(groups[side][0]) == after.deviations(side).shape[1]
+        for side in _measured(after)
+    )
+    if every and not any(same_runs(first).values()) and after.positive.shape[0] > 3:
+        return say("CW-V026.one_run")
+    correlation = copied_scatter(after, first)
+    if correlation is not None:
+        return say("CW-V026.scatter", test=first.name, correlation=correlation)
+    return None
+
+
+def _measured(test: PositioningTest) -> list[Direction]:
+    return [side for side in Direction if test.readings(side).any()]
+
+
+def _shifted(
+    after: PositioningTest, first: PositioningTest, positive: FloatArray, negative: FloatArray
+) -> bool:
+    """Return whether ``after`` holds these readings of ``first``, but for one constant (another
+    zero of the instrument).
+    """
+    if after.positive.shape != positive.shape or after.negative.shape != negative.shape:
+        return False
+    if not np.allclose(after.targets, first.targets, rtol=0.0, atol=1e-6):
+        return False
+    gaps = np.concatenate(
+        [(after.positive - positive).ravel(), (after.negative - negative).ravel()]
+    )
+    known = gaps[np.isfinite(gaps)]
+    return bool(known.size > 3 and np.ptp(known) <= SAME_READING)
+
+
+def copied_scatter(one: PositioningTest, other: PositioningTest) -> float | None:
+    """Return the correlation of the scatter of two tests where it proves that one was made from the
+    other, else None.
+    """
+    correlation, dof = _scatter_alike(one, other)
+    return correlation if dof >= _ENOUGH and correlation > _COPIED else None
+
+
+def _scatter_alike(after: PositioningTest, first: PositioningTest) -> tuple[float, int]:
+    """Return the correlation of the scatter of two tests at the same targets and its degrees of
+    freedom; 0, 0 where it has none.
+
+    Scatter: readings less the mean of their target and less the straight line of their run, because
+    a drift over the runs may well be the same in two honest tests.
+    """
+    pairs = []
+    for side in Direction:
+        one, other = after.deviations(side), first.deviations(side)
+        if one.shape == other.shape and one.shape[1] > 1 and one.shape[0] > 3:
+            pairs.append((_scatter(one), _scatter(other)))
+    if not pairs or not np.allclose(after.targets, first.targets, rtol=0.0, atol=1e-6):
+        return 0.0, 0
+    one, other = (np.concatenate([pair[side].ravel() for pair in pairs]) for side in (0, 1))
+    known = np.isfinite(one) & np.isfinite(other)
+    size = float(np.sqrt(np.sum(one[known] ** 2) * np.sum(other[known] ** 2)))
+    dof = sum((pair[0].shape[0] - 2) * (pair[0].shape[1] - 1) for pair in pairs)
+    return (abs(float(np.sum((one * other)[known]))) / size if size > 0.0 else 0.0), dof
+
+
+def _scatter(block: FloatArray) -> FloatArray:
+    left = block - mean_deviation(block)[:, np.newaxis]
+    along = np.linspace(-1.0, 1.0, block.shape[0])
+    for run in range(block.shape[1]):
+        known = np.isfinite(left[:, run])
+        if np.count_nonzero(known) > 2:
+            left[known, run] -= np.polyval(
+                np.polyfit(along[known], left[known, run], 1), along[known]
+            )
+    return left
+
+
+def _thousand(after: PositioningTest, first: PositioningTest) -> Sentence | None:
+    """Return the sentence that the readings are 1000 times too small or too large, from their
+    scatter relative to the first test's; None where they are not.
+    """
+    certain = certain_fault(after)
+    if certain:
+        return say("CW-V026.certain", why=certain)
+    (s, dof), (s_first, dof_first) = pooled_scatter(after), pooled_scatter(first)
+    if min(s, s_first) <= SAME_READING:
+        return None
+    for factor, small in ((_THOUSAND, True), (1.0 / _THOUSAND, False)):
+        if noise_odds(s, dof, s_first, dof_first) and not noise_odds(
+            s * factor, dof, s_first, dof_first
+        ):
+            return say(
+                "CW-V026.thousand",
+                scatter=text_of(s, after),
+                first=text_of(s_first, first),
+                small=small,
+            )
+    return None
+
+
+def noise_odds(
+    s: float, dof: float, s_first: float, dof_first: float
+) -> Literal["", "quiet", "loud"]:
+    """Return whether a scatter ``s`` is too quiet or too loud relative to the first test's, each
+    with its degrees of freedom.
+
+    Too quiet: even with a third of the first test's noise, a scatter this small would appear less
+    than once in 1000 tests (ratio of two variances, Paulson's normal score). Too loud: the same
+    with three times the noise. With few degrees of freedom neither is possible.
+    """
+    if min(dof, dof_first) < 1.0 or s_first <= 0.0:
+        return ""
+    if s <= 0.0 or normal_score((s_first / _BELIEVED / s) ** 2, dof_first, dof) > _IMPROBABLE:
+        return "quiet" if dof >= 4.0 else ""
+    return (
+        "loud" if normal_score((s / _BELIEVED / s_first) ** 2, dof, dof_first) > _IMPROBABLE else ""
+    )
+
+
+def normal_score(ratio: float, dof: float, noise_dof: float) -> float:
+    """Return the standard normal value as improbable as a variance ratio F of ``dof`` and
+    ``noise_dof`` degrees of freedom.
+
+    Paulson, Ann. Math. Statist. 13 (1942) 233: the cube root of F is nearly normal. With exactly
+    known noise this is the approximation of Wilson and Hilferty for chi-square / dof.
+    """
+    a, b = 2.0 / (9.0 * dof), 2.0 / (9.0 * noise_dof)
+    root = math.cbrt(max(ratio, 0.0))
+    return ((1.0 - b) * root - (1.0 - a)) / math.sqrt(b * root**2 + a)
+
+
+def proof_lacking(after: PositioningTest, first: PositioningTest) -> list[Finding]:
+    """Return what the test after loading lacks as a proof, relative to the ``first`` test: CW-V020
+    (targets), CW-V021 (noise).
+    """
+    return [*_coverage(after, first), *_noise(after, first)]
+
+
+def _coverage(after: PositioningTest, first: PositioningTest) -> Iterable[Finding]:
+    wanted = first.targets.size
+    interval = float(first.targets[-1] - first.targets[0]) / max(first.targets.size - 1, 1)
+    widest = float(np.max(np.diff(first.targets), initial=interval))
+    lacks = []
+    fewest = FEWEST_TARGETS[after.kind]
+    if after.targets.size < fewest:
+        lacks.append(say("CW-V020.fewest", targets=after.targets.size, fewest=fewest))
+        wanted = max(fewest, wanted)
+    elif after.targets.size < first.targets.size:
+        lacks.append(say("CW-V020.fewer", targets=after.targets.size))
+    ends = (
+        after.targets[0] > first.targets[0] + interval
+        or after.targets[-1] < first.targets[-1] - interval
+    )
+    if ends and not (_full_turn(after) and _full_turn(first)):
+        lacks.append(say("CW-V020.range", range=_ends(after)))
+    elif np.max(np.diff(after.targets), initial=0.0) > _GAP * widest:
+        gap = position_text(float(np.max(np.diff(after.targets))), after)
+        lacks.append(say("CW-V020.gap", gap=gap))
+    for side in _measured(first):
+        runs, before = (int(np.max(test.readings(side), initial=0.0)) for test in (after, first))
+        if runs < min(before, 5):
+            lacks.append(say("CW-V020.approaches", runs=runs, direction=side.value, first=before))
+    if lacks:
+        yield Finding.of("CW-V020", "warning", gaps=lacks, targets=wanted, range=_ends(first))
+
+
+def _full_turn(test: PositioningTest) -> bool:
+    """Return whether the targets go all around: then it does not matter from where they are
+    counted.
+    """
+    span = float(test.targets[-1] - test.targets[0])
+    return (
+        test.kind is AxisKind.ROTARY and span + 2.0 * span / max(test.targets.size - 1, 1) >= 360.0
+    )
+
+
+def _ends(test: PositioningTest) -> Sentence:
+    low, high = (position_text(float(test.targets[end]), test) for end in (0, -1))
+    return say("range", low=low, high=high)
+
+
+def _noise(after: PositioningTest, first: PositioningTest) -> Iterable[Finding]:
+    (s, dof), (s_first, dof_first) = pooled_scatter(after), pooled_scatter(first)
+    odds = noise_odds(s, dof, s_first, dof_first)
+    if not odds or (odds == "quiet" and s_first < _ROUNDED * first.step):
+        return
+    ratio = s / s_first if odds == "loud" else s_first / s if s > 0.0 else math.inf
+    yield Finding.of(
+        "CW-V021",
+        "warning",
+        scatter=text_of(s, after),
+        ratio=ratio,
+        less=odds == "quiet",
+        first=text_of(s_first, first),
+        factor=_BELIEVED,
+    )
+
+
+def files_apart(parts: Sequence[PositioningTest]) -> tuple[PositioningTest, str] | None:
+    """Return which of the files of one test differs most from the first, and by how much, in words;
+    None where all agree.
+
+    Two files differ where their means at the same targets and directions are more than `_BELIEVED`
+    times the scatter of a reading within the files apart: another datum, or another correction. The
+    means of both would describe no existing machine. Not judged where the readings do not repeat
+    within a file.
+    """
+    scatter = [pooled_scatter(part) for part in parts]
+    dof = sum(each for _, each in scatter)
+    if dof < _FEW_REPEATS:
+        return None
+    s = math.sqrt(sum(each * one**2 for one, each in scatter) / dof)
+    gaps = [_apart(parts[0], part) for part in parts[1:]]
+    far = max(gaps, default=0.0)
+    if far <= _BELIEVED * max(s, SAME_READING):
+        return None
+    part = parts[1 + gaps.index(far)]
+    return part, f"{text_of(far, part)} rms, and repeated readings scatter by {text_of(s, part)}"
+
+
+def _apart(one: PositioningTest, other: PositioningTest) -> float:
+    """Return by how much the means of two tests differ (rms) where both have them, mm or deg."""
+    _, mine, theirs = np.intersect1d(
+        _places(one.targets), _places(other.targets), return_indices=True
+    )
+    gaps = [
+        mean_deviation(one.deviations(side))[mine] - mean_deviation(other.deviations(side))[theirs]
+        for side in Direction
+        if side in _measured(one) and side in _measured(other)
+    ]
+    apart = np.concatenate([*gaps, np.zeros(0)])
+    apart = apart[np.isfinite(apart)]
+    return float(np.sqrt(np.mean(apart**2))) if apart.size else 0.0
+
+
+def _places(targets: FloatArray) -> FloatArray:
+    """Return targets rounded so that the same place is the same number."""
+    rounded: FloatArray = np.round(targets, 6)
+    return rounded

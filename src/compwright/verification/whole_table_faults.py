@@ -1,0 +1,154 @@
+"""Faults of the table as a whole: not active, another sign, factor, place or axis."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from typing import Any, Final
+
+import numpy as np
+
+from compwright.records.axis import Direction, FloatArray
+from compwright.verification.hypothesis import COMMON, RARE, UNKNOWN_FACTOR, Hypothesis
+from compwright.verification.hypothesis_builder import Ways
+
+#: Factors with a known cause, and the relative probability of each.
+_FACTORS: Final[Mapping[float, tuple[float, str]]] = {
+    2.0: (1.0, "twice: radius and diameter mixed up, or loaded on top of itself"),
+    0.5: (1.0, "half: radius and diameter mixed up"),
+    10.0: (1.0, "ten times: another detection unit or increment system"),
+    0.1: (1.0, "a tenth: another detection unit or increment system"),
+    25.4: (0.5, "25.4 times: inch taken for mm"),
+    1.0 / 25.4: (0.02, "1/25.4: mm taken for inch"),
+    1000.0: (0.5, "a thousand times: mm taken for µm"),
+    0.001: (0.02, "a thousandth: µm taken for mm"),
+}
+#: Most nodes by which a table may be shifted.
+_MOST_SHIFT: Final = 5
+#: Of each way in which another axis's table may act: tables of axes that are alike are no fault
+#: that anybody would notice.
+_OTHER: Final = 0.01
+
+
+def inactive(ways: Ways) -> Iterator[Hypothesis]:
+    """Yield the cases in which the table is not active: the old correction, none, the new backlash
+    value alone.
+    """
+    left = "what was in the control before is still active" if ways.has_old else ""
+    yield ways.made("not_active", ways.old - ways.active_before, COMMON, left)
+    nothing = np.zeros_like(ways.own)
+    if ways.has_old:
+        change = ways.stay - ways.active_before
+        yield ways.made("not_active", change, COMMON, "nothing at all is active")
+    if np.any(ways.backlash != ways.old_backlash):
+        kept = ways.old - ways.old_backlash + ways.backlash - ways.active_before
+        yield ways.made("not_active", kept, RARE, "the new backlash alone is active")
+    if np.any(ways.backlash) and ways.has_old:
+        yield ways.made("not_active", ways.total(nothing), RARE, "the new backlash alone is active")
+
+
+def with_existing(ways: Ways) -> Iterator[Hypothesis]:
+    """Yield the change alone, the total on top of the existing table, and an existing table that
+    was not active in the tests before although the job states it.
+    """
+    if not ways.has_old:
+        return
+    existing = ways.old - ways.stay - ways.old_backlash
+    jump = ways.old_backlash
+    backlashes = [(ways.backlash - jump, ways.backlash + jump, "")]
+    if np.any(jump):
+        backlashes.append((ways.backlash, ways.backlash, "apart from the backlash"))
+    for less, more, detail in backlashes:
+        yield ways.made("increment", ways.total(ways.own - existing, less), COMMON, detail)
+        yield ways.made("on_top", ways.total(ways.own + existing, more), COMMON, detail)
+    believed = ways.at(ways.loading.active_before) - ways.stay
+    if np.any(np.abs(believed) > 0.0):
+        # the same test as on top of it, which happens more often
+        yield ways.made("state", ways.total(ways.own) + believed, RARE)
+
+
+def inverted(ways: Ways) -> Iterator[Hypothesis]:
+    """Yield the other sign, of everything or of all but the backlash."""
+    yield ways.made("inverted", ways.total(-ways.own, -ways.backlash), COMMON)
+    if np.any(ways.backlash):
+        apart = "all but the backlash"
+        yield ways.made("inverted", ways.total(-ways.own), COMMON, apart)
+
+
+def scaled(ways: Ways) -> Iterator[Hypothesis]:
+    """Yield factors with a known cause, and one that nothing is known of."""
+    for factor, (share, words) in _FACTORS.items():
+        weight = COMMON * share
+        curve = factor * ways.own
+        more: dict[str, Any] = {"factor": factor, "inner": factor < 0.05}
+        yield ways.made("scaled", ways.total(curve, factor * ways.backlash), weight, words, **more)
+        if np.any(ways.backlash):
+            apart = f"{words}, apart from the backlash"
+            yield ways.made("scaled", ways.total(curve), weight, apart, **more)
+    free: dict[str, Any] = {"inner": True}
+    along = UNKNOWN_FACTOR * (ways.own + ways.backlash)
+    yield ways.made("scaled", ways.total(ways.own), RARE, free=along, **free)
+    if np.any(ways.backlash):
+        yield ways.made(
+            "scaled", ways.total(ways.own), RARE, free=UNKNOWN_FACTOR * ways.own, **free
+        )
+
+
+def shifted(ways: Ways) -> Iterator[Hypothesis]:
+    """Yield the values at nodes further to + or -."""
+    nodes, held = ways.table.positions.size, ways.held()
+    for k in range(1, min(_MOST_SHIFT, nodes - 2) + 1):
+        for by in (k, -k):
+            for curves in ways.shifts(by, held):
+                yield from ways.moved("shifted", curves, COMMON / (1 + k), shift_nodes=by)
+
+
+def mirrored(ways: Ways) -> Iterator[Hypothesis]:
+    """Yield the values in the order of the other end, each counted alone or from step to step."""
+    if ways.table.positions.size > 2:
+        held = ways.held()
+        curves = {d: values[::-1] for d, values in held.items()}
+        yield from ways.moved("mirrored", curves, COMMON)
+        # mirrored about a centre one node further: of a table with one node outside the travel
+        shifted = [other for by in (1, -1) for other in ways.shifts(by, held)]
+        for each in shifted:
+            turned = {d: v[::-1] for d, v in each.items()}
+            yield from ways.moved("mirrored", turned, RARE / len(shifted))
+        # Where a control keeps the steps from node to node, these are mirrored; one node further
+        # where the first or the last of its rows holds a step that is never active.
+        steps = {d: v[0] + v[-1] - v[::-1] for d, v in held.items()}
+        more: dict[str, Any] = {"detail": "step by step", "inner": True}
+        yield from ways.moved("mirrored", steps, COMMON, **more)
+        for by in (1, -1):
+            yield from ways.moved("mirrored", next(ways.shifts(by, steps)), RARE, **more)
+
+
+def wrong_axis(ways: Ways) -> Iterator[Hypothesis]:
+    """Yield the tables of other axes, by position and by the numbers of their nodes."""
+    for name, other in ways.loading.others.items():
+        if other.kind is not ways.table.kind or not other.positions.size:
+            continue
+        backlash = ways.jump(other)
+        nodes = ways.table.positions.size
+        by_place = ways.at(replace(other, others=(), backlash=0.0))
+        curves = [(by_place, "by position")]
+        # a shorter table ends with nothing, or, where steps are kept, with its last value
+        fills = (True, False) if nodes > other.positions.size else (True,)
+        for held in fills if nodes else ():
+            values = {d: _resized(other.curve(d), nodes, held=held) for d in Direction}
+            curves.append((ways.values(values), "by node number"))
+        for curve, more in curves:
+            yield from ways.both("wrong_axis", curve, _OTHER, more, of=name)
+            if np.any(backlash != ways.backlash):
+                change = ways.total(curve, backlash)
+                yield ways.made("wrong_axis", change, _OTHER, more, of=name)
+
+
+def _resized(values: FloatArray, size: int, *, held: bool) -> FloatArray:
+    """Return the first ``size`` values; at the nodes beyond the last of them (``held``), or
+    nothing.
+    """
+    resized = np.full(size, values[-1] if held else 0.0)
+    count = min(size, values.size)
+    resized[:count] = values[:count]
+    return resized
