@@ -20,6 +20,7 @@ from harm_bridges import (
     TABLE,
     Bridge,
     Column,
+    FanucBridge,
     PmacBridge,
     Skew,
 )
@@ -44,6 +45,18 @@ def test_a_column_alone_gets_no_table(make: type[Bridge], coupling: str, tmp_pat
     assert not tables_of(tmp_path / "job")
     if coupling.isdigit():
         assert answer.names(coupling)
+
+
+def test_every_question_about_the_axis_is_asked_at_once(tmp_path: Path) -> None:
+    """A FANUC file without 1820 and 1013: the detection unit is asked for together with 8311."""
+    job = prepare(tmp_path, FanucBridge(), TABLE, "8311")
+    parameters = tmp_path / "CNC-PARA.TXT"
+    rows = parameters.read_text(encoding="utf-8").splitlines(keepends=True)
+    kept = [row for row in rows if not row.startswith(("N01820", "N01013"))]
+    parameters.write_text("".join(kept), encoding="utf-8")
+    answer = command("run", job)
+    assert answer.code == ASKED, answer.first
+    assert answer.names("detection_unit", "8311", "gantry")
 
 
 @pytest.mark.parametrize(("make", "coupling"), COUPLED)

@@ -166,6 +166,7 @@ def test_more_and_fewer_entries_keep_the_commas(tmp_path: Path) -> None:
 
 
 TABLE = "#1 DEFINE COMP 2,60000000\n16 0\n"
+GUARD = "#ifndef HARDWARE_H\n#define HARDWARE_H\n#define PLAY 64\n#endif\n"
 
 
 @pytest.mark.parametrize(
@@ -206,6 +207,34 @@ TABLE = "#1 DEFINE COMP 2,60000000\n16 0\n"
             0,
         ),
         (f"#ifdef A\n#define PLAY 64\n#endif\n{TABLE}P1=PLAY\nI51=1\n", 0),
+        # an include guard: its script may have been sent before, with the same macros
+        (f"{GUARD}{TABLE}I185=32\nI186=PLAY\nI51=1\n", 2),
+        (f"{GUARD}{GUARD}{TABLE}I185=32\nI186=2*PLAY\nI51=1\n", 2),
+        (f"{GUARD}{TABLE}P1=PLAY\nI51=1\n", 0),
+        (f"{GUARD}#undef PLAY\n#define PLAY 8\n{TABLE}I185=32\nI186=PLAY\nI51=1\n", 0),
+        # no guards: another value may have been sent before, or in the other branch
+        (f"#ifndef PLAY\n#define PLAY 64\n#endif\n{TABLE}I185=32\nI186=PLAY\nI51=1\n", 3),
+        (f"#define HARDWARE_H\n{GUARD}{TABLE}I185=32\nI186=PLAY\nI51=1\n", 3),
+        (f"{GUARD}{GUARD.replace('64', '16')}{TABLE}I185=32\nI186=PLAY\nI51=1\n", 3),
+        (
+            f"#ifdef HARDWARE_H\n#define HARDWARE_H\n#define PLAY 64\n#endif\n{TABLE}I185=32\nI186=PLAY\nI51=1\n",
+            3,
+        ),
+        (
+            f"{GUARD.replace('#endif', '#else')}#define PLAY 16\n#endif\n{TABLE}I185=32\nI186=PLAY\nI51=1\n",
+            3,
+        ),
+        (
+            f"#ifndef FAST\n#define PLAY 64\n#define FAST\n#endif\n{TABLE}I185=32\nI186=PLAY\nI51=1\n",
+            3,
+        ),
+        (
+            (
+                "#ifndef HARDWARE_H\n#define HARDWARE_H\n#ifdef A\n#define PLAY 16\n#endif\n#endif\n"
+                f"{TABLE}I185=32\nI186=PLAY\nI51=1\n"
+            ),
+            3,
+        ),
     ],
 )
 def test_what_may_not_have_been_sent_is_asked_for_or_refused(text: str, code: int) -> None:
@@ -229,6 +258,15 @@ def test_what_may_not_have_been_sent_is_asked_for_or_refused(text: str, code: in
     else:
         with pytest.raises(InputError):
             read(text, active=True)
+
+
+def test_the_macro_of_an_include_guard_counts_where_all_was_sent() -> None:
+    state = read(GUARD, f"{TABLE}I185=32\nI186=PLAY\nI51=1\n", active=True)
+    up, down = (state.axes["1"].at(np.array([0.0]), side)[0] for side in (UP, DOWN))
+    assert abs(up - down) == pytest.approx(64 / 16 / COUNTS)
+    block = "#ifdef A\n#define PLAY 16\n#endif\n"  # begins in the line in which the guard does
+    with pytest.raises(InputError):
+        read(GUARD, f"{block}{TABLE}I185=32\nI186=PLAY\nI51=1\n", active=True)
 
 
 def test_both_lines_of_two_branches_are_named() -> None:

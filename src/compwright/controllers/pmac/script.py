@@ -380,6 +380,8 @@ class _Script:
                 self.card.faults.append(place.fault(message, expected="a number", found=text))
             elif self._sent(f"I{number}", number // 100, place):
                 self.card.variables[number] = VariableSetting(value, text, place)
+                if self.sending.behind_guard(text):
+                    self.card.left_out.append((number // 100, place))
 
     def _open(self, match: re.Match[str], place: ScriptPlace) -> None:
         self.inside = place

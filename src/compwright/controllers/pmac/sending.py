@@ -49,13 +49,18 @@ class Sending:
     """``macros``: name -> text; ``uncertain``: those that a block has defined or removed;
     ``blocks``: the line and the branch of every block that is open,
     with its question and the answer for which the branch is sent; ``counts``: how often a macro was
-    defined or removed, and (empty name) all of them.
+    defined or removed, and (empty name) all of them. ``guards``: the lines of blocks that are
+    include guards: ``#IFNDEF NAME``, then ``#DEFINE NAME``, which no line before has; ``expected``:
+    that name, between the two; ``in_guards``: macros that a guard has defined.
     """
 
     macros: dict[str, str] = field(default_factory=dict)
     blocks: list[Block] = field(default_factory=list)
     counts: dict[str, int] = field(default_factory=dict)
     uncertain: set[str] = field(default_factory=set)
+    guards: set[int] = field(default_factory=set)
+    expected: str | None = None
+    in_guards: set[str] = field(default_factory=set)
 
     def takes(self, line: str, number: int) -> str | None:
         """Process a line (without remarks) for the sending program; return its fault, or an empty
@@ -67,10 +72,15 @@ class Sending:
         if match is None:
             return None
         name, rest = match.group(1), match.group(2).strip()
+        expected, self.expected = self.expected, None
         if name == "DEFINE":
             macro, _, value = rest.replace("\t", " ").partition(" ")
+            if macro == expected:
+                self.guards.add(self.blocks[-1][0])
+            elif self.blocks and self.macros.get(macro) == value.strip():
+                return ""  # the same text as before
             self.macros[macro] = value.strip()
-            self._changed(macro)
+            self._changed(macro, certain=macro != expected)
         elif name == "UNDEF":
             self.macros.pop(rest, None)
             self._changed(rest)
@@ -78,6 +88,9 @@ class Sending:
             queried = "" if name == "IF" else rest
             question = name == "IF", re.sub(r"\s", "", rest), self.counts.get(queried, 0)
             self.blocks.append((number, 0, question, name != "IFNDEF"))
+            self.guards.discard(number)  # of another file
+            if name == "IFNDEF" and rest not in self.counts:
+                self.expected = rest
         elif not self.blocks:
             return f"#{name} outside of a block"
         elif name == "ENDIF":
@@ -87,18 +100,31 @@ class Sending:
             self.blocks.append((begun, branch + 1, question, answer is (branch > 0)))
         return ""
 
-    def _changed(self, macro: str) -> None:
-        self.uncertain = self.uncertain | {macro} if self.blocks else self.uncertain - {macro}
+    def _changed(self, macro: str, *, certain: bool = True) -> None:
+        guarded = all(line in self.guards and not branch for line, branch, _, _ in self.blocks)
+        self.uncertain -= {macro}
+        self.in_guards -= {macro}
+        if not (certain and guarded):
+            self.uncertain |= {macro}
+        elif self.blocks:
+            self.in_guards |= {macro}
         for name in (macro, ""):
             self.counts[name] = self.counts.get(name, 0) + 1
 
     def may_differ(self, text: str) -> bool:
         """Return whether the text depends on a macro that a block has defined or removed."""
+        return not self._words(text).isdisjoint(self.uncertain)
+
+    def behind_guard(self, text: str) -> bool:
+        """Return whether the text depends on a macro of an include guard."""
+        return not self._words(text).isdisjoint(self.in_guards)
+
+    def _words(self, text: str) -> set[str]:
         words = set(_WORD.findall(text))
         for _ in range(_ROUNDS):
             inner = (self.macros.get(word, "") for word in words)
             words |= {word for value in inner for word in _WORD.findall(value)}
-        return not words.isdisjoint(self.uncertain)
+        return words
 
     def put_in(self, text: str) -> str:
         """Return a text with its macros expanded."""

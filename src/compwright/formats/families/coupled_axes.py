@@ -133,7 +133,8 @@ def _ask_for_followers(
         fault = alike[0].fault(
             f"axis {names[0]} moves with axis {address}: a table on one of them alone racks the"
             " machine",
-            f'gantry: "{names[0]}" for axis {axis.name} in the job',
+            f'gantry: "{names[0]}" for axis {axis.name} in the job; gantry: {{axis: "{names[0]}",'
+            f" table: same}} or table: change where axis {names[0]} has values of its own",
             "no gantry in the job",
         )
         notes.ask(fault)

@@ -207,7 +207,11 @@ class StateReader:
 
     def _read_axis(self, address: str) -> None:
         values = self._values(address, self.notes)
-        options = resolved_options(values, self.family.options)
+        try:
+            options = resolved_options(values, self.family.options)
+        except UsageError as error:  # asked together with all other questions
+            self.notes.questions.extend(error.faults)
+            return
         # a gantry goes as far as its leading axis may
         leads = address not in self.partners
         reader = IncrementReader(values, self.points, options, checks_travel=leads)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 
@@ -37,33 +37,42 @@ _LONGEST = 2000
 class ConditionalBlock:
     """A conditional block: where it began, and which of its branches is read. ``asks``: the subject
     of its condition, with a number that grows whenever that may have changed; ``truth``: the answer
-    for which its first branch is sent.
+    for which its first branch is sent; ``awaited``: the macro whose definition, as the next
+    directive, makes it an include guard; ``guards``: it is one.
     """
 
     line: int
     text: str
     asks: tuple[str, int]
     truth: bool
+    awaited: str = ""
+    guards: bool = False
     branch: int = 0
 
 
 @dataclass(slots=True)
 class Conditions:
     """The macros that are defined, how often each was defined or removed, and the conditional
-    blocks that are open. ``chosen``: the macros that were last defined or removed in one.
+    blocks that are open. ``chosen``: the macros that were last defined or removed in one;
+    ``guarded``: by name, the include guard in which a macro was last defined.
     """
 
     macros: dict[str, str] = field(default_factory=dict)
     changes: Counter[str] = field(default_factory=Counter)
     open: list[ConditionalBlock] = field(default_factory=list)
     chosen: set[str] = field(default_factory=set)
+    guarded: dict[str, ConditionalBlock] = field(default_factory=dict)
 
     def apply(self, match: re.Match[str], line: int) -> str:
         """Process a directive; return its fault, or an empty text."""
         name, rest = match["name"].upper(), match["rest"]
-        if name == "DEFINE" and (macro := _MACRO.fullmatch(rest)) is not None:
-            self.macros[macro["name"]] = macro["value"].strip()
-            self._changed(macro["name"])
+        macro = _MACRO.fullmatch(rest) if name == "DEFINE" else None
+        if self.open:
+            block = self.open[-1]
+            block.guards |= macro is not None and macro["name"] == block.awaited
+            block.awaited = ""
+        if macro is not None:
+            self._define(macro["name"], macro["value"].strip())
         elif name == "UNDEF":
             self.macros.pop(rest.strip(), None)
             self._changed(rest.strip())
@@ -71,7 +80,10 @@ class Conditions:
             about = "".join(rest.split())
             version = self.changes.total() if name == "IF" else self.changes[about]
             asks = f"({about})" if name == "IF" else about, version
-            self.open.append(ConditionalBlock(line, match[0].strip(), asks, name != "IFNDEF"))
+            awaited = about if name == "IFNDEF" and version == 0 else ""
+            self.open.append(
+                ConditionalBlock(line, match[0].strip(), asks, name != "IFNDEF", awaited)
+            )
         elif not self.open:
             return f"#{name} without the beginning of its block"
         elif name == "ENDIF":
@@ -80,23 +92,37 @@ class Conditions:
             self.open[-1].branch += 1
         return ""
 
+    def _define(self, name: str, value: str) -> None:
+        if self.open and self.macros.get(name) == value:
+            return  # sent or not, it stays the same
+        self.macros[name] = value
+        self._changed(name)
+
     def _changed(self, name: str) -> None:
         self.changes[name] += 1
-        if self.open:
+        self.chosen.discard(name)
+        self.guarded.pop(name, None)
+        guards = all(block.guards and block.branch == 0 for block in self.open)
+        if not guards or any(name == block.asks[0] for block in self.open):
             self.chosen.add(name)
-        else:
-            self.chosen.discard(name)
+        elif self.open:
+            self.guarded[name] = self.open[0]
 
     def undecided(self, text: str) -> str:
         """Return a macro of ``text``, or in its macros, that a conditional block may have changed;
         an empty text where there is none.
         """
+        return next((name for name in self._names_in(text) if name in self.chosen), "")
+
+    def guard_of(self, text: str) -> ConditionalBlock | None:
+        """Return the include guard in which a macro of ``text``, or in its macros, was defined."""
+        return next((self.guarded[n] for n in self._names_in(text) if n in self.guarded), None)
+
+    def _names_in(self, text: str) -> Iterator[str]:
         for _ in range(_DEPTH):
             names: list[str] = _NAME.findall(text)
-            if chosen := [name for name in names if name in self.chosen]:
-                return chosen[0]
+            yield from names
             text = " ".join(self.macros.get(name, "") for name in names)[:_LONGEST]
-        return ""
 
     @property
     def here(self) -> tuple[tuple[ConditionalBlock, int], ...]:

@@ -160,8 +160,10 @@ class _ScriptReader:
         if wrong:
             self._fault(word, wrong, "#IFDEF or #IFNDEF before it")
 
-    def _carried_out(self, key: tuple[str, int], word: Word) -> bool:
-        """Record a compensation command with the blocks around it.
+    def _carried_out(
+        self, key: tuple[str, int], word: Word, guard: ConditionalBlock | None = None
+    ) -> bool:
+        """Record a compensation command with the blocks around it, or the ``guard`` of its macro.
 
         False, with a fault, if another branch of a block has the same: they are not both sent.
         """
@@ -183,8 +185,9 @@ class _ScriptReader:
                 )
                 return False
         self.carried.append((key, word, here))
-        if here:
-            self.script.conditional.append((key[1], word, here[0][0]))
+        block = here[0][0] if here else guard
+        if block is not None:
+            self.script.conditional.append((key[1], word, block))
         return True
 
     def complete(self) -> None:
@@ -359,7 +362,8 @@ class _ScriptReader:
                 message = f"{name} is set to something that is no whole number of the control"
                 self._fault(value, message, "a whole number, or $ and hexadecimal digits")
                 continue
-            if not self._carried_out((quantity, motor), command):
+            guard = self.conditions.guard_of(value.text)
+            if not self._carried_out((quantity, motor), command, guard):
                 continue
             self.script.settings.setdefault((quantity, motor), []).append(value)
             self.script.commands.append((quantity, motor, command))
