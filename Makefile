@@ -12,8 +12,10 @@ EXTRAS ?= all
 TAGS_windows := win_amd64
 TAGS_macos := $(foreach v,11 12 13 14,macosx_$(v)_0_arm64)
 TAGS_linux := manylinux2014_x86_64 $(foreach v,17 24 27 28,manylinux_2_$(v)_x86_64)
+WHEELS = --only-binary=:all: --python-version $(PY) $(addprefix --platform ,$(TAGS_$(FOR)))
+STICK = compwright$(if $(EXTRAS),[$(EXTRAS)])
 
-.PHONY: demo test site pages lint real-linuxcnc bench wheelhouse picture clean
+.PHONY: demo test site pages lint real-linuxcnc bench wheelhouse stick stick-windows stick-macos stick-linux picture clean
 
 $(VENV)/.report: pyproject.toml
 	$(PYTHON) -c 'import sys; sys.exit("Python 3.11 or newer is needed, this is " + sys.version.split()[0] if sys.version_info < (3, 11) else 0)'
@@ -57,11 +59,28 @@ bench: $(VENV)/.test
 
 wheelhouse: $(VENV)/.report  ## compwright and all it needs, to be installed without a network
 	$(if $(TAGS_$(FOR)),,$(error FOR=$(FOR) is unknown: use windows, macos or linux))
+	rm -rf wheelhouse/$(FOR)
 	$(BIN)/python -m pip wheel --quiet --no-deps --wheel-dir wheelhouse/$(FOR) .
-	$(BIN)/python -m pip download --quiet --dest wheelhouse/$(FOR) --only-binary=:all: --python-version $(PY) \
-		$(addprefix --platform ,$(TAGS_$(FOR))) --find-links wheelhouse/$(FOR) 'compwright[$(EXTRAS)]'
+	$(BIN)/python -m pip download --quiet --dest wheelhouse/$(FOR) $(WHEELS) --find-links wheelhouse/$(FOR) '$(STICK)'
 	@du -sh wheelhouse/$(FOR)
-	@echo 'There: python -m pip install --no-index --find-links wheelhouse/$(FOR) "compwright[$(EXTRAS)]"'
+	@echo 'There: python -m pip install --no-index --find-links wheelhouse/$(FOR) "$(STICK)"'
+
+stick: stick-windows stick-macos stick-linux  ## every platform has its wheels; the demo runs from those for Linux, without a network
+
+stick-windows stick-macos: stick-%: $(VENV)/.report
+	$(BIN)/python -m pip install --quiet --dry-run --target build/$* $(WHEELS) '.[all]'
+stick-windows: FOR = windows
+stick-macos: FOR = macos
+
+stick-linux: FOR = linux
+stick-linux: PY = $(shell $(BIN)/python -c 'import sys; print("%d.%d" % sys.version_info[:2])')
+stick-linux: CUT = $(shell unshare --map-root-user --net true 2>/dev/null && echo unshare --map-root-user --net)
+stick-linux: wheelhouse
+	rm -rf build/stick
+	$(BIN)/python -m venv build/stick
+	@echo $(if $(CUT),'The network is cut from here.','The network cannot be cut here: only --no-index holds.')
+	$(CUT) sh -c 'build/stick/bin/python -m pip --isolated install --quiet --no-index --find-links wheelhouse/linux "$(STICK)" \
+		&& build/stick/bin/compwright demo --out build/stick/demo'
 
 picture: demo  ## the README's picture of the demo's report; needs chromium
 	chromium --headless --no-sandbox --hide-scrollbars --window-size=1100,1250 \
