@@ -15,7 +15,7 @@ TAGS_linux := manylinux2014_x86_64 $(foreach v,17 24 27 28,manylinux_2_$(v)_x86_
 WHEELS = --only-binary=:all: --python-version $(PY) $(addprefix --platform ,$(TAGS_$(FOR)))
 STICK = compwright$(if $(EXTRAS),[$(EXTRAS)])
 
-.PHONY: demo test site pages lint real-linuxcnc bench wheelhouse stick stick-windows stick-macos stick-linux picture clean
+.PHONY: demo test site pages quality lint real-linuxcnc bench wheelhouse stick stick-windows stick-macos stick-linux picture clean
 
 $(VENV)/.report: pyproject.toml
 	$(PYTHON) -c 'import sys; sys.exit("Python 3.11 or newer is needed, this is " + sys.version.split()[0] if sys.version_info < (3, 11) else 0)'
@@ -50,6 +50,9 @@ site: $(VENV)/.site  ## the documentation as a folder of pages with search, into
 
 pages: $(VENV)/.report  ## the pages of docs/ that are made from the code and the definitions, anew
 	$(BIN)/python docs/generate.py docs
+
+quality: $(VENV)/.report  ## docs/quality.md and its figures; with TABLES= and FAULTS= from results that the benchmarks have saved
+	$(BIN)/python docs/quality_page.py $(if $(TABLES),--tables $(TABLES)) $(if $(FAULTS),--faults $(FAULTS))
 
 real-linuxcnc: $(VENV)/.test  ## only the tests on the real controller
 	$(BIN)/python -m pytest -m real_linuxcnc -rs

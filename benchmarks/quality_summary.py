@@ -81,30 +81,55 @@ HEAD = (
 )
 
 
-def row(name: str, records: Sequence[Record]) -> str:
-    """Return the line of a kind: how often bands hold in % and their width, in brackets for A
-    alone; A as ratio to the oracle's.
+def summary(name: str, records: Sequence[Record]) -> Record:
+    """Return the numbers of a kind: how often bands hold in % and their width, all parameters and A
+    alone; A as ratio to the oracle's, ours and the rivals'; periods named of those nobody told.
     """
-    failed = sum("failed" in one for one in records)
     good = [one for one in records if "failed" not in one]
-    cells = [name, f"{len(good)}" + (f" ({failed} failed)" if failed else "")]
-    for where in ("same", "new"):
-        every, alone = (coverage(good, where, names) for names in (PARAMETERS, ["A"]))
-        cells.append(f"{every:.0f} ({alone:.0f})")
-    every, alone = (width(good, names) for names in (PARAMETERS, ["A"]))
-    cells.append(f"{every:.2f} ({alone:.2f})")
-    cells += [f"{against(good, table):.2f}" for table in ("ours", *RIVALS)]
-    cells.append(f"{np.median([one['seconds'] for one in good]):.2f}" if good else "")
-    return "| " + " | ".join(cells).replace(" (nan)", "") + " |"
+    right = [hit for one in good if not one["told"] for hit in found(one)[0]]
+    return {
+        "kind": name,
+        "axes": len(good),
+        **{
+            where: [_round(coverage(good, where, names), 0) for names in (PARAMETERS, ["A"])]
+            for where in ("same", "new")
+        },
+        "width": [_round(width(good, names), 2) for names in (PARAMETERS, ["A"])],
+        "A": [_round(against(good, table), 2) for table in ("ours", *RIVALS)],
+        "periods": [sum(right), len(right)] if right else None,
+        "wrong": sum(found(one)[1] > 0 for one in good),
+    }
+
+
+def _round(value: float, digits: int) -> float | None:
+    return round(value, digits) if np.isfinite(value) else None
+
+
+def row(name: str, records: Sequence[Record]) -> str:
+    """Return the line of a kind in the printed table."""
+    failed = sum("failed" in one for one in records)
+    seconds = [one["seconds"] for one in records if "failed" not in one]
+    found_here = summary(name, records)
+    cells = [name, f"{len(seconds)}" + (f" ({failed} failed)" if failed else "")]
+    cells += [pair(found_here[where], 0) for where in ("same", "new")]
+    cells.append(pair(found_here["width"], 2))
+    cells += ["" if value is None else f"{value:.2f}" for value in found_here["A"]]
+    cells.append(f"{np.median(seconds):.2f}" if seconds else "")
+    return "| " + " | ".join(cells) + " |"
+
+
+def pair(values: Sequence[float | None], digits: int) -> str:
+    """Return a value of all parameters, with that of A alone in brackets."""
+    every, alone = ("" if value is None else f"{value:.{digits}f}" for value in values)
+    return f"{every} ({alone})" if alone else every
 
 
 def periods_row(name: str, records: Sequence[Record]) -> str:
     """Return how many of the periods nobody told were named, and on how many axes a wrong one."""
-    good = [one for one in records if "failed" not in one]
-    right = [hit for one in good if not one["told"] for hit in found(one)[0]]
-    named = f"{100 * np.mean(right):.0f} % of {len(right)}" if right else ""
-    wrong = sum(found(one)[1] > 0 for one in good)
-    return f"| {name} | {named} | {wrong} of {len(good)} |"
+    found_here = summary(name, records)
+    right, of = found_here["periods"] or (0, 0)
+    named = f"{100 * right / of:.0f} % of {of}" if of else ""
+    return f"| {name} | {named} | {found_here['wrong']} of {found_here['axes']} |"
 
 
 def show(records: Sequence[Record], kinds: Sequence[str], *, details: bool) -> None:

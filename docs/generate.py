@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Literal, get_args, get_origin
 
 import click
+import quality_page
 from control_facts import facts_page, open_facts_page
 from key_tables import definition_page, json_page
 from pydantic import BaseModel
@@ -208,6 +209,7 @@ def kept_pages() -> dict[str, str]:
         "definition-keys.md": definition_page(),
         "control-facts.md": facts_page(),
         "open-facts.md": open_facts_page(),
+        **quality_page.pages(),
     }
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import sys
 from pathlib import Path
 
@@ -9,7 +10,7 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "benchmarks"))
 
-from quality_summary import found
+from quality_summary import found, summary
 
 
 def record(*named: float, source: str = "found") -> dict[str, object]:
@@ -42,3 +43,54 @@ def test_less_than_one_half_is_no_name() -> None:
     shy = record(13.0)
     shy["periods"] = [{"period": 13.0, "probability": 0.5, "source": "found"}]
     assert found(shy) == ([False], 0)
+
+
+def axis(a_fresh: list[float], right: float) -> dict[str, object]:
+    """Return an axis with a band of A from 2 to 4, whose table is as good as half the truth's."""
+    same = {"A": [2.0, 3.0, 4.0]}
+    fresh = {"same": {"A": a_fresh}, "new": {"A": [9.0]}}
+    merit = {"new": dict.fromkeys(("informed", "interpolation", "spline", "minimax"), 3.0)}
+    merit["new"] |= {"ours": 2.0, "oracle": 1.0}
+    return {
+        "kind": "k",
+        "seconds": 1.0,
+        "merit": merit,
+        "fresh": fresh,
+        "bands": {"same": same, "new": same},
+        "informed": {"same": {"A": [2.5, 3.0, 3.5]}, "new": {"A": [1.0, 3.0, 5.0]}},
+        **record(right),
+    }
+
+
+def test_the_numbers_of_a_kind_are_those_counted_by_hand() -> None:
+    """Held: 1 of 4 and 4 of 4. Widths: 2/1 and 2/4. One of two periods is found, one axis has a
+    wrong name; a run that failed is not counted.
+    """
+    some = [axis([1.0, 3.0, 5.0, 6.0], 10.0), axis([2.0, 3.0, 3.5, 4.0], 13.0)]
+    assert summary("k", [*some, {"kind": "k", "failed": "x"}]) == {
+        "kind": "k",
+        "axes": 2,
+        "same": [62.0, 62.0],
+        "new": [0.0, 0.0],
+        "width": [1.25, 1.25],
+        "A": [2.0, 3.0, 3.0, 3.0, 3.0],
+        "periods": [1, 2],
+        "wrong": 1,
+    }
+
+
+def test_the_evidence_of_the_readme_is_that_of_the_page() -> None:
+    project = Path(__file__).resolve().parents[2]
+    kept = json.loads((project / "docs" / "quality.json").read_text(encoding="utf-8"))
+    readme = (project / "README.md").read_text(encoding="utf-8")
+    whole, faults = kept["tables"]["rows"][0], kept["faults"]
+    for words in (
+        f"held for {whole['same'][0]:.0f} % of the parameters of fresh tests at the same targets",
+        f"and {whole['new'][0]:.0f} % at new ones, on {whole['axes']} virtual axes",
+        f"was {whole['A'][0]:.2f} times that of a table that knows the truth",
+        f"reach {whole['A'][2]:.2f}",
+        f"{faults['cases']} loading faults",
+        "{} of {} named".format(*faults["far"]),
+    ):
+        assert words in readme, words
+    assert faults["wrong"] == 0, "README: no wrong name"
