@@ -185,11 +185,68 @@ def test_every_line_of_a_choice_is_named(*, judge: bool) -> None:
     assert "line 4" in fault
 
 
+#: Programs that assign the variable of a condition themselves: by name, the program, what `yes` and
+#: what `no` gets.
+ASSIGNED = {
+    "switched off before": (f"R50=0\nIF R50==1\n{ONE}ENDIF\n{GRID}", "! A.MPF line 3", READ),
+    "switched on before": (f"R50=1\nIF R50==1\n{ONE}ENDIF\n{GRID}", READ, "! A.MPF line 3"),
+    "as a field": (f"R[50]=0\nIF R50==1\n{ONE}ENDIF\n{GRID}", "! A.MPF line 3", READ),
+    "the last assignment counts": (
+        f"R50=1\nR50=0\nIF R50==1\n{ONE}ENDIF\n{GRID}",
+        "! A.MPF line 4",
+        READ,
+    ),
+    "a field over the name": (
+        f"R50=0\nR[50]=1\nIF R50==1\n{ONE}ENDIF\n{GRID}",
+        READ,
+        "! A.MPF line 4",
+    ),
+    "a flag": (f"DEF BOOL LOAD=FALSE\nIF LOAD\n{ONE}ENDIF\n{GRID}", "! A.MPF line 3", READ),
+    "one of two variables": (
+        f"DEF INT FIRST, KIND=2\nIF KIND<2 GOTOF AA\n{GRID}AA:\nIF FIRST>0\n{ONE}ENDIF\n{PLAY}",
+        "! A.MPF line 10",
+        "! A.MPF line 12",
+    ),
+    "a jump": (f"R50=0\nIF R50==0 GOTOF AA\n{ONE}AA:\n{GRID}", "! A.MPF line 3", READ),
+    "in a branch of another": (
+        f"R50=0\nIF R1==1\nR50=2\nENDIF\nIF R50==1\n{ONE}ENDIF\n{GRID}",
+        "!",
+        READ,
+    ),
+    "perhaps in a branch": (
+        f"R50=0\nIF R1==1\nR50=1\nENDIF\nIF R50==1\n{ONE}ENDIF\n{GRID}",
+        READ,
+        READ,
+    ),
+    "by another variable": (f"R50=R49\nIF R50==1\n{ONE}ENDIF\n{GRID}", READ, READ),
+    "by a sum": (f"R50=0\nR50=R50+1\nIF R50==1\n{ONE}ENDIF\n{GRID}", READ, READ),
+    "in a block that may be skipped": (f"R50=1\n/R50=0\nIF R50==1\n{ONE}ENDIF\n{GRID}", READ, READ),
+    "in a stop": (f"R50=0\nM0\nIF R50==1\n{ONE}ENDIF\n{GRID}", READ, READ),
+    "by a program that is not given": (f"R50=0\nABCD\nIF R50==1\n{ONE}ENDIF\n{GRID}", READ, READ),
+    "in a loop": (
+        f"R50=0\nAA:\nIF R50==1\n{ONE}{GRID}GOTOF EE\nENDIF\nR50=1\nGOTOB AA\nEE:\nR1=1\n",
+        READ,
+        "! A.MPF line 4",
+    ),
+}
+
+
+@pytest.mark.parametrize("judge", [False, True], ids=["writer", "judge"])
+@pytest.mark.parametrize("active", [True, False], ids=["yes", "no"])
+@pytest.mark.parametrize("case", ASSIGNED)
+def test_the_program_itself_answers_its_condition(case: str, *, active: bool, judge: bool) -> None:
+    text, yes, no = ASSIGNED[case]
+    expected = yes if active else no
+    if expected == "!":  # the writer follows one number of a variable, the judge several
+        expected = "! A.MPF line 6" if judge else READ
+    check({"A.MPF": text + "M17\n"}, active, expected, judge=judge)
+
+
 #: Programs of which every value was carried out: labels that there are twice, and the answer.
 LABELS = {
     "GOTOF takes the next one": (f"AA:\nGOTOF AA\nR1=1\nAA:\n{ONE}AA:\n{GRID}", READ),
     "GOTOF leads past the value": (f"AA:\nR1=1\nGOTOF AA\n{ONE}AA:\n{GRID}", "! A.MPF line 4"),
-    "GOTOB goes back over two": (f"AA:\nR1=1\nAA:\n{ONE}IF R1<3 GOTOB AA\n{GRID}", READ),
+    "GOTOB goes back over two": (f"AA:\nR1=1\nAA:\n{ONE}IF R2<3 GOTOB AA\n{GRID}", READ),
     "GOTOB goes back to the nearest": (
         f"GOTOF CC\nAA:\n{ONE}AA:\nR1=1\nGOTOF EE\nCC:\nGOTOB AA\nEE:\n{GRID}",
         "! A.MPF line 3",
@@ -204,7 +261,7 @@ LABELS = {
         f"IF R1==1 GOTOF CC\nAA:\nR1=1\nAA:\n{ONE}CC:\nIF R2==1 GOTOC AA\n{GRID}",
         "! A.MPF line 7",
     ),
-    "GOTOB to a block number": (f"N10 R1=1\n{ONE}N20 IF R1<3 GOTOB N10\n{GRID}", READ),
+    "GOTOB to a block number": (f"N10 R1=1\n{ONE}N20 IF R2<3 GOTOB N10\n{GRID}", READ),
     "a block number and a label in one line": (
         f"IF R1==1 GOTOF N10\nR2=1\nN10 AA: R3=1\n{ONE}IF R1<3 GOTOB AA\n{GRID}",
         READ,

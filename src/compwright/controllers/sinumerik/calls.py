@@ -109,7 +109,7 @@ class ProgramCalls:
                 line,
                 words=() if line.number in back else line.words,
                 given=line.given or line.number in called,
-                assigned=frozenset({EVERYTHING}) if line.number in back else line.assigned,
+                assigned={EVERYTHING: None} if line.number in back else line.assigned,
             )
             for line in block.trail
         ]

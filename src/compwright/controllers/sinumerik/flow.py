@@ -44,6 +44,7 @@ _FORKS = frozenset(
 _CONDITIONS = frozenset({"IF", "CASE", "WHEN", "WHENEVER", "EVERY", "FROM", "ID", "IDS", "DO"})
 #: A word of an address, no call of a subprogram and no R parameter.
 _ADDRESS = re.compile(r"(?![LPR]\d)[A-Z]\d*\.?\d*|=|[+-]|[\d.]+")
+_STOP = re.compile(r"M0*[01]")
 _NUMBER = re.compile(r"\s*(?P<number>[N:]\d+)?\s*(?P<skipped>/\d?)?\s*", re.IGNORECASE)
 #: The name of a program in a header or a file's name.
 _TITLE = re.compile(
@@ -135,7 +136,7 @@ class ProgramBlock:
             self.inches[line] = lengths[1][1] == "0"
         words = [word.upper() for word in _WORDS.findall(bare)]
         if not bare or self._quiet(bare):
-            assigned = _assigned(words)
+            assigned = dict.fromkeys(_assigned(words)) if skipped else _assigned(words)
             if names or assigned:
                 self.trail.append(Line(line, names, (), assigned=assigned))
             return
@@ -190,21 +191,40 @@ class ProgramBlock:
         return _calculates(index) and _calculates(words[at + 1 :])
 
 
-def _assigned(words: Sequence[str]) -> frozenset[str]:
-    """Return the program's own variable that a harmless statement assigns."""
-    if "=" not in words or words[0] in _QUIET or words[0].startswith("$"):
-        return frozenset()
-    return frozenset({words[0] if words[1] == "=" else EVERYTHING})
+def _assigned(words: Sequence[str]) -> dict[str, float | None]:
+    """Return the program's own variables that a harmless statement assigns, with their numbers."""
+    if not words or words[0].startswith("$"):
+        return {}
+    if words[0] == "DEF" and words[1:2] in (["INT"], ["REAL"], ["BOOL"]):
+        listed = "".join(f"{word} " for word in words[2:]).split(", ")
+        pairs = [one.split() for one in listed if "[" not in one]
+        return {one[0]: _written(one[2:] if one[1:] else ["0"]) for one in pairs if one}
+    if words[0] in _QUIET or "=" not in words:
+        return {}
+    at = words.index("=")
+    field_of_r = words[0] == "R" and at == 4 and words[2].isdigit()
+    name = f"R{int(words[2])}" if field_of_r else words[0] if at == 1 else EVERYTHING
+    return {name: None if name == EVERYTHING else _written(words[at + 1 :])}
 
 
-def _assigned_by(words: Sequence[str]) -> frozenset[str]:
+def _written(words: Sequence[str]) -> float | None:
+    """Return the number in the words of a value; None for anything that has to be calculated."""
+    text = "".join(words)
+    if text in ("TRUE", "FALSE"):
+        return float(text == "TRUE")
+    return float(text) if re.fullmatch(r"[+-]?(\d+\.?\d*|\.\d+)", text) else None
+
+
+def _assigned_by(words: Sequence[str]) -> dict[str, float | None]:
     """Return the variables that any other statement may assign.
 
-    Everything, except for forks, ends, motions and functions.
+    Everything, except for forks, ends, motions and functions. In a stop (M0, M1) the operator may
+    do it.
     """
     forks = words[0] in _FORKS and words[0] != "FOR"
     plain = all(map(_ADDRESS.fullmatch, words))
-    return frozenset() if forks or plain or ends_here(words) else frozenset({EVERYTHING})
+    stop = any(_STOP.fullmatch(word) for word in words)
+    return {} if (forks or plain or ends_here(words)) and not stop else {EVERYTHING: None}
 
 
 def _called(statement: str) -> str | None:

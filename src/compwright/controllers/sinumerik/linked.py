@@ -90,7 +90,7 @@ def question_of(words: Words) -> Question | None:
 
 def answered(
     forks: Mapping[int, Fork],
-    assigning: Mapping[int, frozenset[str]],
+    assigning: Mapping[int, Mapping[str, float | None]],
     behind: Callable[[int], int],
 ) -> Iterator[dict[int, int]]:
     """Yield the next lines of all linked conditions, by place, for each set of answers.
@@ -125,6 +125,57 @@ def answered(
                 fork = forks[place]
                 goes_on[place] = fork.true if fork.question.answer(value) else fork.false
         yield goes_on
+
+
+def ways_by_values(
+    every: Sequence[int],
+    forks: Mapping[int, Fork],
+    assigned: Sequence[Mapping[str, float | None]],
+) -> list[int]:
+    """Return the next lines of all lines, as bits, without the answers that contradict what every
+    run has assigned before.
+
+    ``every``: the next lines regardless of values. Each line collects the values that a variable
+    may have before it, None among them if any value may be; lines that no run reaches stay as they
+    are.
+    """
+    asked = {one for fork in forks.values() for one in fork.question.what}
+    before: dict[int, dict[str, frozenset[float | None]]] = {
+        0: dict.fromkeys(asked, frozenset({None}))
+    }
+    ways = list(every)
+    changed = True
+    while changed:
+        changed = False
+        for place in sorted(before):
+            if place >= len(every):
+                continue
+            values = before[place]
+            if EVERYTHING in assigned[place]:
+                values = dict.fromkeys(asked, frozenset({None}))
+            known = {name: frozenset({number}) for name, number in assigned[place].items()}
+            values = values | {name: one for name, one in known.items() if name in asked}
+            ways[place] = _open_ways(every[place], forks.get(place), values)
+            for after in range(ways[place].bit_length()):
+                if not ways[place] >> after & 1:
+                    continue
+                old = before.get(after, {})
+                new = {name: old.get(name, frozenset()) | values[name] for name in asked}
+                if after not in before or new != old:
+                    before[after], changed = new, True
+    return ways
+
+
+def _open_ways(every: int, fork: Fork | None, values: Mapping[str, frozenset[float | None]]) -> int:
+    if fork is None or len(fork.question.what) != 1:
+        return every
+    answers = {
+        None if value is None else fork.question.answer(value)
+        for value in values[fork.question.what[0]]
+    }
+    if None in answers or len(answers) > 1:
+        return every
+    return fork.true if True in answers else fork.false
 
 
 def _candidates(questions: Sequence[Question]) -> list[float]:

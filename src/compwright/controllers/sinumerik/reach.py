@@ -10,9 +10,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
-from compwright.controllers.sinumerik.linked import EVERYTHING, Fork, answered, question_of
+from compwright.controllers.sinumerik.linked import (
+    EVERYTHING,
+    Fork,
+    answered,
+    question_of,
+    ways_by_values,
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,7 +52,7 @@ class Line:
     capitals, empty if they do not affect the order of lines. ``skipped``: with block skip on.
     ``given``: an assignment, or a call of a program of the files. ``mentions``: the programs that
     it may call; ``conditional``: not in every case. ``assigned``: the program's own variables that
-    it assigns.
+    it assigns, with the number where that is written out.
     """
 
     number: int
@@ -56,7 +62,7 @@ class Line:
     given: bool = False
     mentions: frozenset[str] = frozenset()
     conditional: bool = False
-    assigned: frozenset[str] = frozenset()
+    assigned: Mapping[str, float | None] = field(default_factory=dict)
 
 
 def _shortened(lines: Sequence[Line]) -> tuple[list[Line], list[set[int]]]:
@@ -69,9 +75,9 @@ def _shortened(lines: Sequence[Line]) -> tuple[list[Line], list[set[int]]]:
     for line in lines:
         quiet = not (line.words or line.skipped or line.names & wanted)
         behind = found and found[-1].given and not (found[-1].words or found[-1].skipped)
-        if quiet and line.given and behind and not line.assigned & wanted:
+        if quiet and line.given and behind and not wanted & line.assigned.keys():
             groups[-1].add(line.number)
-        elif line.given or line.assigned & wanted or not quiet:
+        elif line.given or wanted & line.assigned.keys() or not quiet:
             found.append(line)
             groups.append({line.number})
     return found, groups
@@ -82,7 +88,7 @@ def conflicts(lines: Sequence[Line]) -> tuple[int, int] | None:
     that no run executes together; None if one run can execute all.
     """
     short, _ = _shortened(lines)
-    found = _conflict(short, _next(short))
+    found = _conflict(short, _possible(short)[0])
     if found is not None:
         return found
     for ways in _in_step(short):
@@ -146,13 +152,8 @@ def _in_step(lines: Sequence[Line]) -> Iterator[list[int]]:
 
     Motions and switching functions go on to the next line.
     """
-    every = _next(lines)
+    every, forks = _possible(lines)
     behind = _behind(every)
-    forks = {
-        place: fork
-        for place, line in enumerate(lines)
-        if (fork := _fork(line, every[place], 1 << place + 1)) is not None
-    }
     assigning = {place: line.assigned for place, line in enumerate(lines) if line.assigned}
     stop = 1 << len(lines) + 1
     sure = [
@@ -161,6 +162,20 @@ def _in_step(lines: Sequence[Line]) -> Iterator[list[int]]:
     ]
     for goes_on in answered(forks, assigning, behind.__getitem__):
         yield [goes_on.get(place, bits) for place, bits in enumerate(sure)]
+
+
+def _possible(lines: Sequence[Line]) -> tuple[list[int], dict[int, Fork]]:
+    """Return the result of `_next` without answers that the program's own assignments exclude, and
+    the forks whose answer stays open.
+    """
+    every = _next(lines)
+    forks = {
+        place: fork
+        for place, line in enumerate(lines)
+        if (fork := _fork(line, every[place], 1 << place + 1)) is not None
+    }
+    ways = ways_by_values(every, forks, [line.assigned for line in lines])
+    return ways, {place: fork for place, fork in forks.items() if ways[place] == every[place]}
 
 
 def _fork(line: Line, bits: int, after: int) -> Fork | None:

@@ -75,9 +75,9 @@ _NAME_LISTS = re.compile(
 #: archive hold neither, so this is tested first.
 _NAMED_LIST = "_AXCONF_"
 _FACT = re.compile("|".join(sorted(FACTS)), re.IGNORECASE)
-#: An assignment of a value as it stands, of which an archive has thousands.
+#: An assignment of a value as it stands, of which an archive has thousands; not to an R parameter.
 _PLAIN = re.compile(
-    r"""\s*(?:N\d+\s+)?(?:\$\w+(?:\[[\w,]*\])?|(?:R|[A-Z_]\w+)\[[\d,]+\])\s*=\s*"""
+    r"""\s*(?:N\d+\s+)?(?:\$\w+(?:\[[\w,]*\])?|[A-Z_]\w+\[[\d,]+\])\s*=\s*"""
     r"""(?:[+-]?[\d.]+|'[HB]\w+'|"")\s*""",
     re.IGNORECASE,
 )

@@ -23,6 +23,7 @@ _SINGLE = re.compile(
     r"|(?P<negated>NOT )?(?P<flag>[A-Z_]\w*))"
 )
 _NAME = re.compile(r"[A-Z_]\w*")
+_PLAIN_NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)")
 _OPERATORS = frozenset({"AND", "OR", "XOR", "NOT", "DIV", "MOD", "TRUE", "FALSE"})
 _CALL = re.compile(r"([A-Z_]\w*)\(")
 _TRUTH = {"TRUE": 1.0, "FALSE": 0.0}
@@ -80,10 +81,53 @@ def condition_of(text: str) -> Condition | None:
         )
     if single["flag"] is not None:
         return Condition(single["flag"], "==" if single["negated"] else "<>", 0.0, names)
-    word = single["value"]
-    value = _TRUTH.get(word)
-    number = float(word) if value is None else value
-    return Condition(single["name"], single["relation"], number, names, truth=value is not None)
+    number = number_of(single["value"]) or 0.0
+    truth = single["value"] in _TRUTH
+    return Condition(single["name"], single["relation"], number, names, truth=truth)
+
+
+def number_of(word: str) -> float | None:
+    """Return the number of a word; None for other words."""
+    if (word := word.upper()) in _TRUTH:
+        return _TRUTH[word]
+    return float(word) if _PLAIN_NUMBER.fullmatch(word) else None
+
+
+def without_known_answers(
+    follow: Sequence[frozenset[int]],
+    decisions: Mapping[int, Decision],
+    setting: Sequence[Mapping[str, float | None]],
+) -> list[frozenset[int]]:
+    """Return where steps continue, without the answers that no run gives: every run that comes to
+    the condition has set its variable to the same number before.
+
+    ``follow``: where each step may continue; ``setting``: the variables that it sets.
+    """
+    known: dict[int, dict[str, float]] = {0: {}}
+    found = list(follow)
+    waiting = [0]
+    while waiting:
+        place = waiting.pop()
+        if place >= len(follow):
+            continue
+        values = {} if ANY in setting[place] else dict(known[place])
+        for name, number in setting[place].items():
+            values.pop(name, None)
+            values |= {} if number is None else {name: number}
+        decision = decisions.get(place)
+        value = None if decision is None else values.get(decision.condition.subject)
+        found[place] = follow[place]
+        if decision is not None and value is not None:
+            found[place] = decision.yes if decision.condition.holds(value) else decision.no
+        for one in found[place]:
+            before = known.get(one)
+            both = {
+                name: n for name, n in values.items() if before is None or before.get(name) == n
+            }
+            if both != before:
+                known[one] = both
+                waiting.append(one)
+    return found
 
 
 def _bare(text: str) -> str:

@@ -16,7 +16,7 @@ from functools import lru_cache
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definition.statements import Occurrence
 from compwright.formats.families.entry_keys import NAMES, Key, quantities_of
-from compwright.formats.families.pairs.program_conditions import ANY
+from compwright.formats.families.pairs.program_conditions import ANY, number_of
 from compwright.formats.families.pairs.program_ways import END, ProgramWays, Step, ways_through
 from compwright.formats.text.texts import KEPT_TEXTS, ReadText, text_reader
 from compwright.foundations.errors import Fault
@@ -65,13 +65,16 @@ _HARMLESS = re.compile(
         | EXTERN\s+\w+(?:\s*\([^()]*\))?""",
     re.VERBOSE | re.IGNORECASE,
 )
+#: Variables of numbers: 0 where they are defined without a value.
+_NUMBERS = re.compile(r"DEF\s+(?:BOOL|INT|REAL)\s+(?P<names>.*)", re.IGNORECASE)
 _DEFINED = re.compile(
     r"""([A-Z_]\w*)\s*(?:\[[\d,\s]*\])?\s*(?:=\s*(?:[+-]?[\d.]+|"[^"]*"|TRUE|FALSE))?""",
     re.IGNORECASE,
 )
-#: A line of an export, of which an archive has thousands.
+#: A line of an export, of which an archive has thousands; none of an R parameter, on which a
+#: condition may depend.
 _USUAL = re.compile(
-    r"""\s*(?:N\d+\s+)?(?:\$\w+(?:\[[\w,]*\])?|(?:R|[A-Z_]\w+)\[[\d,]+\])\s*=\s*"""
+    r"""\s*(?:N\d+\s+)?(?:\$\w+(?:\[[\w,]*\])?|[A-Z_]\w+\[[\d,]+\])\s*=\s*"""
     r"""(?:[+-]?[\d.]+|'[HB]\w+'|"[^";]*")\s*""",
     re.IGNORECASE,
 )
@@ -115,8 +118,10 @@ _DIVIDING = re.compile(
     r")(?![A-Z_0-9])",
     re.IGNORECASE,
 )
+#: A stop of the program: until it goes on, the operator may change any variable.
+_STOP = re.compile(r"\bM0*[01](?!\d)", re.IGNORECASE)
 #: Words of an address and a number: motions and functions, no call and no R parameter.
-_ADDRESSES = re.compile(r"(?:(?![LRP]\d)[A-Z]\d*=?[+-]?\d*\.?\d*\s*)+", re.IGNORECASE)
+_ADDRESSES = re.compile(r"(?:(?![LRP]\d)[A-Z](?![A-Z_])\d*=?[+-]?\d*\.?\d*\s*)+", re.IGNORECASE)
 #: What to give in place of a program.
 EXPORTED = "the data as the control exports them (AX_EEC.INI, INITIAL.INI, the archive)"
 #: Units of a program's lengths: what they say, and the word of ``units``.
@@ -336,20 +341,33 @@ def _step(number: int, code: str, followed: Collection[str], *, marked: bool) ->
     plain = (marked and "$" in bare) or _plain_call(bare) in followed or _PROCEDURE.match(bare)
     does = "" if plain or not bare or harmless(bare) else _STRING.sub('""', bare)
     called = _plain_call(bare) in followed
-    sets = frozenset({ANY}) if called else frozenset() if marked else _sets(bare)
+    sets: dict[str, float | None] = {ANY: None} if called else {} if marked else _sets(bare)
+    if skipped is not None:
+        sets = dict.fromkeys(sets)
     return Step(number, tuple(names), does, marked, skipped is not None, sets=sets)
 
 
-def _sets(code: str) -> frozenset[str]:
-    """Return the variables that a statement assigns: any, if that is not known."""
-    assignment = _ASSIGNMENT.fullmatch(code)
+def _sets(code: str) -> dict[str, float | None]:
+    """Return the variables that a statement assigns, each with its number, None if that is not
+    known; any variable, if the statement is not known, or stops until the operator goes on.
+    """
     if code and not harmless(code):
         forks = _DIVIDING.match(code) is not None and code[:3].upper() != "FOR"
         quiet = forks or END.search(code) is not None or _ADDRESSES.fullmatch(code) is not None
-        return frozenset() if quiet else frozenset({ANY})
-    if assignment is None or assignment["left"].startswith("$"):
-        return frozenset()
-    return frozenset({ANY if assignment["index"] else assignment["left"].upper()})
+        return {} if quiet and not _STOP.search(code) else {ANY: None}
+    assignment, numbers = _ASSIGNMENT.fullmatch(code), _NUMBERS.fullmatch(code)
+    if numbers is not None:
+        pieces = [one.partition("=") for one in numbers["names"].split(",") if "[" not in one]
+        return {name.strip().upper(): number_of(word.strip() or "0") for name, _, word in pieces}
+    if assignment is None:
+        return {}
+    name, index = assignment["left"].upper(), assignment["index"]
+    if name.startswith("$"):
+        return {}
+    if index:
+        number = re.fullmatch(r"\[\s*(\d+)\s*\]", index)
+        name = f"R{int(number[1])}" if number is not None and name == "R" else ANY
+    return {name: None if name == ANY else number_of(assignment["right"].strip())}
 
 
 def _note(code: str, number: int, program: ProgramFlow, known: Collection[str]) -> None:

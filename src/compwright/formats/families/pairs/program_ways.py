@@ -14,6 +14,7 @@ from compwright.formats.families.pairs.program_conditions import (
     Decision,
     condition_of,
     together,
+    without_known_answers,
 )
 
 _GO = re.compile(r"\bGOTO(?P<way>[BFCS]?)\b\s*(?P<target>\$?\w+(?:\s*[\[(<])?)?", re.IGNORECASE)
@@ -43,7 +44,7 @@ class Step:
     """A line of a program. ``names``: its label and block number; ``code``: what it does, strings
     emptied, empty if it does not affect the order of lines; ``marked``: it is one of those in
     question (a value, a call); ``skipped``: on the control's block skip; ``until``: the last of the
-    lines that certainly follow it; ``sets``: the variables that it assigns.
+    lines that certainly follow it; ``sets``: the variables that it assigns, with their numbers.
     """
 
     line: int
@@ -52,7 +53,7 @@ class Step:
     marked: bool = False
     skipped: bool = False
     until: int = 0
-    sets: frozenset[str] = frozenset()
+    sets: dict[str, float | None] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -187,7 +188,9 @@ def ways_through(steps: Iterable[Step]) -> ProgramWays:
         decision = _decision(step, follow[place], place + 1)
         if decision is not None:
             decisions[place] = decision
-    return ProgramWays(tuple(kept), tuple(follow), tuple(unclear), decisions)
+    known = without_known_answers(follow, decisions, [step.sets for step in kept])
+    open_ones = {place: one for place, one in decisions.items() if known[place] == follow[place]}
+    return ProgramWays(tuple(kept), tuple(known), tuple(unclear), open_ones)
 
 
 def _decision(step: Step, follow: frozenset[int], after: int) -> Decision | None:
