@@ -28,10 +28,10 @@ from examiner_circles import AXES, TURNS, Circle, circle
 from compwright.evaluation.circular import evaluate_circle
 from compwright.foundations.session import Session
 from compwright.instruments.circular_csv import read_circular_csv
-from compwright.planning.circle_diagnosis import diagnosed_circle
+from compwright.planning.circle_diagnosis import diagnose_circle
 from compwright.planning.circles import CIRCULAR_STANDARD as STANDARD
 from compwright.records.circular import CircularTest
-from compwright.records.correction_need import need_of
+from compwright.records.correction_need import correction_need
 from compwright.workflow.commands.run import PlannedJob, planned
 from compwright.workflow.inputs.jobs import read_job_file
 
@@ -68,13 +68,13 @@ def decided(text: str) -> tuple[float | None, bool]:
     """Return the squareness that a job would correct, µm/m, by the circle of a CSV ``text``, None
     where it would not, and whether it is known to need no correction.
     """
-    diagnosis = diagnosed_circle(
+    diagnosis = diagnose_circle(
         read_circular_csv(text.encode(), "xy.csv", "xy"), STANDARD
     ).diagnosis
     if diagnosis is None or "squareness" in diagnosis.undetermined:
         return None, False
     effect = diagnosis.effects["squareness"]
-    need = need_of(effect.value, effect.std_error)
+    need = correction_need(effect.value, effect.std_error)
     return effect.value if need == "correct" else None, need == "negligible"
 
 

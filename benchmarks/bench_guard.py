@@ -18,7 +18,7 @@ import numpy as np
 
 from compwright.evaluation.standards import evaluate
 from compwright.planning.axis_work import AxisWork, predict_axis, start_axis
-from compwright.prediction.active_corrections import Correction, nothing
+from compwright.prediction.active_corrections import Correction, no_correction
 from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
 from compwright.records.conditions import Thermal, UncertaintyBudget
 from compwright.records.correction import ControlState
@@ -99,7 +99,7 @@ def predicted(
     )
     planned = PlannedTest(test=test, measured_in="as_found")
     states = {"as_found": ControlState(format="any", axes={})}
-    work = start_axis(job, entry, (planned,), states, nothing)
+    work = start_axis(job, entry, (planned,), states, no_correction)
     table = table_of(work)
     return predict_axis(work, table, None, job), table
 

@@ -40,7 +40,7 @@ from examiner_axes import (
 from compwright.planning import new_targets
 from compwright.planning.axis_work import predict_axis, start_axis
 from compwright.planning.limit_decisions import accept_decisions
-from compwright.prediction.active_corrections import nothing
+from compwright.prediction.active_corrections import no_correction
 from compwright.records.axis import Axis as JobAxis
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.correction import ControlState
@@ -119,7 +119,7 @@ def judged(virtual: Axis, number: int, *, sound: bool) -> dict[str, object]:
     job = Job(file="job.yaml", format="bench", axes={"X": entry})
     planned = (PlannedTest(test=test, measured_in="as_found"),)
     state = {"as_found": ControlState(format="bench", axes={})}
-    work = start_axis(job, entry, planned, state, nothing)
+    work = start_axis(job, entry, planned, state, no_correction)
     nodes = np.arange(0.0, TRAVEL + 5.0, 10.0)
     estimate = work.posterior.summary(nodes)
 

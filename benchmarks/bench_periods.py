@@ -21,7 +21,7 @@ from numpy.random import Generator
 from numpy.typing import NDArray
 
 from compwright.estimation.basis import Basis
-from compwright.estimation.period_likelihood import Middles
+from compwright.estimation.period_likelihood import BidirectionalMeans
 from compwright.estimation.periods import FIRST, LEAST_REPEATS, SHORTEST, search_periods
 from compwright.estimation.usual_periods import usual_periods
 from compwright.records.axis import AxisKind
@@ -85,7 +85,7 @@ def named(x: Floats, y: Floats, sigma: float, dof: float, length: float) -> list
     """Return the periods that the search names; values in µm."""
     straight = np.column_stack([np.ones_like(x), x / length])
     variances = np.full(x.size, (1e-3 * sigma) ** 2 / 10)
-    middles = Middles(x, 1e-3 * y, variances, dof, 1e-3 * sigma, straight)
+    middles = BidirectionalMeans(x, 1e-3 * y, variances, dof, 1e-3 * sigma, straight)
     found = search_periods(middles, basis_over(length, x.size), AxisKind.LINEAR).found
     return [each.period for each in found if each.probability > 0.5]
 

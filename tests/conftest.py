@@ -79,7 +79,7 @@ _BRIEF_ESTIMATES, _WHOLE_ESTIMATES = (
         (sign_and_unit_doubts, "log_likelihood", remembered(likelihood.log_likelihood)),
         (circle_diagnosis, "diagnose", remembered(circle.diagnose)),
     )
-    for noise_of in (remembered(noise.noise_of), remembered(noise.noise_of))
+    for noise_of in (remembered(noise.infer_noise), remembered(noise.infer_noise))
 )
 
 look_for_garbage_seldom()  # as every command does

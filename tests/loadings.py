@@ -12,7 +12,7 @@ from compwright.records.verification import LoadingVerdict
 from compwright.verification.hypothesis import Hypothesis
 from compwright.verification.likelihood import AfterMeans, ErrorBelief
 from compwright.verification.loading import judge_loading
-from compwright.verification.measurement_cases import View, measurement_views
+from compwright.verification.measurement_cases import MeasurementCase, measurement_cases
 
 #: Equally likely noises of a test.
 DRAWS = 6
@@ -113,6 +113,6 @@ def judged(
     where = np.arange(float(loaded.shape[1])) if positions is None else positions
     after = means_of(readings, noise, noise_dof, where, kind)
     belief = known(inactive, covariance)
-    view = View(belief=belief, hypotheses=ways or ways_of(loaded - inactive))
-    views = [view, *(measurement_views(view) if turned else ())]
+    view = MeasurementCase(belief=belief, hypotheses=ways or ways_of(loaded - inactive))
+    views = [view, *(measurement_cases(view) if turned else ())]
     return judge_loading(after, views, declared_slope=declared)

@@ -13,7 +13,7 @@ from compwright.evaluation.standards import evaluate
 from compwright.planning.axis_work import AxisWork
 from compwright.planning.circles import CircleWork
 from compwright.planning.wanted_correction import MeasuredError
-from compwright.prediction.active_corrections import Correction, nothing
+from compwright.prediction.active_corrections import Correction, no_correction
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.capacity import Capacity
 from compwright.records.circular import (
@@ -128,7 +128,7 @@ def work_of(
     axis: Axis | None = None,
     *,
     active: AxisCompensation | None = None,
-    as_found: Correction = nothing,
+    as_found: Correction = no_correction,
     one_way: bool = False,
     accept: Acceptance | None = None,
 ) -> AxisWork:

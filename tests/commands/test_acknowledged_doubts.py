@@ -15,7 +15,7 @@ from test_house import codes
 
 from compwright.cli import run as compwright
 from compwright.foundations.findings import DOUBTS, REMARKS, RESULTS, Finding
-from compwright.planning.doubts import Noticed, doubts_among
+from compwright.planning.doubts import ScopedFinding, find_doubts
 from compwright.records.job import Acknowledgement
 from compwright.words.sentences import say
 from loop import Machine, csv_of
@@ -141,28 +141,28 @@ def test_what_cannot_be_acknowledged_is_a_fault_of_the_job(
 
 def test_an_acknowledgement_of_one_axis_leaves_the_others_in_doubt() -> None:
     of = Acknowledgement(code="CW-S002", reason="whole", axis="X")
-    both = Noticed(
+    both = ScopedFinding(
         Finding("CW-S002", "warning", say("as_written", text="both")), frozenset({"X", "Y"})
     )
-    every = Noticed(Finding("CW-S002", "warning", say("as_written", text="all")))
-    info = Noticed(Finding("CW-T007", "info", say("as_written", text="part of the travel")))
+    every = ScopedFinding(Finding("CW-S002", "warning", say("as_written", text="all")))
+    info = ScopedFinding(Finding("CW-T007", "info", say("as_written", text="part of the travel")))
     axes = ("X", "Y")
-    found = doubts_among([both, every, info], [of], axes)
+    found = find_doubts([both, every, info], [of], axes)
     assert [one.axes for one in found.open] == [frozenset({"Y"}), frozenset({"Y"})]
     assert [one.by for one in found.acknowledged] == [of, of]
     assert not found.about("X")
     assert found.about("Y")
     other = Acknowledgement(code="CW-S002", reason="also", axis="Y")
-    found = doubts_among([both, every], [of, other], axes)
+    found = find_doubts([both, every], [of, other], axes)
     assert (found.open, found.unused) == ((), ())
     general = Acknowledgement(code="CW-S002", reason="whole")
-    assert doubts_among([both, every], [general], axes).open == ()
-    assert doubts_among([both], [of, of], axes).unused == ()
-    assert doubts_among([], [of], axes).unused == (of,)
+    assert find_doubts([both, every], [general], axes).open == ()
+    assert find_doubts([both], [of, of], axes).unused == ()
+    assert find_doubts([], [of], axes).unused == (of,)
 
 
 def test_the_only_axis_of_a_job_answers_a_doubt_about_all() -> None:
-    every = Noticed(Finding("CW-S002", "warning", say("as_written", text="all")))
+    every = ScopedFinding(Finding("CW-S002", "warning", say("as_written", text="all")))
     of = Acknowledgement(code="CW-S002", reason="whole", axis="X")
-    assert doubts_among([every], [of], ["X"]).open == ()
-    assert doubts_among([every], [], ["X"]).open == (every,)
+    assert find_doubts([every], [of], ["X"]).open == ()
+    assert find_doubts([every], [], ["X"]).open == (every,)

@@ -19,8 +19,8 @@ from compwright.cli import run as command
 from compwright.evaluation.circular import evaluate_circle
 from compwright.evaluation.circular_uncertainty import circular_uncertainties
 from compwright.foundations.findings import Finding
-from compwright.planning.circles import undecided_circles, with_uncertainty
-from compwright.planning.doubts import Noticed, doubts_among
+from compwright.planning.circles import undecided_circle_findings, with_uncertainty
+from compwright.planning.doubts import ScopedFinding, find_doubts
 from compwright.planning.limit_decisions import (
     circle_decisions,
     lacking_circle_guard,
@@ -155,8 +155,8 @@ def test_a_circle_of_unknown_causes_is_not_decided() -> None:
     unknown = replace(known, before=replace(known.before, diagnosis=None, not_applicable=reasons))
     decided = circle_decisions(limits, unknown, "simple")
     assert decided["D"].decision == "undecided"
-    assert undecided_circles({"xy": unknown}) == ()  # no limits: nothing is left open
-    (finding,) = undecided_circles({"xy": replace(unknown, accept=decided), "yz": known})
+    assert undecided_circle_findings({"xy": unknown}) == ()  # no limits: nothing is left open
+    (finding,) = undecided_circle_findings({"xy": replace(unknown, accept=decided), "yz": known})
     assert finding.code == "CW-P134"
     assert "Circle xy" in finding.message
     assert "too short an arc" in finding.message
@@ -189,18 +189,18 @@ def test_measured(D: float, rule: Rule, believed: bool, proven: bool, decision: 
 
 
 def test_a_doubt_about_a_circle_or_its_axes_leaves_its_limits_open() -> None:
-    of_circle = Noticed(
+    of_circle = ScopedFinding(
         Finding("CW-C013", "warning", say("as_written", text="zeros")), frozenset(), "xy"
     )
-    of_axis = Noticed(
+    of_axis = ScopedFinding(
         Finding("CW-C013", "warning", say("as_written", text="zeros")), frozenset({"Y"})
     )
     axes = ("X", "Y", "Z")
-    assert doubts_among([of_circle], (), axes).about_circle("xy", ("X", "Y"))
-    assert not doubts_among([of_circle], (), axes).about_circle("zx", ("Z", "X"))
-    assert not doubts_among([of_circle], (), axes).about("X")
-    assert doubts_among([of_axis], (), axes).about_circle("xy", ("X", "Y"))
-    assert not doubts_among([of_axis], (), axes).about_circle("zx", ("Z", "X"))
+    assert find_doubts([of_circle], (), axes).about_circle("xy", ("X", "Y"))
+    assert not find_doubts([of_circle], (), axes).about_circle("zx", ("Z", "X"))
+    assert not find_doubts([of_circle], (), axes).about("X")
+    assert find_doubts([of_axis], (), axes).about_circle("xy", ("X", "Y"))
+    assert not find_doubts([of_axis], (), axes).about_circle("zx", ("Z", "X"))
 
 
 # ---- the job ----

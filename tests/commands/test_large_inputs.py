@@ -15,9 +15,9 @@ import pytest
 
 from compwright.controls import control
 from compwright.controls.control import read_files
-from compwright.estimation.circle import _thinned
-from compwright.evaluation.copied_runs import same_runs, same_runs_findings
-from compwright.evaluation.reading_checks import drift, suspect_traverses
+from compwright.estimation.circle import _average_neighbours
+from compwright.evaluation.copied_runs import copied_run_findings, copied_runs
+from compwright.evaluation.reading_checks import drift_findings, suspect_traverse_findings
 from compwright.evaluation.standards import evaluate
 from compwright.formats.families.control_texts import _UNKNOWN, _assigned_names, texts_of
 from compwright.foundations import yaml_reader
@@ -84,9 +84,9 @@ def test_checks_of_many_runs_need_memory_in_proportion_to_them() -> None:
     """Nine thousand runs of eleven targets: held all against all, they would take gigabytes."""
     test = test_of(*readings(11, 4_500))
     tracemalloc.start()
-    assert same_runs_findings(test) == []
-    assert drift(test) == []
-    assert suspect_traverses(test, lambda _: None) == []
+    assert copied_run_findings(test) == []
+    assert drift_findings(test) == []
+    assert suspect_traverse_findings(test, lambda _: None) == []
     _, peak = tracemalloc.get_traced_memory()
     tracemalloc.stop()
     assert peak < 30 * (test.positive.nbytes + test.negative.nbytes)
@@ -96,10 +96,10 @@ def test_copies_and_drift_are_found_among_many_runs() -> None:
     up, down = readings(11, 300)
     up[:, 250] = up[:, 17]
     test = test_of(up, down)
-    assert [group for group in same_runs(test).values() if group] == [[[17, 250]]]
-    assert "runs 18 and 251 in +" in same_runs_findings(test)[0].message
+    assert [group for group in copied_runs(test).values() if group] == [[[17, 250]]]
+    assert "runs 18 and 251 in +" in copied_run_findings(test)[0].message
     drifting = test_of(up + np.linspace(0.0, 3.0, 300), down)
-    assert [finding.code for finding in drift(drifting)] == ["CW-T012"]
+    assert [finding.code for finding in drift_findings(drifting)] == ["CW-T012"]
 
 
 def test_the_chance_of_an_order_is_the_same_by_orders_and_by_the_normal_limit(
@@ -119,7 +119,7 @@ def test_the_chance_of_an_order_is_the_same_by_orders_and_by_the_normal_limit(
 def test_many_suspect_traverses_are_counted_and_the_farthest_told() -> None:
     up, down = readings(11, 120)
     up[:, ::3] += 40.0
-    findings = suspect_traverses(test_of(up, down), lambda _: None)
+    findings = suspect_traverse_findings(test_of(up, down), lambda _: None)
     assert len(findings) == 21
     assert findings[-1].message.startswith("20 more runs are outliers")
 
@@ -267,9 +267,9 @@ def test_a_table_with_thousands_of_columns_is_refused() -> None:
 def test_means_of_neighbours_stand_for_the_samples_of_a_very_fine_circle() -> None:
     angles = (np.arange(50_000) + 0.5) * 360.0 / 50_000
     run = CircularRun(sense="ccw", angles=angles, deviations=np.cos(np.radians(2.0 * angles)))
-    thinned = _thinned(run)
+    thinned = _average_neighbours(run)
     assert thinned.angles.size == 3_847
     np.testing.assert_allclose(
         thinned.deviations, np.cos(np.radians(2.0 * thinned.angles)), atol=1e-6
     )
-    assert _thinned(thinned) is thinned
+    assert _average_neighbours(thinned) is thinned

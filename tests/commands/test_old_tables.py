@@ -16,7 +16,7 @@ from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation, ControlState
 from compwright.records.plan import PlannedTest
 from compwright.records.positioning import PositioningTest
-from compwright.verification.existing_table import OldTable
+from compwright.verification.existing_table import ExistingTableVerdict
 from compwright.workflow.run.old_tables import judged_old_table
 from loop import Floats, Machine, csv_of
 
@@ -64,7 +64,7 @@ def planned(
     return PlannedTest(test=test, measured_in=state)
 
 
-def judged(correction: Acts) -> OldTable:
+def judged(correction: Acts) -> ExistingTableVerdict:
     off, on = planned("off", 1), planned("on", 2, correction)
     return judged_old_table(AXIS, off, on, STATES, (AXIS,))
 

@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from compwright.records.rounding import settled, settled_number
+from compwright.records.rounding import rounded, rounded_number
 
 SOURCE = Path(__file__).resolve().parents[2] / "src"
 MACHINE = """
@@ -125,10 +125,10 @@ def test_files_and_words_are_the_same_on_every_processor(tmp_path: Path) -> None
 
 def test_what_is_settled_keeps_a_picometre_and_loses_the_last_bits() -> None:
     values = np.array([0.1 + 0.2, 1e-10, -1e-12, 0.0123456785])
-    assert settled(values).tolist() == [0.3, 0.0, 0.0, 0.012345678]
-    assert not np.any(np.signbit(settled(np.array([-1e-12]))))  # no minus zero in a file
-    assert settled_number(-4e-13) == 0.0
-    assert settled_number(2.00000049, 6) == 2.0
+    assert rounded(values).tolist() == [0.3, 0.0, 0.0, 0.012345678]
+    assert not np.any(np.signbit(rounded(np.array([-1e-12]))))  # no minus zero in a file
+    assert rounded_number(-4e-13) == 0.0
+    assert rounded_number(2.00000049, 6) == 2.0
 
 
 @pytest.mark.parametrize("bits", [1, -1])
@@ -137,4 +137,4 @@ def test_neighbours_settle_alike(bits: int) -> None:
     rng = np.random.default_rng(1)
     values = rng.uniform(-0.05, 0.05, 10_000)  # mm
     moved = values + 8 * bits * np.spacing(values)
-    assert np.array_equal(settled(values), settled(moved))
+    assert np.array_equal(rounded(values), rounded(moved))

@@ -16,7 +16,7 @@ import pytest
 from circle_machine import Machine, Setup, measured
 from compwright.cli import run as compwright
 from compwright.documents.circular import circular_document
-from compwright.planning.circle_diagnosis import diagnosed_circle
+from compwright.planning.circle_diagnosis import diagnose_circle
 from compwright.simulation.circular_files import to_circular_csv
 
 pytestmark = pytest.mark.brief
@@ -107,7 +107,7 @@ def test_a_scale_that_the_path_cannot_separate_is_no_table(
 
 
 def test_lost_motion_of_an_axis_that_does_not_reverse_is_not_given() -> None:
-    document = circular_document(diagnosed_circle(circle(HALF_X), "iso230-4:2005"))
+    document = circular_document(diagnose_circle(circle(HALF_X), "iso230-4:2005"))
     assert document["diagnosis"]["backlash_first"]["value"] is None
     assert document["diagnosis"]["backlash_second"]["value"] == pytest.approx(3.0, abs=0.5)
     shares = [entry["share"] for entry in document["diagnosis"].values() if entry["share"]]
@@ -116,7 +116,7 @@ def test_lost_motion_of_an_axis_that_does_not_reverse_is_not_given() -> None:
 
 def test_a_squareness_drowned_in_noise_is_null_with_its_numbers() -> None:
     setup = replace(FULL, radius=50.0, noise=30.0, samples=200)
-    found = circular_document(diagnosed_circle(circle(setup), "iso230-4:2005"))
+    found = circular_document(diagnose_circle(circle(setup), "iso230-4:2005"))
     entry = found["diagnosis"]["squareness"]
     assert entry["value"] is None
     assert entry["std_error"] > 14.0

@@ -13,7 +13,7 @@ import pytest
 from compwright.cli import run as compwright
 from compwright.controls.control import decode, open_control
 from compwright.foundations.session import Session
-from compwright.prediction.dead_zone import as_applied
+from compwright.prediction.dead_zone import applied_compensation
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation, ControlFile
 from compwright.records.facts import AxisFacts
@@ -106,7 +106,7 @@ def test_a_reversal_within_the_zone_stays(reversal: float, left: float) -> None:
         positive=flat,
         negative=flat - reversal / 1000.0,
     )
-    applied = as_applied(table, axis)
+    applied = applied_compensation(table, axis)
     where = np.array([0.0, 35.0, 100.0])
     gap = applied.at(where, UP) - applied.at(where, DOWN)
     assert gap * 1000.0 == pytest.approx(np.full(3, left))
@@ -133,7 +133,7 @@ def test_behind_the_zone_the_table_is_applied_at_once(mirrored: bool) -> None:
         positive=flat if mirrored else rising,
         negative=rising[::-1] if mirrored else flat,
     )
-    applied = as_applied(table, axis)
+    applied = applied_compensation(table, axis)
     where = np.array([10.0, 60.0, 66.0, 67.0, 80.0, 95.0])
     stuck = np.array([0.0, 0.0, 0.0, 6.04, 7.6, 9.4])
     there, back = (DOWN, UP) if mirrored else (UP, DOWN)

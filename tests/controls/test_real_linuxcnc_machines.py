@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from compwright.cli import run as compwright
-from compwright.prediction.dead_zone import as_applied
+from compwright.prediction.dead_zone import applied_compensation
 from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
 from compwright.records.correction import AxisCompensation
 from linuxcnc_control import REAL_LINUXCNC, Session, measure, run_session, switch_at
@@ -147,7 +147,7 @@ def test_what_the_ramp_leaves_out_is_what_the_prediction_leaves_out() -> None:
             positive=positive,
             negative=negative,
         )
-        applied = as_applied(table, axis)
+        applied = applied_compensation(table, axis)
         settled = [stop for stop in session.of(str(joint)) if stop.number > 2 * places.size]
         assert len(settled) > 2 * places.size
         for stop in settled:

@@ -21,7 +21,7 @@ from compwright.cli import run as compwright
 from compwright.formats.control_format import control_format
 from compwright.formats.families.activity import Activity
 from compwright.foundations.errors import CapacityError, InputError, UsageError
-from compwright.planning.wanted_correction import without_others
+from compwright.planning.wanted_correction import without_kept_tables
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.correction import ControlFile, ControlState
 from compwright.records.estimate import WantedCorrection
@@ -199,8 +199,8 @@ def test_what_is_wanted_beside_it_is_zero_at_the_reference_again() -> None:
         reversal_log_odds=0.0,
         periods=(),
     )
-    own = without_others(wanted, (stays,))
-    assert without_others(wanted, ()) is wanted
+    own = without_kept_tables(wanted, (stays,))
+    assert without_kept_tables(wanted, ()) is wanted
     assert own.positive[0] == 0.0
     for direction in Direction:
         whole = own.total(direction) + stays.at(nodes, direction)

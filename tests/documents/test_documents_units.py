@@ -29,7 +29,7 @@ from compwright.evaluation.standards import evaluate
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.correction import AxisCompensation, CrossCompensation
 from compwright.records.estimate import AxisPeriod, PeriodEvidence
-from compwright.records.limits import Cause, Limiting, Worth
+from compwright.records.limits import LimitingCause, LimitingCauses, PointCountOption
 from compwright.records.prediction import AxisPrediction, Quantiles, TestPrediction
 from compwright.records.verification import ReadBack
 from evaluation_samples import axis_test
@@ -122,20 +122,24 @@ def test_a_prediction(kind: AxisKind, factor: float, unit: str) -> None:
         ),
         table=table(kind),
         quantum=0.0005,
-        limits=Limiting(
+        limits=LimitingCauses(
             parameter="A",
             now=0.05,
             then=0.02,
             least=0.01,
             spread=0.001,
             causes=(
-                Cause(cause="noise", value=0.01),
-                Cause(cause="value range", value=0.002, rms=0.0005),
+                LimitingCause(cause="noise", value=0.01),
+                LimitingCause(cause="value range", value=0.002, rms=0.0005),
             ),
         ),
         periods=(AxisPeriod(10.0, 0.97, "found"), AxisPeriod(20.0, 1.0, "job")),
         evidence=PeriodEvidence(np.array([5.0, 10.0]), np.array([0.5, 12.0]), ((12.5, 50.0),)),
-        worth=(Worth(points=21, spacing=50.0, median=0.02, p05=0.01, p95=0.05, written=True),),
+        worth=(
+            PointCountOption(
+                points=21, spacing=50.0, median=0.02, p05=0.01, p95=0.05, written=True
+            ),
+        ),
     )
     found = prediction_document("id", {"X": axis}, judged="independent")["axes"]["X"]
     assert found["quantum"] == pytest.approx(0.0005 * factor)

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from compwright.estimation.axis import estimate_axis
-from compwright.estimation.noise import noise_of
+from compwright.estimation.noise import infer_noise
 from compwright.estimation.noise_posterior import NoisePosterior
 from compwright.estimation.observed_test import ObservedTest
 from compwright.evaluation.statistics import parameters
@@ -53,7 +53,7 @@ def shifted(runs: FloatArray, count: int = 11) -> PositioningTest:
 
 
 def known(test: PositioningTest) -> NoisePosterior:
-    found = noise_of(test)
+    found = infer_noise(test)
     assert found is not None
     return found
 

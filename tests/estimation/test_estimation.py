@@ -13,8 +13,8 @@ import pytest
 from numpy.typing import NDArray
 
 from compwright.estimation.axis import AxisPosterior, estimate_axis
-from compwright.estimation.basis import Basis, folded
-from compwright.estimation.cells import cells_of, visible_harmonics, visible_periods
+from compwright.estimation.basis import Basis, alias_wavelength
+from compwright.estimation.cells import build_cells, visible_harmonics, visible_periods
 from compwright.estimation.evidence import Evidence, Prior
 from compwright.estimation.observed_test import ObservedTest
 from compwright.foundations.errors import InputError, UsageError
@@ -359,7 +359,7 @@ def test_the_direction_with_fewer_readings_is_known_less() -> None:
 def test_spread_of_the_readings_by_hand() -> None:
     positive = np.array([[0.0, 2.0], [10.0, 10.0], [20.0, np.nan]])
     negative = np.array([[1.0, 3.0], [11.0, 15.0], [20.0, 20.0]])
-    cells = cells_of([ObservedTest(test=a_test(positive, negative, np.array([0.0, 1.0, 2.0])))])
+    cells = build_cells([ObservedTest(test=a_test(positive, negative, np.array([0.0, 1.0, 2.0])))])
     # Sums of squares 2 + 0 + 2 + 8 + 0 = 12 with five degrees of freedom; the single reading has
     # none.
     assert cells.spread * cells.data.scale == pytest.approx(np.sqrt(12.0 / 5.0), rel=1e-12)
@@ -367,7 +367,7 @@ def test_spread_of_the_readings_by_hand() -> None:
     assert cells.reversal == pytest.approx((-1.0 - 3.0 + 0.0) / 3.0, rel=1e-12)
     rng = np.random.default_rng(14)
     many = np.linspace(0.0, 1000.0, 400)
-    single = cells_of(
+    single = build_cells(
         [ObservedTest(test=a_test(rng.standard_normal((400, 1)), np.empty((400, 0)), many))]
     )
     assert single.spread * single.data.scale == pytest.approx(
@@ -388,7 +388,7 @@ def test_the_evidence_equals_the_density_of_all_readings(
     positive, negative = rng.standard_normal((9, 3)), rng.standard_normal((9, 4))
     positive[2] = np.nan
     negative[5, 1:] = np.nan
-    cells = cells_of([ObservedTest(test=a_test(positive, negative, targets))])
+    cells = build_cells([ObservedTest(test=a_test(positive, negative, targets))])
     basis = Basis(
         centre=500.0,
         half=500.0,
@@ -453,7 +453,7 @@ def test_the_smooth_part_has_the_covariance_of_matern() -> None:
     )
     where = np.array([0.0, 0.1, 0.3])
     targets = np.array([-1.0, 0.0, 1.0])
-    cells = cells_of([ObservedTest(test=a_test(np.eye(3), np.empty((3, 0)), targets))])
+    cells = build_cells([ObservedTest(test=a_test(np.eye(3), np.empty((3, 0)), targets))])
     prior = Prior(centre=np.zeros(7), width=np.ones(7), free=(True,) * 7)
     h = np.array([0.0, 0.0, np.log(2.0), np.log(0.2), 0.0, 0.0, 0.0])  # smoothness 3/2 + 1
     variances = np.exp(Evidence(basis, targets, cells.data, prior).log_variances(h)[0])
@@ -536,7 +536,7 @@ def test_a_period_that_folds_to_a_longer_wave_is_not_fitted(
     mm.
     """
     targets = interval * np.arange(32.0)
-    shown = folded(targets, period)
+    shown = alias_wavelength(targets, period)
     assert shown is not None
     assert shown == pytest.approx(
         wave, rel=0.1
@@ -548,7 +548,7 @@ def test_many_targets_take_no_room_for_the_waves_that_they_may_show() -> None:
     """All frequencies at all targets would be 100 MB at 400 targets, and four times that at 800."""
     targets = 10.3 * np.arange(400.0)
     tracemalloc.start()
-    shown = folded(targets, 10.0)
+    shown = alias_wavelength(targets, 10.0)
     largest = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
     assert shown == pytest.approx(343.3, rel=0.1)  # 1 / (1/10 - 1/10.3)

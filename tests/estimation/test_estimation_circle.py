@@ -14,13 +14,13 @@ from circle_machine import Machine, Setup, measured, random_machine, truth
 from compwright.estimation.circle import diagnose
 from compwright.estimation.circle_centre import recentre, second_order
 from compwright.estimation.circle_lag import common_lag
-from compwright.estimation.circle_model import PRIORS, samples_of
+from compwright.estimation.circle_model import PRIORS, circle_samples
 from compwright.estimation.circle_noise import (
     cosine_transform,
+    estimate_spectrum,
     inverse_cosine_transform,
-    spectrum_of,
 )
-from compwright.estimation.circle_plain import plain_regression
+from compwright.estimation.circle_plain import harmonic_regression
 from compwright.foundations.errors import InputError, UsageError
 from compwright.instruments.b5r import read_b5r
 from compwright.records.circular import CircularRun, CircularTest, Diagnosis
@@ -365,7 +365,7 @@ def test_without_a_lag_none_is_found() -> None:
     for index in range(20):
         rng = np.random.default_rng([32, index])
         test = measured(random_machine(rng, 150.0), Setup(noise=0.1, wander=0.2), rng)
-        assert common_lag(samples_of(test)) is None
+        assert common_lag(circle_samples(test)) is None
 
 
 def test_a_ball_that_creeps_between_the_runs_is_not_lost_motion() -> None:
@@ -504,7 +504,7 @@ def test_plain_regression_finds_simple_machines() -> None:
         backlash_first_at_negative=4.0,
     )
     machine = replace(machine, lateral_play_second=2.0, straightness_first=-3.0, centre=(0.2, -0.3))
-    plain = plain_regression(samples_of(measured(machine, Setup())))
+    plain = harmonic_regression(circle_samples(measured(machine, Setup())))
     for name, value in truth(machine, Setup()).items():
         if name in plain:
             assert plain[name] == pytest.approx(value, abs=0.02), name
@@ -561,7 +561,7 @@ def test_spectrum_of_known_noise() -> None:
             state = root * state + drive
             if index >= 200:
                 values[index - 200] = state
-        found = spectrum_of(cosine_transform(values), np.zeros(size))
+        found = estimate_spectrum(cosine_transform(values), np.zeros(size))
         ratios.append(found.density[[0, -1]] * np.array([(1.0 - root) ** 2, (1.0 + root) ** 2]))
     # Density of the process: 1 / |1 - root e^-iw|², at zero and at half a turn. A mean over what
     # may be lies above the median.

@@ -10,10 +10,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from compwright.estimation.noise import LEAST_DOF, noise_of
+from compwright.estimation.noise import LEAST_DOF, infer_noise
 from compwright.estimation.noise_chain import WAYS, GibbsChain
 from compwright.estimation.noise_posterior import NoisePosterior
-from compwright.estimation.noise_readings import readings_of
+from compwright.estimation.noise_readings import cell_readings
 from compwright.estimation.noise_rounding import common_std, rounded_std, rounded_stds
 from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.noise import INDEPENDENT, RUNS, WAVE
@@ -50,7 +50,7 @@ def made(readings: FloatArray, **changes: object) -> PositioningTest:
 
 
 def posterior(readings: FloatArray, **changes: object) -> NoisePosterior:
-    found = noise_of(made(readings, **changes))
+    found = infer_noise(made(readings, **changes))
     assert found is not None
     return found
 
@@ -72,7 +72,7 @@ def test_each_sweep_offers_distributions_of_the_errors_as_probable_as_they_are()
     readings = white(3)
     readings[0, 4, 1] += 6.0
     test = made(readings)
-    chain = GibbsChain(test, readings_of(test), np.random.default_rng(5))
+    chain = GibbsChain(test, cell_readings(test), np.random.default_rng(5))
     for _ in range(12):
         chain.sweep()
         taken = np.bincount(chain.tails, minlength=chain.tail_chances.size)
@@ -354,9 +354,9 @@ def test_readings_without_any_scatter_have_the_least_noise() -> None:
 
 
 def test_few_repetitions_leave_the_noise_to_the_curve() -> None:
-    assert noise_of(made(white(1, n=1))) is None
-    assert noise_of(made(white(1, m=(LEAST_DOF - 1) // 2, n=2))) is None
-    assert noise_of(made(white(1, m=LEAST_DOF // 2, n=2))) is not None
+    assert infer_noise(made(white(1, n=1))) is None
+    assert infer_noise(made(white(1, m=(LEAST_DOF - 1) // 2, n=2))) is None
+    assert infer_noise(made(white(1, m=LEAST_DOF // 2, n=2))) is not None
 
 
 def test_one_direction_with_readings_missing() -> None:

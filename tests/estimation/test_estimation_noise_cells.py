@@ -10,8 +10,8 @@ from scipy.integrate import quad
 from scipy.stats import norm, t
 from test_estimation_noise import UM, made, white
 
-from compwright.estimation.noise import noise_of
-from compwright.estimation.noise_cells import located
+from compwright.estimation.noise import infer_noise
+from compwright.estimation.noise_cells import cell_locations
 from compwright.estimation.noise_tails import Tail
 
 
@@ -43,7 +43,7 @@ def test_the_place_of_a_cell_is_that_of_an_integral_over_all_places(
     scale = 0.4
     values = np.array([[*readings, 99.0]]) * scale
     there = np.isfinite(values) & (values < 30.0)
-    mean, square = located(tail, values, there, np.array([scale]))
+    mean, square = cell_locations(tail, values, there, np.array([scale]))
 
     def moment(power: int) -> float:
         def at(place: float) -> float:
@@ -67,7 +67,7 @@ def test_readings_without_tails_keep_their_plain_means() -> None:
     """
     for seed in (1, 2, 3):
         test = made(0.4 * white(seed))
-        found = noise_of(test)
+        found = infer_noise(test)
         assert found is not None
         plain = np.concatenate([test.positive, test.negative]).mean(axis=1)
         away = found.mean - plain

@@ -13,8 +13,8 @@ from compwright.estimation.noise_move_selection import (
     draw_share,
     drawn_from_prior,
 )
-from compwright.estimation.noise_patterns import Patterns, patterns_of
-from compwright.estimation.noise_readings import readings_of
+from compwright.estimation.noise_patterns import Patterns, build_patterns
+from compwright.estimation.noise_readings import cell_readings
 from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.noise import WALK, wave_effects
 from compwright.records.positioning import PositioningTest
@@ -81,7 +81,7 @@ def patterns() -> Patterns:
         runs_negative=(1, 2, 3),
         frame="machine",
     )
-    return patterns_of(readings_of(test), "standard", (3, 3))
+    return build_patterns(cell_readings(test), "standard", (3, 3))
 
 
 def test_steps_of_the_zero_point_make_a_random_walk_from_the_middle(patterns: Patterns) -> None:

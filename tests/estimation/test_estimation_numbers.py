@@ -13,34 +13,39 @@ from numpy.typing import NDArray
 
 from circle_machine import Machine, Setup, distance, measured
 from compwright.estimation.basis import hidden_share, log_density, smooth_density
-from compwright.estimation.cholesky import factored, factored_with_values, inverse_of_lower
+from compwright.estimation.cholesky import cholesky_factor, factor_and_solve, inverse_triangle
 from compwright.estimation.circle_centre import second_order
-from compwright.estimation.circle_cyclic import longest_pitch, search, shortest_pitch
-from compwright.estimation.circle_fit import Weighted, fit, problem_of, white
-from compwright.estimation.circle_lag import Lag, corrected
+from compwright.estimation.circle_cyclic import longest_pitch, search_cyclic, shortest_pitch
+from compwright.estimation.circle_fit import (
+    WeightedProblem,
+    circle_problem,
+    fit_causes,
+    white_spectra,
+)
+from compwright.estimation.circle_lag import Lag, at_actual_angles
 from compwright.estimation.circle_model import (
-    Samples,
+    CircleSamples,
     SpikeShape,
     TakeUp,
+    circle_samples,
     cyclic_columns,
     lag_column,
-    samples_of,
     since_reversal,
     spike_column,
 )
-from compwright.estimation.circle_noise import grid_of
-from compwright.estimation.circle_report import shrink_doubt
+from compwright.estimation.circle_noise import angle_grid
+from compwright.estimation.circle_report import shrink_uncertainty
 from compwright.estimation.hyperparameters import _log_student, draw_hyperparameters
-from compwright.estimation.posterior_peaks import peaks_of
+from compwright.estimation.posterior_peaks import find_peaks
 
 Array = NDArray[np.float64]
 R = 150.0
 UM = 1e-3
 
 
-def samples(sense: float = 1.0, count: int = 360) -> Samples:
+def samples(sense: float = 1.0, count: int = 360) -> CircleSamples:
     theta = np.radians((np.arange(count) + 0.5) * 360.0 / count)
-    return Samples(
+    return CircleSamples(
         theta=theta,
         sense=np.full(count, sense),
         deviations=np.zeros(count),
@@ -52,7 +57,7 @@ def samples(sense: float = 1.0, count: int = 360) -> Samples:
     )
 
 
-def radial(of: Samples, x: Array, y: Array) -> Array:
+def radial(of: CircleSamples, x: Array, y: Array) -> Array:
     return np.asarray(x * np.cos(of.theta) + y * np.sin(of.theta))
 
 
@@ -83,9 +88,11 @@ def test_a_lag_moves_the_trace_of_a_cause_by_its_slope(name: str, sense: float) 
 def test_a_late_machine_is_seen_where_it_is() -> None:
     """Constant feed: what is commanded at θ arrives d v T / R later."""
     of = samples(-1.0)
-    assert corrected(of, Lag(2e-3, 1e-4)).theta == pytest.approx(of.theta + 2e-3, abs=1e-15)
-    assert corrected(samples(), Lag(2e-3, 1e-4)).theta == pytest.approx(of.theta - 2e-3, abs=1e-15)
-    assert corrected(of, Lag(2e-3, 1e-4)).lag_doubt == 1e-4
+    assert at_actual_angles(of, Lag(2e-3, 1e-4)).theta == pytest.approx(of.theta + 2e-3, abs=1e-15)
+    assert at_actual_angles(samples(), Lag(2e-3, 1e-4)).theta == pytest.approx(
+        of.theta - 2e-3, abs=1e-15
+    )
+    assert at_actual_angles(of, Lag(2e-3, 1e-4)).lag_doubt == 1e-4
 
 
 @pytest.mark.parametrize("axis", ["first", "second"])
@@ -164,8 +171,8 @@ def test_the_second_order_of_a_centre_is_exact() -> None:
 def test_runs_are_laid_on_one_grid_from_the_start_of_the_arc(start: float, extent: float) -> None:
     """A run whose samples lie on the grid's places is taken as it is, in order of the angle."""
     test = measured(Machine(), Setup(samples=88, start=start, extent=extent))
-    of = samples_of(test)
-    grid = grid_of(of)
+    of = circle_samples(test)
+    grid = angle_grid(of)
     assert grid.size == 88
     for index, sense in zip(grid.index, (1.0, -1.0), strict=True):
         assert index.shape == (1, 88)
@@ -195,11 +202,13 @@ def test_a_cyclic_error_is_found_from_the_false_alarm_threshold_on(
     = 2 * 1504: 25.4 = a² 752, a = 0.184 µm.
     """
     cause: dict[str, Any] = {f"cyclic_{axis}": amplitude, f"pitch_{axis}": 10.0}
-    of = samples_of(measured(Machine(**cause), Setup(samples=1504)))
-    problem = problem_of(of, grid_of(of))
+    of = circle_samples(measured(Machine(**cause), Setup(samples=1504)))
+    problem = circle_problem(of, angle_grid(of))
     always = np.arange(len(problem.names))
-    searched = search(
-        problem, fit(Weighted(problem, white(problem)), always, problem.widths**-2.0), [axis]
+    searched = search_cyclic(
+        problem,
+        fit_causes(WeightedProblem(problem, white_spectra(problem)), always, problem.widths**-2.0),
+        [axis],
     )
     assert (axis in searched.found) is found
     if found:
@@ -208,7 +217,7 @@ def test_a_cyclic_error_is_found_from_the_false_alarm_threshold_on(
 
 def test_a_soft_loop_makes_the_circle_smaller_by_its_acceleration() -> None:
     """v² / (2 Kv² R) at 2 000 mm/min, Kv = 1000/60 per s, R = 150: 13.3 µm, uniform: over sqrt(3)."""
-    assert shrink_doubt(samples()) == pytest.approx(13.333e-3 / np.sqrt(3.0), rel=1e-4)
+    assert shrink_uncertainty(samples()) == pytest.approx(13.333e-3 / np.sqrt(3.0), rel=1e-4)
 
 
 # ---------------------------------------------------------------- axes
@@ -349,9 +358,9 @@ def test_peaks_are_told_apart_and_those_without_mass_left_out() -> None:
     known: Any = Peaks((0.7, 1.0), (0.3, 9.0), (1e-9, -9.0))
     starts = [np.array([[x, -2.0, 0.0] for x in some]) for some in ((0.0,), (1.5,), (-8.0, 8.0))]
     # Of a kind the best start alone is climbed from: 8, not -8.
-    assert [peak.place[0] for peak in peaks_of(known, starts)] == pytest.approx([1.0, 9.0])
+    assert [peak.place[0] for peak in find_peaks(known, starts)] == pytest.approx([1.0, 9.0])
     assert [
-        peak.place[0] for peak in peaks_of(known, [*starts, np.array([[-8.0, -2.0, 0.0]])])
+        peak.place[0] for peak in find_peaks(known, [*starts, np.array([[-8.0, -2.0, 0.0]])])
     ] == pytest.approx([1.0, 9.0])
 
 
@@ -359,8 +368,8 @@ def test_peaks_are_told_apart_and_those_without_mass_left_out() -> None:
 def test_the_inverse_of_a_triangle_undoes_it(size: int) -> None:
     rng = np.random.default_rng(size)
     rows = rng.standard_normal((size, 2 * size)) * np.exp(rng.standard_normal((size, 1)))
-    matrix, factor = factored(rows @ rows.T)
-    inverse = inverse_of_lower(factor)
+    matrix, factor = cholesky_factor(rows @ rows.T)
+    inverse = inverse_triangle(factor)
     np.testing.assert_allclose(inverse @ factor, np.eye(size), atol=1e-10)
     np.testing.assert_allclose(np.triu(inverse, 1), 0.0, atol=1e-12)
     np.testing.assert_allclose(inverse @ matrix @ inverse.T, np.eye(size), atol=1e-9)
@@ -368,7 +377,7 @@ def test_the_inverse_of_a_triangle_undoes_it(size: int) -> None:
 
 def test_a_matrix_that_rounding_left_indefinite_gets_a_factor() -> None:
     ones = np.ones((60, 60))
-    matrix, factor = factored(ones - 1e-13 * np.eye(60))
+    matrix, factor = cholesky_factor(ones - 1e-13 * np.eye(60))
     np.testing.assert_allclose(factor @ factor.T, matrix, atol=1e-12)
     np.testing.assert_allclose(matrix, ones, atol=1e-9)
 
@@ -379,7 +388,7 @@ def test_values_beside_a_matrix_are_solved_with_its_factor(size: int) -> None:
     noise = np.exp(rng.standard_normal(size))
     rows = rng.standard_normal((size, 2 * size))
     matrix, values = rows @ rows.T + np.diag(noise), 1e3 * rng.standard_normal(size)
-    factor, solved = factored_with_values(matrix, values, float(np.sum(values**2 / noise)))
+    factor, solved = factor_and_solve(matrix, values, float(np.sum(values**2 / noise)))
     np.testing.assert_allclose(factor @ factor.T, matrix, rtol=1e-12, atol=1e-12)
     np.testing.assert_allclose(factor @ solved, values, rtol=1e-9, atol=1e-9)
     # whatever the border, the density is that of the matrix alone
@@ -388,6 +397,6 @@ def test_values_beside_a_matrix_are_solved_with_its_factor(size: int) -> None:
 
 def test_values_beside_a_matrix_without_a_factor_get_that_of_the_nearest() -> None:
     ones, values = np.ones((60, 60)), np.ones(60)
-    factor, solved = factored_with_values(ones - 1e-13 * np.eye(60), values, 10.0)
+    factor, solved = factor_and_solve(ones - 1e-13 * np.eye(60), values, 10.0)
     np.testing.assert_allclose(factor @ factor.T, ones, atol=1e-9)
     np.testing.assert_allclose(factor @ solved, values, atol=1e-6)

@@ -11,21 +11,26 @@ import numpy as np
 import pytest
 
 from compwright.estimation.basis import Basis
-from compwright.estimation.cells import cells_of
+from compwright.estimation.cells import build_cells
 from compwright.estimation.evidence import EXCESS
-from compwright.estimation.model import Periods, Travel, evidence_of
+from compwright.estimation.model import Periods, Travel, model_evidence
 from compwright.estimation.observed_test import ObservedTest
 from compwright.estimation.period_likelihood import (
     AMPLITUDES,
     SMOOTHNESS,
-    Middles,
+    BidirectionalMeans,
     NodeChoice,
     PeriodLikelihood,
 )
-from compwright.estimation.period_means import FITTED, fitted_periods, middles_of, unseen_periods
+from compwright.estimation.period_means import (
+    FITTED,
+    bidirectional_means,
+    fitted_periods,
+    unseen_periods,
+)
 from compwright.estimation.period_models import PeriodSearch
 from compwright.estimation.periods import search_periods
-from compwright.estimation.spectral_window import Window, alikeness
+from compwright.estimation.spectral_window import SpectralWindow, wave_similarity
 from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.positioning import PositioningTest
 
@@ -40,10 +45,10 @@ def dithered(rng: np.random.Generator, length: float, count: int) -> FloatArray:
 
 def made(
     targets: FloatArray, error: Curve, rng: np.random.Generator, noise: float = 0.0005
-) -> Middles:
+) -> BidirectionalMeans:
     """Five readings per direction with ``noise`` (mm); their means' middle."""
     variance = noise**2 / 10.0
-    return Middles(
+    return BidirectionalMeans(
         targets=targets,
         values=error(targets) + rng.standard_normal(targets.size) * np.sqrt(variance),
         variances=np.full(targets.size, variance),
@@ -136,8 +141,8 @@ def test_kinks_are_expected_as_seldom_as_in_the_estimate() -> None:
     """Shares of a normal logarithm of the excess over 3/2 (Abramowitz and Stegun 1964, eq. 26.2.29)
     below 2, from 2 to 3.5, and above, by the prior of the estimate itself."""
     rng = np.random.default_rng(14)
-    cells = cells_of([ObservedTest(test=measured(dithered(rng, 500.0, 12), bow, rng))])
-    prior = evidence_of(cells, Travel(0.0, 500.0), Periods(), varying=False).prior
+    cells = build_cells([ObservedTest(test=measured(dithered(rng, 500.0, 12), bow, rng))])
+    prior = model_evidence(cells, Travel(0.0, 500.0), Periods(), varying=False).prior
 
     def below(smoothness: float) -> float:
         away = (math.log(smoothness - 1.5) - prior.centre[EXCESS]) / prior.width[EXCESS]
@@ -313,7 +318,7 @@ def test_a_worm_of_a_rotary_axis_is_named() -> None:
         rng,
         noise=0.5 * arcsec,
     )
-    middles = Middles(
+    middles = BidirectionalMeans(
         middles.targets,
         middles.values,
         middles.variances,
@@ -382,14 +387,17 @@ def test_few_targets_are_not_searched() -> None:
 def test_alikeness_is_one_for_the_same_values_and_small_for_others() -> None:
     targets: FloatArray = 30.0 * np.arange(20, dtype=np.float64)
     others = np.array([1 / 30 + 0.02, 1 / 30 - 0.02, 0.03])
-    for alike in (alikeness(targets, others, 0.02), Window(targets, 0.2).alike(others, 0.02)):
+    for alike in (
+        wave_similarity(targets, others, 0.02),
+        SpectralWindow(targets, 0.2).alike(others, 0.02),
+    ):
         assert alike[:2] == pytest.approx([1.0, 1.0], abs=0.01)
         assert alike[2] < 0.5
 
 
 def test_waves_that_look_too_long_are_smooth_error() -> None:
     """Targets 30 mm apart: 28.6 mm looks like 612 mm, which is smooth; 11.3 mm like 86.8 mm."""
-    window = Window(30.0 * np.arange(26, dtype=np.float64), 0.5)
+    window = SpectralWindow(30.0 * np.arange(26, dtype=np.float64), 0.5)
     assert window.slow(np.array([1 / 28.6, 1 / 15.0, 1 / 11.3]), 8 / 750).tolist() == [
         True,
         True,
@@ -427,8 +435,8 @@ def test_middles_are_means_of_both_directions_and_keep_single_ones_apart() -> No
     rng = np.random.default_rng(10)
     test = measured(dithered(rng, 500.0, 12), bow, rng)
     test.negative[4] = np.nan
-    cells = cells_of([ObservedTest(test=test)])
-    middles = middles_of(cells, endless=False)
+    cells = build_cells([ObservedTest(test=test)])
+    middles = bidirectional_means(cells, endless=False)
     both = np.arange(12) != 4
     mean = 0.5 * (np.mean(test.positive[both], axis=1) + np.mean(test.negative[both], axis=1))
     assert np.diff(middles.values[both], 2) == pytest.approx(
@@ -450,7 +458,7 @@ def test_of_a_hundred_known_periods_those_that_are_there_are_fitted() -> None:
         ),
         rng,
     )
-    middles = middles_of(cells_of([ObservedTest(test=test)]), endless=False)
+    middles = bidirectional_means(build_cells([ObservedTest(test=test)]), endless=False)
     many = tuple(3.0 + 0.5 * k for k in range(100))
     chosen = fitted_periods(middles, smooth_basis(800.0), many)
     assert {10.0, 17.0} <= set(chosen)

@@ -10,9 +10,9 @@ import pytest
 from numpy.typing import NDArray
 
 from compwright.estimation.axis import AxisPosterior, estimate_axis
-from compwright.estimation.cells import cells_of
+from compwright.estimation.cells import build_cells
 from compwright.estimation.evidence import _by_cells, _by_weights, _Marginal
-from compwright.estimation.model import Periods, Travel, evidence_of
+from compwright.estimation.model import Periods, Travel, model_evidence
 from compwright.estimation.noise_posterior import NoisePosterior
 from compwright.estimation.observed_test import ObservedTest, traverse_columns
 from compwright.records.axis import AxisKind
@@ -198,8 +198,8 @@ def test_the_density_of_the_means_is_that_of_their_covariance(
     """Written out: functions of the basis, local part, noise, and what traverses have in common."""
     rng = np.random.default_rng(6)
     tests = [known(noisy(rng, 1 * UM), 1 * UM, 0.5 * UM), known(noisy(rng, 1 * UM), 2 * UM)]
-    cells = cells_of(tests)
-    evidence = evidence_of(cells, Travel(*TRAVEL), Periods((90.0,), ((1, 2),)), varying=True)
+    cells = build_cells(tests)
+    evidence = model_evidence(cells, Travel(*TRAVEL), Periods((90.0,), ((1, 2),)), varying=True)
     h = evidence.prior.centre + 0.3 * rng.standard_normal(evidence.prior.centre.size)
     data = cells.data
     variances = np.concatenate([np.exp(evidence.log_variances(h)[0]), data.extra_std**2])

@@ -7,7 +7,7 @@ import pytest
 
 from compwright.estimation.basis import Basis
 from compwright.estimation.period_candidates import _Prior
-from compwright.estimation.period_likelihood import Middles
+from compwright.estimation.period_likelihood import BidirectionalMeans
 from compwright.estimation.periods import search_periods
 from compwright.estimation.usual_periods import USUAL_PERIODS, usual_periods
 from compwright.records.axis import AxisKind
@@ -50,7 +50,7 @@ def test_each_lead_is_named_as_it_is(lead: float) -> None:
         + 0.002 * np.sin(2 * np.pi * targets / lead + 0.7)
         + sigma / np.sqrt(10.0) * rng.standard_normal(20)
     )
-    middles = Middles(
+    middles = BidirectionalMeans(
         targets=targets,
         values=values,
         variances=np.full(20, sigma**2 / 10.0),

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from compwright.estimation.axis import AxisPosterior, estimate_axis
-from compwright.estimation.jumps import Jump, jumps_of
-from compwright.estimation.noise import noise_of
+from compwright.estimation.jumps import Jump, find_jumps
+from compwright.estimation.noise import infer_noise
 from compwright.estimation.observed_test import ObservedTest
 from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.positioning import PositioningTest
@@ -48,7 +48,7 @@ def estimated(error: Curve, targets: FloatArray, seed: int, noise: float = 0.3) 
         runs_negative=(1, 2, 3, 4, 5),
         frame="machine",
     )
-    return estimate_axis([ObservedTest(test=test, noise=noise_of(test))], travel=(0.0, LENGTH))
+    return estimate_axis([ObservedTest(test=test, noise=infer_noise(test))], travel=(0.0, LENGTH))
 
 
 def dithered(count: int, seed: int) -> FloatArray:
@@ -95,7 +95,7 @@ def test_two_jumps_do_not_hide_each_other(count: int, back: float) -> None:
     first, second = count // 4, 2 * count // 3
     values = 50.0 * (np.arange(count) > first) + back * (np.arange(count) > second)
     values = values + np.random.default_rng(count).normal(0.0, 0.2, count)
-    found = jumps_of(targets, values * UM, np.full(count, 0.2 * UM))
+    found = find_jumps(targets, values * UM, np.full(count, 0.2 * UM))
     assert [jump.low for jump in found] == [targets[first], targets[second]]
     assert [jump.size / UM for jump in found] == pytest.approx([50.0, back], abs=1.0)
     assert all(jump.named for jump in found)
@@ -109,7 +109,7 @@ def test_jumps_of_a_long_axis_are_found_where_they_are() -> None:
     values = smooth(0.5)(targets) + np.random.default_rng(8).normal(0.0, 0.2, count)
     for gap, size in truth.items():
         values = values + size * (np.arange(count) > gap)
-    found = [one for one in jumps_of(targets, values * UM, np.full(count, 0.2 * UM)) if one.named]
+    found = [one for one in find_jumps(targets, values * UM, np.full(count, 0.2 * UM)) if one.named]
     assert [jump.low for jump in found] == [targets[gap] for gap in truth]
     assert [jump.size / UM for jump in found] == pytest.approx(list(truth.values()), abs=1.0)
 
@@ -118,7 +118,7 @@ def test_two_outliers_next_to_each_other_may_be_two_jumps() -> None:
     """Nothing tells them apart: neither is sure."""
     targets = np.linspace(0.0, LENGTH, 15)
     values = 50.0 * np.isin(np.arange(15), (6, 7)) + np.random.default_rng(3).normal(0.0, 0.2, 15)
-    found = jumps_of(targets, values * UM, np.full(15, 0.2 * UM))
+    found = find_jumps(targets, values * UM, np.full(15, 0.2 * UM))
     assert [jump.low for jump in found] == [targets[5], targets[7]]
     assert all(0.2 < jump.odds < 5.0 for jump in found)
 
@@ -138,7 +138,7 @@ def test_smooth_errors_kinks_bumps_and_waves_are_no_jump(seed: int) -> None:
     for number, error in enumerate(errors):
         values = (error + rng.normal(0.0, 0.2, x.size)) * UM
         stds = np.full(x.size, (0.2 if number < 5 else 1.5) * UM)
-        assert not [jump for jump in jumps_of(x, values, stds) if jump.named], number
+        assert not [jump for jump in find_jumps(x, values, stds) if jump.named], number
 
 
 # --- what the table then holds
@@ -218,7 +218,7 @@ def test_a_target_that_is_off_alone_is_no_jump() -> None:
     targets = dithered(17, 5)
     values = smooth(1.0)(targets) + 30.0 * (np.arange(17) == 8)
     values = values + np.random.default_rng(5).normal(0.0, 0.2, 17)
-    assert not [one for one in jumps_of(targets, values * UM, np.full(17, 0.2 * UM)) if one.named]
+    assert not [one for one in find_jumps(targets, values * UM, np.full(17, 0.2 * UM)) if one.named]
 
 
 @pytest.mark.parametrize(("place", "low", "high"), [(205.0, 200.0, 210.0), (355.0, 350.0, 0.0)])
@@ -235,7 +235,7 @@ def test_a_jump_of_an_endless_axis_is_found_across_the_seam_too(
         )
 
     values = error(targets) + np.random.default_rng(6).normal(0.0, 0.2, targets.size)
-    (jump,) = jumps_of(targets, values, np.full(targets.size, 0.2), turn)
+    (jump,) = find_jumps(targets, values, np.full(targets.size, 0.2), turn)
     assert jump.named
     assert (jump.low, jump.high % turn) == (low, high)
     assert jump.size == pytest.approx(20.0, abs=1.0)
@@ -267,4 +267,4 @@ def test_what_is_hardly_there_is_drawn_as_rarely() -> None:
 def test_means_on_a_straight_line_without_any_spread_show_no_jump() -> None:
     targets = np.linspace(0.0, 800.0, 17)
     for slope in (0.0, 2e-5):
-        assert jumps_of(targets, slope * targets + 0.003, np.zeros(17)) == ()
+        assert find_jumps(targets, slope * targets + 0.003, np.zeros(17)) == ()

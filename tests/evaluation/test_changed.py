@@ -9,11 +9,11 @@ import pytest
 
 from compwright.evaluation.change_significance import (
     UncertainValue,
-    chance,
     difference,
     scatter_changed,
     score_of_ratio,
     score_of_t,
+    two_sided_probability,
 )
 from compwright.evaluation.standard_errors import standard_errors
 
@@ -119,5 +119,5 @@ def test_scores_of_t(dof: float, t: float) -> None:
 def test_scores_of_a_ratio(one: float, other: float, ratio: float) -> None:
     assert score_of_ratio(ratio, one, other) == pytest.approx(2.326, abs=0.05)
     assert score_of_ratio(1.0 / ratio, other, one) == pytest.approx(-2.326, abs=0.05)
-    assert chance(3.2905) == pytest.approx(0.001, rel=1e-3)
+    assert two_sided_probability(3.2905) == pytest.approx(0.001, rel=1e-3)
     assert math.isinf(score_of_ratio(math.inf, 5.0, 5.0))

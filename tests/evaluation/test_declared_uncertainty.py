@@ -14,14 +14,14 @@ import numpy as np
 import pytest
 
 from compwright.evaluation.expansion import remove_differential_expansion
-from compwright.evaluation.temperatures import at_temperatures, stated_temperatures
+from compwright.evaluation.temperatures import stated_temperatures, with_temperatures
 from compwright.evaluation.uncertainty import slope_between_tests
 from compwright.foundations.errors import InputError, UsageError
 from compwright.foundations.session import Session
 from compwright.jobs.reading import read_job
 from compwright.planning.axis_work import predict_axis, start_axis
-from compwright.planning.temperature_slopes import fresh_slope, slope_after, with_slopes
-from compwright.prediction.active_corrections import nothing
+from compwright.planning.temperature_slopes import fresh_slope, slope_after, with_temperature_slopes
+from compwright.prediction.active_corrections import no_correction
 from compwright.records.axis import AxisKind
 from compwright.records.conditions import Thermal, UncertaintyBudget
 from compwright.records.correction import ControlState
@@ -83,11 +83,18 @@ def test_the_declared_slope_is_in_the_band_or_in_the_guard_never_in_both() -> No
     simple, guarded = (
         job_of(axis_of(), uncertainty=THETA, decision_rule=rule) for rule in ("simple", "guarded")
     )
-    assert [test.slope_std for test in with_slopes(simple, tests)] == pytest.approx([own, own])
+    assert [test.slope_std for test in with_temperature_slopes(simple, tests)] == pytest.approx(
+        [own, own]
+    )
     # beside the first, on which the table stands, another test lies by both temperatures
     beside = own * 2**0.5
-    assert [test.slope_std for test in with_slopes(guarded, tests)] == pytest.approx([0.0, beside])
-    assert [fresh_slope("guarded", test) for test in with_slopes(guarded, tests)] == [0.0, 0.0]
+    assert [test.slope_std for test in with_temperature_slopes(guarded, tests)] == pytest.approx(
+        [0.0, beside]
+    )
+    assert [fresh_slope("guarded", test) for test in with_temperature_slopes(guarded, tests)] == [
+        0.0,
+        0.0,
+    ]
     # a test after loading is judged against the first one, whatever the rule
     assert slope_after(simple, tests, FLAT) == pytest.approx(beside)
     assert slope_after(guarded, tests, FLAT) == pytest.approx(beside)
@@ -100,9 +107,9 @@ def predicted(job: Job) -> AxisPrediction:
     planned = PlannedTest(test=test, measured_in="as_found")
     entry = next(iter(job.axes.values()))
     work = start_axis(
-        job, entry, (planned,), {"as_found": ControlState(format="any", axes={})}, nothing
+        job, entry, (planned,), {"as_found": ControlState(format="any", axes={})}, no_correction
     )
-    return predict_axis(work, nothing, None, job)
+    return predict_axis(work, no_correction, None, job)
 
 
 def test_the_band_holds_what_two_temperatures_make_of_a_flat_axis() -> None:
@@ -228,7 +235,7 @@ def test_temperatures_of_the_header() -> None:
     header = {"T m": "22,4", "T_d_start": "20", "T_d_end": "20.8", "instrument": "laser"}
     stated = stated_temperatures(header, "x.csv")
     assert stated == {"T_m": (22.4, 22.4), "T_d": (20.0, 20.8)}
-    thermal = at_temperatures(Thermal(alpha_m=8.0, T_m=20.0), stated)
+    thermal = with_temperatures(Thermal(alpha_m=8.0, T_m=20.0), stated)
     assert (thermal.T_m, thermal.rise_m) == (22.4, 0.0)
     assert [thermal.T_d, thermal.rise_d] == pytest.approx([20.4, 0.8])
 

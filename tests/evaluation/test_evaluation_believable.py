@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from compwright.evaluation.valid_readings import believable, chance_of_zero, not_made
+from compwright.evaluation.valid_readings import chance_of_zero, valid_part, zero_traverses
 from compwright.planning.wanted_correction import observed_tests
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.plan import PlannedTest
@@ -30,15 +30,15 @@ def measured(seed: int = 1, step: float = 0.01, error: float = 8.0) -> Positioni
 def test_a_traverse_of_zeros_beside_others_that_scatter_was_not_made() -> None:
     test = measured()
     test.negative[:, 3] = 0.0
-    assert not_made(test) == [(Direction.NEGATIVE, 3)]
-    assert not_made(measured()) == []
+    assert zero_traverses(test) == [(Direction.NEGATIVE, 3)]
+    assert zero_traverses(measured()) == []
 
 
 def test_a_display_too_coarse_to_show_the_scatter_shows_zeros_by_itself() -> None:
     """Steps of 5 µm and an axis without error: most readings are zero, and so are whole runs."""
     test = measured(step=5.0, error=0.0)
     assert not np.any(test.positive[:, 0])
-    assert not_made(test) == []
+    assert zero_traverses(test) == []
 
 
 @pytest.mark.parametrize(
@@ -61,7 +61,7 @@ def test_readings_far_off_and_runs_not_made_are_left_out_of_what_is_believed() -
     test = measured()
     test.negative[:, 3] = 0.0
     test.positive[7, 2] += 30.0 * UM
-    found = believable(test)
+    found = valid_part(test)
     assert np.all(np.isnan(found.negative[:, 3]))
     assert np.isnan(found.positive[7, 2])
     assert np.count_nonzero(~np.isfinite(np.hstack([found.positive, found.negative]))) == 16

@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 
 from compwright.evaluation.reading_checks import (
-    drift,
+    drift_findings,
     reading_findings,
-    suspect_readings,
-    suspect_traverses,
+    suspect_reading_findings,
+    suspect_traverse_findings,
 )
 from compwright.evaluation.standards import evaluate
 from compwright.records.axis import AxisKind
@@ -41,7 +41,10 @@ def test_drift_is_rarely_seen_where_there_is_none(common: float) -> None:
     """Also when whole runs shift together in random order: the permutation test allows 1/60; 200
     tests, three standard errors.
     """
-    found = [bool(drift(noisy(np.random.default_rng(seed), common=common))) for seed in range(200)]
+    found = [
+        bool(drift_findings(noisy(np.random.default_rng(seed), common=common)))
+        for seed in range(200)
+    ]
     assert share(found) <= 1 / 60 + 3 * np.sqrt(1 / 60 / 200)
 
 
@@ -49,16 +52,19 @@ def test_drift_is_found() -> None:
     """Four standard deviations of a reading over five runs, 11 targets: nearly always; run numbers
     are the order of time.
     """
-    found = [bool(drift(noisy(np.random.default_rng(seed), drift=4.0))) for seed in range(100)]
+    found = [
+        bool(drift_findings(noisy(np.random.default_rng(seed), drift=4.0))) for seed in range(100)
+    ]
     assert share(found) >= 0.97
     found = [
-        bool(drift(noisy(np.random.default_rng(seed), drift=-2.0, runs=8))) for seed in range(100)
+        bool(drift_findings(noisy(np.random.default_rng(seed), drift=-2.0, runs=8)))
+        for seed in range(100)
     ]
     assert share(found) >= 0.9
 
 
 def test_the_size_of_the_drift_is_told_with_its_sign() -> None:
-    finding = drift(noisy(np.random.default_rng(1), drift=-8.0, s=0.5))[0]
+    finding = drift_findings(noisy(np.random.default_rng(1), drift=-8.0, s=0.5))[0]
     sizes = [float(number) for number in re.findall(r"(-[0-9.]+) µm in [+−]", finding.message)]
     assert sizes == pytest.approx(
         [-8.0, -8.0], abs=0.7
@@ -69,7 +75,9 @@ def test_the_size_of_the_drift_is_told_with_its_sign() -> None:
 def test_opposite_drift_in_the_two_directions_is_found() -> None:
     test = noisy(np.random.default_rng(4), s=0.5)
     ramp = np.linspace(0.0, 6.0, 5) * UM
-    assert drift(replace(test, positive=test.positive + ramp, negative=test.negative - ramp))
+    assert drift_findings(
+        replace(test, positive=test.positive + ramp, negative=test.negative - ramp)
+    )
 
 
 @pytest.mark.parametrize("sign", [1.0, -1.0])
@@ -80,7 +88,9 @@ def test_expansion_that_cancels_in_the_mean_is_found(sign: float) -> None:
     test = noisy(np.random.default_rng(4), s=0.5)
     along = np.linspace(-1.0, 1.0, test.targets.size)[:, np.newaxis]
     growing = sign * 6.0 * UM * along * np.linspace(0.0, 1.0, 5)
-    found = drift(replace(test, positive=test.positive + growing, negative=test.negative + growing))
+    found = drift_findings(
+        replace(test, positive=test.positive + growing, negative=test.negative + growing)
+    )
     ends = [float(each) for each in re.findall(r"([+-][0-9.]+) µm", found[0].message)]
     # Standard error at an end: 0.5 * 4 / sqrt(10 * 11) * 2 = 0.38 µm; clipping adds a little.
     assert ends == pytest.approx([-sign * 6.0, sign * 6.0] * 2, abs=1.2)
@@ -96,26 +106,26 @@ def test_expansion_in_random_order_of_the_runs_is_no_drift() -> None:
         test = noisy(rng)
         tilts = np.linspace(-1.0, 1.0, test.targets.size)[:, np.newaxis] * rng.normal(0, 3 * UM, 5)
         tilted = replace(test, positive=test.positive + tilts, negative=test.negative + tilts)
-        found.append(bool(drift(tilted)))
+        found.append(bool(drift_findings(tilted)))
     assert share(found) <= 1 / 60 + 3 * np.sqrt(1 / 60 / 200)
 
 
 def test_drift_in_one_direction_of_a_one_directional_test() -> None:
     test = noisy(np.random.default_rng(4), s=0.5, drift=6.0)
-    assert drift(replace(test, negative=np.empty((test.targets.size, 0))))
-    assert drift(replace(test, positive=np.full(test.positive.shape, np.nan)))
+    assert drift_findings(replace(test, negative=np.empty((test.targets.size, 0))))
+    assert drift_findings(replace(test, positive=np.full(test.positive.shape, np.nan)))
 
 
 def test_no_drift_from_four_runs_or_in_the_step_cycle() -> None:
-    assert not drift(noisy(np.random.default_rng(0), runs=4, drift=20.0))
-    assert not drift(replace(noisy(np.random.default_rng(0), drift=20.0), cycle="step"))
+    assert not drift_findings(noisy(np.random.default_rng(0), runs=4, drift=20.0))
+    assert not drift_findings(replace(noisy(np.random.default_rng(0), drift=20.0), cycle="step"))
 
 
 def test_one_bad_reading_does_not_hide_a_drift() -> None:
     test = noisy(np.random.default_rng(3), s=0.5, drift=6.0)
     spoilt = test.positive.copy()
     spoilt[4, 0] += 200.0 * UM
-    assert drift(replace(test, positive=spoilt))
+    assert drift_findings(replace(test, positive=spoilt))
 
 
 @needs_shared
@@ -124,7 +134,7 @@ def test_drift_of_the_printed_tables() -> None:
     as a whole, in no order.
     """
     found = {
-        edition: drift(printed_table(STANDARD_TABLES / f"iso-230-2-{edition}-table-2.csv"))
+        edition: drift_findings(printed_table(STANDARD_TABLES / f"iso-230-2-{edition}-table-2.csv"))
         for edition in ("1988", "1997")
     }
     assert len(found["1988"]) == 1
@@ -138,8 +148,8 @@ def test_drift_of_the_printed_tables() -> None:
 @pytest.mark.parametrize("common", [0.0, 0.5, 0.97])
 def test_sound_tests_are_rarely_suspect(common: float) -> None:
     tests = [noisy(np.random.default_rng(seed), common=common) for seed in range(200)]
-    assert share([bool(suspect_traverses(test, no_comparison)) for test in tests]) <= 0.03
-    assert share([bool(suspect_readings(test, no_comparison)) for test in tests]) <= 0.01
+    assert share([bool(suspect_traverse_findings(test, no_comparison)) for test in tests]) <= 0.03
+    assert share([bool(suspect_reading_findings(test, no_comparison)) for test in tests]) <= 0.01
 
 
 @needs_shared
@@ -151,8 +161,8 @@ def test_printed_and_real_tests_are_not_suspect() -> None:
     ]
     assert len(tests) == 5
     for test in tests:
-        assert not suspect_traverses(test, no_comparison)
-        assert not suspect_readings(test, no_comparison)
+        assert not suspect_traverse_findings(test, no_comparison)
+        assert not suspect_reading_findings(test, no_comparison)
 
 
 def test_a_shifted_traverse_is_found_and_named() -> None:
@@ -161,7 +171,7 @@ def test_a_shifted_traverse_is_found_and_named() -> None:
         test = noisy(np.random.default_rng(seed))
         shifted = test.negative.copy()
         shifted[:, 3] -= 10.0 * UM
-        told = suspect_traverses(replace(test, negative=shifted), no_comparison)
+        told = suspect_traverse_findings(replace(test, negative=shifted), no_comparison)
         found.append(
             len(told) == 1
             and (told[0].values["run"], told[0].values["direction"]) == (4, "−")
@@ -185,7 +195,7 @@ def test_a_run_off_in_both_directions_is_one_finding_shown_without_both() -> Non
         up, down = test.positive.copy(), test.negative.copy()
         up[:, 2] += 8.0 * UM
         down[:, 2] += 8.0 * UM
-        told = suspect_traverses(replace(test, positive=up, negative=down), kept)
+        told = suspect_traverse_findings(replace(test, positive=up, negative=down), kept)
         found.append(
             len(told) == 1
             and told[0].sentence.name == "CW-T013.run"
@@ -207,7 +217,7 @@ def test_a_three_s_rule_could_not_see_it() -> None:
     spoilt[2, 1] += 1000.0 * UM
     row = spoilt[2]
     assert np.abs(row - row.mean()).max() / row.std(ddof=1) < 1.7889
-    told = suspect_readings(replace(test, positive=spoilt), no_comparison)
+    told = suspect_reading_findings(replace(test, positive=spoilt), no_comparison)
     assert len(told) == 1
     assert (
         f"run 2 in + at {test.targets[2]:.10g} mm (+100" in told[0].message
@@ -240,8 +250,8 @@ def test_coarse_readings_are_not_suspect() -> None:
     steps[3, 2] = steps[5, 4] = steps[8, 0] = 1.0
     steps[10] = [0.0, 1.0, 2.0, 1.0, 3.0]  # one target scatters, so the scale is not zero
     test = axis_test(np.arange(11) * 37.0, steps * UM, np.zeros((11, 5)))
-    assert not suspect_readings(test, no_comparison)
-    assert not suspect_traverses(test, no_comparison)
+    assert not suspect_reading_findings(test, no_comparison)
+    assert not suspect_traverse_findings(test, no_comparison)
 
 
 # --- zeros and missing

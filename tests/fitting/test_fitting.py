@@ -19,7 +19,7 @@ from compwright.fitting.period_removal import without_periods
 from compwright.fitting.problem import QuadraticProblem, hat_matrix, quadrature
 from compwright.fitting.rounding import round_curve
 from compwright.fitting.solve import solve_quadratic
-from compwright.fitting.sparse import entries, identity
+from compwright.fitting.sparse import from_dense, identity
 from compwright.foundations.errors import CapacityError, UsageError
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.capacity import Capacity
@@ -158,10 +158,10 @@ def random_problem(rng: np.random.Generator, n: int, c: int) -> QuadraticProblem
     root = rng.standard_normal((n, n))
     A = rng.standard_normal((c, n))
     return QuadraticProblem(
-        P=entries(root @ root.T + 0.5 * np.eye(n)),
+        P=from_dense(root @ root.T + 0.5 * np.eye(n)),
         q=3 * rng.standard_normal(n),
         constant=0.0,
-        A=entries(A),
+        A=from_dense(A),
         lower=-rng.uniform(0.01, 0.5, c),
         upper=rng.uniform(0.01, 0.5, c),
     )

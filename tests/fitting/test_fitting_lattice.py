@@ -15,7 +15,15 @@ from numpy.typing import NDArray
 
 from compwright.fitting import lattice_part
 from compwright.fitting.certify import lattice_certificate
-from compwright.fitting.chain import Limits, Push, Wish, build_chain, no_push, priced, relax
+from compwright.fitting.chain import (
+    ChainLimits,
+    ChainTarget,
+    LimitMultipliers,
+    build_chain,
+    closing_multipliers,
+    priced,
+    relax,
+)
 from compwright.fitting.endless_axis import over_one_period
 from compwright.fitting.fit import fit_table
 from compwright.fitting.lattice import best_totals
@@ -409,7 +417,7 @@ def test_nothing_better_lies_outside_the_windows(steepness: float, step: bool) -
             points, nodes, below="hold", above="hold", interpolation="step" if step else "linear"
         )
         chain = build_chain(
-            (Wish(rows=rows, weights=weights, aims=aims),),
+            (ChainTarget(rows=rows, weights=weights, aims=aims),),
             k,
             fixed=(anchor,),
             kept=(),
@@ -436,11 +444,11 @@ def test_any_push_gives_a_bound() -> None:
     rows = rows_at(points, nodes, below="hold", above="hold")
     one, two = (np.interp(points, positions, rng.normal(size=9) * 3) for _ in range(2))
     wishes = (
-        Wish(rows=rows, weights=weights, aims=one),
-        Wish(rows=rows, weights=weights, aims=two, constant=True),
+        ChainTarget(rows=rows, weights=weights, aims=one),
+        ChainTarget(rows=rows, weights=weights, aims=two, constant=True),
     )
     chain = build_chain(wishes, 5, fixed=(2,), kept=(), closed=False)
-    limits = Limits(step=0.5, increments=(-2, 3), low=np.full(5, -1.5), high=np.full(5, 1.0))
+    limits = ChainLimits(step=0.5, increments=(-2, 3), low=np.full(5, -1.5), high=np.full(5, 1.0))
     steps = np.array(list(itertools.product(range(-2, 4), repeat=4))) * 0.5
     values = np.hstack([np.zeros((steps.shape[0], 1)), np.cumsum(steps, axis=1)])
     values -= values[:, [2]]
@@ -448,7 +456,7 @@ def test_any_push_gives_a_bound() -> None:
     matrix = hat_matrix(points, nodes, below="hold", above="hold").dense()
     for _ in range(40):
         size = 10.0 ** rng.uniform(-3, 1)
-        push = Push(
+        push = LimitMultipliers(
             climb=size * rng.normal(size=4), bound=size * rng.normal(size=5) * (rng.random() < 0.5)
         )
         bound = priced(relax(chain, push), push, chain, limits)
@@ -463,7 +471,7 @@ def test_any_push_gives_a_bound() -> None:
                 (values - centre) ** 2
                 <= 2.0 * np.outer(true - below, chain.inverse) * (1 + 1e-9) + 1e-9
             )
-    free = relax(chain, no_push(chain))
+    free = relax(chain, closing_multipliers(chain))
     assert free.base == pytest.approx(chain.least, rel=1e-12)
 
 
@@ -489,7 +497,7 @@ def _far_chain() -> Any:
     points, weights = quadrature(np.array([63.0, 78.0]), nodes)
     rows = rows_at(points, nodes, below="hold", above="hold")
     return build_chain(
-        (Wish(rows=rows, weights=weights, aims=np.full(points.size, 20.0)),),
+        (ChainTarget(rows=rows, weights=weights, aims=np.full(points.size, 20.0)),),
         11,
         fixed=(0,),
         kept=(),

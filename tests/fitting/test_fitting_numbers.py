@@ -12,12 +12,12 @@ import pytest
 from numpy.typing import NDArray
 
 from compwright.fitting import mean_range
-from compwright.fitting.chain import Wish, build_chain
+from compwright.fitting.chain import ChainTarget, build_chain
 from compwright.fitting.fit import fit_table
 from compwright.fitting.mean_range import Deviations, solve_ranges
 from compwright.fitting.problem import QuadraticProblem, Rows
 from compwright.fitting.rounding import to_quanta
-from compwright.fitting.sparse import entries, identity, stacked
+from compwright.fitting.sparse import from_dense, identity, stack_rows
 from compwright.foundations.errors import CapacityError, Fault
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.capacity import Capacity
@@ -90,12 +90,12 @@ def pulled_up(scale: float) -> tuple[Deviations, QuadraticProblem]:
         P=identity(1),
         q=np.array([-scale]),
         constant=0.0,
-        A=stacked([], 1),
+        A=stack_rows([], 1),
         lower=np.empty(0),
         upper=np.empty(0),
     )
     shown = Deviations(
-        D=entries(np.array([[0.0], [1.0], [2.0]])),
+        D=from_dense(np.array([[0.0], [1.0], [2.0]])),
         base=np.array([0.0, -scale, 0.0]),
         half=np.zeros(3),
         test=np.zeros(3, dtype=np.int64),
@@ -146,7 +146,7 @@ def test_an_inaccurate_solution_has_failed_without_a_warning(
 def test_a_chain_of_one_node_is_a_mean() -> None:
     """Weights 3 and 1 at aims 2 and 6: the mean is 3, the mean square half of 3 + 9."""
     rows = Rows(left=np.zeros(2, dtype=np.int64), lower=np.ones(2), upper=np.zeros(2))
-    wish = Wish(rows=rows, weights=np.array([3.0, 1.0]), aims=np.array([2.0, 6.0]))
+    wish = ChainTarget(rows=rows, weights=np.array([3.0, 1.0]), aims=np.array([2.0, 6.0]))
     chain = build_chain((wish,), 2, fixed=(), kept=(), closed=False)
     assert chain.kept.tolist() == [0]
     assert chain.optimum == pytest.approx([3.0])

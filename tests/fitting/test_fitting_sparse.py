@@ -13,11 +13,11 @@ from compwright.fitting.fit import fit_table
 from compwright.fitting.sparse import (
     SparseMatrix,
     differences,
-    entries,
+    from_dense,
+    from_entries,
     identity,
-    stacked,
+    stack_rows,
     sum_of,
-    summed,
 )
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.capacity import Capacity
@@ -32,12 +32,12 @@ def some(seed: int, rows: int = 7, columns: int = 5) -> SparseMatrix:
     rng = np.random.default_rng(seed)
     full = rng.standard_normal((rows, columns)) * (rng.random((rows, columns)) < 0.35)
     full[2] = 0.0
-    return entries(full)
+    return from_dense(full)
 
 
 def test_entries_come_back_row_by_row() -> None:
     matrix = some(1)
-    assert_array_equal(entries(matrix.dense()).dense(), matrix.dense())
+    assert_array_equal(from_dense(matrix.dense()).dense(), matrix.dense())
     assert np.all(np.diff(matrix.row * 5 + matrix.column) > 0)
     assert matrix.value.size == np.count_nonzero(matrix.dense())
 
@@ -68,10 +68,12 @@ def test_rows_taken_placed_stacked_and_summed() -> None:
     wide = np.zeros((9, 8))
     wide[1:8, 2:7] = one.dense()
     assert_array_equal(one.placed((9, 8), 1, 2).dense(), wide)
-    assert_array_equal(stacked([one, other], 5).dense(), np.vstack([one.dense(), other.dense()]))
-    assert stacked([], 5).dense().shape == (0, 5)
+    assert_array_equal(stack_rows([one, other], 5).dense(), np.vstack([one.dense(), other.dense()]))
+    assert stack_rows([], 5).dense().shape == (0, 5)
     assert_array_equal(sum_of([one, other]).dense(), one.dense() + other.dense())
-    twice = summed((1, 2), np.array([0, 0, 0]), np.array([1, 1, 0]), np.array([2.0, 3.0, 0.0]))
+    twice = from_entries(
+        (1, 2), np.array([0, 0, 0]), np.array([1, 1, 0]), np.array([2.0, 3.0, 0.0])
+    )
     assert twice.dense().tolist() == [[0.0, 5.0]]
     assert twice.value.tolist() == [5.0]  # a zero is no entry
     assert identity(3).times(2.0).dense().tolist() == (2.0 * np.eye(3)).tolist()

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from compwright.cli import run as compwright
-from compwright.evaluation.copied_runs import same_runs_findings
+from compwright.evaluation.copied_runs import copied_run_findings
 from compwright.foundations.session import Session
 from compwright.workflow.inputs.job_inputs import read_measurement
 from loop import Floats, Machine, csv_of
@@ -48,7 +48,7 @@ def changed_a_little(readings: Readings, columns: list[int], noise: float) -> Re
 def findings(folder: Path, readings: Readings) -> list[str]:
     path = folder / "x.csv"
     path.write_text(csv_of(TARGETS, readings))
-    return [finding.message for finding in same_runs_findings(read_measurement(Session(), path))]
+    return [finding.message for finding in copied_run_findings(read_measurement(Session(), path))]
 
 
 def test_two_runs_made_five_with_a_little_noise_are_a_doubt(tmp_path: Path) -> None:

@@ -9,10 +9,16 @@ import numpy as np
 import pytest
 
 from compwright.planning.axis_work import AxisWork
-from compwright.planning.circle_checks import Checks, laser_over, lost_motion, mismatch, scale_error
+from compwright.planning.circle_checks import (
+    CircleChecks,
+    laser_values,
+    lost_motion,
+    mismatch,
+    scale_error,
+)
 from compwright.planning.circles import CircleWork
-from compwright.planning.value_with_error import Stated
-from compwright.prediction.active_corrections import IDLE, ActiveCorrections
+from compwright.planning.value_with_error import ValueWithError
+from compwright.prediction.active_corrections import NO_CORRECTIONS, ActiveCorrections
 from compwright.records.axis import AxisKind
 from compwright.records.conditions import UncertaintyBudget
 from compwright.records.correction import AxisCompensation
@@ -38,18 +44,18 @@ def checks_of(
     works: Mapping[str, AxisWork],
     states: Mapping[str, ActiveCorrections] | None = None,
     **words: Any,
-) -> Checks:
+) -> CircleChecks:
     axes = [work.planned.axis for work in works.values()]
-    return Checks(job_of(*axes, **words), works, states or {"as_found": IDLE})
+    return CircleChecks(job_of(*axes, **words), works, states or {"as_found": NO_CORRECTIONS})
 
 
-def codes(checks: Checks, *circles: CircleWork) -> list[str]:
+def codes(checks: CircleChecks, *circles: CircleWork) -> list[str]:
     return [finding.code for finding in checks.findings(circles)]
 
 
 @pytest.mark.parametrize("index", [0, 1])
 def test_an_axis_that_stays_behind_has_lost_motion_above_zero(index: int) -> None:
-    found = laser_over(circle_of({}), work_of(LAGS), index, IDLE)
+    found = laser_values(circle_of({}), work_of(LAGS), index, NO_CORRECTIONS)
     assert found.lost_motion.value == pytest.approx(5.0 * UM)
     assert found.scale.value == pytest.approx(20.0 * PPM)
 
@@ -59,7 +65,7 @@ def test_a_control_that_acted_during_the_circle_alone_is_counted_with() -> None:
     measured.
     """
     during = ActiveCorrections({"X": by_slope(-15e-6, lost=-2.0 * UM)}, {})
-    found = laser_over(circle_of({}), work_of(LAGS), 0, during)
+    found = laser_values(circle_of({}), work_of(LAGS), 0, during)
     assert found.lost_motion.value == pytest.approx(3.0 * UM)
     assert found.scale.value == pytest.approx(5.0 * PPM)
 
@@ -73,7 +79,7 @@ def test_a_control_that_acted_during_the_laser_alone_is_counted_back() -> None:
         negative=np.array([0.0, -15.0 * UM]),
         backlash=2.0 * UM,
     )
-    found = laser_over(circle_of({}), work_of(LAGS, active=table), 0, IDLE)
+    found = laser_values(circle_of({}), work_of(LAGS, active=table), 0, NO_CORRECTIONS)
     assert found.lost_motion.value == pytest.approx(7.0 * UM)  # -2 µm in - were in the readings
     assert found.scale.value == pytest.approx(35.0 * PPM)
 
@@ -81,9 +87,9 @@ def test_a_control_that_acted_during_the_laser_alone_is_counted_back() -> None:
 def test_the_scale_is_that_between_the_two_ends_of_the_circle() -> None:
     """Bent by 1 nm/mm²: between 300 and 500 about the centre 400 the slope is 800 nm/mm."""
     bent = KnownAxis(lambda x: 1e-6 * x**2, lambda x: 1e-6 * x**2)
-    found = laser_over(circle_of({}, centre=(400.0, 900.0)), work_of(bent), 0, IDLE)
+    found = laser_values(circle_of({}, centre=(400.0, 900.0)), work_of(bent), 0, NO_CORRECTIONS)
     assert found.scale.value == pytest.approx(800e-6)
-    second = laser_over(circle_of({}, centre=(400.0, 900.0)), work_of(bent), 1, IDLE)
+    second = laser_values(circle_of({}, centre=(400.0, 900.0)), work_of(bent), 1, NO_CORRECTIONS)
     assert second.scale.value == pytest.approx(1800e-6)
 
 
@@ -111,9 +117,9 @@ def test_units_of_a_diagnosis() -> None:
             "scale_mismatch": (8.0, 1.0),
         }
     )
-    assert lost_motion(circle, 1) == Stated(4.0 * UM, 0.5 * UM)
+    assert lost_motion(circle, 1) == ValueWithError(4.0 * UM, 0.5 * UM)
     assert lost_motion(circle, 0) is None
-    assert scale_error(circle, 0) == Stated(12.0 * PPM, 2.0 * PPM)
+    assert scale_error(circle, 0) == ValueWithError(12.0 * PPM, 2.0 * PPM)
     between = mismatch(circle)
     assert between is not None
     assert (between.value, between.std_error) == pytest.approx((40.0 * PPM, 5.0 * PPM))
@@ -203,7 +209,7 @@ def test_a_wish_that_no_circle_can_fulfil_is_an_error() -> None:
 def test_an_axis_without_a_test_has_no_table_to_put_lost_motion_into() -> None:
     axes = (axis_of(), axis_of("Y"))
     job = job_of(*axes, untested=("Y",), apply=FROM_CIRCLE)
-    checks = Checks(job, {"X": work_of(LAGS)}, {"as_found": IDLE})
+    checks = CircleChecks(job, {"X": work_of(LAGS)}, {"as_found": NO_CORRECTIONS})
     circle = circle_of({"backlash_first": (8.0, 0.5), "backlash_second": (3.0, 0.5)})
     _, findings = checks.with_circle_backlash([circle])
     assert [finding.code for finding in findings] == ["CW-P130", "CW-P117"]

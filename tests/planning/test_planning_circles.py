@@ -11,19 +11,19 @@ import pytest
 from compwright.foundations.errors import InputError
 from compwright.planning import circles as planning_circles
 from compwright.planning.circles import (
-    checked_axes,
     in_job_names,
     predicted_circle,
     start_circle,
-    worse_circles,
+    travel_findings,
+    worse_circle_findings,
 )
 from compwright.prediction.active_corrections import (
-    IDLE,
+    NO_CORRECTIONS,
     ActiveCorrections,
-    added,
-    by_motion,
+    correction_in_motion,
     difference,
-    nothing,
+    no_correction,
+    sum_of_corrections,
 )
 from compwright.prediction.circular import CirclePath
 from compwright.records.axis import AxisKind
@@ -51,15 +51,15 @@ def test_sums_and_differences_of_what_acts() -> None:
     where = np.array([0.0, 100.0])
     one, two = by_slope(3e-6), by_slope(1e-6, lost=5.0 * UM)
     np.testing.assert_allclose(difference(one, two)(where, MINUS), [-5.0 * UM, -4.8 * UM])
-    np.testing.assert_allclose(added(one, two)(where, PLUS), [0.0, 0.4 * UM])
-    np.testing.assert_array_equal(nothing(where, PLUS), [0.0, 0.0])
-    assert IDLE.on("X") is nothing
-    assert IDLE.between("X", "Y") is nothing
+    np.testing.assert_allclose(sum_of_corrections(one, two)(where, PLUS), [0.0, 0.4 * UM])
+    np.testing.assert_array_equal(no_correction(where, PLUS), [0.0, 0.0])
+    assert NO_CORRECTIONS.on("X") is no_correction
+    assert NO_CORRECTIONS.between("X", "Y") is no_correction
 
 
 def test_an_axis_that_moves_back_gets_its_correction_of_that_direction() -> None:
     moves = np.array([1.0, -1.0])
-    got = by_motion(by_slope(0.0, lost=5.0 * UM), np.zeros(2), moves)
+    got = correction_in_motion(by_slope(0.0, lost=5.0 * UM), np.zeros(2), moves)
     np.testing.assert_array_equal(got, [0.0, 5.0 * UM])
 
 
@@ -86,7 +86,7 @@ def test_a_table_that_lengthens_an_axis_lengthens_the_circle_along_it(
     test = measured()
     planned = replace(circle_of({}).planned, test=test, centre=(500.0, -300.0))
     longer = ActiveCorrections({"X": by_slope(100e-6)}, {})
-    for before, after, sign in ((IDLE, longer, 1.0), (longer, IDLE, -1.0)):
+    for before, after, sign in ((NO_CORRECTIONS, longer, 1.0), (longer, NO_CORRECTIONS, -1.0)):
         found: Any = predicted_circle(circle_of({}).result, planned, before, after)
         moved = found.test.runs[0].deviations - test.runs[0].deviations
         np.testing.assert_allclose(moved[[0, 179]], sign * 10.0 * UM, atol=0.01 * UM)
@@ -133,7 +133,7 @@ def test_a_whole_circle_has_to_lie_within_the_travels(
 ) -> None:
     work = circle_of({}, centre=centre)
     axes = {"X": axis, "Y": AXES["Y"]}
-    assert [finding.code for finding in checked_axes(work, axes)] == codes  # type: ignore[arg-type]
+    assert [finding.code for finding in travel_findings(work, axes)] == codes  # type: ignore[arg-type]
 
 
 def prediction(was: dict[str, float], becomes: dict[str, tuple[float, float]]) -> CirclePrediction:
@@ -155,7 +155,7 @@ def prediction(was: dict[str, float], becomes: dict[str, tuple[float, float]]) -
 def test_a_circle_gets_worse_beyond_noise_and_a_tenth(
     low: float, median: float, *, worse: bool
 ) -> None:
-    found = worse_circles(
+    found = worse_circle_findings(
         {
             "xy": prediction(
                 {"G_bidirectional": 10.0 * UM}, {"G_bidirectional": (low * UM, median * UM)}
@@ -171,6 +171,6 @@ def test_both_runs_together_count_where_there_are_both() -> None:
     """One run alone may look worse when lag and squareness no longer cancel in it."""
     was = {"G_bidirectional": 10.0 * UM, "G_ccw": 2.0 * UM}
     becomes = {"G_bidirectional": (4.0 * UM, 5.0 * UM), "G_ccw": (4.0 * UM, 5.0 * UM)}
-    assert worse_circles({"xy": prediction(was, becomes)}) == ()
+    assert worse_circle_findings({"xy": prediction(was, becomes)}) == ()
     alone = prediction({"G_ccw": 2.0 * UM}, {"G_ccw": (4.0 * UM, 5.0 * UM)})
-    assert len(worse_circles({"xy": alone})) == 1
+    assert len(worse_circle_findings({"xy": alone})) == 1

@@ -10,7 +10,7 @@ import pytest
 
 from compwright.planning.circles import CircleWork
 from compwright.planning.cross import CrossPlan, angle_of, plan_cross
-from compwright.prediction.active_corrections import IDLE, ActiveCorrections
+from compwright.prediction.active_corrections import NO_CORRECTIONS, ActiveCorrections
 from compwright.records.axis import Axis
 from compwright.records.job import ApplyRequest, CrossRequest
 from compwright.records.plan import PlannedCross
@@ -27,7 +27,7 @@ def plan(
     axes: tuple[Axis, ...] = AXES,
     **words: Any,
 ) -> CrossPlan:
-    acting = states or {"as_found": IDLE}
+    acting = states or {"as_found": NO_CORRECTIONS}
     return plan_cross(job_of(*axes, **words), circles, acting, acting["as_found"])
 
 
@@ -86,7 +86,7 @@ def test_what_acts_between_the_axes_takes_its_own_slope_off_the_angle(
 ) -> None:
     acting = ActiveCorrections({"X": by_slope(5e-4), "Y": by_slope(-3e-4)}, {pair: by_slope(30e-6)})
     assert angle_of(square(0.0), acting) == pytest.approx(30.0 * PPM, rel=1e-3)
-    assert angle_of(square(0.0), IDLE) == 0.0
+    assert angle_of(square(0.0), NO_CORRECTIONS) == 0.0
 
 
 def test_a_step_at_the_reversal_is_no_angle() -> None:
@@ -99,9 +99,9 @@ def test_a_circle_of_another_state_is_brought_to_what_acts_now() -> None:
     """While Y was bent by 30 µm/m it still showed 10: the machine itself has 40."""
     before = ActiveCorrections({}, {("X", "Y"): by_slope(30e-6)})
     circle = square(10.0, measured_in="before")
-    now_bare = plan(circle, apply=BEND_Y, states={"as_found": IDLE, "before": before})
+    now_bare = plan(circle, apply=BEND_Y, states={"as_found": NO_CORRECTIONS, "before": before})
     assert only(now_bare).squareness == pytest.approx(40.0 * PPM, rel=1e-3)
-    now_bent = plan(circle, apply=BEND_Y, states={"as_found": before, "before": IDLE})
+    now_bent = plan(circle, apply=BEND_Y, states={"as_found": before, "before": NO_CORRECTIONS})
     assert only(now_bent).squareness == pytest.approx(-20.0 * PPM, rel=1e-3)
 
 
@@ -227,16 +227,16 @@ def test_what_acted_then_and_acts_now_counts_for_a_direct_measurement() -> None:
         ActiveCorrections({}, {("X", "Y"): by_slope(10e-6)}),
         straight((0.0,) * 3, measured_in="then"),
     )
-    bare_now = plan(cross=(request,), states={"as_found": IDLE, "then": bent})
+    bare_now = plan(cross=(request,), states={"as_found": NO_CORRECTIONS, "then": bent})
     assert added(bare_now, 0.0, 1000.0) == [0.0, 10.0]
-    bent_now = plan(cross=(request,), states={"as_found": bent, "then": IDLE})
+    bent_now = plan(cross=(request,), states={"as_found": bent, "then": NO_CORRECTIONS})
     assert added(bent_now, 0.0, 1000.0) == [0.0, -10.0]
 
 
 def test_directions_of_the_moving_axis_are_kept_apart() -> None:
     lag = ActiveCorrections({}, {("X", "Y"): lambda x, way: (4e-6 if way is MINUS else 0.0) * x})
     request = straight((0.0,) * 3, measured_in="then")
-    found = plan(cross=(request,), states={"as_found": IDLE, "then": lag})
+    found = plan(cross=(request,), states={"as_found": NO_CORRECTIONS, "then": lag})
     added_by = only(found).added
     assert added_by.at(np.array([1000.0]), PLUS)[0] == pytest.approx(0.0, abs=1e-9)
     assert added_by.at(np.array([1000.0]), MINUS)[0] == pytest.approx(4.0 * UM)

@@ -13,9 +13,9 @@ from compwright.evaluation.standards import evaluate
 from compwright.planning.axis_fits import fit_all
 from compwright.planning.axis_work import AxisWork, start_axis
 from compwright.planning.goal_findings import goal_findings
-from compwright.planning.scenarios import alike, gains, scenarios_of
-from compwright.planning.simulated_repeat_tests import Like, fresh_tests
-from compwright.prediction.active_corrections import nothing
+from compwright.planning.scenarios import goal_improves, same_tables, scenarios_of
+from compwright.planning.simulated_repeat_tests import RepeatConditions, fresh_tests
+from compwright.prediction.active_corrections import no_correction
 from compwright.records.axis import Axis, Direction
 from compwright.records.capacity import Capacity
 from compwright.records.correction import ControlState, no_compensation
@@ -57,7 +57,7 @@ def fitted(goal: Literal["expected", "A", "E", "M"], spacing: float) -> AxisWork
 def parameters(work: AxisWork) -> list[str]:
     table = work.planned.fitted
     assert table is not None
-    fresh = fresh_tests(work.results[0], work.posterior, work.planned.axis, Like())
+    fresh = fresh_tests(work.results[0], work.posterior, work.planned.axis, RepeatConditions())
     return [finding.message for finding in goal_findings(work, table.compensation.at, fresh)]
 
 
@@ -156,7 +156,7 @@ def with_a_wave(goal: Literal["expected", "A", "E", "M"]) -> AxisWork:
     control = ControlState(format="any", axes={axis.address: state})
     job = replace(job_of(axis), axes={"X": entry})
     planned = (PlannedTest(test=test, measured_in=AS_FOUND),)
-    work = start_axis(job, entry, planned, {AS_FOUND: control}, nothing)
+    work = start_axis(job, entry, planned, {AS_FOUND: control}, no_correction)
 
     def capacity(axis: Axis, *, one_curve: bool = False) -> Capacity:
         return replace(capacity_of(axis, one_curve=one_curve), quantum=1e-7)
@@ -189,7 +189,7 @@ def test_a_goal_does_no_harm_where_targets_do_not_show_all(goal: Literal["A", "E
 
 def test_only_what_fresh_tests_show_is_a_gain() -> None:
     work = work_of(KnownAxis(lambda x: 0.0 * x, lambda x: 0.0 * x, noise=0.4 * UM))
-    fresh = fresh_tests(work.results[0], work.posterior, work.planned.axis, Like())
+    fresh = fresh_tests(work.results[0], work.posterior, work.planned.axis, RepeatConditions())
     level = by_slope(0.0)
 
     def wavy(x: Any, way: Direction) -> Any:
@@ -199,10 +199,10 @@ def test_only_what_fresh_tests_show_is_a_gain() -> None:
         return 1e-3 * wavy(x, way)
 
     for goal in ("A", "E", "M"):
-        assert gains(goal, level, wavy, fresh)
-        assert not gains(goal, wavy, level, fresh)
-        assert not gains(goal, level, hardly, fresh)
-        assert not gains(goal, hardly, level, fresh)
+        assert goal_improves(goal, level, wavy, fresh)
+        assert not goal_improves(goal, wavy, level, fresh)
+        assert not goal_improves(goal, level, hardly, fresh)
+        assert not goal_improves(goal, hardly, level, fresh)
 
 
 def test_a_table_that_fresh_tests_do_not_bear_out_is_not_taken(
@@ -213,7 +213,7 @@ def test_a_table_that_fresh_tests_do_not_bear_out_is_not_taken(
     work, usual = fitted("E", 1000.0), fitted("expected", 1000.0)
     assert work.planned.fitted is not None
     assert usual.planned.fitted is not None
-    assert alike(work.planned.fitted, usual.planned.fitted)
+    assert same_tables(work.planned.fitted, usual.planned.fitted)
     assert work.planned.request.goal == "expected"
     assert work.planned.wanted is not None
     assert work.planned.wanted.scenarios is None

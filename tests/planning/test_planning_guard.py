@@ -15,10 +15,10 @@ from compwright.estimation.axis import Draws
 from compwright.evaluation.standards import evaluate
 from compwright.planning.guard_bands import guard_bands
 from compwright.planning.predicted_gain import predict_same_targets
-from compwright.planning.simulated_repeat_tests import Like
+from compwright.planning.simulated_repeat_tests import RepeatConditions
 from compwright.planning.temperature_slopes import slope_after
 from compwright.planning.wanted_correction import MeasuredError
-from compwright.prediction.active_corrections import Correction, nothing
+from compwright.prediction.active_corrections import Correction, no_correction
 from compwright.records.axis import AxisKind
 from compwright.records.conditions import Thermal, UncertaintyBudget
 from compwright.records.job import Job
@@ -57,7 +57,7 @@ def two_readings(curve: Curve, **words: Any) -> PositioningTest:
 def bands(
     job: Job,
     known: KnownAxis,
-    change: Correction = nothing,
+    change: Correction = no_correction,
     tests: tuple[PositioningTest, ...] = (),
     standard: str = "iso230-2:2014",
 ) -> tuple[dict[str, Quantiles], dict[str, Quantiles], dict[str, float] | None]:
@@ -74,7 +74,7 @@ def bands(
     posterior = cast("MeasuredError", known)
     slope = slope_after(job, planned.tests, own[-1])
     narrow, wide = (
-        predict_same_targets(result, posterior, change, axis, Like(place, std))
+        predict_same_targets(result, posterior, change, axis, RepeatConditions(place, std))
         for std in (0.0, slope)
     )
     stated = guard_bands(job, planned, place, result, posterior, change)
@@ -113,7 +113,8 @@ def test_it_is_that_of_the_curve_that_the_table_leaves() -> None:
     known = KnownAxis(wave, wave)
     job = guarded_job(THETA)
     before, after = (
-        bands(job, known, change)[2] for change in (nothing, lambda x, _way: -wave(np.asarray(x)))
+        bands(job, known, change)[2]
+        for change in (no_correction, lambda x, _way: -wave(np.asarray(x)))
     )
     assert before is not None
     assert after is not None

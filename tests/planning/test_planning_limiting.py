@@ -21,17 +21,17 @@ from compwright.planning.limiting_causes import (
     UNKNOWN,
     what_limits,
 )
-from compwright.planning.point_count_tradeoff import worth_of_points
+from compwright.planning.point_count_tradeoff import point_count_tradeoff
 from compwright.planning.shortfalls import PERIOD, QUANTUM, REVERSAL, shortfalls
-from compwright.planning.simulated_repeat_tests import Like, fresh_tests
+from compwright.planning.simulated_repeat_tests import RepeatConditions, fresh_tests
 from compwright.planning.table_verdict import verdict
-from compwright.prediction.active_corrections import nothing
+from compwright.prediction.active_corrections import no_correction
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, no_compensation
 from compwright.records.estimate import AxisPeriod
 from compwright.records.fitted import Mode, TableRequest
-from compwright.records.limits import Limiting, Worth
+from compwright.records.limits import LimitingCauses, PointCountOption
 from planning_samples import (
     MINUS,
     PLUS,
@@ -74,10 +74,10 @@ def fitted(
     return fit_all({"X": replace(work, planned=planned)}, capacity, "job.yaml")["X"]
 
 
-def limits_of(work: AxisWork) -> Limiting:
+def limits_of(work: AxisWork) -> LimitingCauses:
     table = work.planned.fitted
-    fresh = fresh_tests(work.results[0], work.posterior, work.planned.axis, Like())
-    found = what_limits(work, nothing if table is None else table.compensation.at, fresh)
+    fresh = fresh_tests(work.results[0], work.posterior, work.planned.axis, RepeatConditions())
+    found = what_limits(work, no_correction if table is None else table.compensation.at, fresh)
     assert found is not None
     return found
 
@@ -305,11 +305,11 @@ def test_directions_are_those_of_the_machine() -> None:
     assert parts[REVERSAL](end, MINUS)[0] / UM == pytest.approx(-4.0, abs=0.01)
 
 
-def worth_of(work: AxisWork) -> list[Worth]:
+def worth_of(work: AxisWork) -> list[PointCountOption]:
     table = work.planned.fitted
     assert table is not None
-    fresh = fresh_tests(work.results[0], work.posterior, work.planned.axis, Like())
-    return list(worth_of_points(work, table.compensation.at, fresh, "A"))
+    fresh = fresh_tests(work.results[0], work.posterior, work.planned.axis, RepeatConditions())
+    return list(point_count_tradeoff(work, table.compensation.at, fresh, "A"))
 
 
 def test_a_point_is_worth_what_it_takes_away() -> None:
@@ -390,7 +390,7 @@ class Warming(KnownAxis):
 
 def drift_told(known: KnownAxis, **limits: Any) -> list[str]:
     work = fitted(known, **limits)
-    fresh = fresh_tests(work.results[0], work.posterior, work.planned.axis, Like())
+    fresh = fresh_tests(work.results[0], work.posterior, work.planned.axis, RepeatConditions())
     return [finding.message for finding in drift_or_reversal(work, fresh)]
 
 

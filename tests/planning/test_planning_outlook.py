@@ -9,9 +9,9 @@ import pytest
 
 from compwright.evaluation.standards import evaluate
 from compwright.planning import simulated_repeat_tests
-from compwright.planning.axis_work import AxisWork, no_gain
-from compwright.planning.predicted_gain import predict, spread_of, why_not_better, why_not_seen
-from compwright.prediction.active_corrections import difference, nothing
+from compwright.planning.axis_work import AxisWork, why_no_gain
+from compwright.planning.predicted_gain import predict, test_spread, why_not_better, why_not_seen
+from compwright.prediction.active_corrections import difference, no_correction
 from compwright.records.axis import AxisKind
 from compwright.records.correction import AxisCompensation
 from compwright.records.prediction import Quantiles
@@ -31,7 +31,7 @@ def shown(work: AxisWork, new: object, name: str = "E") -> float:
 def test_a_table_of_minus_the_error_leaves_nothing() -> None:
     """30 µm/m over a metre: 30 µm now, nothing with the table, 60 with its sign turned."""
     work = work_of(SLOPED)
-    assert shown(work, nothing) == pytest.approx(30.0)
+    assert shown(work, no_correction) == pytest.approx(30.0)
     assert shown(work, by_slope(-30e-6)) == pytest.approx(0.0, abs=1e-9)
     assert shown(work, by_slope(30e-6)) == pytest.approx(60.0)
 
@@ -46,14 +46,14 @@ def test_what_acted_during_the_test_is_no_change_where_it_stays() -> None:
     )
     work = work_of(SLOPED, active=table)
     assert shown(work, table.at) == pytest.approx(30.0)
-    assert shown(work, nothing) == pytest.approx(20.0)
+    assert shown(work, no_correction) == pytest.approx(20.0)
 
 
 def test_lost_motion_changes_the_reversal_value() -> None:
     """The axis stands 5 µm too high in -: B is -5 µm; the control draws it back by 5 in -."""
     lags = KnownAxis(np.zeros_like, lambda x: 0.0 * x + 5.0 * UM)
     work = work_of(lags)
-    assert shown(work, nothing, "B_mean") == pytest.approx(-5.0)
+    assert shown(work, no_correction, "B_mean") == pytest.approx(-5.0)
     assert shown(work, by_slope(0.0, lost=-5.0 * UM), "B_mean") == pytest.approx(0.0, abs=1e-9)
 
 
@@ -71,7 +71,7 @@ def test_new_targets_stay_away_from_the_ends_and_see_what_lies_between(
     monkeypatch.setattr(simulated_repeat_tests, "draws_like", lambda _: 5)
     found = simulated_repeat_tests.fresh_tests(
         work.results[0], work.posterior, work.planned.axis
-    ).quantiles(nothing)
+    ).quantiles(no_correction)
     assert set(found) >= {"A", "E", "R"}
     assert seen[0].shape == (5, work.results[0].test.targets.size)
     assert (seen[0] >= 4.0).all()
@@ -83,7 +83,7 @@ def test_new_targets_stay_away_from_the_ends_and_see_what_lies_between(
 def test_the_same_job_predicts_the_same_and_another_axis_something_else() -> None:
     noisy = KnownAxis(np.zeros_like, np.zeros_like, noise=1.0 * UM)
     one, again, other = (
-        predict(work.results[0], work.posterior, nothing, work.planned.axis).predicted["A"]
+        predict(work.results[0], work.posterior, no_correction, work.planned.axis).predicted["A"]
         for work in (work_of(noisy), work_of(noisy), work_of(noisy, axis_of("Y")))
     )
     assert one == again
@@ -92,7 +92,7 @@ def test_the_same_job_predicts_the_same_and_another_axis_something_else() -> Non
 
 def test_a_direction_that_was_not_measured_is_not_predicted() -> None:
     work = work_of(SLOPED, one_way=True)
-    found = predict(work.results[0], work.posterior, nothing, work.planned.axis).predicted
+    found = predict(work.results[0], work.posterior, no_correction, work.planned.axis).predicted
     assert "E_positive" in found
     assert not {"B_mean", "E_negative", "M"} & set(found)
 
@@ -145,7 +145,9 @@ def test_the_spread_from_test_to_test_is_that_of_a_normal_law() -> None:
     """5 % of a normal law lie 1.645 standard deviations below its middle; a long upper end does not
     count.
     """
-    assert spread_of(Quantiles(median=10.0, p05=10.0 - 1.645 * 2.0, p95=40.0)) == pytest.approx(2.0)
+    assert test_spread(Quantiles(median=10.0, p05=10.0 - 1.645 * 2.0, p95=40.0)) == pytest.approx(
+        2.0
+    )
 
 
 @pytest.mark.parametrize(("gain", "seen"), [(1.5, False), (2.5, True)])
@@ -158,9 +160,9 @@ def test_a_gain_is_seen_from_one_standard_deviation_on(gain: float, seen: bool) 
 
 def test_a_table_that_does_not_help_is_refused() -> None:
     work = work_of(SLOPED)
-    assert no_gain(work, by_slope(-28e-6)) == ""
-    assert "without it 30.00 µm" in no_gain(work, by_slope(30e-6))
-    assert "without it 30.00 µm" in no_gain(work, nothing)
+    assert why_no_gain(work, by_slope(-28e-6)) == ""
+    assert "without it 30.00 µm" in why_no_gain(work, by_slope(30e-6))
+    assert "without it 30.00 µm" in why_no_gain(work, no_correction)
 
 
 def test_what_acts_now_is_what_a_table_has_to_beat() -> None:
@@ -168,8 +170,8 @@ def test_what_acts_now_is_what_a_table_has_to_beat() -> None:
     of 20 µm/m leaves 10.
     """
     work = work_of(SLOPED, as_found=by_slope(-25e-6))
-    assert "gives A 10.00 µm, without it 5.00 µm" in no_gain(work, by_slope(-20e-6))
-    assert no_gain(work, by_slope(-29e-6)) == ""
+    assert "gives A 10.00 µm, without it 5.00 µm" in why_no_gain(work, by_slope(-20e-6))
+    assert why_no_gain(work, by_slope(-29e-6)) == ""
 
 
 @pytest.mark.parametrize("off", [100.0, 130.0, 170.0, 210.0, 260.0])
@@ -193,5 +195,5 @@ def test_one_reading_far_off_does_not_stop_a_table(
         result.test, positive=plus, negative=minus, runs_positive=runs, runs_negative=runs
     )
     work = replace(work, results=(evaluate(test, result.standard),))
-    assert no_gain(work, by_slope(-28e-6)) == ""
-    assert "without it 3" in no_gain(work, by_slope(30e-6))
+    assert why_no_gain(work, by_slope(-28e-6)) == ""
+    assert "without it 3" in why_no_gain(work, by_slope(30e-6))

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from compwright.planning.quick_check import check_positions, moved_by, quick_check
-from compwright.prediction.active_corrections import Correction, nothing
+from compwright.prediction.active_corrections import Correction, no_correction
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.correction import AxisCompensation
 from planning_samples import MINUS, PLUS, UM, KnownAxis, axis_of, by_slope, work_of
@@ -32,7 +32,7 @@ def test_only_targets_within_the_travel_are_driven_to() -> None:
     work = work_of(KNOWN, axis_of(travel=(150.0, 850.0)))
     assert check_positions(work, hump(900.0)).tolist() == [200.0, 500.0, 800.0]
     short = work_of(KNOWN, axis_of(travel=(150.0, 350.0)))
-    assert check_positions(short, nothing).tolist() == [150.0, 250.0, 350.0]
+    assert check_positions(short, no_correction).tolist() == [150.0, 250.0, 350.0]
 
 
 def test_up_and_down_with_the_instrument_zeroed_at_the_first_one() -> None:
@@ -57,7 +57,7 @@ def test_the_zero_is_taken_where_the_first_reading_is() -> None:
 
 def test_a_reading_that_no_accident_gives_stops() -> None:
     """Two readings of 0.3 µm, and the mean to 0.4 µm: 5 · sqrt(0.09 + 0.09 + 0.16) = 2.9 µm."""
-    for entry in quick_check(work_of(KNOWN), nothing):
+    for entry in quick_check(work_of(KNOWN), no_correction):
         assert entry.stop / UM == pytest.approx(5.0 * np.sqrt(0.34))
 
 

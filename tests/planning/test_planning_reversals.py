@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from compwright.planning.reversal_along_travel import own_reversal, rise_of
-from compwright.prediction.active_corrections import nothing
+from compwright.planning.reversal_along_travel import reversal_curve, reversal_rise
+from compwright.prediction.active_corrections import no_correction
 from compwright.records.axis import AxisKind
 from compwright.records.estimate import ErrorEstimate
 
@@ -33,13 +33,15 @@ def turned(kind: AxisKind, start: float, length: float) -> ErrorEstimate:
 @pytest.mark.parametrize("start", [0.0, 360.0, -360.0, 90.0])
 def test_a_turn_may_begin_anywhere(start: float) -> None:
     estimate = turned(AxisKind.ROTARY, start, 360.0)
-    where, reversal = own_reversal(estimate, nothing)
+    where, reversal = reversal_curve(estimate, no_correction)
     assert np.min(where) == pytest.approx(MEASURED[0], abs=1.0)
     assert np.max(where) == pytest.approx(MEASURED[1], abs=1.0)
     assert np.mean(reversal) == pytest.approx(1e-5 * np.mean(MEASURED), rel=0.01)
-    assert rise_of(estimate, nothing) == pytest.approx(1e-5 * np.ptp(MEASURED), rel=1e-6)
+    assert reversal_rise(estimate, no_correction) == pytest.approx(
+        1e-5 * np.ptp(MEASURED), rel=1e-6
+    )
 
 
 def test_of_a_linear_axis_what_was_not_measured_is_left_out() -> None:
-    where, _ = own_reversal(turned(AxisKind.LINEAR, 0.0, 720.0), nothing)
+    where, _ = reversal_curve(turned(AxisKind.LINEAR, 0.0, 720.0), no_correction)
     assert np.all((where >= MEASURED[0]) & (where <= MEASURED[1]))

@@ -9,10 +9,10 @@ import pytest
 
 from compwright.foundations.errors import CapacityError, Fault
 from compwright.planning.axis_work import AxisWork, CapacityOf
-from compwright.planning.circle_checks import Checks
+from compwright.planning.circle_checks import CircleChecks
 from compwright.planning.circles import CircleWork
-from compwright.planning.scale import Scaled, scale_steps, scaled_axes, shrinking
-from compwright.prediction.active_corrections import IDLE, ActiveCorrections
+from compwright.planning.scale import ScaleCorrection, correct_scales, scale_steps, shrinking
+from compwright.prediction.active_corrections import NO_CORRECTIONS, ActiveCorrections
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, ControlState
@@ -41,15 +41,15 @@ def scaled(
     state: ControlState = EMPTY,
     axis: Axis = Y,
     capacity: CapacityOf = capacity_of,
-) -> Scaled:
+) -> ScaleCorrection:
     apply = ApplyRequest(scale=(axis.name,))
     job = job_of(axis_of(), axis, untested=(axis.name,), apply=apply)
-    checks = Checks(job, works or {}, states or {"as_found": IDLE})
-    (found,) = scaled_axes(job, circles, checks, capacity, state)
+    checks = CircleChecks(job, works or {}, states or {"as_found": NO_CORRECTIONS})
+    (found,) = correct_scales(job, circles, checks, capacity, state)
     return found
 
 
-def slope_of(found: Scaled) -> float:
+def slope_of(found: ScaleCorrection) -> float:
     """What the table does, mm/mm, between 100 and 900 mm."""
     assert found.planned is not None
     assert found.planned.fitted is not None
@@ -104,11 +104,11 @@ def test_what_is_in_the_control_stays_in_the_total() -> None:
 
 def test_a_circle_of_another_state_is_brought_to_what_acts_now() -> None:
     """Measured while the control drew back 30 µm/m, it showed 50; now nothing acts: 80."""
-    states = {"as_found": IDLE, "before": ActiveCorrections({"Y": by_slope(-30e-6)}, {})}
+    states = {"as_found": NO_CORRECTIONS, "before": ActiveCorrections({"Y": by_slope(-30e-6)}, {})}
     circle = circle_of({"scale_error_second": (50.0, 2.0)}, feed=150.0, measured_in="before")
     found = scaled(circle, states=states)
     assert "scale +80.0 ± 4.0 µm/m" in found.finding.message
-    turned = {"as_found": states["before"], "before": IDLE}
+    turned = {"as_found": states["before"], "before": NO_CORRECTIONS}
     assert "scale +20.0 ± 4.0 µm/m" in scaled(circle, states=turned).finding.message
 
 
@@ -194,8 +194,8 @@ def test_circles_at_low_feeds_are_weighted() -> None:
 
 def test_a_laser_on_the_axis_wins() -> None:
     job = job_of(axis_of(), apply=ApplyRequest(scale=("X", "W")))
-    checks = Checks(job, {}, {"as_found": IDLE})
-    (found,) = scaled_axes(job, [circle_of({})], checks, capacity_of, EMPTY)
+    checks = CircleChecks(job, {}, {"as_found": NO_CORRECTIONS})
+    (found,) = correct_scales(job, [circle_of({})], checks, capacity_of, EMPTY)
     assert (found.planned, found.finding.code) == (None, "CW-P118")
 
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from compwright.planning.shared_points import shared_fairly
+from compwright.planning.shared_points import share_points
 from compwright.records.capacity import Capacity
 from compwright.records.fitted import TableRequest
 from compwright.records.plan import PlannedAxis
@@ -28,7 +28,7 @@ def most(
     entries: dict[str, PlannedAxis], capacities: dict[str, Capacity] | None = None
 ) -> dict[str, int | None]:
     shared = capacities or dict.fromkeys(entries, STORE)
-    return {name: one.max_points for name, one in shared_fairly(shared, entries).items()}
+    return {name: one.max_points for name, one in share_points(shared, entries).items()}
 
 
 def test_two_axes_get_half_of_the_store_each_less_the_two_points_that_a_table_may_need_more() -> (

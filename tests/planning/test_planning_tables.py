@@ -12,7 +12,7 @@ from test_fitting import COARSE, FINE, UM, wavy, wish
 
 from compwright.foundations.errors import CapacityError
 from compwright.planning import tables
-from compwright.planning.tables import fit_within, freely_chosen, grid_words, offer
+from compwright.planning.tables import fit_within, free_grid_table, grid_text, new_grid_offer
 from compwright.records.axis import Axis
 from compwright.records.capacity import Capacity, Lattice
 from compwright.records.fitted import TableRequest
@@ -89,7 +89,7 @@ def test_without_a_table_there_is_nothing_to_say() -> None:
 def chosen(there: tuple[float, ...], request: TableRequest = KEEP) -> bool:
     capacity = replace(FINE, there=there)
     table = fit_within(WANTED, capacity, request, AXIS)
-    return freely_chosen(WANTED, capacity, request, table, AXIS) is not None
+    return free_grid_table(WANTED, capacity, request, table, AXIS) is not None
 
 
 def test_another_grid_is_tried_only_where_the_one_that_is_there_loses_something() -> None:
@@ -116,7 +116,7 @@ def told(
         return TestPrediction(name="x", before=result, predicted=one, predicted_new_targets=two)
 
     table = fit_within(WANTED, FINE, KEEP, AXIS)
-    finding = offer(
+    finding = new_grid_offer(
         AXIS,
         np.array(COARSE_GRID),
         table,
@@ -157,6 +157,6 @@ def test_a_loss_is_never_offered() -> None:
 
 
 def test_grids_in_words() -> None:
-    assert grid_words(np.array([0.0, 40.0, 80.0]), "mm") == "3 points from 0 to 80 mm, every 40 mm"
-    uneven = grid_words(np.array([0.0, 40.0, 100.0]), "mm")
+    assert grid_text(np.array([0.0, 40.0, 80.0]), "mm") == "3 points from 0 to 80 mm, every 40 mm"
+    uneven = grid_text(np.array([0.0, 40.0, 100.0]), "mm")
     assert uneven == "3 points from 0 to 100 mm, 40 to 60 mm apart"

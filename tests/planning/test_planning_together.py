@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from compwright.planning.consistent_tests import counted_together, with_active_corrections
+from compwright.planning.consistent_tests import select_consistent, with_active_corrections
 from compwright.planning.wanted_correction import MeasuredError, measured_error, observed_tests
 from compwright.records.axis import Axis, Direction, Motion
 from compwright.records.correction import AxisCompensation, ControlState
@@ -68,7 +68,7 @@ def told(
     if tests[0].measured_in in given:
         active = given[tests[0].measured_in].axes.get("X")
     acted = with_active_corrections(tests, axis, given)
-    counted, error, doubts = counted_together(acted, observed_tests(acted, active), axis, active)
+    counted, error, doubts = select_consistent(acted, observed_tests(acted, active), axis, active)
     return [test.acted is not None for test in counted], error, [each.code for each in doubts]
 
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from compwright.evaluation.standards import evaluate
 from compwright.planning.axis_work import AxisWork, start_axis
-from compwright.prediction.active_corrections import nothing
+from compwright.prediction.active_corrections import no_correction
 from compwright.records.correction import ControlState
 from compwright.records.plan import PlannedTest
 from compwright.records.positioning import PositioningTest
@@ -17,7 +17,7 @@ def started(*tests: PositioningTest) -> AxisWork:
     job = job_of(axis_of())
     planned = tuple(PlannedTest(test=test, measured_in="as_found") for test in tests)
     state = {"as_found": ControlState(format="any", axes={})}
-    return start_axis(job, job.axes["X"], planned, state, nothing)
+    return start_axis(job, job.axes["X"], planned, state, no_correction)
 
 
 def codes(work: AxisWork, place: int = 0) -> list[str]:

@@ -8,9 +8,9 @@ import pytest
 from compwright.foundations.errors import InputError
 from compwright.planning.wanted_correction import (
     MeasuredError,
+    axis_compensation,
     check_coverage,
     dense_positions,
-    held_by,
     measured_error,
     observed_tests,
     wanted_correction,
@@ -191,6 +191,6 @@ def test_a_period_that_is_the_spacing_of_the_acting_table_is_told_as_such() -> N
 
 def test_an_axis_of_which_the_files_do_not_speak_has_no_compensation() -> None:
     state = ControlState(format="any", axes={"X": TABLE})
-    assert held_by(state, axis_of()) is TABLE
-    other = held_by(state, axis_of("Y", reference_return=MINUS))
+    assert axis_compensation(state, axis_of()) is TABLE
+    other = axis_compensation(state, axis_of("Y", reference_return=MINUS))
     assert (other.address, other.positions.size, other.reference_return) == ("Y", 0, MINUS)

@@ -15,8 +15,8 @@ from compwright.evaluation.circular import evaluate_circle
 from compwright.prediction.circular import (
     CirclePath,
     _smoothed,
+    commanded_path,
     moved_test,
-    path_of,
     predict_circle,
 )
 from compwright.records.axis import FloatArray
@@ -43,7 +43,7 @@ def plain(sense: str, angles: list[float], radius: float = 100.0) -> CircularTes
 @pytest.mark.parametrize(("sense", "d"), [("ccw", 1), ("cw", -1)])
 def test_where_a_run_commands_its_axes_and_which_way_they_move(sense: str, d: int) -> None:
     test = plain(sense, [30.0, 120.0, 210.0, 300.0])
-    path = path_of(test, test.runs[0], CENTRE)
+    path = commanded_path(test, test.runs[0], CENTRE)
     half, most = 50.0, 100.0 * np.sqrt(0.75)
     np.testing.assert_allclose(
         path.first, CENTRE[0] + np.array([most, -half, -most, half]), atol=1e-9
@@ -59,7 +59,7 @@ def test_where_a_run_commands_its_axes_and_which_way_they_move(sense: str, d: in
 def test_at_a_reversal_the_new_direction_counts() -> None:
     for sense, moves in (("ccw", -1.0), ("cw", -1.0)):  # at the positive end X can only go back
         test = plain(sense, [0.0])
-        assert path_of(test, test.runs[0], CENTRE).moves_first[0] == moves
+        assert commanded_path(test, test.runs[0], CENTRE).moves_first[0] == moves
 
 
 def test_a_point_moves_by_its_displacement_exactly() -> None:

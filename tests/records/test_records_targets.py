@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from compwright.records.targets import proposed_targets, told_targets
+from compwright.records.targets import proposed_targets, targets_text
 
 
 @pytest.mark.parametrize(
@@ -28,5 +28,5 @@ def test_proposed_targets_show_every_period_down_to_a_tenth_of_their_interval(
 
 
 def test_a_proposal_in_words_has_a_length_that_a_person_reads() -> None:
-    assert str(told_targets(0.0, 4000.0, 400, "mm")).count(",") == 29
-    assert str(told_targets(0.0, 100.0, 5, "mm")).count(",") == 11
+    assert str(targets_text(0.0, 4000.0, 400, "mm")).count(",") == 29
+    assert str(targets_text(0.0, 100.0, 5, "mm")).count(",") == 11

@@ -26,10 +26,10 @@ from compwright.verification.likelihood import (
 from compwright.verification.loading import judge_loading
 from compwright.verification.loading_hypotheses import loading_hypotheses
 from compwright.verification.measurement_cases import (
-    View,
-    measurement_views,
-    of_other_axis,
-    unit_views,
+    MeasurementCase,
+    measurement_cases,
+    other_axis_case,
+    unit_cases,
 )
 from compwright.words.sentences import say
 from compwright.workflow.verify.verified_axis import _looks
@@ -114,8 +114,8 @@ def judge(
     after = means_of((readings[0], readings[1]), NOISE, math.inf, TARGETS)
     covariance = np.eye(2 * TARGETS.size) * NOISE**2 / RUNS
     view = view_of(first, covariance, new, old, read_back=read_back)
-    views = [view, *measurement_views(view)]
-    units = unit_views(view, after.sigma / NOISE)
+    views = [view, *measurement_cases(view)]
+    units = unit_cases(view, after.sigma / NOISE)
     if read != 1.0:
         views += units
     return judge_loading(
@@ -130,10 +130,12 @@ def view_of(
     old: AxisCompensation,
     *,
     read_back: bool = False,
-) -> View:
+) -> MeasurementCase:
     others = {"Y": compensation(OTHER, address="Y")}
     loading = Loading(new=new, old=old, active_before=old, others=others, read_back=read_back)
-    return View(belief=known(first, covariance), hypotheses=loading_hypotheses(loading, TARGETS))
+    return MeasurementCase(
+        belief=known(first, covariance), hypotheses=loading_hypotheses(loading, TARGETS)
+    )
 
 
 def moved(values: FloatArray, by: int) -> FloatArray:
@@ -364,7 +366,7 @@ def test_a_turned_test_of_a_table_that_leaves_something() -> None:
     left = 4 * UM * np.sin(TARGETS / 60.0)
     rough = Loading(new=ONE_TABLE, old=NONE, active_before=NONE)
     first = left - shown(WAVES, WAVES, LOST)
-    view = View(
+    view = MeasurementCase(
         belief=known(first, np.eye(2 * TARGETS.size) * NOISE**2 / RUNS),
         hypotheses=loading_hypotheses(rough, TARGETS),
     )
@@ -372,7 +374,7 @@ def test_a_turned_test_of_a_table_that_leaves_something() -> None:
         3
     ).standard_normal((2, TARGETS.size, RUNS))
     after = means_of((readings[0], readings[1]), NOISE, math.inf, TARGETS)
-    told = judge_loading(after, [view, *measurement_views(view)], declared_slope=0.0)
+    told = judge_loading(after, [view, *measurement_cases(view)], declared_slope=0.0)
     assert (told.verdict, told.of) == ("measurement", "sign")
 
 
@@ -402,7 +404,7 @@ def test_the_test_of_another_axis() -> None:
     readings = wave[..., None] + NOISE * rng.standard_normal((2, TARGETS.size, RUNS))
     after = means_of((readings[0], readings[1]), NOISE, math.inf, TARGETS)
     verdict = judge_loading(
-        after, [mine], declared_slope=0.0, further=lambda: [of_other_axis("Y", theirs)]
+        after, [mine], declared_slope=0.0, further=lambda: [other_axis_case("Y", theirs)]
     )
     assert (verdict.verdict, verdict.of) == ("measurement", "wrong_axis")
     assert "axis Y" in verdict.message

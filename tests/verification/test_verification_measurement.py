@@ -17,7 +17,7 @@ from compwright.records.verification import LoadingVerdict
 from compwright.verification.measurement_faults import (
     copied_scatter,
     measurement_fault,
-    proof_lacking,
+    proof_findings,
 )
 from compwright.verification.read_back import judge_read_back
 from evaluation_samples import axis_test
@@ -46,7 +46,7 @@ def test_a_test_of_its_own_shows_no_fault_and_lacks_nothing() -> None:
     after = measured(2, size=0.2)
     assert measurement_fault(after, FIRST, TRAVEL) is None
     assert copied_scatter(after, FIRST) is None
-    assert proof_lacking(after, FIRST) == []
+    assert proof_findings(after, FIRST) == []
 
 
 @pytest.mark.parametrize(
@@ -105,7 +105,7 @@ def test_the_scatter_of_the_first_test_under_another_error_is_a_copy(sign: float
 )
 def test_targets_that_do_not_cover_the_first_test(keep: FloatArray, words: str) -> None:
     after = measured(2, targets=TARGETS[keep.astype(np.int64)])
-    (finding,) = proof_lacking(after, FIRST)
+    (finding,) = proof_findings(after, FIRST)
     assert finding.code == "CW-V020"
     assert words in finding.message
 
@@ -113,12 +113,12 @@ def test_targets_that_do_not_cover_the_first_test(keep: FloatArray, words: str) 
 def test_one_interval_at_an_end_and_more_targets_are_enough() -> None:
     """Newly dithered targets begin and end up to an interval further inside."""
     for targets in (np.linspace(99.0, 901.0, 11), np.linspace(0.0, 1000.0, 21)):
-        assert proof_lacking(measured(2, targets=targets), FIRST) == []
+        assert proof_findings(measured(2, targets=targets), FIRST) == []
 
 
 def test_fewer_runs_than_the_first_test_lack_proof() -> None:
     after = measured(2)
-    (finding,) = proof_lacking(replace(after, negative=after.negative[:, :3]), FIRST)
+    (finding,) = proof_findings(replace(after, negative=after.negative[:, :3]), FIRST)
     assert "it has 3 approaches in - (the first test: 5)" in finding.message
 
 
@@ -247,7 +247,7 @@ def rotary(targets: Any, seed: int) -> PositioningTest:
 
 def test_a_full_turn_may_begin_anywhere_and_a_part_of_one_may_not() -> None:
     turn = np.linspace(0.0, 330.0, 12)
-    assert proof_lacking(rotary(turn + 75.0, 2), rotary(turn, 1)) == []
+    assert proof_findings(rotary(turn + 75.0, 2), rotary(turn, 1)) == []
     part = np.linspace(0.0, 160.0, 9)
-    (finding,) = proof_lacking(rotary(part + 75.0, 2), rotary(part, 1))
+    (finding,) = proof_findings(rotary(part + 75.0, 2), rotary(part, 1))
     assert "it covers 75 deg to 235 deg" in finding.message

@@ -21,10 +21,10 @@ from compwright.records.positioning import PositioningTest
 from compwright.verification.proof import (
     AfterTest,
     changed_limits,
-    copies,
-    doubted,
+    copied_tests,
+    doubt_warnings,
     not_measured,
-    old_circles,
+    repeated_circles,
 )
 from compwright.words.sentences import say
 from planning_samples import (
@@ -151,8 +151,8 @@ def test_which_findings_leave_it_undecided(
     finding = Finding(code, severity, say("as_written", text="Something."))
     first = replace(WORK.results[0], findings=(finding,) if first_had_it else ())
     after = replace(WORK.results[0], findings=(finding,))
-    found = list(doubted(after, first, (), guarded=guarded))
-    assert list(doubted(after, first, (finding,), guarded=guarded)) == []
+    found = list(doubt_warnings(after, first, (), guarded=guarded))
+    assert list(doubt_warnings(after, first, (finding,), guarded=guarded)) == []
     assert [entry.code for entry in found] == (["CW-V024"] if told else [])
     if told:
         assert found[0].message.startswith(f"The test after loading, {code}: Something.")
@@ -166,21 +166,21 @@ def measured(seed: int, *sources: Source) -> PositioningTest:
 def test_two_axes_with_one_measurement_are_both_named() -> None:
     one, other = Source("x.csv", "aa"), Source("y.csv", "bb")
     own = [AfterTest("X", measured(1, one), "x"), AfterTest("Y", measured(2, other), "y")]
-    assert copies(own) == {}
+    assert copied_tests(own) == {}
     same_file = [own[0], AfterTest("Y", measured(2, one), "y")]
-    assert set(copies(same_file)) == {"X", "Y"}
+    assert set(copied_tests(same_file)) == {"X", "Y"}
     shifted = measured(1, other)
     shifted = replace(
         shifted, positive=shifted.positive + 3.0 * UM, negative=shifted.negative + 3.0 * UM
     )
-    found = copies([own[0], AfterTest("Y", shifted, "y")])
+    found = copied_tests([own[0], AfterTest("Y", shifted, "y")])
     assert {name: fault.of for name, fault in found.items()} == {"X": "copied", "Y": "copied"}
     assert "Axis X and axis Y were given the same measurement" in str(found["X"].sentence)
 
 
 def test_one_file_twice_within_a_test_is_a_copy_too() -> None:
     twice = AfterTest("X", measured(1, Source("x.csv", "aa"), Source("x2.csv", "aa")), "x")
-    assert "The test of axis X holds one file twice" in str(copies([twice])["X"].sentence)
+    assert "The test of axis X holds one file twice" in str(copied_tests([twice])["X"].sentence)
 
 
 def test_the_circle_from_before_is_no_circle_after() -> None:
@@ -188,9 +188,11 @@ def test_the_circle_from_before_is_no_circle_after() -> None:
     was = replace(old, test=replace(old.test, sources=(Source("xy.b5r", "aa"),)))
     planned = plan({}, circles={"xy": was})
     same = replace(old.test, sources=(Source("again.b5r", "aa"),))
-    (finding,) = old_circles(planned, {"xy": same})
+    (finding,) = repeated_circles(planned, {"xy": same})
     assert finding.code == "CW-V025"
-    assert list(old_circles(planned, {"xy": replace(same, sources=(Source("n", "bb"),))})) == []
+    assert (
+        list(repeated_circles(planned, {"xy": replace(same, sources=(Source("n", "bb"),))})) == []
+    )
 
 
 def test_a_circle_with_limits_has_to_be_measured_again_by_the_limits_of_the_run() -> None:

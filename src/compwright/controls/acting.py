@@ -9,8 +9,13 @@ from functools import partial
 import numpy as np
 
 from compwright.controls.decoded import DecodedState, judged
-from compwright.prediction.active_corrections import IDLE, ActiveCorrections, Correction, nothing
-from compwright.prediction.dead_zone import as_applied
+from compwright.prediction.active_corrections import (
+    NO_CORRECTIONS,
+    ActiveCorrections,
+    Correction,
+    no_correction,
+)
+from compwright.prediction.dead_zone import applied_compensation
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.correction import CrossCompensation
 
@@ -19,7 +24,7 @@ def correction_of(decoded: DecodedState | None, axis: Axis) -> Correction:
     """Return the correction of an axis by the judge's reading of ``decoded``; zero where there are
     no files.
     """
-    return nothing if decoded is None else partial(judged, decoded, axis.address)
+    return no_correction if decoded is None else partial(judged, decoded, axis.address)
 
 
 def applied_of(decoded: DecodedState | None, axis: Axis) -> Correction:
@@ -34,7 +39,7 @@ def applied_of(decoded: DecodedState | None, axis: Axis) -> Correction:
         positive=correction(nodes, Direction.POSITIVE),
         negative=correction(nodes, Direction.NEGATIVE),
     )
-    applied = as_applied(judged_table, axis)
+    applied = applied_compensation(judged_table, axis)
     return correction if applied is judged_table else applied.at
 
 
@@ -43,7 +48,7 @@ def acting(decoded: DecodedState | None, axes: Mapping[str, Axis]) -> ActiveCorr
     state is unknown.
     """
     if decoded is None or decoded.judge is None:
-        return IDLE
+        return NO_CORRECTIONS
     names = {axis.address: name for name, axis in axes.items()}
     pairs = dict.fromkeys((entry.input, entry.output) for entry in decoded.state.cross)
     return ActiveCorrections(
@@ -57,7 +62,9 @@ def acting(decoded: DecodedState | None, axes: Mapping[str, Axis]) -> ActiveCorr
 
 
 def _across(decoded: DecodedState, pair: tuple[str, str]) -> Correction:
-    return nothing if decoded.judge is None else partial(decoded.judge.cross_correction, *pair)
+    return (
+        no_correction if decoded.judge is None else partial(decoded.judge.cross_correction, *pair)
+    )
 
 
 def judged_cross(

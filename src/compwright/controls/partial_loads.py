@@ -15,7 +15,7 @@ from compwright.formats.text.entered import Entries, same_text
 from compwright.foundations.errors import CompwrightError
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.axis_work import AxisWork
-from compwright.planning.predicted_gain import yardstick
+from compwright.planning.predicted_gain import judged_parameter
 from compwright.planning.wanted_correction import with_change
 from compwright.prediction.active_corrections import Correction, difference
 from compwright.records.axis import Direction
@@ -67,7 +67,7 @@ def harmful_parts(
 def _worse(work: AxisWork, new: Correction) -> str:
     """Return by how much ``new`` makes the first test of an axis worse; empty: it does not."""
     first, axis = work.results[0], work.planned.axis
-    name = yardstick(first)
+    name = judged_parameter(first)
     if name is None:
         return ""
     values = []

@@ -14,7 +14,7 @@ from compwright.formats.families.shapes import RULES
 from compwright.formats.text.addresses import normal_address, normal_text
 from compwright.formats.text.values import name_of
 from compwright.foundations.errors import Fault, UsageError, raise_all
-from compwright.planning.wanted_correction import LEAST_COVERED, covered
+from compwright.planning.wanted_correction import LEAST_COVERED, covered_travel
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import Assumption, ControlState
 from compwright.records.facts import AxisFacts
@@ -187,7 +187,7 @@ def with_counted_turns(
             or axis.modulo is not None
             or high - low <= _TURN
             or not measured
-            or covered(measured, low, high) >= LEAST_COVERED * (high - low)
+            or covered_travel(measured, low, high) >= LEAST_COVERED * (high - low)
         ):
             continue
         axes[name] = replace(entry, axis=replace(axis, modulo=_TURN, counts_turns=True))

@@ -16,7 +16,7 @@ from compwright.records.circular import CircularResult
 from compwright.records.correction import AxisCompensation, CrossCompensation, Judged
 from compwright.records.estimate import PeriodEvidence
 from compwright.records.job import Acknowledged
-from compwright.records.limits import Limiting, Worth
+from compwright.records.limits import LimitingCauses, PointCountOption
 from compwright.records.prediction import (
     AcceptDecision,
     AxisPrediction,
@@ -25,7 +25,7 @@ from compwright.records.prediction import (
     TestPrediction,
 )
 from compwright.records.result import PositioningResult
-from compwright.records.rounding import OUTSIDE, settled_number
+from compwright.records.rounding import OUTSIDE, rounded_number
 
 SCHEMA = "compwright/prediction/1"
 
@@ -105,14 +105,14 @@ def circle_values(result: CircularResult) -> dict[str, float | None]:
     names.
     """
     values = {
-        name: None if value is None else settled_number(value * MICROMETRES_PER_MILLIMETRE, OUTSIDE)
+        name: None if value is None else rounded_number(value * MICROMETRES_PER_MILLIMETRE, OUTSIDE)
         for name, value in result.parameters.items()
     }
     if result.diagnosis is None:
         return values
     not_given = result.diagnosis.not_given
     causes = {
-        name: None if name in not_given else settled_number(effect.value, OUTSIDE)
+        name: None if name in not_given else rounded_number(effect.value, OUTSIDE)
         for name, effect in result.diagnosis.effects.items()
     }
     return {**values, **causes}
@@ -124,9 +124,9 @@ def circle_quantiles(circle: CirclePrediction) -> dict[str, dict[str, float]]:
         **quantiles_outside(circle.predicted, AxisKind.LINEAR),
         **{
             name: {
-                "median": settled_number(value.median, OUTSIDE),
-                "p05": settled_number(value.p05, OUTSIDE),
-                "p95": settled_number(value.p95, OUTSIDE),
+                "median": rounded_number(value.median, OUTSIDE),
+                "p05": rounded_number(value.p05, OUTSIDE),
+                "p95": rounded_number(value.p95, OUTSIDE),
             }
             for name, value in circle.causes.items()
         },
@@ -193,7 +193,7 @@ def _test(test: TestPrediction) -> dict[str, Any]:
     }
 
 
-def _causes(limits: Limiting, factor: float, unit: str) -> list[dict[str, Any]]:
+def _causes(limits: LimitingCauses, factor: float, unit: str) -> list[dict[str, Any]]:
     return [
         {
             "cause": cause.cause,
@@ -205,7 +205,7 @@ def _causes(limits: Limiting, factor: float, unit: str) -> list[dict[str, Any]]:
     ]
 
 
-def _limited(limits: Limiting, factor: float) -> dict[str, Any]:
+def _limited(limits: LimitingCauses, factor: float) -> dict[str, Any]:
     return {
         "parameter": limits.parameter,
         "now": limits.now * factor,
@@ -214,7 +214,7 @@ def _limited(limits: Limiting, factor: float) -> dict[str, Any]:
     }
 
 
-def _worth(worth: Worth, factor: float) -> dict[str, Any]:
+def _worth(worth: PointCountOption, factor: float) -> dict[str, Any]:
     return {
         "points": worth.points,
         "spacing": worth.spacing,

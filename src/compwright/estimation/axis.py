@@ -30,17 +30,17 @@ from numpy.typing import NDArray
 
 from compwright.estimation.cells import (
     Cells,
-    cells_of,
-    findings_of,
+    build_cells,
+    estimate_findings,
     visible_periods,
 )
-from compwright.estimation.evidence import Weights
+from compwright.estimation.evidence import WeightPosterior
 from compwright.estimation.hidden_periods import HiddenPeriods, hidden_periods
-from compwright.estimation.model import MixturePart, Periods, Travel, basis_of
-from compwright.estimation.model_average import averaged
+from compwright.estimation.model import MixturePart, Periods, Travel, model_basis
+from compwright.estimation.model_average import average_models
 from compwright.estimation.observed_test import ObservedTest
 from compwright.estimation.period_findings import period_findings, unseen_findings
-from compwright.estimation.period_means import fitted_periods, middles_of, unseen_periods
+from compwright.estimation.period_means import bidirectional_means, fitted_periods, unseen_periods
 from compwright.estimation.period_models import PeriodSearch
 from compwright.estimation.periods import search_periods
 from compwright.estimation.slope_findings import slope_findings
@@ -49,7 +49,7 @@ from compwright.foundations.findings import Finding
 from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.estimate import AxisPeriod, ErrorEstimate
 from compwright.records.noise import NoiseDraws, normal_noise
-from compwright.records.rounding import LOGARITHM, settled, settled_number
+from compwright.records.rounding import LOGARITHM, rounded, rounded_number
 
 _DRAWS: Final = 48  # distinct hyperparameters kept for summaries and predictions
 
@@ -93,7 +93,7 @@ class AxisPosterior:
         given = [each.period for each in self.periods if each.source == "job"]
         shown = visible_periods(self.cells.targets, given)
         return hidden_periods(
-            middles_of(self.cells, endless=basis.turn is not None),
+            bidirectional_means(self.cells, endless=basis.turn is not None),
             basis,
             self.kind,
             self.search,
@@ -118,11 +118,11 @@ class AxisPosterior:
         mean, std = [], []
         for line, mine, variance in zip(self.cells.line_at(where), means, variances, strict=True):
             own = mine[held].mean(axis=0)
-            mean.append(settled(line + scale * own))
+            mean.append(rounded(line + scale * own))
             square = scale**2 * (variance + np.mean((mine - own) ** 2, axis=0))
             for jump in self.cells.jumps:
                 square = square + jump.variance(where)
-            std.append(settled(np.sqrt(square)))
+            std.append(rounded(np.sqrt(square)))
         return ErrorEstimate(
             kind=self.kind,
             positions=where,
@@ -216,7 +216,11 @@ class AxisPosterior:
         )
 
     def _local(
-        self, part: MixturePart, weights: Weights, values: FloatArray, rng: np.random.Generator
+        self,
+        part: MixturePart,
+        weights: WeightPosterior,
+        values: FloatArray,
+        rng: np.random.Generator,
     ) -> FloatArray:
         """Return draws (count, m) of the local part at the targets, given the weights ``values``
         (count, j): a normal mean with normal prior and known variance (Gelman et al. 2013, section
@@ -243,7 +247,7 @@ class AxisPosterior:
         seats = np.concatenate([part.draws for part in self.parts])[owner]
         own = self.cells.noises[test]
         if own is not None:
-            return own.taken(_in_turn(seats, own.count // self.cells.data.draws))
+            return own.taken(_cycle_draws(seats, own.count // self.cells.data.draws))
         sigma = self.cells.data.scale * np.sqrt(variances)
         low, high = self.measured
         if self.cells.donor is None:
@@ -273,29 +277,30 @@ def estimate_axis(
     not positive.
     """
     _refuse_misuse(tests, travel, periods)
-    cells = cells_of(tests, turn=turn)
+    cells = build_cells(tests, turn=turn)
     shown = visible_periods(cells.targets, periods)
     over = Travel(*travel, turn)
-    middles = middles_of(cells, endless=turn is not None)
-    smooth = basis_of(cells, over, Periods(), varying=False)
+    middles = bidirectional_means(cells, endless=turn is not None)
+    smooth = model_basis(cells, over, Periods(), varying=False)
     known = Periods.of(cells, fitted_periods(middles, smooth, shown))
     kind, first = tests[0].test.kind, tests[0].noise
     search = search_periods(middles, smooth, kind, known=known.periods, suggested=suggested)
     shown_periods = tuple(each.period for each in search.found if each.named)
-    mixture = averaged(cells, over, known, search.models, _DRAWS)
+    mixture = average_models(cells, over, known, search.models, _DRAWS)
     parts, odds = mixture.parts, mixture.reversal_log_odds
     log_noise = 0.5 * np.log(np.concatenate([part.noises for part in parts]))
     return AxisPosterior(
         kind=kind,
         measured=(float(cells.targets[0]), float(cells.targets[-1])),
-        noise=_significant(first.sigma if first else cells.data.scale * np.exp(np.mean(log_noise))),
-        noise_dof=settled_number(
-            first.dof if first else cells.data.dof or _dof_of(log_noise, cells.readings), LOGARITHM
+        noise=_nine_digits(first.sigma if first else cells.data.scale * np.exp(np.mean(log_noise))),
+        noise_dof=rounded_number(
+            first.dof if first else cells.data.dof or _equivalent_dof(log_noise, cells.readings),
+            LOGARITHM,
         ),
-        reversal_log_odds=settled_number(odds, LOGARITHM),
+        reversal_log_odds=rounded_number(odds, LOGARITHM),
         findings=(
             *(jump.finding(kind) for jump in cells.jumps if jump.named),
-            *findings_of(cells, travel if turn is None else None, periods, shown, kind),
+            *estimate_findings(cells, travel if turn is None else None, periods, shown, kind),
             *period_findings(search, cells.targets, kind, shown, known.periods, nodes),
             *unseen_findings(
                 unseen_periods(middles, smooth, known.periods, shown_periods), shown_periods, kind
@@ -317,7 +322,7 @@ def estimate_axis(
     )
 
 
-def _in_turn(seats: NDArray[np.intp], each: int) -> NDArray[np.intp]:
+def _cycle_draws(seats: NDArray[np.intp], each: int) -> NDArray[np.intp]:
     """Return for ``seats`` (count,) which of the ``each`` members of a seat each takes: in turn."""
     order = np.argsort(seats, kind="stable")
     ordered = seats[order]
@@ -327,7 +332,7 @@ def _in_turn(seats: NDArray[np.intp], each: int) -> NDArray[np.intp]:
     return taken
 
 
-def _significant(value: float) -> float:
+def _nine_digits(value: float) -> float:
     """Return a size, which may be far below what instruments tell, to nine digits."""
     return float(f"{value:.8e}")
 
@@ -375,7 +380,7 @@ def _refuse_misuse(
         raise UsageError(*faults)
 
 
-def _dof_of(log_noise: FloatArray, readings: int) -> float:
+def _equivalent_dof(log_noise: FloatArray, readings: int) -> float:
     """Return the degrees of freedom that a scatter of log s amounts to: var(log s) = 1 / (2 dof)
     (JCGM 100:2008, eq. G.3).
     """

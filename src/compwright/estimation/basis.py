@@ -188,7 +188,7 @@ ALIASED = 0.9
 _WINDOW = 200_000
 
 
-def folded(targets: FloatArray, wavelength: float) -> float | None:
+def alias_wavelength(targets: FloatArray, wavelength: float) -> float | None:
     """Return the longer wavelength as which these targets show a wave, mm or deg (inf for a
     constant); None where they show itself.
 
@@ -198,13 +198,13 @@ def folded(targets: FloatArray, wavelength: float) -> float | None:
     their random part hardly ever. That mean is the spectral window of the targets (Deeming,
     Astrophysics and Space Science 36, 1975).
     """
-    return _folded(targets.tobytes(), wavelength)
+    return _alias_wavelength(targets.tobytes(), wavelength)
 
 
 @functools.lru_cache(maxsize=64)
-def _folded(places: bytes, wavelength: float) -> float | None:
-    """Return what `folded` does, of targets (m,) as bytes: it is asked of the same ones by every
-    part of an estimate, and takes m² steps.
+def _alias_wavelength(places: bytes, wavelength: float) -> float | None:
+    """Return what `alias_wavelength` does, of targets (m,) as bytes: it is asked of the same ones
+    by every part of an estimate, and takes m² steps.
     """
     targets = np.frombuffer(places)
     length = float(np.ptp(targets))

@@ -11,17 +11,17 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from compwright.estimation.basis import HARMONICS, folded, hidden_share
-from compwright.estimation.datum_columns import own_columns
+from compwright.estimation.basis import HARMONICS, alias_wavelength, hidden_share
+from compwright.estimation.datum_columns import datum_columns
 from compwright.estimation.evidence import CellData
-from compwright.estimation.jumps import Jump, jumps_of
+from compwright.estimation.jumps import Jump, find_jumps
 from compwright.estimation.noise_posterior import NoisePosterior
 from compwright.estimation.observed_test import ObservedCells, ObservedTest, cell_means
 from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.findings import Finding
 from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.noise import NoiseDraws
-from compwright.records.targets import told_targets
+from compwright.records.targets import targets_text
 from compwright.words.sentences import Sentence
 
 #: No noise below this is claimed: 10 nm, 0.0036 arcsec (the resolution of the instruments is
@@ -89,16 +89,16 @@ class Cells:
             left,
             right,
         )
-        same = np.abs(self.targets[nearest] - positions) <= _same(self.targets)
+        same = np.abs(self.targets[nearest] - positions) <= _target_tolerance(self.targets)
         return np.where(same, nearest, -1)
 
 
-def _same(positions: FloatArray) -> float:
+def _target_tolerance(positions: FloatArray) -> float:
     """Return up to which distance two positions are one target, mm or deg."""
     return 1e-9 * max(1.0, float(np.max(np.abs(positions), initial=0.0)))
 
 
-def cells_of(
+def build_cells(
     tests: Sequence[ObservedTest], *, turn: float | None = None, stepped: bool = True
 ) -> Cells:
     """Return means, counts and spread of the tests of an axis; an endless axis, whose error repeats
@@ -115,7 +115,9 @@ def cells_of(
         own = np.arange(draws) % (draws if each.noise is None else each.noise.draws.count)
         orders.append(rng.permutation(own) if index else own)
     ordered = [(each.noise, order) for each, order in zip(tests, orders, strict=True)]
-    noises = tuple(None if noise is None else _fresh(noise, order) for noise, order in ordered)
+    noises = tuple(
+        None if noise is None else _fresh_noise(noise, order) for noise, order in ordered
+    )
     donor = next((noise.draws.taken(order) for noise, order in ordered if noise is not None), None)
     parts = [cell_means(each, order, donor) for each, order in zip(tests, orders, strict=True)]
     positions = np.concatenate([part.positions for part in parts])
@@ -130,13 +132,13 @@ def cells_of(
                 hint="measure at two targets or more",
             )
         )
-    line = _line(parts, targets, endless=turn is not None)
+    line = _common_line(parts, targets, endless=turn is not None)
     if stepped:
-        line = _with_jumps(parts, targets, line, LEAST_NOISE[tests[0].test.kind], turn)
-    return _stacked(tests, parts, targets, line, noises, donor)
+        line = _refit_without_jumps(parts, targets, line, LEAST_NOISE[tests[0].test.kind], turn)
+    return _stack_cells(tests, parts, targets, line, noises, donor)
 
 
-def _fresh(noise: NoisePosterior, order: NDArray[np.intp]) -> NoiseDraws:
+def _fresh_noise(noise: NoisePosterior, order: NDArray[np.intp]) -> NoiseDraws:
     """Return what fresh tests have of the noise, for its draws in ``order`` (n,)."""
     each = noise.fresh.count // noise.draws.count
     return noise.fresh.taken((order[:, np.newaxis] * each + np.arange(each)).ravel())
@@ -145,7 +147,7 @@ def _fresh(noise: NoisePosterior, order: NDArray[np.intp]) -> NoiseDraws:
 def _distinct(positions: FloatArray) -> FloatArray:
     """Return the different positions (m,), ascending."""
     ordered = np.sort(positions)
-    kept = np.diff(ordered, prepend=-np.inf) > _same(ordered)
+    kept = np.diff(ordered, prepend=-np.inf) > _target_tolerance(ordered)
     distinct: FloatArray = ordered[kept]
     return distinct
 
@@ -172,7 +174,7 @@ class _CommonLine:
         return taken
 
 
-def _with_jumps(
+def _refit_without_jumps(
     parts: Sequence[ObservedCells],
     targets: FloatArray,
     line: _CommonLine,
@@ -188,7 +190,7 @@ def _with_jumps(
     if turn is not None:  # the end of a turn is its beginning
         places = np.mod(np.round(np.mod(places, turn), 9), turn)
         different = _distinct(places)
-    seats = np.clip(np.searchsorted(different, places + _same(different)) - 1, 0, None)
+    seats = np.clip(np.searchsorted(different, places + _target_tolerance(different)) - 1, 0, None)
     lefts = [part.means - line.at(part, k, float(targets[0])) for k, part in enumerate(parts)]
     left = np.concatenate(lefts)
     rough = np.median(np.abs(np.diff(left, 2))) / np.sqrt(6.0) if left.size > 2 else 0.0
@@ -203,17 +205,19 @@ def _with_jumps(
     weights = 1.0 / np.maximum(variances, least**2)
     total = np.bincount(seats, weights)
     means = np.bincount(seats, weights * left) / total
-    jumps = jumps_of(different, means, 1.0 / np.sqrt(total), turn)
+    jumps = find_jumps(different, means, 1.0 / np.sqrt(total), turn)
     if not jumps:
         return line
     bare = [
         replace(part, means=part.means - sum(jump.ramp(part.positions) for jump in jumps))
         for part in parts
     ]
-    return replace(_line(bare, targets, endless=turn is not None), jumps=jumps)
+    return replace(_common_line(bare, targets, endless=turn is not None), jumps=jumps)
 
 
-def _line(parts: Sequence[ObservedCells], targets: FloatArray, *, endless: bool) -> _CommonLine:
+def _common_line(
+    parts: Sequence[ObservedCells], targets: FloatArray, *, endless: bool
+) -> _CommonLine:
     """Return the line by least squares over all readings (JCGM 100:2008, H.3): the mean reversal of
     the targets approached in both directions first.
     """
@@ -291,7 +295,7 @@ def _sizes(parts: Sequence[ObservedCells], left: Sequence[FloatArray], least: fl
     )
 
 
-def _stacked(
+def _stack_cells(
     tests: Sequence[ObservedTest],
     parts: Sequence[ObservedCells],
     targets: FloatArray,
@@ -306,7 +310,7 @@ def _stacked(
     scale = max(sizes.roughness, sizes.spread, sizes.floor)
     floor = max(sizes.floor / scale, 1e-4)
     positions = np.concatenate([part.positions for part in parts])
-    seats = np.clip(np.searchsorted(targets, positions + _same(targets)) - 1, 0, None)
+    seats = np.clip(np.searchsorted(targets, positions + _target_tolerance(targets)) - 1, 0, None)
     signs = np.concatenate([part.signs for part in parts])
     order = np.lexsort((-signs, seats))
     counts = np.concatenate([part.counts for part in parts])
@@ -321,7 +325,7 @@ def _stacked(
         )
         * scale**2
     )
-    own = own_columns(tests, parts, targets, scale)
+    own = datum_columns(tests, parts, targets, scale)
     data = CellData(
         seats=seats[order],
         starts=np.searchsorted(seats[order], np.arange(targets.size)),
@@ -390,12 +394,14 @@ def _neighbour_spread(parts: Sequence[ObservedCells], left: Sequence[FloatArray]
 
 def visible_periods(targets: FloatArray, periods: Sequence[float]) -> tuple[float, ...]:
     """Return the known periods that these targets can show: neither hidden by the spacing
-    (`hidden_share`) nor folded to a longer wave (`folded`); ``targets`` (m,), all in mm or deg.
+    (`hidden_share`) nor folded to a longer wave (`alias_wavelength`); ``targets`` (m,), all in mm
+    or deg.
     """
     return tuple(
         float(period)
         for period in periods
-        if hidden_share(targets, float(period)) < HIDDEN and folded(targets, float(period)) is None
+        if hidden_share(targets, float(period)) < HIDDEN
+        and alias_wavelength(targets, float(period)) is None
     )
 
 
@@ -403,10 +409,12 @@ def visible_harmonics(targets: FloatArray, period: float) -> tuple[int, ...]:
     """Return the harmonics of a visible period that these ``targets`` (m,), mm or deg, show as what
     they are.
     """
-    return tuple(harmonic for harmonic in HARMONICS if folded(targets, period / harmonic) is None)
+    return tuple(
+        harmonic for harmonic in HARMONICS if alias_wavelength(targets, period / harmonic) is None
+    )
 
 
-def findings_of(
+def estimate_findings(
     cells: Cells,
     travel: tuple[float, float] | None,
     periods: Sequence[float],
@@ -422,7 +430,7 @@ def findings_of(
         found.append(Finding.of("CW-E001", "warning"))
     if not cells.repeated:
         found.append(Finding.of("CW-E002", "warning"))
-    found += folded_findings(cells.targets, periods, unit)
+    found += alias_findings(cells.targets, periods, unit)
     found += [
         Finding.of(
             "CW-E003",
@@ -455,16 +463,16 @@ def findings_of(
 
 
 def _targets_text(targets: FloatArray, unit: str) -> Sentence:
-    return told_targets(float(targets[0]), float(targets[-1]), targets.size, unit)
+    return targets_text(float(targets[0]), float(targets[-1]), targets.size, unit)
 
 
-def folded_findings(targets: FloatArray, periods: Sequence[float], unit: str) -> list[Finding]:
+def alias_findings(targets: FloatArray, periods: Sequence[float], unit: str) -> list[Finding]:
     """Return the periods that these ``targets`` (m,) show as longer waves (CW-E010); those that
     they do not show at all are CW-E003's. mm or deg, as ``unit`` says.
     """
     found = []
     for period in map(float, periods):
-        wave = folded(targets, period)
+        wave = alias_wavelength(targets, period)
         if wave is None or hidden_share(targets, period) >= HIDDEN:
             continue
         interval = float(np.ptp(targets)) / (targets.size - 1)

@@ -14,7 +14,7 @@ from compwright.records.axis import FloatArray
 _SMALL: Final = 48
 
 
-def factored(matrix: FloatArray) -> tuple[FloatArray, FloatArray]:
+def cholesky_factor(matrix: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Return a symmetric ``matrix`` (n, n) and its Cholesky factor (n, n), lower; where rounding
     has left it indefinite (readings without any scatter), the matrix with as much more on its
     diagonal as that takes (Rasmussen and Williams, Gaussian Processes for Machine Learning, 2006,
@@ -29,7 +29,7 @@ def factored(matrix: FloatArray) -> tuple[FloatArray, FloatArray]:
     return matrix, np.asarray(np.linalg.cholesky(matrix), dtype=np.float64)
 
 
-def factored_with_values(
+def factor_and_solve(
     matrix: FloatArray, values: FloatArray, largest: float
 ) -> tuple[FloatArray, FloatArray]:
     """Return the Cholesky factor L (n, n) of a symmetric ``matrix`` (n, n), and inverse(L)
@@ -37,7 +37,8 @@ def factored_with_values(
 
     Both come from one factorisation: ``values`` are appended to the matrix as its last row and
     column (Golub and Van Loan 2013, section 4.2.5). ``largest``: upper bound of values'
-    inverse(matrix) values. A matrix that is singular by rounding is treated as in `factored`.
+    inverse(matrix) values. A matrix that is singular by rounding is treated as in
+    `cholesky_factor`.
     """
     size = values.size
     bordered = np.empty((size + 1, size + 1))
@@ -47,12 +48,12 @@ def factored_with_values(
     try:
         factor = np.asarray(np.linalg.cholesky(bordered), dtype=np.float64)
     except np.linalg.LinAlgError:
-        factor = factored(matrix)[1]
+        factor = cholesky_factor(matrix)[1]
         return factor, np.asarray(np.linalg.solve(factor, values), dtype=np.float64)
     return factor[:size, :size], factor[size, :size]
 
 
-def inverse_of_lower(factor: FloatArray) -> FloatArray:
+def inverse_triangle(factor: FloatArray) -> FloatArray:
     """Return the inverse (n, n) of a lower triangle ``factor`` (n, n): of its halves, and of what
     couples them -inverse(second) coupling inverse(first) (Golub and Van Loan, Matrix Computations,
     4th ed. 2013, section 3.1). Raises LinAlgError for a zero on the diagonal.
@@ -62,7 +63,7 @@ def inverse_of_lower(factor: FloatArray) -> FloatArray:
         return np.asarray(np.linalg.inv(factor), dtype=np.float64)
     half = size // 2
     inverse = np.zeros_like(factor)
-    first = inverse[:half, :half] = inverse_of_lower(factor[:half, :half])
-    second = inverse[half:, half:] = inverse_of_lower(factor[half:, half:])
+    first = inverse[:half, :half] = inverse_triangle(factor[:half, :half])
+    second = inverse[half:, half:] = inverse_triangle(factor[half:, half:])
     inverse[half:, :half] = -second @ (factor[half:, :half] @ first)
     return inverse

@@ -16,32 +16,32 @@ from typing import Final
 
 import numpy as np
 
-from compwright.estimation.circle_cyclic import longest_pitch, search, shortest_pitch
+from compwright.estimation.circle_cyclic import longest_pitch, search_cyclic, shortest_pitch
 from compwright.estimation.circle_fit import (
-    Fit,
-    Problem,
-    Weighted,
-    evidence_of,
-    fit,
-    path_of,
-    problem_of,
-    spectra_of,
-    white,
+    CircleFit,
+    CircleProblem,
+    WeightedProblem,
+    circle_problem,
+    fit_causes,
+    fit_evidence,
+    fitted_path,
+    residual_spectra,
+    white_spectra,
 )
-from compwright.estimation.circle_lag import Lag, common_lag, corrected, without_lag
-from compwright.estimation.circle_model import AXES, Samples, cyclic_columns, samples_of
+from compwright.estimation.circle_lag import Lag, at_actual_angles, common_lag, with_undetected_lag
+from compwright.estimation.circle_model import AXES, CircleSamples, circle_samples, cyclic_columns
 from compwright.estimation.circle_noise import (
     AngleGrid,
-    Spectrum,
-    grid_of,
+    ResidualSpectrum,
+    angle_grid,
     inverse_cosine_transform,
 )
 from compwright.estimation.circle_path import undetermined_causes
-from compwright.estimation.circle_plain import plain_regression
-from compwright.estimation.circle_report import effects_of
-from compwright.estimation.circle_reversal import Shapes, drawn, likeliest
+from compwright.estimation.circle_plain import harmonic_regression
+from compwright.estimation.circle_report import report_effects
+from compwright.estimation.circle_reversal import SpikeShapes, choose_shapes, draw_shapes
 from compwright.estimation.circle_solution import Solution
-from compwright.estimation.circle_vibration import Vibration, vibration, vibration_columns
+from compwright.estimation.circle_vibration import Vibration, search_vibration, vibration_columns
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.findings import Finding
 from compwright.records.axis import FloatArray
@@ -80,17 +80,17 @@ def diagnose(test: CircularTest, *, periods: Mapping[str, float] | None = None) 
     UsageError for a wrong period.
     """
     _refuse(test, periods or {})
-    test = replace(test, runs=tuple(map(_thinned, test.runs)))
-    samples = samples_of(test)
+    test = replace(test, runs=tuple(map(_average_neighbours, test.runs)))
+    samples = circle_samples(test)
     _refuse_few(test, samples)
-    frequencies, findings = _given(test, samples, periods or {})
-    measured, plain, grid = samples, plain_regression(samples), grid_of(samples)
-    start, lag = _started(samples, grid)
+    frequencies, findings = _visible_periods(test, samples, periods or {})
+    measured, plain, grid = samples, harmonic_regression(samples), angle_grid(samples)
+    start, lag = _start_fit(samples, grid)
     samples = start.problem.samples
     if lag is not None:
         findings.append(_lag_finding(samples, lag))
     solution = _solution(start, frequencies)
-    effects, correlation, undetermined, noticed = effects_of(
+    effects, correlation, undetermined, noticed = report_effects(
         test, solution, undetermined_causes(test, samples)
     )
     return Diagnosis(
@@ -103,11 +103,11 @@ def diagnose(test: CircularTest, *, periods: Mapping[str, float] | None = None) 
         findings=(*findings, *noticed),
         undetermined=undetermined,
         fitted=tuple(_fitted_runs(test, measured, solution.residual)),
-        fresh=_fresh(test, solution),
+        fresh=_fresh_runs(test, solution),
     )
 
 
-def _fresh(test: CircularTest, solution: Solution) -> tuple[FreshRun, ...]:
+def _fresh_runs(test: CircularTest, solution: Solution) -> tuple[FreshRun, ...]:
     """Return what a fresh test shows, by run. Samples exactly at a reversal point have no model and
     are put between their neighbours. The noise has the spectra of the residuals: normal ordinates,
     and in both directions the sum and the difference of the halves.
@@ -150,7 +150,7 @@ def _fresh(test: CircularTest, solution: Solution) -> tuple[FreshRun, ...]:
 
 
 def _fitted_runs(
-    test: CircularTest, measured: Samples, residual: FloatArray
+    test: CircularTest, measured: CircleSamples, residual: FloatArray
 ) -> Iterator[FittedRun]:
     """Yield the fit of each run; ``measured``: the samples at the angles of their commands."""
     for index, run in enumerate(test.runs):
@@ -165,7 +165,7 @@ def _fitted_runs(
         )
 
 
-def _thinned(run: CircularRun) -> CircularRun:
+def _average_neighbours(run: CircularRun) -> CircularRun:
     """Return a run with the means of as many neighbours each as leave `MOST_SAMPLES` at most; fewer
     at the end are a mean of their own.
     """
@@ -247,7 +247,7 @@ def _refuse(test: CircularTest, periods: Mapping[str, float]) -> None:
         )
 
 
-def _refuse_few(test: CircularTest, samples: Samples) -> None:
+def _refuse_few(test: CircularTest, samples: CircleSamples) -> None:
     counts = [int(np.sum(samples.run == number)) for number in range(len(test.runs))]
     raise_all(
         InputError,
@@ -266,8 +266,8 @@ def _refuse_few(test: CircularTest, samples: Samples) -> None:
     )
 
 
-def _given(
-    test: CircularTest, samples: Samples, periods: Mapping[str, float]
+def _visible_periods(
+    test: CircularTest, samples: CircleSamples, periods: Mapping[str, float]
 ) -> tuple[dict[str, float], list[Finding]]:
     """Return the frequencies, 1/mm, by ``first`` and ``second``, of those given periods that the
     test can show.
@@ -284,67 +284,69 @@ def _given(
     return frequencies, findings
 
 
-def _lag_finding(samples: Samples, lag: Lag) -> Finding:
+def _lag_finding(samples: CircleSamples, lag: Lag) -> Finding:
     time = 1e3 * lag.angle * samples.radius / samples.speed
     doubt = 1e3 * lag.doubt * samples.radius / samples.speed
     return Finding.of("CW-D011", "info", lag=time, error=doubt)
 
 
 @dataclass(frozen=True, slots=True)
-class _Start:
+class _CircleStart:
     """A problem with the likeliest shapes of its reversals and their fit."""
 
-    problem: Problem
-    shapes: Shapes
-    fitted: Fit
+    problem: CircleProblem
+    shapes: SpikeShapes
+    fitted: CircleFit
 
 
-def _started(samples: Samples, grid: AngleGrid) -> tuple[_Start, Lag | None]:
+def _start_fit(samples: CircleSamples, grid: AngleGrid) -> tuple[_CircleStart, Lag | None]:
     """Return the start of the fit, and the common lag if it explains the samples better than none.
 
     Lost motion that is taken up while an axis stands still looks like a lag next to the reversal
     points: the evidence of the whole model decides.
     """
 
-    def started(of: Samples) -> _Start:
-        problem = problem_of(of, grid)
-        shapes = Shapes(problem)
-        return _Start(problem, shapes, _settled(problem, shapes, white(problem)))
+    def started(of: CircleSamples) -> _CircleStart:
+        problem = circle_problem(of, grid)
+        shapes = SpikeShapes(problem)
+        return _CircleStart(
+            problem, shapes, _fit_with_noise(problem, shapes, white_spectra(problem))
+        )
 
-    without = started(without_lag(samples))
+    without = started(with_undetected_lag(samples))
     lag = common_lag(samples)
     if lag is None:
         return without, None
-    late = started(corrected(samples, lag))
+    late = started(at_actual_angles(samples, lag))
     better, worse = (
-        evidence_of(each.fitted, each.shapes.precision) + each.shapes.log_prior
+        fit_evidence(each.fitted, each.shapes.precision) + each.shapes.log_prior
         for each in (late, without)
     )
     return (late, lag) if better > worse else (without, None)
 
 
-def _solution(start: _Start, given: dict[str, float]) -> Solution:
+def _solution(start: _CircleStart, given: dict[str, float]) -> Solution:
     """Return the solution after everything was sought: noise, shapes of the reversals, cyclic
     errors, vibration, and the noise again.
     """
     frequencies = dict(given)
     problem, shapes, fitted = start.problem, start.shapes, start.fitted
     for axis, frequency in given.items():
-        problem, _ = _tuned(problem, shapes, fitted, axis, frequency, known=True)
+        problem, _ = _fit_cyclic(problem, shapes, fitted, axis, frequency, known=True)
     if given:
-        fitted = _settled(problem, shapes, fitted.spectra)
-    found = search(problem, fitted, [axis for axis in AXES if axis not in frequencies])
+        fitted = _fit_with_noise(problem, shapes, fitted.spectra)
+    found = search_cyclic(problem, fitted, [axis for axis in AXES if axis not in frequencies])
     while found.found:
         for axis, frequency in found.found.items():
-            problem, frequencies[axis] = _tuned(problem, shapes, fitted, axis, frequency)
-        fitted = _settled(problem, shapes, fitted.spectra)
+            problem, frequencies[axis] = _fit_cyclic(problem, shapes, fitted, axis, frequency)
+        fitted = _fit_with_noise(problem, shapes, fitted.spectra)
         open_axes = [axis for axis in AXES if axis not in frequencies]
         if not open_axes:
             break
-        found = search(problem, fitted, open_axes)
-    problem, fitted, waves = _without_vibration(problem, shapes, fitted)
-    draws = drawn(
-        Weighted(problem, fitted.spectra), shapes, np.random.default_rng(problem.target.size)
+        found = search_cyclic(problem, fitted, open_axes)
+    problem, fitted, waves = _add_vibration(problem, shapes, fitted)
+    draws = draw_shapes(
+        WeightedProblem(problem, fitted.spectra), shapes, np.random.default_rng(problem.target.size)
     )
     return Solution(
         problem=problem,
@@ -357,16 +359,18 @@ def _solution(start: _Start, given: dict[str, float]) -> Solution:
     )
 
 
-def _settled(problem: Problem, shapes: Shapes, spectra: tuple[Spectrum, ...]) -> Fit:
+def _fit_with_noise(
+    problem: CircleProblem, shapes: SpikeShapes, spectra: tuple[ResidualSpectrum, ...]
+) -> CircleFit:
     """Return the fit once the noise that it leaves is the noise that it was weighted with (iterated
     two-stage least squares; Seber and Wild, Nonlinear Regression, 1989, chapter 6).
     """
     shapes.adopt(problem)
     for _ in range(_NOISE_ROUNDS):
-        weighted = Weighted(problem, spectra)
-        likeliest(weighted, shapes)
-        fitted = fit(weighted, shapes.active(), shapes.precision)
-        last, spectra = spectra, spectra_of(fitted)
+        weighted = WeightedProblem(problem, spectra)
+        choose_shapes(weighted, shapes)
+        fitted = fit_causes(weighted, shapes.active(), shapes.precision)
+        last, spectra = spectra, residual_spectra(fitted)
         changes = [
             abs(np.log(new.density[0] / old.density[0]))
             for new, old in zip(spectra, last, strict=True)
@@ -376,15 +380,15 @@ def _settled(problem: Problem, shapes: Shapes, spectra: tuple[Spectrum, ...]) ->
     return replace(fitted, spectra=spectra)
 
 
-def _tuned(
-    problem: Problem,
-    shapes: Shapes,
-    fitted: Fit,
+def _fit_cyclic(
+    problem: CircleProblem,
+    shapes: SpikeShapes,
+    fitted: CircleFit,
     axis: str,
     frequency: float,
     *,
     known: bool = False,
-) -> tuple[Problem, float]:
+) -> tuple[CircleProblem, float]:
     """Return the problem with a cyclic error of an axis, and its ``frequency``, 1/mm, fitted unless
     it is ``known``, together with how late the axis is (Gauss-Newton: Seber and Wild 1989,
     chapter 2).
@@ -397,8 +401,8 @@ def _tuned(
         problem = problem.with_columns([c for c in fixed if c.name != without])
         shapes.adopt(problem)
         active = shapes.active()
-        weighted = Weighted(problem, fitted.spectra, active)
-        values = fit(weighted, active, shapes.precision).values
+        weighted = WeightedProblem(problem, fitted.spectra, active)
+        values = fit_causes(weighted, active, shapes.precision).values
         found = dict(zip(active.tolist(), values.tolist(), strict=True))
         value = {name: found.get(index, 0.0) for index, name in enumerate(problem.names)}
         amplitudes = value[f"_cyclic_cos_{axis}"], value[f"_cyclic_sin_{axis}"]
@@ -408,16 +412,16 @@ def _tuned(
     return problem.with_columns([c for c in columns if c.name != without]), frequency
 
 
-def _without_vibration(
-    problem: Problem, shapes: Shapes, fitted: Fit
-) -> tuple[Problem, Fit, Vibration]:
+def _add_vibration(
+    problem: CircleProblem, shapes: SpikeShapes, fitted: CircleFit
+) -> tuple[CircleProblem, CircleFit, Vibration]:
     """Return problem and fit with the clearest vibration, if one was found."""
-    rest = problem.target - path_of(problem, fitted.active, fitted.values)
-    found = vibration(problem, rest)
+    rest = problem.target - fitted_path(problem, fitted.active, fitted.values)
+    found = search_vibration(problem, rest)
     if found.frequency is not None:
         columns = vibration_columns(problem.samples, found.frequency)
         shaken = problem.with_columns(columns)
-        settled = _settled(shaken, shapes, fitted.spectra)
+        settled = _fit_with_noise(shaken, shapes, fitted.spectra)
         places = [shaken.names.index(column.name) for column in columns]
         at = np.flatnonzero(np.isin(settled.active, places))
         value, covariance = settled.values[at], settled.covariance[np.ix_(at, at)]

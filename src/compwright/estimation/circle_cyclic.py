@@ -15,9 +15,9 @@ from typing import Final
 
 import numpy as np
 
-from compwright.estimation.circle_fit import Fit, Problem
-from compwright.estimation.circle_model import UM, Samples, cyclic_columns
-from compwright.estimation.circle_noise import halves, inverse_cosine_transform
+from compwright.estimation.circle_fit import CircleFit, CircleProblem
+from compwright.estimation.circle_model import UM, CircleSamples, cyclic_columns
+from compwright.estimation.circle_noise import inverse_cosine_transform, sum_and_difference
 from compwright.records.axis import FloatArray
 
 #: One search in a thousand finds a cyclic error where there is none.
@@ -33,7 +33,7 @@ _OVERSAMPLING: Final = 8.0  # search steps within one period over the radius
 
 
 @dataclass(frozen=True, slots=True)
-class Search:
+class CyclicSearch:
     """What was found: frequency, 1/mm, of the clearest by its axis, and the amplitude (µm) that may
     have been missed, by axis.
     """
@@ -42,7 +42,7 @@ class Search:
     hidden: Mapping[str, float]
 
 
-def search(problem: Problem, fitted: Fit, axes: Sequence[str]) -> Search:
+def search_cyclic(problem: CircleProblem, fitted: CircleFit, axes: Sequence[str]) -> CyclicSearch:
     """Return the clearest cyclic error of ``axes`` if the residuals of ``fitted`` show it beyond
     doubt.
 
@@ -69,10 +69,10 @@ def search(problem: Problem, fitted: Fit, axes: Sequence[str]) -> Search:
         best = max(exact, default=(0.0, 0.0))
         if best[0] > clearest * threshold:
             clearest, found = best[0] / threshold, {axis: best[1]}
-    return Search(found, hidden)
+    return CyclicSearch(found, hidden)
 
 
-def shortest_pitch(samples: Samples) -> float:
+def shortest_pitch(samples: CircleSamples) -> float:
     """Return the shortest pitch, mm, that the samples of a run can show: `_STEEPEST` half turns of
     phase per sample where the axis moves along the path (1 would be Nyquist's limit).
     """
@@ -80,12 +80,14 @@ def shortest_pitch(samples: Samples) -> float:
     return float(2.0 * samples.radius * samples.arc[1] / per_run / _STEEPEST)
 
 
-def longest_pitch(samples: Samples) -> float:
+def longest_pitch(samples: CircleSamples) -> float:
     """Return the longest pitch, mm, that can be distinguished from the other causes."""
     return _LONGEST * samples.radius
 
 
-def _screen(problem: Problem, fitted: Fit, axis: str) -> tuple[FloatArray, FloatArray, float]:
+def _screen(
+    problem: CircleProblem, fitted: CircleFit, axis: str
+) -> tuple[FloatArray, FloatArray, float]:
     """Return frequencies (f,), about how much each would lower the weighted squares, and the least
     weight of one, 1/µm².
     """
@@ -135,7 +137,7 @@ def _peaks(gains: FloatArray) -> FloatArray:
     return best
 
 
-def _gain(problem: Problem, fitted: Fit, axis: str, frequency: float) -> float:
+def _gain(problem: CircleProblem, fitted: CircleFit, axis: str, frequency: float) -> float:
     """Return how much a cyclic error of this frequency, 1/mm, lowers the weighted sum of squares: a
     column added to a least-squares fit (Seber and Lee, Linear Regression Analysis, 2nd ed. 2003,
     section 3.7).
@@ -145,7 +147,7 @@ def _gain(problem: Problem, fitted: Fit, axis: str, frequency: float) -> float:
 
 
 def _weighed(
-    problem: Problem, fitted: Fit, axis: str, frequency: float
+    problem: CircleProblem, fitted: CircleFit, axis: str, frequency: float
 ) -> tuple[FloatArray, FloatArray]:
     """Return right side (2,) and normal matrix (2, 2), 1/µm², of cosine and sine with all other
     columns refitted.
@@ -159,7 +161,11 @@ def _weighed(
     inner = np.zeros((2, 2))
     shared = np.zeros((2, fitted.values.size))
     for half, rows, rest, spectrum in zip(
-        halves(problem.grid, slopes), fitted.rows, fitted.rest, fitted.spectra, strict=True
+        sum_and_difference(problem.grid, slopes),
+        fitted.rows,
+        fitted.rest,
+        fitted.spectra,
+        strict=True,
     ):
         weighted = half / spectrum.density[:, np.newaxis]
         right += weighted.T @ rest

@@ -22,7 +22,7 @@ _INFLATED: Final = 2.5
 _CLEAR: Final = 3.0
 
 
-def findings_of(
+def diagnosis_findings(
     test: CircularTest,
     solution: Solution,
     effects: Mapping[str, CircularEffect],

@@ -20,7 +20,7 @@ from compwright.estimation.circle_model import (
     ENDS,
     UM,
     CauseColumn,
-    Samples,
+    CircleSamples,
     SpikeShape,
     TakeUp,
     fixed_columns,
@@ -30,9 +30,9 @@ from compwright.estimation.circle_model import (
 from compwright.estimation.circle_noise import (
     AngleGrid,
     IndexArray,
-    Spectrum,
-    halves,
-    spectrum_of,
+    ResidualSpectrum,
+    estimate_spectrum,
+    sum_and_difference,
 )
 from compwright.records.axis import FloatArray
 
@@ -67,7 +67,7 @@ class Reversal:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Problem:
+class CircleProblem:
     """Columns and readings of one test, transformed and split into halves (`circle_noise`).
 
     ``slopes`` (n, p) mm per unit by sample of the ``names`` (p,) that are always in the model;
@@ -76,7 +76,7 @@ class Problem:
     mm. ``towards_x``, ``towards_y`` (n,): direction of the bar.
     """
 
-    samples: Samples
+    samples: CircleSamples
     grid: AngleGrid
     names: tuple[str, ...]
     slopes: FloatArray
@@ -93,7 +93,7 @@ class Problem:
         """Return columns as the bar sees them, mm per unit (n, columns)."""
         return np.column_stack([c.x * self.towards_x + c.y * self.towards_y for c in columns])
 
-    def with_columns(self, columns: Sequence[CauseColumn]) -> Problem:
+    def with_columns(self, columns: Sequence[CauseColumn]) -> CircleProblem:
         """Return the problem with more columns that are always in the model, or with new ones in
         the place of those of the same name.
         """
@@ -103,7 +103,7 @@ class Problem:
         rest = np.arange(len(self.names), self.widths.size)
         rows = tuple(
             np.column_stack([row[:, keep], new, row[:, rest]])
-            for row, new in zip(self.rows, halves(self.grid, fresh), strict=True)
+            for row, new in zip(self.rows, sum_and_difference(self.grid, fresh), strict=True)
         )
         widths = np.concatenate([self.widths[keep], [c.width for c in columns], self.widths[rest]])
         shift = len(keep) + len(columns) - len(self.names)
@@ -119,7 +119,7 @@ class Problem:
         )
 
 
-def problem_of(samples: Samples, grid: AngleGrid) -> Problem:
+def circle_problem(samples: CircleSamples, grid: AngleGrid) -> CircleProblem:
     """Return the problem of these samples without cyclic errors and vibration."""
     fixed = list(fixed_columns(samples))
     towards, target, known = _linear(samples, fixed)
@@ -130,7 +130,7 @@ def problem_of(samples: Samples, grid: AngleGrid) -> Problem:
     slopes = np.column_stack(columns)
     shapes = [c.x * towards[0] + c.y * towards[1] for c in spikes]
     seen = np.column_stack([slopes, *shapes]) if shapes else slopes
-    rows = list(halves(grid, seen))
+    rows = list(sum_and_difference(grid, seen))
     if len(rows) == 2 and shapes:
         # A column that changes sign with the direction has its halves exchanged.
         first = slopes.shape[1]
@@ -141,7 +141,7 @@ def problem_of(samples: Samples, grid: AngleGrid) -> Problem:
     count = rows[0].shape[1] - len(fixed)
     widths = np.concatenate([[c.width for c in fixed], np.full(count, 1.0)])
     widths[len(fixed) :] = spikes[0].width if spikes else 1.0
-    return Problem(
+    return CircleProblem(
         samples=samples,
         grid=grid,
         names=tuple(c.name for c in fixed),
@@ -149,7 +149,7 @@ def problem_of(samples: Samples, grid: AngleGrid) -> Problem:
         widths=widths,
         rows=tuple(rows),
         target=target,
-        aims=halves(grid, target),
+        aims=sum_and_difference(grid, target),
         towards_x=towards[0],
         towards_y=towards[1],
         reversals=reversals,
@@ -158,7 +158,7 @@ def problem_of(samples: Samples, grid: AngleGrid) -> Problem:
 
 
 def _linear(
-    samples: Samples, fixed: Sequence[CauseColumn]
+    samples: CircleSamples, fixed: Sequence[CauseColumn]
 ) -> tuple[tuple[FloatArray, FloatArray], FloatArray, dict[str, float]]:
     """Return the direction of the bar, the readings made linear about a first fit of the columns
     (n,) mm, and the values of that fit.
@@ -188,8 +188,10 @@ def _solved(normal: FloatArray, right: FloatArray) -> FloatArray:
     return answer
 
 
-def _reversals(samples: Samples, first: int) -> tuple[tuple[Reversal, ...], list[CauseColumn]]:
-    spacing = spacing_of(samples)
+def _reversals(
+    samples: CircleSamples, first: int
+) -> tuple[tuple[Reversal, ...], list[CauseColumn]]:
+    spacing = sample_spacing(samples)
     least = max(_SHORTEST * spacing, _QUICKEST * samples.speed)
     most = _LONGEST * samples.radius
     if least >= most:
@@ -233,20 +235,23 @@ def _take_ups(radius: float, spacing: float) -> list[TakeUp]:
     return [TakeUp(float(length)) for length in np.geomspace(least, most, count)]
 
 
-def spacing_of(samples: Samples) -> float:
+def sample_spacing(samples: CircleSamples) -> float:
     """Return the arc from one sample of a run to the next, mm."""
     runs = np.unique(samples.run).size
     return float(samples.radius * samples.arc[1] * runs / samples.theta.size)
 
 
-class Weighted:
+class WeightedProblem:
     """The problem weighted by spectra: its normal equations, mm and the columns' units.
 
     ``gram`` (k, k) without priors, ``right`` (k,).
     """
 
     def __init__(
-        self, problem: Problem, spectra: tuple[Spectrum, ...], only: IndexArray | None = None
+        self,
+        problem: CircleProblem,
+        spectra: tuple[ResidualSpectrum, ...],
+        only: IndexArray | None = None,
     ) -> None:
         self.problem, self.spectra = problem, spectra
         size = problem.widths.size
@@ -260,14 +265,14 @@ class Weighted:
             self.right[chosen] += scaled.T @ (aim * root)
         self.gram[np.ix_(chosen, chosen)] = block
 
-    def without(self, always: IndexArray) -> Marginal:
+    def without(self, always: IndexArray) -> MarginalEquations:
         """Return the normal equations with the columns ``always`` integrated under their priors
         (Schur complement).
         """
         prior = self.problem.widths[always] ** -2.0
         normal = self.gram[np.ix_(always, always)] + np.diag(prior)
-        shared = inverse_of(normal) @ np.column_stack([self.gram[always], self.right[always]])
-        return Marginal(
+        shared = scaled_inverse(normal) @ np.column_stack([self.gram[always], self.right[always]])
+        return MarginalEquations(
             self.gram - self.gram[:, always] @ shared[:, :-1],
             self.right - self.gram[:, always] @ shared[:, -1],
         )
@@ -277,12 +282,12 @@ class Weighted:
         ``precision`` (k,): of the priors of all columns.
         """
         normal = self.gram[np.ix_(active, active)] + np.diag(precision[active])
-        covariance = inverse_of(normal)
+        covariance = scaled_inverse(normal)
         return covariance @ self.right[active], covariance
 
 
 @dataclass(frozen=True, slots=True)
-class Marginal:
+class MarginalEquations:
     """Normal equations ``gram`` (k, k) without priors and ``right`` (k,)."""
 
     gram: FloatArray
@@ -290,7 +295,7 @@ class Marginal:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Fit:
+class CircleFit:
     """The solution for one choice of shapes: ``values`` (k,) of the ``active`` columns with
     ``covariance`` (k, k), and what is left: ``rows`` (size, k) and ``rest`` (size,) by half, mm,
     with the ``spectra`` of the weights. ``information`` (k,): what each column weighs on its own.
@@ -302,15 +307,15 @@ class Fit:
     information: FloatArray
     rows: tuple[FloatArray, ...]
     rest: tuple[FloatArray, ...]
-    spectra: tuple[Spectrum, ...]
+    spectra: tuple[ResidualSpectrum, ...]
 
 
-def fit(weighted: Weighted, active: IndexArray, precision: FloatArray) -> Fit:
+def fit_causes(weighted: WeightedProblem, active: IndexArray, precision: FloatArray) -> CircleFit:
     """Return the fit of the ``active`` columns; ``precision`` (k,) of the priors of all."""
     values, covariance = weighted.posterior(active, precision)
     problem = weighted.problem
     rows = tuple(half[:, active] for half in problem.rows)
-    return Fit(
+    return CircleFit(
         active=active,
         values=values,
         covariance=covariance,
@@ -321,7 +326,7 @@ def fit(weighted: Weighted, active: IndexArray, precision: FloatArray) -> Fit:
     )
 
 
-def evidence_of(found: Fit, precision: FloatArray) -> float:
+def fit_evidence(found: CircleFit, precision: FloatArray) -> float:
     """Return the logarithm of the probability of the readings with the values of a fit integrated
     under their priors of ``precision`` (k,), and its noise as it is (Whittle 1953; MacKay, Neural
     Computation 4, 1992).
@@ -336,23 +341,25 @@ def evidence_of(found: Fit, precision: FloatArray) -> float:
     return float(0.5 * volume - 0.5 * np.sum(prior * found.values**2) - 0.5 * noise)
 
 
-def white(problem: Problem) -> tuple[Spectrum, ...]:
+def white_spectra(problem: CircleProblem) -> tuple[ResidualSpectrum, ...]:
     """Return spectra of samples that are independent and alike (1 µm each), to begin with."""
-    return tuple(Spectrum(np.full(problem.grid.size, 1e-6), 1.0) for _ in problem.grid.index)
+    return tuple(
+        ResidualSpectrum(np.full(problem.grid.size, 1e-6), 1.0) for _ in problem.grid.index
+    )
 
 
-def spectra_of(found: Fit) -> tuple[Spectrum, ...]:
+def residual_spectra(found: CircleFit) -> tuple[ResidualSpectrum, ...]:
     """Return the spectra of the residuals of a fit; the leverage of an ordinate is its diagonal of
     the hat matrix (Belsley, Kuh and Welsch, Regression Diagnostics, 1980, chapter 2).
     """
     spectra = []
     for rows, rest, spectrum in zip(found.rows, found.rest, found.spectra, strict=True):
         leverage = np.sum((rows @ found.covariance) * rows, axis=1) / spectrum.density
-        spectra.append(spectrum_of(rest, leverage))
+        spectra.append(estimate_spectrum(rest, leverage))
     return tuple(spectra)
 
 
-def path_of(problem: Problem, active: IndexArray, values: FloatArray) -> FloatArray:
+def fitted_path(problem: CircleProblem, active: IndexArray, values: FloatArray) -> FloatArray:
     """Return the readings, made linear, that ``values`` (a,) of the ``active`` columns give, mm
     (n,).
     """
@@ -367,7 +374,7 @@ def path_of(problem: Problem, active: IndexArray, values: FloatArray) -> FloatAr
     return path
 
 
-def inverse_of(normal: FloatArray) -> FloatArray:
+def scaled_inverse(normal: FloatArray) -> FloatArray:
     """Return the inverse of a normal matrix (k, k), scaled to a unit diagonal on the way, which is
     nearly the best scaling (van der Sluis, Numerische Mathematik 14, 1969).
     """

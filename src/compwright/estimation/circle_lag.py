@@ -17,7 +17,7 @@ from typing import Final
 
 import numpy as np
 
-from compwright.estimation.circle_model import SOFTEST_LOOP, Samples
+from compwright.estimation.circle_model import SOFTEST_LOOP, CircleSamples
 from compwright.records.axis import FloatArray
 
 #: Samples on either side of a reversal point that are looked at, beyond the largest lag.
@@ -43,7 +43,7 @@ class Lag:
     doubt: float
 
 
-def common_lag(samples: Samples) -> Lag | None:
+def common_lag(samples: CircleSamples) -> Lag | None:
     """Return the common lag, rad, if the samples next to the reversal points show one clearly, else
     None.
 
@@ -67,7 +67,7 @@ def common_lag(samples: Samples) -> Lag | None:
     return Lag(0.5 * (low + high), half / np.sqrt(3.0))  # JCGM 100:2008, eq. 7
 
 
-def corrected(samples: Samples, lag: Lag) -> Samples:
+def at_actual_angles(samples: CircleSamples, lag: Lag) -> CircleSamples:
     """Return the samples at the actual angles of the axes instead of the commanded ones: behind by
     ``lag.angle`` in the sense of the run.
     """
@@ -79,7 +79,7 @@ def corrected(samples: Samples, lag: Lag) -> Samples:
     )
 
 
-def without_lag(samples: Samples) -> Samples:
+def with_undetected_lag(samples: CircleSamples) -> CircleSamples:
     """Return the samples with the latest possible reversal of the axes although no lag was found.
 
     That is the largest angle that explains the samples next to the reversal points as well as none,
@@ -96,7 +96,7 @@ def without_lag(samples: Samples) -> Samples:
     return replace(samples, lag_doubt=max(most / np.sqrt(3.0), 0.5 * spacing))
 
 
-def _profile(samples: Samples) -> tuple[float, FloatArray, FloatArray, int]:
+def _profile(samples: CircleSamples) -> tuple[float, FloatArray, FloatArray, int]:
     """Return the angle between two samples, the windows at the reversal points, the possible angles
     of the reversals, rad (a,), and the index of zero among them.
     """
@@ -108,7 +108,7 @@ def _profile(samples: Samples) -> tuple[float, FloatArray, FloatArray, int]:
     return spacing, windows, np.arange(-count, count + 1, dtype=np.float64) * spacing, count
 
 
-def _windows(samples: Samples, half: int) -> FloatArray:
+def _windows(samples: CircleSamples, half: int) -> FloatArray:
     """Return (w, 2, 2 half): angle since the reversal point, rad, and deviation, mm, on both sides
     of each reversal point of each run.
     """

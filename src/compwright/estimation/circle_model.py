@@ -77,7 +77,7 @@ _AT_REVERSAL: Final = 1e-6
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Samples:
+class CircleSamples:
     """All samples of a test. ``theta`` (n,) rad, commanded; ``sense`` (n,) +1 ccw, -1 cw;
     ``deviations`` (n,) mm; ``run`` (n,) index of the traverse. ``radius`` mm, ``speed`` mm/s,
     ``arc`` start and extent in rad. ``lag`` rad: common lag already taken off ``theta``, 0 where
@@ -124,7 +124,7 @@ class CauseColumn:
     width: float
 
 
-def samples_of(test: CircularTest) -> Samples:
+def circle_samples(test: CircularTest) -> CircleSamples:
     """Return the samples of all runs, those without a direction (exactly at a reversal point) left
     out.
     """
@@ -137,7 +137,7 @@ def samples_of(test: CircularTest) -> Samples:
     )
     deviations = np.concatenate([run.deviations for run in test.runs])
     clear = np.minimum(np.abs(np.sin(theta)), np.abs(np.cos(theta))) > _AT_REVERSAL
-    return Samples(
+    return CircleSamples(
         theta=theta[clear],
         sense=sense[clear],
         deviations=deviations[clear].astype(np.float64),
@@ -148,7 +148,7 @@ def samples_of(test: CircularTest) -> Samples:
     )
 
 
-def since_reversal(samples: Samples, axis: str) -> FloatArray:
+def since_reversal(samples: CircleSamples, axis: str) -> FloatArray:
     """Return the arc, mm (n,), travelled since an axis last reversed: the first axis at 0° and
     180°, the second at 90° and 270°.
     """
@@ -157,12 +157,12 @@ def since_reversal(samples: Samples, axis: str) -> FloatArray:
     return arc
 
 
-def fixed_columns(samples: Samples) -> tuple[CauseColumn, ...]:
+def fixed_columns(samples: CircleSamples) -> tuple[CauseColumn, ...]:
     """Return every column without a free shape: nuisances (names starting with ``_``) and causes,
     each with the standard deviation of its prior in its own unit.
     """
     return tuple(
-        CauseColumn(name, x, y, prior_of(name, samples.radius))
+        CauseColumn(name, x, y, prior_width(name, samples.radius))
         for name, x, y in (
             *_set_up(samples),
             *_even(samples),
@@ -176,7 +176,7 @@ def fixed_columns(samples: Samples) -> tuple[CauseColumn, ...]:
 _Named = tuple[str, FloatArray, FloatArray]
 
 
-def prior_of(name: str, radius: float) -> float:
+def prior_width(name: str, radius: float) -> float:
     """Return the standard deviation of the prior of a cause, in its unit: what machine tools have
     (`PRIORS`). Scale mismatch: 100 um/m over the diameter of 2 ``radius`` (mm).
     """
@@ -186,7 +186,7 @@ def prior_of(name: str, radius: float) -> float:
     return PRIORS[kind.removesuffix("_first").removesuffix("_second")]
 
 
-def _set_up(samples: Samples) -> Iterator[_Named]:
+def _set_up(samples: CircleSamples) -> Iterator[_Named]:
     cos, sin = np.cos(samples.theta), np.sin(samples.theta)
     one, zero = np.ones_like(samples.theta), np.zeros_like(samples.theta)
     yield "_centre_x", one, zero
@@ -202,7 +202,7 @@ def _set_up(samples: Samples) -> Iterator[_Named]:
         yield "_spiral_change", samples.sense * progress * cos, samples.sense * progress * sin
 
 
-def travelled_share(samples: Samples) -> FloatArray:
+def travelled_share(samples: CircleSamples) -> FloatArray:
     """Return the share of its run that lies behind each sample, less a half (n,): -0.5 to 0.5."""
     share = np.empty_like(samples.theta)
     for number in np.unique(samples.run):
@@ -212,7 +212,7 @@ def travelled_share(samples: Samples) -> FloatArray:
     return share
 
 
-def _even(samples: Samples) -> Iterator[_Named]:
+def _even(samples: CircleSamples) -> Iterator[_Named]:
     cos, sin, zero = np.cos(samples.theta), np.sin(samples.theta), np.zeros_like(samples.theta)
     yield "scale_mismatch", 0.25 * UM * cos, -0.25 * UM * sin
     yield "squareness", -1e-6 * samples.radius * sin, zero
@@ -222,12 +222,12 @@ def _even(samples: Samples) -> Iterator[_Named]:
     yield "master_slave", changeover * cos, changeover * sin
 
 
-def _odd(samples: Samples) -> Iterator[_Named]:
+def _odd(samples: CircleSamples) -> Iterator[_Named]:
     lag = 5e-4 * samples.sense * samples.speed
     yield "servo_mismatch", lag * np.sin(samples.theta), lag * np.cos(samples.theta)
 
 
-def _lost_motion(samples: Samples, axis: str) -> Iterator[_Named]:
+def _lost_motion(samples: CircleSamples, axis: str) -> Iterator[_Named]:
     """Yield one column per reversal point where the arc has both, else one column.
 
     Each end's value holds over its half of the travel, so that the deviation stays continuous where
@@ -249,7 +249,7 @@ def _lost_motion(samples: Samples, axis: str) -> Iterator[_Named]:
         yield f"_lost_profile_{axis}", *((moved, zero) if axis == "first" else (zero, moved))
 
 
-def _lateral_play(samples: Samples, axis: str) -> Iterator[_Named]:
+def _lateral_play(samples: CircleSamples, axis: str) -> Iterator[_Named]:
     """Yield the mean play and, where both reversal points are seen, how it changes along the axis
     (a nuisance).
     """
@@ -294,7 +294,9 @@ class TakeUp:
         return left
 
 
-def spike_column(samples: Samples, axis: str, end: str, shape: SpikeShape | TakeUp) -> CauseColumn:
+def spike_column(
+    samples: CircleSamples, axis: str, end: str, shape: SpikeShape | TakeUp
+) -> CauseColumn:
     """Return 1 um outward after the reversals of an axis at one ``end``, in both directions (ISO
     230-4:1996, B.3.1).
     """
@@ -308,7 +310,7 @@ def spike_column(samples: Samples, axis: str, end: str, shape: SpikeShape | Take
     return CauseColumn("_spike", x, y, PRIORS["_spike"])
 
 
-def lag_column(samples: Samples, known: Mapping[str, float]) -> CauseColumn:
+def lag_column(samples: CircleSamples, known: Mapping[str, float]) -> CauseColumn:
     """Return what one ``lag_doubt`` of angle does, mm: the slope of the smooth causes as they are
     ``known``, against the motion (the derivatives by θ of the module's table; ISO 230-4:1996, annex
     B) and of the centre. A sagging axis counts by its third harmonic: k cos²θ sinθ = k/4 (sinθ +
@@ -330,7 +332,7 @@ def lag_column(samples: Samples, known: Mapping[str, float]) -> CauseColumn:
 
 
 def cyclic_columns(
-    samples: Samples,
+    samples: CircleSamples,
     axis: str,
     frequency: float,
     amplitudes: tuple[float, float],

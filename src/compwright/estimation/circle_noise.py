@@ -20,7 +20,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from compwright.estimation.circle_model import Samples
+from compwright.estimation.circle_model import CircleSamples
 from compwright.records.axis import FloatArray
 
 IndexArray = NDArray[np.intp]
@@ -51,7 +51,7 @@ class AngleGrid:
 
 
 @dataclass(frozen=True, slots=True)
-class Spectrum:
+class ResidualSpectrum:
     """Variance density (size,) of one half of the samples, mm², over the orders of the cosine
     transform.
 
@@ -62,7 +62,7 @@ class Spectrum:
     length: float
 
 
-def grid_of(samples: Samples) -> AngleGrid:
+def angle_grid(samples: CircleSamples) -> AngleGrid:
     """Return the nearest samples of every run at common, evenly spaced angles, as many as the
     shortest run has.
     """
@@ -95,7 +95,7 @@ def _nearest(angles: FloatArray, where: FloatArray, run: IndexArray) -> IndexArr
     return chosen
 
 
-def halves(grid: AngleGrid, values: FloatArray) -> tuple[FloatArray, ...]:
+def sum_and_difference(grid: AngleGrid, values: FloatArray) -> tuple[FloatArray, ...]:
     """Return the cosine transforms (size, ...) of what both directions share and of what changes
     sign between them.
 
@@ -148,7 +148,7 @@ def inverse_cosine_transform(transformed: FloatArray) -> FloatArray:
     return values
 
 
-def spectrum_of(residual: FloatArray, leverage: FloatArray) -> Spectrum:
+def estimate_spectrum(residual: FloatArray, leverage: FloatArray) -> ResidualSpectrum:
     """Return the spectrum of one half from its transformed residuals (size,), mm: the densities of
     all lengths and ratios tried, weighted by their likelihood (Whittle 1953).
 
@@ -174,7 +174,7 @@ def spectrum_of(residual: FloatArray, leverage: FloatArray) -> Spectrum:
     density = np.sum(level) + (_RATIOS @ level) @ _correlated(orders / size, lengths)
     # A tenth of a nanometre: data without any noise keep a finite weight.
     density = np.maximum(density, 1e-14)
-    return Spectrum(density, float(density[0] / np.mean(density)))
+    return ResidualSpectrum(density, float(density[0] / np.mean(density)))
 
 
 def _correlated(frequency: FloatArray, lengths: FloatArray) -> FloatArray:

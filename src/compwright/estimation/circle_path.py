@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from compwright.estimation.circle_model import AXES, Samples
+from compwright.estimation.circle_model import AXES, CircleSamples
 from compwright.records.circular import CircularTest
 
 #: The remedy of every reason.
@@ -26,7 +26,7 @@ _BOTH_REVERSE: Final = (
 _AT_REVERSAL: Final = ("backlash", "lateral_play", "reversal_spike")
 
 
-def undetermined_causes(test: CircularTest, samples: Samples) -> dict[str, str]:
+def undetermined_causes(test: CircularTest, samples: CircleSamples) -> dict[str, str]:
     """Return the reason for each cause that cannot be separated: one direction only, or an arc
     without a reversal point of an axis.
     """

@@ -8,12 +8,12 @@ from __future__ import annotations
 import numpy as np
 
 from compwright.estimation.circle_centre import recentre, second_order
-from compwright.estimation.circle_model import AXES, Samples
+from compwright.estimation.circle_model import AXES, CircleSamples
 from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE
 from compwright.records.axis import FloatArray
 
 
-def plain_regression(samples: Samples) -> dict[str, float]:
+def harmonic_regression(samples: CircleSamples) -> dict[str, float]:
     """Return the causes, in the contract's units, by harmonics and reversal terms, unweighted,
     after recentring.
 
@@ -44,7 +44,7 @@ def plain_regression(samples: Samples) -> dict[str, float]:
     return found
 
 
-def _plain_rows(samples: Samples) -> tuple[list[str], FloatArray]:
+def _plain_rows(samples: CircleSamples) -> tuple[list[str], FloatArray]:
     cos, sin, d = np.cos(samples.theta), np.sin(samples.theta), samples.sense
     rows = {
         "_radius": np.ones_like(cos),

@@ -10,9 +10,16 @@ from typing import Final
 
 import numpy as np
 
-from compwright.estimation.circle_findings import findings_of
-from compwright.estimation.circle_fit import spacing_of
-from compwright.estimation.circle_model import AXES, ENDS, SOFTEST_LOOP, UM, Samples, prior_of
+from compwright.estimation.circle_findings import diagnosis_findings
+from compwright.estimation.circle_fit import sample_spacing
+from compwright.estimation.circle_model import (
+    AXES,
+    ENDS,
+    SOFTEST_LOOP,
+    UM,
+    CircleSamples,
+    prior_width,
+)
 from compwright.estimation.circle_path import FULL_CIRCLE
 from compwright.estimation.circle_reversal import SpikeDraws
 from compwright.estimation.circle_solution import Solution
@@ -69,7 +76,7 @@ class _ReportedCause:
         return float(np.sqrt(np.var(self.drawn) + self.variance))
 
 
-def effects_of(
+def report_effects(
     test: CircularTest, solution: Solution, undetermined: Mapping[str, str]
 ) -> tuple[dict[str, CircularEffect], FloatArray, dict[str, str], tuple[Finding, ...]]:
     """Return effects by name, their correlation in that order, the reasons of effects that are not
@@ -91,7 +98,7 @@ def effects_of(
     covariance = np.atleast_2d(np.cov(drawn, bias=True)) + np.diag(
         [cause.variance for cause in causes]
     )
-    shrink = shrink_doubt(samples) / samples.radius * 1e6
+    shrink = shrink_uncertainty(samples) / samples.radius * 1e6
     scales = np.array([1.0 if cause.name.startswith("scale_error") else 0.0 for cause in causes])
     covariance += shrink**2 * np.outer(scales, scales)
     errors = np.sqrt(np.maximum(np.diag(covariance), 1e-24))
@@ -114,10 +121,10 @@ def effects_of(
     }
     correlation = covariance / np.outer(errors, errors)
     np.fill_diagonal(correlation, 1.0)
-    return effects, correlation, reasons, findings_of(test, solution, effects, correlation)
+    return effects, correlation, reasons, diagnosis_findings(test, solution, effects, correlation)
 
 
-def shrink_doubt(samples: Samples) -> float:
+def shrink_uncertainty(samples: CircleSamples) -> float:
     """Return the standard uncertainty, mm, of the radius by an equal lag of both axes: uniform up
     to the softest loop's v² / (2 Kv² R) (the circle shrinks with the acceleration: ISO 230-4:1996,
     B.3.2), taken as a of the range ±a: a / sqrt(3) (JCGM 100:2008, eq. 7).
@@ -126,7 +133,7 @@ def shrink_doubt(samples: Samples) -> float:
     return float(most / np.sqrt(3.0))
 
 
-def _ranges(samples: Samples, curves: FloatArray) -> FloatArray:
+def _ranges(samples: CircleSamples, curves: FloatArray) -> FloatArray:
     """Return the peak-to-peak values of radial deviations (c, n) over both runs with their
     least-squares circles removed.
     """
@@ -138,9 +145,9 @@ def _ranges(samples: Samples, curves: FloatArray) -> FloatArray:
     return spread
 
 
-def _prior_reason(cause: _ReportedCause, samples: Samples) -> str:
+def _prior_reason(cause: _ReportedCause, samples: CircleSamples) -> str:
     try:
-        width = prior_of(cause.name, samples.radius)
+        width = prior_width(cause.name, samples.radius)
     except KeyError:
         return ""
     if cause.std_error <= _MOSTLY_PRIOR * width:
@@ -211,7 +218,7 @@ def _linear(
     )
 
 
-def _unseen_end(samples: Samples, axis: str) -> float:
+def _unseen_end(samples: CircleSamples, axis: str) -> float:
     """Return the variance, um², of the mean lost motion of both ends about that of the one end that
     the arc holds; 0 where it holds both.
     """
@@ -327,7 +334,7 @@ def _spike(
         heights = slow = -depths
     value = float(np.mean(heights))
     decay = np.where(spike.decay > 0.0, spike.decay, np.inf)
-    response = max(_RESPONSE * samples.speed, _FILTER * spacing_of(samples))
+    response = max(_RESPONSE * samples.speed, _FILTER * sample_spacing(samples))
     late = np.hypot(samples.lag_doubt * samples.radius, response) / decay
     variance = (
         float(np.mean((heights * late) ** 2)) / 3.0
@@ -444,11 +451,11 @@ def _symptoms(test: CircularTest, solution: Solution) -> Iterator[_ReportedCause
     yield stated("positional_tolerance", found, reason, detail=True)
 
 
-def _faded(samples: Samples, frequency: float) -> float:
+def _faded(samples: CircleSamples, frequency: float) -> float:
     """Return the share of an amplitude that instrument and drive, a first-order filter as slow as
     they may be, lose at ``frequency`` Hz.
     """
-    slow = max(_RESPONSE, _FILTER * spacing_of(samples) / samples.speed)
+    slow = max(_RESPONSE, _FILTER * sample_spacing(samples) / samples.speed)
     return float(1.0 - 1.0 / np.hypot(1.0, 2.0 * np.pi * frequency * slow))
 
 

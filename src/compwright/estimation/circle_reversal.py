@@ -19,12 +19,12 @@ from typing import Final
 import numpy as np
 
 from compwright.estimation.circle_fit import (
-    Marginal,
-    Problem,
+    CircleProblem,
+    MarginalEquations,
     Reversal,
-    Weighted,
-    path_of,
-    spacing_of,
+    WeightedProblem,
+    fitted_path,
+    sample_spacing,
 )
 from compwright.estimation.circle_model import RARE, UM, SpikeShape, TakeUp
 from compwright.estimation.circle_noise import IndexArray
@@ -56,19 +56,19 @@ _HIDDEN: Final = 4.0
 _PAIRS: Final = 6
 
 
-class Shapes:
+class SpikeShapes:
     """The decays in the model: for each reversal point and slot the index of its length, or -1, and
     whether the directions differ.
     """
 
-    def __init__(self, problem: Problem) -> None:
+    def __init__(self, problem: CircleProblem) -> None:
         self.present = dict.fromkeys(RARE, True)
         self.place = np.full((len(problem.reversals), SLOTS), -1)
         self.unlike = np.zeros((len(problem.reversals), SLOTS), dtype=bool)
         self.size = np.zeros((len(problem.reversals), SLOTS), dtype=np.intp)
         self.adopt(problem)
 
-    def adopt(self, problem: Problem) -> None:
+    def adopt(self, problem: CircleProblem) -> None:
         """Keep the shapes for a problem with other columns."""
         self.reversals = problem.reversals
         self.precision = problem.widths**-2.0
@@ -132,7 +132,7 @@ class Shapes:
                 yield reversal, slot
 
 
-def likeliest(weighted: Weighted, shapes: Shapes) -> None:
+def choose_shapes(weighted: WeightedProblem, shapes: SpikeShapes) -> None:
     """Change the shapes, one at a time, to the likeliest ones until none changes."""
     marginal = weighted.without(shapes.always)
     for _ in range(_CLIMBS):
@@ -148,7 +148,7 @@ def likeliest(weighted: Weighted, shapes: Shapes) -> None:
             break
 
 
-def _set(shapes: Shapes, reversal: int, slot: int, option: int) -> None:
+def _set(shapes: SpikeShapes, reversal: int, slot: int, option: int) -> None:
     """Give a slot one of the options of `_evidence`."""
     options = shapes.options(reversal, slot)
     if option == 0:
@@ -161,7 +161,7 @@ def _set(shapes: Shapes, reversal: int, slot: int, option: int) -> None:
 
 
 def _added(
-    marginal: Marginal, shapes: Shapes, chosen: IndexArray, tried: IndexArray
+    marginal: MarginalEquations, shapes: SpikeShapes, chosen: IndexArray, tried: IndexArray
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Return the evidence left for the columns ``tried`` (t,), given the ``chosen`` ones: right
     side (t,), weight (t,) without their priors, and the inner products (c, t) with the chosen ones.
@@ -183,7 +183,7 @@ def _added(
     return marginal.right[tried] - known.T @ inner[:, -1], weight, known
 
 
-def _odds(marginal: Marginal, shapes: Shapes, name: str) -> tuple[float, float]:
+def _odds(marginal: MarginalEquations, shapes: SpikeShapes, name: str) -> tuple[float, float]:
     """Return the logarithm of the odds that a rare cause is there, and the standard error that it
     then has in its unit.
     """
@@ -195,7 +195,9 @@ def _odds(marginal: Marginal, shapes: Shapes, name: str) -> tuple[float, float]:
     return float(np.log(odds) + gain[0]), float(1.0 / np.sqrt(weight[0]))
 
 
-def _evidence(marginal: Marginal, shapes: Shapes, reversal: int, slot: int) -> FloatArray:
+def _evidence(
+    marginal: MarginalEquations, shapes: SpikeShapes, reversal: int, slot: int
+) -> FloatArray:
     """Return the logarithm of prior times evidence of every option of a slot: nothing, each size
     and shape alike in both directions, each with a difference (1 + 2 s m,); with one direction
     (1 + s m,).
@@ -267,7 +269,9 @@ class SpikeDraws:
     least_error: float
 
 
-def drawn(weighted: Weighted, shapes: Shapes, rng: np.random.Generator) -> CircleDraws:
+def draw_shapes(
+    weighted: WeightedProblem, shapes: SpikeShapes, rng: np.random.Generator
+) -> CircleDraws:
     """Return draws over the shapes, from ``shapes``, and of the causes under each of them, in pairs
     about their mean (antithetic variates: Hammersley and Morton, 1956).
     """
@@ -288,7 +292,7 @@ def drawn(weighted: Weighted, shapes: Shapes, rng: np.random.Generator) -> Circl
             continue
         active = shapes.active()
         drew = _coefficients(weighted, active, shapes.precision, rng)
-        paths.append(path_of(weighted.problem, active, drew[0]))
+        paths.append(fitted_path(weighted.problem, active, drew[0]))
         row = np.zeros((drew.shape[0], shapes.count))
         plain = active < shapes.count
         row[:, active[plain]] = drew[:, plain]
@@ -308,7 +312,7 @@ def drawn(weighted: Weighted, shapes: Shapes, rng: np.random.Generator) -> Circl
 
 
 def _coefficients(
-    weighted: Weighted, active: IndexArray, precision: FloatArray, rng: np.random.Generator
+    weighted: WeightedProblem, active: IndexArray, precision: FloatArray, rng: np.random.Generator
 ) -> FloatArray:
     normal = weighted.gram[np.ix_(active, active)] + np.diag(precision[active])
     unit = 1.0 / np.sqrt(np.diag(normal))
@@ -320,7 +324,9 @@ def _coefficients(
     return drew
 
 
-def _least_error(weighted: Weighted, marginal: Marginal, reversal: Reversal) -> float:
+def _least_error(
+    weighted: WeightedProblem, marginal: MarginalEquations, reversal: Reversal
+) -> float:
     """Return the standard error, um, of a single spike that dies out within one of the times of
     `_USUAL`, all alike: what may be hidden where none was found. A spike that is over before the
     next sample hides up to its prior.
@@ -335,7 +341,7 @@ def _least_error(weighted: Weighted, marginal: Marginal, reversal: Reversal) -> 
     usual = np.geomspace(*_USUAL, _TIMES) * samples.speed
     nearest = np.argmin(np.abs(np.log(lengths / usual[:, np.newaxis])), axis=1)
     columns = reversal.alike[np.array(sharp)[nearest]]
-    before = 0.5 * spacing_of(samples)
+    before = 0.5 * sample_spacing(samples)
     seen = np.exp(-np.clip(before / usual - before / lengths[nearest], 0.0, 20.0))
     weight = np.maximum(marginal.gram[columns, columns], 0.0) * seen**2
     return float(np.sqrt(np.mean(1.0 / (weight + _HIDDEN**-2.0))))
@@ -344,9 +350,9 @@ def _least_error(weighted: Weighted, marginal: Marginal, reversal: Reversal) -> 
 class _Recorder:
     """Spikes of one reversal point, collected draw by draw."""
 
-    def __init__(self, problem: Problem, reversal: Reversal) -> None:
+    def __init__(self, problem: CircleProblem, reversal: Reversal) -> None:
         self.reversal = reversal
-        self.radius, self.spacing = problem.samples.radius, spacing_of(problem.samples)
+        self.radius, self.spacing = problem.samples.radius, sample_spacing(problem.samples)
         own = f"backlash_{reversal.axis}_at_{reversal.end}"
         self.lost = problem.names.index(
             own if own in problem.names else f"backlash_{reversal.axis}"
@@ -360,7 +366,7 @@ class _Recorder:
         self.there = self.unlike = 0
         self.curve = np.zeros((self.senses.size, len(reversal.shapes)))
 
-    def add(self, shapes: Shapes, index: int, of: dict[int, FloatArray]) -> None:
+    def add(self, shapes: SpikeShapes, index: int, of: dict[int, FloatArray]) -> None:
         count = next(iter(of.values())).size
         curve = np.zeros((count, self.senses.size, self.arcs.size))
         sizes: dict[int, FloatArray] = {}

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from compwright.estimation.circle_fit import Fit, Problem
+from compwright.estimation.circle_fit import CircleFit, CircleProblem
 from compwright.estimation.circle_reversal import CircleDraws
 from compwright.estimation.circle_vibration import Vibration
 from compwright.records.axis import FloatArray
@@ -21,8 +21,8 @@ class Solution:
     um that may have been missed, by axis.
     """
 
-    problem: Problem
-    fitted: Fit
+    problem: CircleProblem
+    fitted: CircleFit
     draws: CircleDraws
     frequencies: Mapping[str, float]
     given: frozenset[str]

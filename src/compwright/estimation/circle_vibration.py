@@ -13,8 +13,8 @@ from typing import Final
 
 import numpy as np
 
-from compwright.estimation.circle_fit import Problem
-from compwright.estimation.circle_model import UM, CauseColumn, Samples, travelled_share
+from compwright.estimation.circle_fit import CircleProblem
+from compwright.estimation.circle_model import UM, CauseColumn, CircleSamples, travelled_share
 from compwright.records.axis import FloatArray
 
 #: One search in a thousand finds a vibration where there is none.
@@ -40,13 +40,13 @@ class Vibration:
     least: float = 0.0
 
 
-def times(samples: Samples) -> FloatArray:
+def times(samples: CircleSamples) -> FloatArray:
     """Return the time of each sample since the middle of its run, s (n,)."""
     seconds: FloatArray = travelled_share(samples) * samples.arc[1] * samples.radius / samples.speed
     return seconds
 
 
-def vibration(problem: Problem, residual: FloatArray) -> Vibration:
+def search_vibration(problem: CircleProblem, residual: FloatArray) -> Vibration:
     """Return the clearest vibration in the residuals (n,), mm, of a fit.
 
     The threshold is the power that independent ordinates of an exponential distribution exceed once
@@ -112,7 +112,7 @@ def _peak(frequencies: FloatArray, power: FloatArray, best: int) -> float:
     return float(frequencies[best] + shift * (frequencies[1] - frequencies[0]))
 
 
-def vibration_columns(samples: Samples, frequency: float) -> list[CauseColumn]:
+def vibration_columns(samples: CircleSamples, frequency: float) -> list[CauseColumn]:
     """Return cosine and sine of a vibration of ``frequency`` Hz, radial, um, for every run."""
     phase = 2.0 * np.pi * frequency * times(samples)
     cos, sin = np.cos(samples.theta), np.sin(samples.theta)

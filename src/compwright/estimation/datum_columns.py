@@ -16,7 +16,7 @@ from compwright.records.axis import FloatArray
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class OwnColumns:
+class DatumColumns:
     """``columns`` (c, e) over the cells of all tests, with the standard deviations ``stds`` (e,) of
     their weights, in units of the scale; ``slopes``: by test, the column of its own slope, None
     where it has none.
@@ -27,12 +27,12 @@ class OwnColumns:
     slopes: tuple[int | None, ...]
 
 
-def own_columns(
+def datum_columns(
     tests: Sequence[ObservedTest],
     parts: Sequence[ObservedCells],
     targets: FloatArray,
     scale: float,
-) -> OwnColumns:
+) -> DatumColumns:
     """Return the columns that single tests have of their own: a datum for each but the first, whose
     datum is that of the error; and the slope of each whose slope is uncertain, about the middle of
     the ``targets`` (m,) of all and 1 at their ends. ``scale``: mm or deg.
@@ -55,4 +55,4 @@ def own_columns(
             stds.append(each.slope_std * half / scale)
     size = sum(part.counts.size for part in parts)
     together = np.column_stack(columns) if columns else np.zeros((size, 0))
-    return OwnColumns(columns=together, stds=np.array(stds), slopes=tuple(slopes))
+    return DatumColumns(columns=together, stds=np.array(stds), slopes=tuple(slopes))

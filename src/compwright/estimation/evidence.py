@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from compwright.estimation.basis import Basis, log_density, smooth_density
-from compwright.estimation.cholesky import factored, factored_with_values, inverse_of_lower
+from compwright.estimation.cholesky import cholesky_factor, factor_and_solve, inverse_triangle
 from compwright.records.axis import FloatArray
 
 NOISE, LOCAL, SMOOTH, LENGTH, EXCESS, REVERSAL, REVERSAL_LENGTH, PERIODIC = range(8)
@@ -102,7 +102,7 @@ class Prior:
 
 
 @dataclass(frozen=True, slots=True)
-class Weights:
+class WeightPosterior:
     """Posterior of the weights: ``mean`` (j,), ``root`` (j, j) with covariance root @ root.T, those
     of the basis first; variances ``noise`` (of a reading, where it is inferred) and ``local``;
     ``draw`` of the noise.
@@ -178,14 +178,14 @@ class Evidence:
         """
         return float(np.exp(2.0 * h[NOISE]) + self.data.floor**2), float(np.exp(2.0 * h[LOCAL]))
 
-    def weights(self, h: FloatArray, draw: int | None = None) -> Weights:
+    def weights(self, h: FloatArray, draw: int | None = None) -> WeightPosterior:
         """Return the posterior of the weights given the hyperparameters ``h`` and a draw of the
         noise (Rasmussen and Williams 2006, eq. 2.8).
         """
         scaled = self._scaled(h, draw)
         matrix, moment = _normal(scaled, scaled.removed(scaled.rows))
-        inverse = inverse_of_lower(factored(matrix)[1])
-        return Weights(
+        inverse = inverse_triangle(cholesky_factor(matrix)[1])
+        return WeightPosterior(
             mean=scaled.deviations * (inverse.T @ (inverse @ moment)),
             root=scaled.deviations[:, np.newaxis] * inverse.T,
             noise=scaled.noise,
@@ -319,11 +319,11 @@ def _by_cells(scaled: _Scaled, *, derivatives: bool) -> _Marginal:
     covariance[scaled.together] += scaled.local
     covariance.flat[:: y.size + 1] += 1.0 / scaled.precision
     # The covariance is larger than that of the noise alone, its inverse smaller.
-    factor, z = factored_with_values(covariance, y, float(scaled.precision @ y**2))
+    factor, z = factor_and_solve(covariance, y, float(scaled.precision @ y**2))
     log = -float(np.sum(np.log(np.diag(factor)))) - 0.5 * float(z @ z)
     if not derivatives:
         return _Marginal(log=log, residual=_NONE, by_weight=_NONE, by_target=_NONE, by_cell=_NONE)
-    inverse = inverse_of_lower(factor)
+    inverse = inverse_triangle(factor)
     whitened = inverse @ scaled.rows
     seen = np.add.reduceat(inverse, data.starts, axis=1)
     return _Marginal(
@@ -342,7 +342,7 @@ def _by_weights(scaled: _Scaled, *, derivatives: bool) -> _Marginal:
     data, y = scaled.data, scaled.values
     weighted = scaled.removed(scaled.rows)
     matrix, moment = _normal(scaled, weighted)
-    matrix, factor = factored(matrix)
+    matrix, factor = cholesky_factor(matrix)
     total, local = scaled.total, scaled.local
     log_determinant = (
         -float(np.sum(np.log(scaled.precision)))
@@ -353,7 +353,7 @@ def _by_weights(scaled: _Scaled, *, derivatives: bool) -> _Marginal:
     log = -0.5 * (log_determinant + float(y @ scaled.removed(y) - moment @ mean))
     if not derivatives:
         return _Marginal(log=log, residual=_NONE, by_weight=_NONE, by_target=_NONE, by_cell=_NONE)
-    inverse = inverse_of_lower(factor)
+    inverse = inverse_triangle(factor)
     spread = inverse @ weighted.T
     seen = np.add.reduceat(spread, data.starts, axis=1)
     gain = local / (1.0 + local * total)

@@ -34,22 +34,22 @@ from typing import Final
 import numpy as np
 
 from compwright.estimation.basis import ALIASED, Basis
-from compwright.estimation.period_candidates import PEAK, Odds
+from compwright.estimation.period_candidates import PEAK, PeriodOdds
 from compwright.estimation.period_likelihood import (
-    Middles,
+    BidirectionalMeans,
     PeriodLikelihood,
-    gain,
+    log_gain,
     log_smooth,
     log_sums,
 )
 from compwright.estimation.period_models import PeriodSearch, log_sum
 from compwright.estimation.periods import FURTHER, LEAST_REPEATS, LEFT, SHORTEST, wave_columns
-from compwright.estimation.spectral_window import Window, alikeness
+from compwright.estimation.spectral_window import SpectralWindow, wave_similarity
 from compwright.estimation.usual_periods import usual_periods
 from compwright.records.axis import AxisKind, FloatArray
 
 #: What is expected before the data where no period is known.
-_FIRST: Final = Odds(none=0.25, usual=0.57)
+_FIRST: Final = PeriodOdds(none=0.25, usual=0.57)
 #: Standard deviation of the normal law of which the amplitude is one half: 2.5 µm, 2.5 arcsec.
 _AMPLITUDE: Final = {AxisKind.LINEAR: 2.5e-3, AxisKind.ROTARY: 2.5 / 3600.0}
 #: That law as waves of normal cosine and sine: widths of equal probability, in its own (a square
@@ -187,7 +187,7 @@ class HiddenPeriods:
 
 
 def hidden_periods(
-    middles: Middles,
+    middles: BidirectionalMeans,
     basis: Basis,
     kind: AxisKind,
     search: PeriodSearch,
@@ -226,7 +226,9 @@ class _ExpectedPeriods:
     suggested: tuple[float, ...]
     taken: frozenset[float]
 
-    def periods(self, likelihood: PeriodLikelihood, odds: Odds) -> tuple[FloatArray, FloatArray]:
+    def periods(
+        self, likelihood: PeriodLikelihood, odds: PeriodOdds
+    ) -> tuple[FloatArray, FloatArray]:
         """Return periods (p,), mm or deg, and the logarithms (p,) of the odds of each against none:
         the usual ones, and some that stand for all others, drawn where the readings speak for a
         wave and anywhere (defensive importance sampling: Hesterberg, Technometrics 37, 1995).
@@ -265,15 +267,15 @@ class _ExpectedPeriods:
         for each in sorted(self.taken):
             for frequency in (1.0 / each, 2.0 / each):
                 free &= np.abs(frequencies - frequency) > near
-            free &= alikeness(targets, frequencies, 1.0 / each) < ALIASED
+            free &= wave_similarity(targets, frequencies, 1.0 / each) < ALIASED
         return free
 
 
 def _hypotheses(
     part: float,
-    middles: Middles,
+    middles: BidirectionalMeans,
     basis: Basis,
-    odds: Odds,
+    odds: PeriodOdds,
     present: tuple[float, ...],
     expected: _ExpectedPeriods,
 ) -> WaveHypotheses:
@@ -291,10 +293,12 @@ def _hypotheses(
     width = width[:, np.newaxis, np.newaxis]
     gram, moment = likelihood.moments(1.0 / periods, likelihood.everything())
     smooth = np.where(np.isfinite(long), likelihood.roughness**2, 0.0)
-    gains = gain(gram, moment[:2], width + smooth)
+    gains = log_gain(gram, moment[:2], width + smooth)
     logs = np.concatenate([node.log for node in likelihood.nodes])
     logs = logs - log_sum(logs)
-    without = logs[:, np.newaxis] + gain(gram, moment[:2], np.broadcast_to(smooth, gains.shape[1:]))
+    without = logs[:, np.newaxis] + log_gain(
+        gram, moment[:2], np.broadcast_to(smooth, gains.shape[1:])
+    )
     each = gains + logs[:, np.newaxis] - log_sums(without) + log_odds - np.log(width.size)
     together = log_sum(each.ravel())
     fit = _SmoothFit(likelihood, middles, free, curve)
@@ -329,7 +333,7 @@ def _long_waves(frequencies: FloatArray, targets: FloatArray) -> tuple[FloatArra
     of the ``frequencies`` look like at the ``targets`` (m,); nan where they look like none.
     """
     length = float(np.ptp(targets))
-    window = Window(targets, float(np.max(frequencies)) + LEAST_REPEATS / length)
+    window = SpectralWindow(targets, float(np.max(frequencies)) + LEAST_REPEATS / length)
     near = window.peaks[np.argmin(np.abs(frequencies[:, np.newaxis] - window.peaks), axis=1)]
     turns = np.exp(2j * np.pi * near[:, np.newaxis] * (targets - targets[0]))
     slow = window.slow(frequencies, LEAST_REPEATS / length)
@@ -341,7 +345,7 @@ class _SmoothFit:
     """The smooth part that follows values at the targets, by node of the ``likelihood``."""
 
     likelihood: PeriodLikelihood
-    middles: Middles
+    middles: BidirectionalMeans
     free: FloatArray
     curve: CurveColumns
 

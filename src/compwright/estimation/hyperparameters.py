@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from compwright.estimation.evidence import Evidence
-from compwright.estimation.posterior_peaks import Peak, peaks_of
+from compwright.estimation.posterior_peaks import Peak, find_peaks
 from compwright.records.axis import FloatArray
 
 _TAIL_DOF: Final = 5.0  # of the Student distribution that proposes draws
@@ -45,12 +45,12 @@ def draw_hyperparameters(
 ) -> HyperparameterDraws:
     """Return ``draws`` equally likely hyperparameters (draws, h), and the evidence by importance
     sampling (Geweke, Econometrica 57, 1989) with ``proposals`` points where the posterior has one
-    peak, half as many again for every other; ``starts``: those of `peaks_of`.
+    peak, half as many again for every other; ``starts``: those of `find_peaks`.
 
     Equally likely: taken where the cumulative weights cross evenly spaced steps (Kitagawa, J.
     Comput. Graph. Stat. 5, 1996). The draws of the noise are averaged over.
     """
-    peaks = peaks_of(evidence, starts)
+    peaks = find_peaks(evidence, starts)
     each = (proposals + proposals * (len(peaks) - 1) // 2) // len(peaks)
     free = np.flatnonzero(evidence.prior.free)
     points = np.vstack([_points(peak, free, each, rng) for peak in peaks])

@@ -109,7 +109,7 @@ class Jump:
         )
 
 
-def jumps_of(
+def find_jumps(
     targets: FloatArray, means: FloatArray, stds: FloatArray, turn: float | None = None
 ) -> tuple[Jump, ...]:
     """Return the jumps that the ``means`` of the ``targets`` (m,) with the standard deviations

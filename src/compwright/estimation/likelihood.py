@@ -15,8 +15,8 @@ from typing import Final
 
 import numpy as np
 
-from compwright.estimation.cells import Cells, cells_of, visible_periods
-from compwright.estimation.model import FittedModel, Periods, Travel, fitted
+from compwright.estimation.cells import Cells, build_cells, visible_periods
+from compwright.estimation.model import FittedModel, Periods, Travel, fit_model
 from compwright.estimation.observed_test import ObservedTest
 from compwright.records.axis import FloatArray
 
@@ -25,7 +25,7 @@ _FREE_LINES: Final = 3  # offset, slope, mean reversal
 
 
 @dataclass(frozen=True, slots=True)
-class Shape:
+class ScaledCurve:
     """A curve (``positive``, ``negative``, (m,) mm or deg at the targets of a test) that the error
     may hold times a factor of mean 0 and standard deviation ``std``.
     """
@@ -36,14 +36,17 @@ class Shape:
 
 
 def log_likelihood(
-    observed: ObservedTest, travel: Travel, periods: Sequence[float], shape: Shape | None = None
+    observed: ObservedTest,
+    travel: Travel,
+    periods: Sequence[float],
+    shape: ScaledCurve | None = None,
 ) -> float:
     """Return the natural logarithm of the density of the means of a test (mm or deg), but for a
     constant that depends on its targets and counts alone. Raises InputError for readings at fewer
     than two targets.
     """
     # Jumps stay in: a table that is taken the wrong way tears an error where there is no jump.
-    cells = cells_of([observed], turn=travel.turn, stepped=False)
+    cells = build_cells([observed], turn=travel.turn, stepped=False)
     if shape is not None:
         cells = _with(cells, observed, shape)
     drawn = _fitted(cells, travel, periods).drawn
@@ -55,7 +58,7 @@ def smooth_part(observed: ObservedTest, travel: Travel) -> tuple[FloatArray, Flo
     """Return of the means of a test what the model holds at its targets (m,), approached in + and
     in -: without noise and without what changes from target to target.
     """
-    cells = cells_of([observed], turn=travel.turn)
+    cells = build_cells([observed], turn=travel.turn)
     part = _fitted(cells, travel, ()).part(np.array([cells.data.typical()]))
     weights = part.weights[0].mean[: part.basis.size]
     where = observed.test.targets
@@ -68,10 +71,10 @@ def smooth_part(observed: ObservedTest, travel: Travel) -> tuple[FloatArray, Flo
 
 def _fitted(cells: Cells, travel: Travel, periods: Sequence[float]) -> FittedModel:
     known = Periods.of(cells, visible_periods(cells.targets, periods))
-    return fitted(cells, travel, known, varying=False, draws=_DRAWS)
+    return fit_model(cells, travel, known, varying=False, draws=_DRAWS)
 
 
-def _with(cells: Cells, observed: ObservedTest, shape: Shape) -> Cells:
+def _with(cells: Cells, observed: ObservedTest, shape: ScaledCurve) -> Cells:
     data = cells.data
     seats = np.searchsorted(observed.test.targets, cells.targets[data.seats] - 1e-9)
     curve = np.where(data.signs > 0, shape.positive[seats], shape.negative[seats]) / data.scale

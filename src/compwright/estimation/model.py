@@ -26,7 +26,7 @@ from compwright.estimation.evidence import (
     SMOOTH,
     Evidence,
     Prior,
-    Weights,
+    WeightPosterior,
 )
 from compwright.estimation.hyperparameters import HyperparameterDraws, draw_hyperparameters
 from compwright.records.axis import FloatArray
@@ -92,13 +92,13 @@ class MixturePart:
         return np.array([self.evidence.variances(h)[0] for h in self.values])
 
     @property
-    def weights(self) -> tuple[Weights, ...]:
+    def weights(self) -> tuple[WeightPosterior, ...]:
         """The draws (n). They are large: made when asked for, and kept for the last few parts."""
         return _weights_of(self)
 
 
 @functools.lru_cache(maxsize=8)
-def _weights_of(part: MixturePart) -> tuple[Weights, ...]:
+def _weights_of(part: MixturePart) -> tuple[WeightPosterior, ...]:
     return tuple(
         part.evidence.weights(h, int(draw)) for h, draw in zip(part.values, part.draws, strict=True)
     )
@@ -119,13 +119,13 @@ class FittedModel:
         return MixturePart(self.evidence, self.drawn.values[pick], noise)
 
 
-def fitted(
+def fit_model(
     cells: Cells, travel: Travel, periods: Periods, *, varying: bool, draws: int
 ) -> FittedModel:
     """Return the model with these periods, and a reversal that varies with position or does not,
     fitted to the cells; ``draws`` equally likely hyperparameters.
     """
-    evidence = evidence_of(cells, travel, periods, varying=varying)
+    evidence = model_evidence(cells, travel, periods, varying=varying)
     # Many targets leave little room for the hyperparameters.
     proposals = 2 * draws if cells.targets.size <= 100 else 2 * draws // 3
     return FittedModel(
@@ -163,7 +163,7 @@ def _starts(cells: Cells, prior: Prior) -> list[FloatArray]:
     return starts
 
 
-def moved(fit: FittedModel, cells: Cells, periods: Periods) -> FittedModel:
+def with_other_periods(fit: FittedModel, cells: Cells, periods: Periods) -> FittedModel:
     """Return a fitted model with as many other periods; the draws of its hyperparameters stay."""
     evidence = fit.evidence
     if periods.periods == evidence.basis.periods:
@@ -172,16 +172,16 @@ def moved(fit: FittedModel, cells: Cells, periods: Periods) -> FittedModel:
     return FittedModel(Evidence(basis, cells.targets, cells.data, evidence.prior), fit.drawn)
 
 
-def evidence_of(cells: Cells, travel: Travel, periods: Periods, *, varying: bool) -> Evidence:
+def model_evidence(cells: Cells, travel: Travel, periods: Periods, *, varying: bool) -> Evidence:
     """Return the marginal likelihood of the cells under one model (Rasmussen and Williams, Gaussian
-    Processes for Machine Learning, 2006, section 5.2). Arguments as those of `fitted`.
+    Processes for Machine Learning, 2006, section 5.2). Arguments as those of `fit_model`.
     """
-    basis = basis_of(cells, travel, periods, varying=varying)
+    basis = model_basis(cells, travel, periods, varying=varying)
     return Evidence(basis, cells.targets, cells.data, _prior_for(cells, basis, varying=varying))
 
 
-def basis_of(cells: Cells, travel: Travel, periods: Periods, *, varying: bool) -> Basis:
-    """Return the functions of a model. Arguments as those of `fitted`."""
+def model_basis(cells: Cells, travel: Travel, periods: Periods, *, varying: bool) -> Basis:
+    """Return the functions of a model. Arguments as those of `fit_model`."""
     m = cells.targets.size
     # Twice the targets resolves what they can show; 112 sines resolve a length of 3 % of the half
     # travel.
@@ -224,7 +224,7 @@ def _prior_for(cells: Cells, basis: Basis, *, varying: bool) -> Prior:
     ]
     width = [3.0 if cells.data.dof else 1.0, 1.5, 1.5, 0.8, 1.2, 1.5, 0.7]
     if cells.donor is not None:
-        centre[NOISE] = _donated(cells.donor, cells.data.scale)
+        centre[NOISE] = _borrowed_noise(cells.donor, cells.data.scale)
         width[NOISE] = 0.5
     centre += [np.log(max(spread, 0.2 * roughness))] * len(basis.periods)
     width += [1.5] * len(basis.periods)
@@ -235,6 +235,6 @@ def _prior_for(cells: Cells, basis: Basis, *, varying: bool) -> Prior:
     return Prior(centre=np.array(centre), width=np.array(width), free=tuple(free))
 
 
-def _donated(noise: NoiseDraws, scale: float) -> float:
+def _borrowed_noise(noise: NoiseDraws, scale: float) -> float:
     """Return the logarithm of the noise of a reading of another test, in units of ``scale``."""
     return float(np.mean(np.log(np.maximum(noise.sigma, 1e-12) / scale)))

@@ -13,14 +13,21 @@ from typing import Final
 import numpy as np
 
 from compwright.estimation.cells import Cells
-from compwright.estimation.model import FittedModel, MixturePart, Periods, Travel, fitted, moved
+from compwright.estimation.model import (
+    FittedModel,
+    MixturePart,
+    Periods,
+    Travel,
+    fit_model,
+    with_other_periods,
+)
 from compwright.estimation.period_models import PeriodModel
 
 _SEED: Final = 231  # by it draws of the noise go with models
 
 
 @dataclass(frozen=True, slots=True)
-class Averaged:
+class ModelMixture:
     """The ``parts`` of the mixture, all their draws equally likely; ``reversal_log_odds``: natural
     logarithm of the evidence for a reversal that varies over a constant one.
     """
@@ -29,9 +36,9 @@ class Averaged:
     reversal_log_odds: float
 
 
-def averaged(
+def average_models(
     cells: Cells, travel: Travel, known: Periods, models: Sequence[PeriodModel], draws: int
-) -> Averaged:
+) -> ModelMixture:
     """Return the mixture of the period ``models`` (most probable first), each with the ``known``
     periods added.
 
@@ -41,7 +48,7 @@ def averaged(
     for all. Models with equally many periods and harmonics share the draws of their
     hyperparameters.
     """
-    first, odds = _with_and_without(cells, travel, known, models[0], draws)
+    first, odds = _varying_and_constant_reversal(cells, travel, known, models[0], draws)
     share = 1.0 / (1.0 + float(np.exp(-np.clip(odds, -50.0, 50.0)))) if len(first) > 1 else 0.0
     favoured = max(first, key=lambda varying: share if varying else 1.0 - share)
     fits: dict[tuple[tuple[int, ...], ...], dict[bool, FittedModel]] = {models[0].harmonics: first}
@@ -50,27 +57,27 @@ def averaged(
         periods = known.with_periods(model.periods, model.harmonics)
         if model.harmonics not in fits:
             fits[model.harmonics] = {
-                favoured: fitted(cells, travel, periods, varying=favoured, draws=draws // 2)
+                favoured: fit_model(cells, travel, periods, varying=favoured, draws=draws // 2)
             }
         own = fits[model.harmonics]
         for varying, fit in own.items():
             part = (share if varying else 1.0 - share) if len(own) > 1 else 1.0
-            weights.append((moved(fit, cells, periods), model.probability * part))
-    counts = _apportioned([weight for _, weight in weights], draws)
+            weights.append((with_other_periods(fit, cells, periods), model.probability * part))
+    counts = _apportion([weight for _, weight in weights], draws)
     # Every draw of the noise as often as any other, in no order.
     noise = np.random.default_rng(_SEED).permutation(np.arange(draws) * cells.data.draws // draws)
     shares = np.split(noise, np.cumsum(counts)[:-1])
     parts = [fit.part(mine) for (fit, _), mine in zip(weights, shares, strict=True) if mine.size]
-    return Averaged(tuple(parts), odds)
+    return ModelMixture(tuple(parts), odds)
 
 
-def _with_and_without(
+def _varying_and_constant_reversal(
     cells: Cells, travel: Travel, known: Periods, model: PeriodModel, draws: int
 ) -> tuple[dict[bool, FittedModel], float]:
     """Return the model with varying and with constant reversal, and the log odds for the first."""
     periods = known.with_periods(model.periods, model.harmonics)
     both = {
-        varying: fitted(cells, travel, periods, varying=varying, draws=draws)
+        varying: fit_model(cells, travel, periods, varying=varying, draws=draws)
         for varying in ((True, False) if cells.bidirectional else (False,))
     }
     if len(both) == 1:
@@ -78,7 +85,7 @@ def _with_and_without(
     return both, both[True].drawn.log_evidence - both[False].drawn.log_evidence
 
 
-def _apportioned(weights: Sequence[float], draws: int) -> list[int]:
+def _apportion(weights: Sequence[float], draws: int) -> list[int]:
     """Return how many of ``draws`` each weight gets: whole numbers by the largest remainders, which
     sum to ``draws`` (Balinski and Young, Fair Representation, 1982).
     """

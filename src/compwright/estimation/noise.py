@@ -17,12 +17,12 @@ from typing import Final
 
 import numpy as np
 
-from compwright.estimation.noise_cells import cell_means, means_of_all
-from compwright.estimation.noise_chain import WAYS, Draw, GibbsChain
+from compwright.estimation.noise_cells import cell_means, means_of_all_runs
+from compwright.estimation.noise_chain import WAYS, GibbsChain, NoiseState
 from compwright.estimation.noise_findings import noise_findings
 from compwright.estimation.noise_patterns import RATES
 from compwright.estimation.noise_posterior import NoisePosterior
-from compwright.estimation.noise_readings import CellReadings, readings_of
+from compwright.estimation.noise_readings import CellReadings, cell_readings
 from compwright.estimation.noise_rounding import rounded_stds
 from compwright.estimation.noise_tails import REACH, TAILS
 from compwright.foundations.findings import Finding
@@ -39,17 +39,17 @@ _SETTLING: Final = 24  # sweeps that are thrown away
 _DRAWS: Final = 48  # kept, of twice as many sweeps
 
 
-def noise_of(test: PositioningTest) -> NoisePosterior | None:
+def infer_noise(test: PositioningTest) -> NoisePosterior | None:
     """Return the posterior of the noise of ``test``; None where it has fewer than `LEAST_DOF`
     contrasts.
 
     The same test gives the same posterior. Model and sources: module docstring.
     """
-    every = readings_of(test)
+    every = cell_readings(test)
     if every.dof < LEAST_DOF:
         return None
     chosen = _thinned(test)
-    readings = every if chosen is test else readings_of(chosen)
+    readings = every if chosen is test else cell_readings(chosen)
     chain = GibbsChain(chosen, readings, np.random.default_rng(_SEED))
     for _ in range(_SETTLING):
         chain.sweep()
@@ -61,7 +61,7 @@ def noise_of(test: PositioningTest) -> NoisePosterior | None:
     cells = [cell_means(sweeps[k], readings, chain.shapes, chain.step) for k in kept]
     if chosen is not test:
         cells = [
-            means_of_all(cell, sweeps[k], chain.shapes, readings, every)
+            means_of_all_runs(cell, sweeps[k], chain.shapes, readings, every)
             for cell, k in zip(cells, kept, strict=True)
         ]
     sigma = _as_shown(np.array([draw.sigma for draw in sweeps])[kept], chain.step)
@@ -124,7 +124,9 @@ def _as_shown(sigma: FloatArray, step: float) -> FloatArray:
     return rounded_stds(sigma, step) if step else sigma
 
 
-def _repeated(draws: Sequence[Draw], readings: CellReadings, every: CellReadings) -> FloatArray:
+def _repeated(
+    draws: Sequence[NoiseState], readings: CellReadings, every: CellReadings
+) -> FloatArray:
     """Return offset and tilt (count, 2) of repeated tests; a walk has its steps between ``every``
     run.
     """
@@ -135,7 +137,7 @@ def _repeated(draws: Sequence[Draw], readings: CellReadings, every: CellReadings
 
 def _noise(
     readings: CellReadings,
-    draws: Sequence[Draw],
+    draws: Sequence[NoiseState],
     members: IndexArray,
     sigma: FloatArray,
     sizes: FloatArray,

@@ -10,9 +10,9 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from compwright.estimation.noise_chain import Draw
+from compwright.estimation.noise_chain import NoiseState
 from compwright.estimation.noise_patterns import OFFSET
-from compwright.estimation.noise_readings import CellReadings, at_traverses
+from compwright.estimation.noise_readings import CellReadings, traverse_effects
 from compwright.estimation.noise_rounding import common_std, rounded_std
 from compwright.estimation.noise_tails import KINDS, NORMAL, TAILS, Tail
 from compwright.records.axis import FloatArray
@@ -38,7 +38,9 @@ class CellMeans:
     columns: FloatArray
 
 
-def cell_means(draw: Draw, readings: CellReadings, shapes: FloatArray, step: float) -> CellMeans:
+def cell_means(
+    draw: NoiseState, readings: CellReadings, shapes: FloatArray, step: float
+) -> CellMeans:
     """Return what the ``readings`` say of the cells under one draw of the noise: a flat prior on
     the means, normal effects of the traverses (Searle, Casella and McCulloch, Variance Components,
     1992, section 7.4); heavy tails and outliers integrated out, whichever readings the sampler took
@@ -57,8 +59,8 @@ def cell_means(draw: Draw, readings: CellReadings, shapes: FloatArray, step: flo
     square = sigma**2 / np.maximum(data.weights, 1e-300)
     if KINDS[draw.tail] != NORMAL:
         scale = sigma * np.exp(draw.spread @ shapes)
-        values = readings.values - at_traverses(readings, draw.effects)
-        mean[there], square[there] = located(
+        values = readings.values - traverse_effects(readings, draw.effects)
+        mean[there], square[there] = cell_locations(
             TAILS[draw.tail], values[there], readings.there[there], scale[there]
         )
     return CellMeans(
@@ -68,8 +70,12 @@ def cell_means(draw: Draw, readings: CellReadings, shapes: FloatArray, step: flo
     )
 
 
-def means_of_all(
-    cells: CellMeans, draw: Draw, shapes: FloatArray, readings: CellReadings, every: CellReadings
+def means_of_all_runs(
+    cells: CellMeans,
+    draw: NoiseState,
+    shapes: FloatArray,
+    readings: CellReadings,
+    every: CellReadings,
 ) -> CellMeans:
     """Return what ``every`` reading says of the cells under a draw of the noise that comes from
     some of the runs (``readings``): the means of all, known better by as much as they are more.
@@ -81,7 +87,7 @@ def means_of_all(
     mean = np.sum(every.values, axis=1) / count
     if KINDS[draw.tail] != NORMAL:
         scale = draw.sigma * np.exp(draw.spread @ shapes)
-        mean[there] = located(
+        mean[there] = cell_locations(
             TAILS[draw.tail], every.values[there], every.there[there], scale[there]
         )[0]
     return CellMeans(
@@ -91,7 +97,7 @@ def means_of_all(
     )
 
 
-def located(
+def cell_locations(
     tail: Tail, values: FloatArray, there: NDArray[np.bool_], scale: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
     """Return mean and variance (c,) as `_located` does, of a few cells at a time."""
@@ -130,7 +136,7 @@ def _located(
     return mean * scale, square * scale**2
 
 
-def _columns(draw: Draw) -> tuple[FloatArray, FloatArray]:
+def _columns(draw: NoiseState) -> tuple[FloatArray, FloatArray]:
     """Return columns (c, q), and what they leave of the variances (c,) that the effects give to the
     means: partial Cholesky factor at fixed cells of each direction (Golub and Van Loan, Matrix
     Computations, 4th ed. 2013, section 4.2.8).

@@ -12,23 +12,23 @@ from numpy.typing import NDArray
 
 from compwright.estimation.cells import LEAST_NOISE
 from compwright.estimation.noise_move_selection import draw_share
-from compwright.estimation.noise_patterns import OFFSET, Sizes, patterns_of
+from compwright.estimation.noise_patterns import OFFSET, Sizes, build_patterns
 from compwright.estimation.noise_readings import (
     CellReadings,
-    Reduced,
-    at_traverses,
-    reduced,
-    without_lines,
+    ReducedReadings,
+    reduce_readings,
+    traverse_effects,
+    without_traverse_lines,
 )
 from compwright.estimation.noise_rounding import (
     COARSEST,
-    blurred,
     draw_unrounded,
-    spread_out,
-    step_of,
+    initial_unrounded,
+    reading_step,
+    with_least_scatter,
 )
-from compwright.estimation.noise_spread import draw_spread, powers_of, shapes_of
-from compwright.estimation.noise_tails import TAILS, Latent, chances_of, draw_latent
+from compwright.estimation.noise_spread import draw_spread, precision_powers, spread_shapes
+from compwright.estimation.noise_tails import TAILS, Latent, draw_latent, tail_probabilities
 from compwright.estimation.noise_traverses import ReducedTraverses
 from compwright.records.axis import FloatArray
 from compwright.records.noise import WAVE, BoolArray
@@ -45,7 +45,7 @@ WAYS: Final = 4
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Draw:
+class NoiseState:
     """One state of the sampler, mm or deg.
 
     ``sigma``: scale of a reading before it is rounded; ``spread``: how its logarithm follows
@@ -74,7 +74,7 @@ class Draw:
     effects: FloatArray
     covariance: FloatArray
     variance: float
-    data: Reduced
+    data: ReducedReadings
     absent: FloatArray
     absent_spread: FloatArray
     tail_chances: FloatArray
@@ -89,11 +89,11 @@ class GibbsChain:
     ) -> None:
         self.readings, self.rng = readings, rng
         self.runs = test.positive.shape[1], test.negative.shape[1]
-        self.patterns = patterns_of(readings, test.cycle, self.runs)
+        self.patterns = build_patterns(readings, test.cycle, self.runs)
         m = readings.there.shape[0] // 2
         self.made = np.any(readings.there.reshape(2, m, -1), axis=1)
-        self.shapes = shapes_of(readings)
-        self.powers = powers_of(self.shapes)
+        self.shapes = spread_shapes(readings)
+        self.powers = precision_powers(self.shapes)
         self.floor = LEAST_NOISE[test.kind]
         self.dof = np.maximum(np.sum(readings.there, axis=1) - 1.0, 0.0)
         moves = np.ones(2 * readings.runs, dtype=np.bool_)
@@ -105,12 +105,12 @@ class GibbsChain:
         never = np.zeros(readings.there.shape)
         self.latent = Latent(readings.there.astype(np.float64), never, readings.there & False)
         self.sigma, residuals = self._start()
-        left = without_lines(readings, residuals)
-        self.step = step_of(readings, left, self.sigma, COARSEST[test.kind])
+        left = without_traverse_lines(readings, residuals)
+        self.step = reading_step(readings, left, self.sigma, COARSEST[test.kind])
         self.values = (
-            spread_out(readings, self.step, self.sigma, rng)
+            initial_unrounded(readings, self.step, self.sigma, rng)
             if self.step
-            else blurred(readings, left, self.floor, rng)
+            else with_least_scatter(readings, left, self.floor, rng)
         )
         if self.values is not readings.values:
             self.sigma, residuals = self._start()
@@ -134,7 +134,7 @@ class GibbsChain:
         spread = float(np.sqrt(np.sum(rest**2) / self.readings.dof))
         return max(scale, 0.3 * spread, self.floor), rest
 
-    def sweep(self) -> Draw:
+    def sweep(self) -> NoiseState:
         """Draw everything anew once; returns the state in which the cells were weighed."""
         rng, there = self.rng, self.readings.there
         scale = np.exp(self.spread @ self.shapes)[:, np.newaxis]
@@ -151,7 +151,7 @@ class GibbsChain:
         mean, covariance = traverses.effects(self.sizes, drift)
         drifting = self.patterns.columns(self.sizes.rate) @ drift
         share = self._share()
-        draw = Draw(
+        draw = NoiseState(
             sigma=float(np.sqrt(variance)),
             spread=self.spread.copy(),
             tail=self.tail,
@@ -174,8 +174,10 @@ class GibbsChain:
             tail_chances=self.tail_chances,
             outlier=self.latent.outlier,
         )
-        effects = mean + np.sqrt(variance) * (root_of(covariance) @ rng.standard_normal(mean.size))
-        self._draw_readings(values, at_traverses(self.readings, effects + drifting))
+        effects = mean + np.sqrt(variance) * (
+            covariance_root(covariance) @ rng.standard_normal(mean.size)
+        )
+        self._draw_readings(values, traverse_effects(self.readings, effects + drifting))
         return draw
 
     def _share(self) -> float:
@@ -184,7 +186,9 @@ class GibbsChain:
             return 1.0
         return draw_share(self.sizes.moved, self.rng)
 
-    def _as_read(self, data: Reduced, weights: FloatArray, shift: FloatArray) -> Reduced:
+    def _as_read(
+        self, data: ReducedReadings, weights: FloatArray, shift: FloatArray
+    ) -> ReducedReadings:
         """Return ``data`` with the means of the readings as they were read, less the ``shift`` (c,
         n) of outliers: a drawn place between two numbers would stand for the mean of its cell.
         """
@@ -202,7 +206,7 @@ class GibbsChain:
             and np.array_equal(self.reduced[0], values)
             and np.array_equal(self.reduced[1], weights)
         ):
-            data = reduced(self.readings, values, weights)
+            data = reduce_readings(self.readings, values, weights)
             known = ReducedTraverses(self.patterns, data, int(np.sum(self.dof)), self.floor)
             self.reduced = values, weights, known
         return self.reduced[2]
@@ -257,7 +261,7 @@ class GibbsChain:
         """
         counted = self.readings.there & (self.dof > 0)[:, np.newaxis]
         factors = _FACTORS * np.exp(self.rng.uniform(-0.5, 0.5) * _STEP)
-        chances = chances_of(z[counted], factors)
+        chances = tail_probabilities(z[counted], factors)
         self.tail_chances = chances.sum(axis=1)
         cumulative = np.cumsum(chances)
         steps = (self.rng.random() + np.arange(WAYS) / WAYS) % 1.0
@@ -278,7 +282,7 @@ def _medians(values: FloatArray) -> FloatArray:
     return np.array(found, dtype=np.float64)[:, np.newaxis]
 
 
-def root_of(covariance: FloatArray) -> FloatArray:
+def covariance_root(covariance: FloatArray) -> FloatArray:
     """Return the Cholesky factor of a covariance that may be singular."""
     size = float(np.max(np.diagonal(covariance), initial=0.0))
     if size <= 0.0:

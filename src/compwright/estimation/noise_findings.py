@@ -12,10 +12,10 @@ from typing import Any, Final
 
 import numpy as np
 
-from compwright.estimation.noise_chain import Draw
+from compwright.estimation.noise_chain import NoiseState
 from compwright.estimation.noise_patterns import DRIFT, DRIFT_TILT, OFFSET, RATES, TILT
-from compwright.estimation.noise_readings import CellReadings, at_traverses
-from compwright.estimation.noise_spread import shapes_of
+from compwright.estimation.noise_readings import CellReadings, traverse_effects
+from compwright.estimation.noise_spread import spread_shapes
 from compwright.estimation.noise_tails import KINDS, NORMAL, OUTLIERS, STUDENT
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
@@ -40,7 +40,7 @@ _PATTERNS: Final = {INDEPENDENT: "traverses", RUNS: "runs", WALK: "walk", WAVE: 
 
 
 def noise_findings(
-    test: PositioningTest, readings: CellReadings, draws: Sequence[Draw], step: float
+    test: PositioningTest, readings: CellReadings, draws: Sequence[NoiseState], step: float
 ) -> tuple[Finding, ...]:
     """Return a finding for each effect in the noise of ``test`` that the ``draws`` clearly show in
     addition to white noise.
@@ -68,7 +68,7 @@ def _coarse(test: PositioningTest, readings: CellReadings, step: float) -> Itera
     )
 
 
-def _drifts(test: PositioningTest, draws: Sequence[Draw]) -> Iterator[Finding]:
+def _drifts(test: PositioningTest, draws: Sequence[NoiseState]) -> Iterator[Finding]:
     sigma = _middle([draw.sigma for draw in draws])
     flattens = float(np.mean([RATES[draw.rate] > 0.0 for draw in draws])) > 0.5
     for kind in (DRIFT, DRIFT_TILT):
@@ -92,7 +92,7 @@ def _drifts(test: PositioningTest, draws: Sequence[Draw]) -> Iterator[Finding]:
             )
 
 
-def _traverses(test: PositioningTest, draws: Sequence[Draw]) -> Iterator[Finding]:
+def _traverses(test: PositioningTest, draws: Sequence[NoiseState]) -> Iterator[Finding]:
     sigma = _middle([draw.sigma for draw in draws])
     offset, tilt = (_middle([draw.size[kind] for draw in draws]) for kind in (OFFSET, TILT))
     odds = _odds(np.mean([draw.absent[OFFSET] for draw in draws]))
@@ -118,7 +118,7 @@ def _traverses(test: PositioningTest, draws: Sequence[Draw]) -> Iterator[Finding
         yield Finding.of("CW-E023", "warning", tilt=_text(tilt, test), odds=_odds_text(odds))
 
 
-def _moved(test: PositioningTest, draws: Sequence[Draw]) -> list[Sentence]:
+def _moved(test: PositioningTest, draws: Sequence[NoiseState]) -> list[Sentence]:
     """Return which traverses are moved in most of the draws."""
     m, runs = test.targets.size, draws[0].moved.size // 2
     moved = np.flatnonzero(np.mean([draw.moved for draw in draws], axis=0) > 0.5)
@@ -126,7 +126,7 @@ def _moved(test: PositioningTest, draws: Sequence[Draw]) -> list[Sentence]:
 
 
 def _tails(
-    test: PositioningTest, readings: CellReadings, draws: Sequence[Draw]
+    test: PositioningTest, readings: CellReadings, draws: Sequence[NoiseState]
 ) -> Iterator[Finding]:
     chances = np.mean([draw.tail_chances for draw in draws], axis=0)
     normal, student, spoilt = (
@@ -172,7 +172,7 @@ def _cause(test: PositioningTest, cells: IndexArray, runs: IndexArray) -> Senten
 
 
 def _places(
-    test: PositioningTest, readings: CellReadings, draws: Sequence[Draw]
+    test: PositioningTest, readings: CellReadings, draws: Sequence[NoiseState]
 ) -> Iterator[Finding]:
     absent = np.mean([draw.absent_spread for draw in draws], axis=0)
     spread = np.array([draw.spread for draw in draws])
@@ -186,7 +186,7 @@ def _places(
     odds = _odds(float(np.min(absent[1:])))
     if odds >= CLEAR:
         m = test.targets.size
-        along = sigma[:, np.newaxis] * np.exp(spread[:, 1:] @ shapes_of(readings)[1:, :m])
+        along = sigma[:, np.newaxis] * np.exp(spread[:, 1:] @ spread_shapes(readings)[1:, :m])
         scale = np.round(np.median(along, axis=0), 12)
         least, most = int(np.argmin(scale)), int(np.argmax(scale))
         yield Finding.of(
@@ -200,9 +200,9 @@ def _places(
         )
 
 
-def _errors(readings: CellReadings, draw: Draw) -> FloatArray:
+def _errors(readings: CellReadings, draw: NoiseState) -> FloatArray:
     """Return the readings (c, n) less the means of their cells and what traverses and drift do."""
-    moved = at_traverses(readings, draw.effects)
+    moved = traverse_effects(readings, draw.effects)
     means = draw.data.means - draw.data.shares @ draw.effects
     return np.where(readings.there, readings.values - moved - means[:, np.newaxis], 0.0)
 

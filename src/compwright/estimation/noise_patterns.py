@@ -131,7 +131,7 @@ class Patterns:
         return np.column_stack([self.drift[rate], self.drift_tilt[rate]])
 
 
-def patterns_of(readings: CellReadings, cycle: Cycle, runs: tuple[int, int]) -> Patterns:
+def build_patterns(readings: CellReadings, cycle: Cycle, runs: tuple[int, int]) -> Patterns:
     """Return the patterns of a test with ``runs`` in + and in -.
 
     In a step cycle the approaches to a target follow each other at once: there is nothing that

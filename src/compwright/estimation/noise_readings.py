@@ -51,7 +51,7 @@ class CellReadings:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Reduced:
+class ReducedReadings:
     """What weighted contrasts say of the effects (k,) of the traverses, per unit of variance.
 
     ``root`` (k, r), root @ root.T the information; ``scores`` (r,) = root.T @ effects + unit noise;
@@ -67,7 +67,7 @@ class Reduced:
     shares: FloatArray
 
 
-def readings_of(test: PositioningTest) -> CellReadings:
+def cell_readings(test: PositioningTest) -> CellReadings:
     """Return the readings of ``test`` by cell and run."""
     m = test.targets.size
     runs = max(test.positive.shape[1], test.negative.shape[1])
@@ -86,7 +86,7 @@ def readings_of(test: PositioningTest) -> CellReadings:
     )
 
 
-def at_traverses(readings: CellReadings, effects: FloatArray) -> FloatArray:
+def traverse_effects(readings: CellReadings, effects: FloatArray) -> FloatArray:
     """Return what ``effects`` (4 n,), by direction, offset before tilt, run, do to the readings
     (c, n).
     """
@@ -96,7 +96,9 @@ def at_traverses(readings: CellReadings, effects: FloatArray) -> FloatArray:
     return np.concatenate([offset + u * tilt for offset, tilt in parts])
 
 
-def reduced(readings: CellReadings, values: FloatArray, weights: FloatArray) -> Reduced:
+def reduce_readings(
+    readings: CellReadings, values: FloatArray, weights: FloatArray
+) -> ReducedReadings:
     """Return what ``values`` (c, n) with ``weights`` (c, n), 0 where there is none, say of the
     effects once the cells' means are eliminated (Harville 1974; normal equations by blocks:
     Björck, Numerical Methods for Least Squares Problems, 1996, section 6.3).
@@ -127,7 +129,7 @@ def reduced(readings: CellReadings, values: FloatArray, weights: FloatArray) -> 
     length = np.sqrt(size[kept])
     scores = (axes[:, kept].T @ moment.ravel()) / length
     squares = float(np.sum(left * (values - means[:, np.newaxis])))
-    return Reduced(
+    return ReducedReadings(
         root=axes[:, kept] * length,
         scores=scores,
         rest=max(squares - float(scores @ scores), 0.0),
@@ -137,7 +139,7 @@ def reduced(readings: CellReadings, values: FloatArray, weights: FloatArray) -> 
     )
 
 
-def without_lines(readings: CellReadings, residuals: FloatArray) -> FloatArray:
+def without_traverse_lines(readings: CellReadings, residuals: FloatArray) -> FloatArray:
     """Return ``residuals`` (c, n) less the straight line of each traverse (least squares); 0 where
     there is no reading.
     """

@@ -41,7 +41,7 @@ _APART: Final = 0.08
 _ORDERS: Final = 100
 
 
-def step_of(
+def reading_step(
     readings: CellReadings, residuals: FloatArray, scatter: float, coarsest: float
 ) -> float:
     """Return the step of the readings, mm or deg, where it is coarse against their ``scatter``; 0
@@ -87,7 +87,7 @@ def _common_step(gaps: FloatArray, least: float) -> float:
     return 0.0
 
 
-def blurred(
+def with_least_scatter(
     readings: CellReadings, residuals: FloatArray, least: float, rng: np.random.Generator
 ) -> FloatArray:
     """Return the values (c, n) with normal scatter added in each direction whose ``residuals``
@@ -163,7 +163,7 @@ def common_std(sigma: float, step: float) -> float:
     return step * float(np.sqrt(0.5 * np.sum(damping / orders**2))) / float(np.pi)
 
 
-def spread_out(
+def initial_unrounded(
     readings: CellReadings, step: float, seen: float, rng: np.random.Generator
 ) -> FloatArray:
     """Return values (c, n) as they may have been before rounding to ``step``, to begin with: those

@@ -20,7 +20,7 @@ _GRID: Final = 0.15 * np.arange(-13, 14)
 _THERE: Final = _GRID != 0.0
 
 
-def shapes_of(readings: CellReadings) -> FloatArray:
+def spread_shapes(readings: CellReadings) -> FloatArray:
     """Return by how much the logarithm of the scale in each cell (parts, c) follows the direction
     (half of +1 or -1) and each of the waves along the travel.
     """
@@ -28,7 +28,7 @@ def shapes_of(readings: CellReadings) -> FloatArray:
     return np.vstack([np.repeat([0.5, -0.5], m), waves(readings.u, _WAVES)])
 
 
-def powers_of(shapes: FloatArray) -> FloatArray:
+def precision_powers(shapes: FloatArray) -> FloatArray:
     """Return by how much the precision of each cell follows each of ``shapes`` (parts, c), for
     every value of the grid that sizes are drawn from (parts, values, c).
     """
@@ -45,8 +45,8 @@ def draw_spread(
     rng: np.random.Generator,
 ) -> FloatArray:
     """Draw ``spread`` (parts,) anew, each part given the others, from ``squares`` (c,) of the
-    readings about their cells' means with ``dof`` (c,); ``powers`` of the ``shapes`` (`powers_of`).
-    Returns how probable each is nothing.
+    readings about their cells' means with ``dof`` (c,); ``powers`` of the ``shapes``
+    (`precision_powers`). Returns how probable each is nothing.
 
     The common scale is integrated out under its prior 1/sigma (Gelman et al., Bayesian Data
     Analysis, 3rd ed. 2013, section 3.2). Exact conditional draws from a grid: Ritter and Tanner, J.

@@ -140,7 +140,7 @@ class Latent:
     outlier: NDArray[np.bool_]
 
 
-def chances_of(z: FloatArray, factors: FloatArray) -> FloatArray:
+def tail_probabilities(z: FloatArray, factors: FloatArray) -> FloatArray:
     """Return the posterior probability (tails, f) of every member of `TAILS` with every factor on
     the scale, for errors ``z`` (k,) divided by the present one (prior 1/sigma: Gelman et al. 2013,
     section 3.2).

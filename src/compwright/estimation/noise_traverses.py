@@ -27,7 +27,7 @@ from compwright.estimation.noise_patterns import (
     Patterns,
     Sizes,
 )
-from compwright.estimation.noise_readings import Reduced
+from compwright.estimation.noise_readings import ReducedReadings
 from compwright.records.axis import FloatArray
 
 #: Prior probability that there is none of it, of each by itself: a judgement. Together they leave a
@@ -57,7 +57,7 @@ class ReducedTraverses:
     conditional distributions.
     """
 
-    def __init__(self, patterns: Patterns, data: Reduced, dof: int, floor: float) -> None:
+    def __init__(self, patterns: Patterns, data: ReducedReadings, dof: int, floor: float) -> None:
         root = data.root
         self.patterns, self.data, self.dof = patterns, data, dof
         self.rest = data.rest + floor**2

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from compwright.estimation.basis import ALIASED
 from compwright.estimation.period_likelihood import IntArray, NodeChoice, PeriodLikelihood
-from compwright.estimation.spectral_window import Window, alikeness
+from compwright.estimation.spectral_window import SpectralWindow, wave_similarity
 from compwright.estimation.usual_periods import UsualPeriod
 from compwright.records.axis import FloatArray
 
@@ -33,7 +33,7 @@ _CLOSER: Final = 4
 
 
 @dataclass(frozen=True, slots=True)
-class Odds:
+class PeriodOdds:
     """Probabilities before the data: ``none``, no period at all (or no further one); ``usual``, one
     of the usual periods; what is left: any other, evenly over the logarithm of the period. None
     about the frequencies ``taken`` (1 / mm or 1 / deg), which were found before.
@@ -68,7 +68,7 @@ class PeriodCandidate:
 
 
 @dataclass(frozen=True, slots=True)
-class PeriodLook:
+class PeriodScan:
     """Candidates of one look, the most probable first; ``rest``: logarithm of the probability, over
     that of none, of all that is no candidate; ``log_odds`` (f,) over the frequencies searched.
     """
@@ -101,7 +101,7 @@ class _Prior:
         return np.asarray(density)
 
 
-def _prior(frequencies: FloatArray, expected: Sequence[UsualPeriod], before: Odds) -> _Prior:
+def _prior(frequencies: FloatArray, expected: Sequence[UsualPeriod], before: PeriodOdds) -> _Prior:
     usual = [
         each
         for each in expected
@@ -117,12 +117,12 @@ def _prior(frequencies: FloatArray, expected: Sequence[UsualPeriod], before: Odd
     )
 
 
-def candidates_of(
+def find_candidates(
     likelihood: PeriodLikelihood,
     frequencies: FloatArray,
     expected: Sequence[UsualPeriod],
-    before: Odds,
-) -> PeriodLook:
+    before: PeriodOdds,
+) -> PeriodScan:
     """Return the candidates among the equally spaced ``frequencies`` (f,) and the ``expected``
     periods; ``before``: what is thought of them before the data.
     """
@@ -130,7 +130,7 @@ def candidates_of(
     resolution = 1.0 / float(np.ptp(targets))
     prior = _prior(frequencies, expected, before)
     everywhere = np.concatenate([frequencies, prior.usual])
-    window = Window(targets, 2.0 * float(np.max(everywhere)) + float(frequencies[0]))
+    window = SpectralWindow(targets, 2.0 * float(np.max(everywhere)) + float(frequencies[0]))
     shown = _ShownLikelihood(
         likelihood, window, float(frequencies[0]), before.taken, PEAK * resolution
     )
@@ -154,26 +154,26 @@ def candidates_of(
             found.append(_shared(near, aliases, shown, choice, _log_sum(logs[members])))
         found.sort(key=lambda each: -round(each.log, 6))
     rest = _log_sum(np.append(logs[~taken], -np.inf))
-    return PeriodLook(tuple(found), rest, odds[: frequencies.size])
+    return PeriodScan(tuple(found), rest, odds[: frequencies.size])
 
 
-def looked_at_closely(
+def refine_candidate(
     likelihood: PeriodLikelihood,
     candidate: PeriodCandidate,
     frequencies: FloatArray,
     expected: Sequence[UsualPeriod],
-    before: Odds,
+    before: PeriodOdds,
 ) -> PeriodCandidate | None:
     """Return a candidate evaluated again under another ``likelihood``, which has other periods in
     it.
 
     Its aliases stay. None where it is a harmonic of one of these periods, or one of them is its
-    harmonic. Arguments as in `candidates_of`.
+    harmonic. Arguments as in `find_candidates`.
     """
     resolution = 1.0 / float(np.ptp(likelihood.targets))
     prior = _prior(frequencies, expected, before)
     highest = 2.0 * float(np.max(np.append(frequencies, prior.usual))) + float(frequencies[0])
-    window = Window(likelihood.targets, highest)
+    window = SpectralWindow(likelihood.targets, highest)
     shown = _ShownLikelihood(
         likelihood, window, float(frequencies[0]), before.taken, PEAK * resolution
     )
@@ -193,7 +193,7 @@ class _ShownLikelihood:
     """
 
     likelihood: PeriodLikelihood
-    window: Window
+    window: SpectralWindow
     lowest: float
     taken: tuple[float, ...]
     near: float
@@ -221,7 +221,7 @@ class _ShownLikelihood:
 
 
 def _peaks(
-    where: FloatArray, logs: FloatArray, window: Window, resolution: float
+    where: FloatArray, logs: FloatArray, window: SpectralWindow, resolution: float
 ) -> list[tuple[float, IntArray]]:
     """Return the highest peaks, each with the indices of the frequencies that cannot be
     distinguished from it.
@@ -256,7 +256,7 @@ def _aliases(
         low, high = run[0] - PEAK * resolution, run[-1] + PEAK * resolution
         for _ in range(3):  # to a hundred-thousandth of the resolution
             fine = np.linspace(low, high, 101)
-            best = float(fine[int(np.argmax(alikeness(targets, fine, centre)))])
+            best = float(fine[int(np.argmax(wave_similarity(targets, fine, centre)))])
             low, high = best - (high - low) / 50.0, best + (high - low) / 50.0
         found.append(best)
     return np.array(found)

@@ -12,7 +12,7 @@ from compwright.estimation.period_models import PeriodSearch
 from compwright.estimation.usual_periods import USUAL_PERIODS
 from compwright.foundations.findings import Finding
 from compwright.records.axis import AxisKind, FloatArray
-from compwright.records.targets import told_targets
+from compwright.records.targets import targets_text
 from compwright.words.sentences import Sentence, say
 
 #: A period is a usual one within this part of it.
@@ -78,7 +78,7 @@ def period_findings(
                 periods=named,
                 more=more,
                 unit=unit,
-                better=told_targets(low, high, targets.size, unit),
+                better=targets_text(low, high, targets.size, unit),
             )
         )
     if not reported and not search.sure and not known:

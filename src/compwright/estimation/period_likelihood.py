@@ -53,7 +53,7 @@ IntArray = np.ndarray[tuple[int], np.dtype[np.intp]]
 
 
 @dataclass(frozen=True, slots=True)
-class Middles:
+class BidirectionalMeans:
     """The middle of both directions of each target, as one or more tests tell it.
 
     ``targets`` (m,) mm or deg, ``values`` (m,) with the variances ``variances`` (m,) of their
@@ -112,7 +112,7 @@ class _Waves:
 class PeriodLikelihood:
     """The likelihood of waves; ``basis`` holds the functions of the smooth part."""
 
-    def __init__(self, middles: Middles, basis: Basis) -> None:
+    def __init__(self, middles: BidirectionalMeans, basis: Basis) -> None:
         self.targets = middles.targets
         self.unit = float(np.sqrt(np.median(middles.variances)))
         self.root = self.unit / np.sqrt(middles.variances)
@@ -234,7 +234,7 @@ class PeriodLikelihood:
         variances = np.exp(2.0 * (self.amplitude[0] + self.amplitude[1] * steps))
         gram, moment = self.moments(frequencies, choice)
         return [
-            gain(gram, moment[:size], variances[:, np.newaxis, np.newaxis])
+            log_gain(gram, moment[:size], variances[:, np.newaxis, np.newaxis])
             + log_prior[:, np.newaxis, np.newaxis]
             for size in (2, 4)
         ]
@@ -303,7 +303,7 @@ class PeriodLikelihood:
         return _Waves(along, across, [self.rest @ column for column in columns])
 
 
-def gain(
+def log_gain(
     gram: dict[tuple[int, int], FloatArray], moment: list[FloatArray], variance: FloatArray
 ) -> FloatArray:
     """Return b' (G + D^-1)^-1 b / 2 - ln det(I + D G) / 2 elementwise, by elimination without

@@ -12,7 +12,7 @@ import numpy as np
 
 from compwright.estimation.basis import Basis
 from compwright.estimation.cells import Cells
-from compwright.estimation.period_likelihood import Middles, PeriodLikelihood
+from compwright.estimation.period_likelihood import BidirectionalMeans, PeriodLikelihood
 from compwright.estimation.periods import LEFT, wave_columns
 from compwright.records.axis import FloatArray
 
@@ -22,7 +22,7 @@ FITTED: Final = 6
 _KNOWN: Final = float(np.log(9.0))
 
 
-def middles_of(cells: Cells, *, endless: bool) -> Middles:
+def bidirectional_means(cells: Cells, *, endless: bool) -> BidirectionalMeans:
     """Return the middle of both directions at each target, under the typical noise, mm or deg.
 
     Means of one direction count by their precision (JCGM 100:2008, G.2.1 for sums, weighted), the
@@ -42,7 +42,7 @@ def middles_of(cells: Cells, *, endless: bool) -> Middles:
     single = share @ data.signs
     if np.ptp(single) > 0.5:
         free.append(single)
-    return Middles(
+    return BidirectionalMeans(
         targets=cells.targets,
         values=cells.data.scale * (share @ data.values[draw]),
         variances=cells.data.scale**2 * variances,
@@ -76,7 +76,7 @@ def _dof(precision: FloatArray) -> float:
 
 
 def unseen_periods(
-    middles: Middles, basis: Basis, known: Sequence[float], found: Sequence[float]
+    middles: BidirectionalMeans, basis: Basis, known: Sequence[float], found: Sequence[float]
 ) -> tuple[float, ...]:
     """Return those of the ``known`` periods (mm or deg) whose wave the mean readings contradict,
     given the periods that were ``found``; empty where none was found.
@@ -95,7 +95,9 @@ def unseen_periods(
     return tuple(float(period) for period, no in zip(known, against, strict=True) if no)
 
 
-def fitted_periods(middles: Middles, basis: Basis, shown: Sequence[float]) -> tuple[float, ...]:
+def fitted_periods(
+    middles: BidirectionalMeans, basis: Basis, shown: Sequence[float]
+) -> tuple[float, ...]:
     """Return the known periods (mm or deg) that are fitted: all, or at most the `FITTED` best.
 
     They are added one by one, each time the one that improves the fit most, as long as the data

@@ -83,7 +83,7 @@ class PeriodSearch:
 
 
 #: A search that found nothing, for want of targets.
-NOTHING: Final = PeriodSearch((PeriodModel((), (), 1.0),), (), (), None)
+NO_SEARCH: Final = PeriodSearch((PeriodModel((), (), 1.0),), (), (), None)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -114,14 +114,14 @@ class PeriodSet:
         return mine.size == theirs.size and bool(np.all(np.abs(mine - theirs) <= near))
 
 
-def probable(sets: Sequence[PeriodSet]) -> list[tuple[PeriodSet, float]]:
+def probable_sets(sets: Sequence[PeriodSet]) -> list[tuple[PeriodSet, float]]:
     """Return those of the ``sets`` that are worth keeping, with their probabilities."""
     total = log_sum(np.array([each.log for each in sets]))
     weighed = ((each, float(np.exp(each.log - total))) for each in sets)
     return [(each, probability) for each, probability in weighed if probability >= LEAST_MODEL]
 
 
-def gathered(
+def search_result(
     likely: Sequence[tuple[PeriodSet, float]], curve: PeriodCurve, suggested: Sequence[float]
 ) -> PeriodSearch:
     """Return what a search found from the ``likely`` sets with their probabilities."""

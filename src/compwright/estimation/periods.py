@@ -27,27 +27,27 @@ import numpy as np
 from compwright.estimation.basis import HARMONICS, Basis
 from compwright.estimation.period_candidates import (
     PEAK,
-    Odds,
     PeriodCandidate,
-    PeriodLook,
-    candidates_of,
-    looked_at_closely,
+    PeriodOdds,
+    PeriodScan,
+    find_candidates,
+    refine_candidate,
 )
-from compwright.estimation.period_likelihood import Middles, PeriodLikelihood
+from compwright.estimation.period_likelihood import BidirectionalMeans, PeriodLikelihood
 from compwright.estimation.period_models import (
-    NOTHING,
+    NO_SEARCH,
     PeriodCurve,
     PeriodSearch,
     PeriodSet,
-    gathered,
-    probable,
+    probable_sets,
+    search_result,
 )
 from compwright.estimation.usual_periods import UsualPeriod, usual_periods
 from compwright.records.axis import AxisKind, FloatArray
 
 #: Prior odds of the first period, and of one in addition to known ones.
-FIRST: Final = Odds(none=0.5, usual=0.38)
-FURTHER: Final = Odds(none=0.75, usual=0.18)
+FIRST: Final = PeriodOdds(none=0.5, usual=0.38)
+FURTHER: Final = PeriodOdds(none=0.75, usual=0.18)
 #: A period repeats at least so often over the targets: fewer waves are smooth error.
 LEAST_REPEATS: Final = 8.0
 #: The shortest period that is searched: below the shortest usual lead and half of it, mm or deg.
@@ -66,7 +66,7 @@ LEFT: Final = 4
 
 
 def search_periods(
-    middles: Middles,
+    middles: BidirectionalMeans,
     basis: Basis,
     kind: AxisKind,
     *,
@@ -81,9 +81,9 @@ def search_periods(
     too few targets for a search, only the model without a period. Prior and sources: module
     docstring.
     """
-    frequencies = searched(middles.targets, kind)
+    frequencies = search_frequencies(middles.targets, kind)
     if not frequencies.size:
-        return NOTHING
+        return NO_SEARCH
     search = _PeriodSearch(
         middles, basis, frequencies, usual_periods(kind, suggested), tuple(known)
     )
@@ -104,15 +104,15 @@ def search_periods(
         if not level:
             break
     if curve is None:
-        return NOTHING
-    return gathered(probable(done), curve, suggested)
+        return NO_SEARCH
+    return search_result(probable_sets(done), curve, suggested)
 
 
 def _descending(sets: Iterable[PeriodSet]) -> list[PeriodSet]:
     return sorted(sets, key=lambda one: -round(one.log, 6))
 
 
-def searched(targets: FloatArray, kind: AxisKind) -> FloatArray:
+def search_frequencies(targets: FloatArray, kind: AxisKind) -> FloatArray:
     """Return the frequencies (f,) to search, equally spaced, ascending, 1 / mm or 1 / deg: from
     `LEAST_REPEATS` over the ``targets`` to the `SHORTEST` period.
 
@@ -147,13 +147,13 @@ class _PeriodSearch:
     ``known`` ones (mm or deg).
     """
 
-    middles: Middles
+    middles: BidirectionalMeans
     basis: Basis
     frequencies: FloatArray
     usual: tuple[UsualPeriod, ...]
     known: tuple[float, ...]
 
-    def candidates_with(self, periods: PeriodSet) -> PeriodLook | None:
+    def candidates_with(self, periods: PeriodSet) -> PeriodScan | None:
         """Return the candidates for one more period, given a set of periods.
 
         None where the targets are too few, or where the last period of the set has aliases.
@@ -164,7 +164,7 @@ class _PeriodSearch:
         likelihood = self._likelihood(members)
         if likelihood is None:
             return None
-        return candidates_of(likelihood, self.frequencies, self.usual, self._before(members))
+        return find_candidates(likelihood, self.frequencies, self.usual, self._before(members))
 
     def refined(self, periods: PeriodSet) -> PeriodSet:
         """Return a set of two or more with each member searched again given all others; the first
@@ -181,7 +181,7 @@ class _PeriodSearch:
             if likelihood is None or not others:
                 return periods
             before = replace(self._before(members[:place]), taken=_frequencies(others))
-            found = looked_at_closely(
+            found = refine_candidate(
                 likelihood, members[place], self.frequencies, self.usual, before
             )
             if found is None:
@@ -216,7 +216,7 @@ class _PeriodSearch:
             return None
         return PeriodLikelihood(replace(self.middles, free=columns), self.basis)
 
-    def _before(self, members: Sequence[PeriodCandidate]) -> Odds:
+    def _before(self, members: Sequence[PeriodCandidate]) -> PeriodOdds:
         return replace(FURTHER if self.known or members else FIRST, taken=_frequencies(members))
 
 

@@ -39,7 +39,7 @@ class Peak:
     log_mass: float
 
 
-def peaks_of(evidence: Evidence, starts: Sequence[FloatArray]) -> tuple[Peak, ...]:
+def find_peaks(evidence: Evidence, starts: Sequence[FloatArray]) -> tuple[Peak, ...]:
     """Return the different peaks that are reached uphill from ``starts``, one climb from the best
     of each (k, h); without those that hold next to nothing.
 
@@ -92,12 +92,12 @@ def maximise(evidence: Evidence, start: FloatArray) -> tuple[FloatArray, float]:
         change = gradient - new_gradient
         curvature = float(step @ change)
         if curvature > 1e-10:
-            inverse = _updated(inverse, step, change, curvature)
+            inverse = _bfgs_update(inverse, step, change, curvature)
         here, value, gradient = here + step, new_value, new_gradient
     return here, value
 
 
-def _updated(
+def _bfgs_update(
     inverse: FloatArray, step: FloatArray, change: FloatArray, curvature: float
 ) -> FloatArray:
     """Return the inverse of BFGS after one step (Nocedal and Wright 2006, eq. 6.17)."""

@@ -12,7 +12,7 @@ from compwright.estimation.model import MixturePart
 from compwright.estimation.observed_test import ObservedTest
 from compwright.foundations.findings import Finding
 from compwright.records.axis import AxisKind
-from compwright.records.rounding import settled_number
+from compwright.records.rounding import rounded_number
 
 #: Growth of steel, µm/m for each kelvin.
 _STEEL: Final = 11.5
@@ -65,4 +65,4 @@ def _minus_first(place: int, cells: Cells, parts: Sequence[MixturePart]) -> tupl
             variances.append(float(np.sum((contrast @ weights.root) ** 2)))
     unit = cells.data.scale / (0.5 * float(np.ptp(cells.targets)))
     error = float(np.sqrt(np.mean(variances) + np.var(means)))
-    return settled_number(unit * float(np.mean(means))), settled_number(unit * error)
+    return rounded_number(unit * float(np.mean(means))), rounded_number(unit * error)

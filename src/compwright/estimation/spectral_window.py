@@ -17,7 +17,7 @@ _POINTS: Final = 8
 _BLOCK: Final = 64
 
 
-def alikeness(targets: FloatArray, frequencies: FloatArray, other: float) -> FloatArray:
+def wave_similarity(targets: FloatArray, frequencies: FloatArray, other: float) -> FloatArray:
     """Return how alike waves of the ``frequencies`` (f,) and one of the ``other`` are at the
     ``targets`` (m,): 1 the same, 0 nothing in common.
     """
@@ -29,7 +29,7 @@ def alikeness(targets: FloatArray, frequencies: FloatArray, other: float) -> Flo
     return np.asarray(np.maximum(*sizes))
 
 
-class Window:
+class SpectralWindow:
     """The spectral window of the ``targets`` (m,), mm or deg, tabled for differences of frequencies
     up to ``highest``, 1 / mm or 1 / deg.
     """
@@ -49,7 +49,7 @@ class Window:
         return np.asarray(np.interp(np.abs(differences), self.places, self.sizes))
 
     def alike(self, frequencies: FloatArray, other: float) -> FloatArray:
-        """Return `alikeness` from the table, to about 1 %."""
+        """Return `wave_similarity` from the table, to about 1 %."""
         return np.asarray(np.maximum(self.at(frequencies - other), self.at(frequencies + other)))
 
     def slow(self, frequencies: FloatArray, lowest: float) -> NDArray[np.bool_]:

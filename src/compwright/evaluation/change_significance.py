@@ -35,7 +35,7 @@ def score_of_ratio(ratio: float, dof: float, dof_below: float) -> float:
     return ((1.0 - b) * root - (1.0 - a)) / math.sqrt(b * root**2 + a)
 
 
-def chance(score: float) -> float:
+def two_sided_probability(score: float) -> float:
     """Return the probability that a standard normal value is at least as far from zero."""
     return math.erfc(abs(score) / math.sqrt(2.0))
 
@@ -62,7 +62,7 @@ class UncertainValue:
 @dataclass(frozen=True, slots=True)
 class Change:
     """A difference and its standard uncertainty; ``score``: the standard normal value as
-    improbable, ``chance``: how often tests of an unchanged machine differ as much.
+    improbable, ``two_sided_probability``: how often tests of an unchanged machine differ as much.
     """
 
     size: float
@@ -72,7 +72,7 @@ class Change:
     @property
     def chance(self) -> float:
         """How often two tests of an unchanged machine differ by as much or more."""
-        return chance(self.score)
+        return two_sided_probability(self.score)
 
     @property
     def clear(self) -> bool:

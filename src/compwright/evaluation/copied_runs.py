@@ -45,7 +45,7 @@ _MOST_RUNS: Final = 100
 _AT_ONCE: Final = 1_000_000
 
 
-def same_runs(test: PositioningTest) -> dict[Direction, list[list[int]]]:
+def copied_runs(test: PositioningTest) -> dict[Direction, list[list[int]]]:
     """Return for each direction the groups of columns (two or more) that hold the same readings at
     three targets or more; of many runs those that have the same readings at the same targets.
     """
@@ -78,7 +78,7 @@ def _groups_of_many(block: FloatArray) -> list[list[int]]:
     return list(groups.values())
 
 
-def same_runs_findings(test: PositioningTest) -> list[Finding]:
+def copied_run_findings(test: PositioningTest) -> list[Finding]:
     """Return the finding CW-T031: runs that agree to the last digit, or nearly so, in one direction
     or between the two.
     """
@@ -99,7 +99,7 @@ def same_runs_findings(test: PositioningTest) -> list[Finding]:
 
 def _exact(test: PositioningTest) -> list[Sentence]:
     parts = []
-    for direction, groups in same_runs(test).items():
+    for direction, groups in copied_runs(test).items():
         for group in groups:
             names = [_number(test, direction, column) for column in group]
             more = max(0, len(names) - _MOST_LISTED)

@@ -26,7 +26,7 @@ _Numbers = NDArray[np.int64]
 
 
 @dataclass(frozen=True, slots=True)
-class _AlikeRun:
+class _CandidateRun:
     """A run of the test with the index ``owner``: its readings that were made, (n,) mm or deg, and
     the numbers of their targets, ascending.
     """
@@ -36,7 +36,7 @@ class _AlikeRun:
     values: FloatArray
 
 
-def alike_in_all(tests: Sequence[PositioningTest]) -> list[list[int]]:
+def equal_tests(tests: Sequence[PositioningTest]) -> list[list[int]]:
     """Return the groups (two or more indices, ascending) of ``tests`` that have the same targets
     and agree reading by reading but for one constant, by `SAME_READING`.
     """
@@ -52,32 +52,32 @@ def alike_in_all(tests: Sequence[PositioningTest]) -> list[list[int]]:
     return [group for group in groups.values() if len(group) > 1]
 
 
-def alike_in_a_run(tests: Sequence[PositioningTest], fewest: int) -> Iterator[list[int]]:
+def tests_with_equal_run(tests: Sequence[PositioningTest], fewest: int) -> Iterator[list[int]]:
     """Yield the groups (two or more indices, ascending) of ``tests`` with a run in one direction
     that agrees but for a constant at the `_LOOKED_AT` lowest of the targets that both have,
     ``fewest`` or more of them: all tests with a run that agrees at every one are in such a group.
 
     Runs that are the same everywhere were not made and do not count.
     """
-    runs: dict[tuple[AxisKind, Direction], list[_AlikeRun]] = defaultdict(list)
+    runs: dict[tuple[AxisKind, Direction], list[_CandidateRun]] = defaultdict(list)
     for index, (test, places) in enumerate(zip(tests, _places(tests), strict=True)):
         for direction in Direction:
             for column in test.deviations(direction).T:
                 made = np.isfinite(column)
                 values = column[made]
                 if values.size >= fewest and np.ptp(values) > SAME_READING:
-                    runs[test.kind, direction].append(_AlikeRun(index, places[made], values))
+                    runs[test.kind, direction].append(_CandidateRun(index, places[made], values))
     for some in runs.values():
         for group in _agreeing(some, fewest):
             yield sorted(group)
 
 
-def _agreeing(runs: Sequence[_AlikeRun], fewest: int) -> Iterator[set[int]]:
+def _agreeing(runs: Sequence[_CandidateRun], fewest: int) -> Iterator[set[int]]:
     """Yield the owners of runs that agree where they are looked at."""
-    grids: dict[bytes, list[_AlikeRun]] = defaultdict(list)
+    grids: dict[bytes, list[_CandidateRun]] = defaultdict(list)
     for run in runs:
         grids[run.places.tobytes()].append(run)
-    looked: dict[bytes, list[_AlikeRun]] = defaultdict(list)
+    looked: dict[bytes, list[_CandidateRun]] = defaultdict(list)
     several = list(grids.values())
     for grid, parts in enumerate(_looked_at([some[0].places for some in several], fewest)):
         for part in parts:
@@ -111,7 +111,7 @@ def _common(one: _Numbers, other: _Numbers) -> _Numbers:
     return one if one is other else np.intersect1d(one, other, assume_unique=True)
 
 
-def _same_there(runs: Sequence[_AlikeRun], part: _Numbers) -> Iterator[set[int]]:
+def _same_there(runs: Sequence[_CandidateRun], part: _Numbers) -> Iterator[set[int]]:
     """Yield the owners of runs that agree at the targets ``part``, but for a constant."""
     values = np.stack([run.values[np.searchsorted(run.places, part)] for run in runs])
     columns = (values[:, 1:] - values[:, :1]).T

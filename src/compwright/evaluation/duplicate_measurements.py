@@ -10,7 +10,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from compwright.evaluation.duplicate_candidates import alike_in_a_run, alike_in_all
+from compwright.evaluation.duplicate_candidates import equal_tests, tests_with_equal_run
 from compwright.evaluation.pooled_scatter import pooled_scatter
 from compwright.foundations.findings import Finding
 from compwright.foundations.provenance import Source, share_a_file
@@ -208,7 +208,7 @@ def _sharing_runs(tests: Sequence[PositioningTest]) -> list[set[int]]:
     """Return for each test those that share a run with it; of very many, more than are named."""
     sharing: list[set[int]] = [set() for _ in tests]
     looked_at: set[tuple[int, int]] = set()
-    for group in alike_in_a_run(tests, _TARGETS):
+    for group in tests_with_equal_run(tests, _TARGETS):
         for one, other in combinations(group, 2):
             if min(len(sharing[one]), len(sharing[other])) > _NAMED or (one, other) in looked_at:
                 continue
@@ -233,7 +233,7 @@ def _one_of_each(tests: Sequence[PositioningTest]) -> list[list[int]]:
     for index, test in enumerate(tests):
         for source in test.sources:
             join(index, by_file.setdefault(source.sha256, index))
-    for first, *others in alike_in_all(tests):
+    for first, *others in equal_tests(tests):
         if pooled_scatter(tests[first])[0] > SAME_READING:
             for other in others:
                 join(first, other)

@@ -16,7 +16,7 @@ from compwright.evaluation.reading_checks import position_text, sign_text
 from compwright.foundations.findings import Finding, Severity
 from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.positioning import PositioningTest
-from compwright.records.targets import told_targets
+from compwright.records.targets import targets_text
 from compwright.words.sentences import Sentence, say
 
 #: Longest axis that is tested with n = 5 over its whole length, mm and deg.
@@ -275,7 +275,7 @@ def _spacing(test: PositioningTest, periods: Sequence[float]) -> list[Finding]:
 
 def _targets_text(test: PositioningTest) -> Sentence:
     low, high = float(test.targets[0]), float(test.targets[-1])
-    return told_targets(low, high, test.targets.size, test.kind.unit)
+    return targets_text(low, high, test.targets.size, test.kind.unit)
 
 
 def _phases_seen(targets: FloatArray, period: float) -> float:

@@ -12,8 +12,8 @@ from typing import Final
 
 import numpy as np
 
-from compwright.evaluation.copied_runs import same_runs_findings
-from compwright.evaluation.pooled_scatter import pooled_scatter, spread_of
+from compwright.evaluation.copied_runs import copied_run_findings
+from compwright.evaluation.pooled_scatter import pooled_scatter, reading_range
 from compwright.evaluation.reading_checks import position_text, text_of
 from compwright.evaluation.statistics import mean_deviation
 from compwright.evaluation.typical_magnitudes import turned_odds, unit_odds
@@ -81,7 +81,7 @@ def certain_fault(test: PositioningTest) -> str:
             f"all deviations are smaller than 0.000001 {test.kind.unit}: nothing was measured, or"
             " the unit is another one"
         )
-    spread = spread_of(test)
+    spread = reading_range(test)
     count = int(np.isfinite(test.positive).sum() + np.isfinite(test.negative).sum())
     if count < 3:
         return ""
@@ -116,7 +116,7 @@ def plausibility_findings(test: PositioningTest) -> list[Finding]:
     """Return what may be wrong with the unit, the origin or the directions of a test: CW-T030 to
     CW-T033, CW-T035.
     """
-    return [*_small(test), *same_runs_findings(test), *_turned(test), *_inches(test), *_few(test)]
+    return [*_small(test), *copied_run_findings(test), *_turned(test), *_inches(test), *_few(test)]
 
 
 def _small(test: PositioningTest) -> list[Finding]:
@@ -125,7 +125,7 @@ def _small(test: PositioningTest) -> list[Finding]:
     certain = certain_fault(test)
     if certain:
         return [Finding.of("CW-T030.certain", "warning", why=certain)]
-    spread = spread_of(test)
+    spread = reading_range(test)
     unusual = _other_unit(test)
     if unusual is not None:
         return [unusual]
@@ -146,7 +146,7 @@ def _other_unit(test: PositioningTest) -> Finding | None:
     return Finding.of(
         "CW-T030.unit",
         "warning",
-        spread=text_of(spread_of(test), test),
+        spread=text_of(reading_range(test), test),
         scatter=text_of(pooled_scatter(test)[0], test),
         odds=max(small, large),
         factor=factor,

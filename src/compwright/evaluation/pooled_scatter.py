@@ -28,7 +28,7 @@ def pooled_scatter(test: PositioningTest) -> tuple[float, float]:
     return (float(np.sqrt(squares / dof)) if dof else 0.0), dof
 
 
-def spread_of(test: PositioningTest) -> float:
+def reading_range(test: PositioningTest) -> float:
     """Return the largest less the smallest reading of a test, mm or deg."""
     values = np.concatenate([test.positive.ravel(), test.negative.ravel()])
     made = values[np.isfinite(values)]

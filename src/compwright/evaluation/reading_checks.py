@@ -17,12 +17,12 @@ from typing import Final
 
 import numpy as np
 
-from compwright.evaluation.residuals import pooled, robust_scale, run_medians
+from compwright.evaluation.residuals import pooled_residuals, robust_scale, run_medians
 from compwright.evaluation.valid_readings import (
     BY_CHANCE,
     chance_of_zero,
-    far_readings,
-    kept,
+    keep_readings,
+    outlying_readings,
     without_readings,
 )
 from compwright.foundations.findings import Finding
@@ -102,15 +102,15 @@ def reading_findings(
     only the result with and without the suspect readings is.
     """
     return [
-        *missing_readings(test),
-        *zero_traverses(test),
-        *([] if "CW-T012" in reported else drift(test)),
-        *suspect_traverses(test, compare),
-        *suspect_readings(test, compare, reported="CW-T014" in reported),
+        *missing_reading_findings(test),
+        *zero_traverse_findings(test),
+        *([] if "CW-T012" in reported else drift_findings(test)),
+        *suspect_traverse_findings(test, compare),
+        *suspect_reading_findings(test, compare, reported="CW-T014" in reported),
     ]
 
 
-def missing_readings(test: PositioningTest) -> list[Finding]:
+def missing_reading_findings(test: PositioningTest) -> list[Finding]:
     """Return a finding when the number of readings differs between the targets of one direction
     (CW-T010).
     """
@@ -139,7 +139,7 @@ def missing_readings(test: PositioningTest) -> list[Finding]:
     return [Finding.of("CW-T010", "warning", where=parts)]
 
 
-def zero_traverses(test: PositioningTest) -> list[Finding]:
+def zero_traverse_findings(test: PositioningTest) -> list[Finding]:
     """Return a finding for each traverse of zeros (two targets or more), and one for rows of zeros
     within a traverse (CW-T011).
 
@@ -196,7 +196,7 @@ def _longest_row_of_zeros(values: FloatArray) -> int:
     return longest
 
 
-def drift(test: PositioningTest) -> list[Finding]:
+def drift_findings(test: PositioningTest) -> list[Finding]:
     """Return a finding when the deviations at the targets progress in order over the runs, that is
     between successive approaches to any particular target position (ISO 230-2:1997, 3.3), pooled
     over the targets (CW-T012).
@@ -209,7 +209,7 @@ def drift(test: PositioningTest) -> list[Finding]:
     raise no alarm beyond `DRIFT_CHANCE`. At least five runs; a drift smaller than the robust s is
     not mentioned.
     """
-    residuals, scale = pooled(test)
+    residuals, scale = pooled_residuals(test)
     along = _along(test.targets)
     scores = {
         direction: _run_scores(residual, along, scale)
@@ -307,7 +307,7 @@ def _orders(runs: int) -> FloatArray:
     return orders
 
 
-def suspect_traverses(test: PositioningTest, compare: Compare) -> list[Finding]:
+def suspect_traverse_findings(test: PositioningTest, compare: Compare) -> list[Finding]:
     """Return a finding for each run that is an outlier as a whole, in one direction or in both
     (CW-T013); at least three runs.
     """
@@ -323,7 +323,7 @@ def suspect_traverses(test: PositioningTest, compare: Compare) -> list[Finding]:
             say("in_direction", value=signed_text(shifts[each], test), direction=sign_text(each[0]))
             for each in traverses
         ]
-        scatter, compared = text_of(pooled(changed)[1], test), compare(changed)
+        scatter, compared = text_of(pooled_residuals(changed)[1], test), compare(changed)
         findings.append(
             Finding.of(
                 "CW-T013.run", "warning", run=run, off=offs, scatter=scatter, compared=compared
@@ -351,7 +351,7 @@ def _shifts(test: PositioningTest) -> dict[Traverse, float]:
     Directions with three runs or more.
     """
     shifts: dict[Traverse, float] = {}
-    for direction, residual in zip(_BOTH, pooled(test)[0], strict=True):
+    for direction, residual in zip(_BOTH, pooled_residuals(test)[0], strict=True):
         if residual.shape[1] >= 3:
             medians = np.nan_to_num(run_medians(residual)).ravel().tolist()
             shifts |= {(direction, column): shift for column, shift in enumerate(medians)}
@@ -364,7 +364,7 @@ def _suspect(test: PositioningTest, shifts: Mapping[Traverse, float]) -> dict[in
     Each is compared with the scatter of a reading in the other runs, because an outlying run would
     otherwise hide in its own scatter.
     """
-    residuals, scale = pooled(test)
+    residuals, scale = pooled_residuals(test)
     within = robust_scale([each - run_medians(each) for each in residuals], test)
     by_run: dict[int, list[Traverse]] = {}
     for traverse, shift in shifts.items():
@@ -373,7 +373,7 @@ def _suspect(test: PositioningTest, shifts: Mapping[Traverse, float]) -> dict[in
     few = len(by_run) <= _MOST_TRAVERSES
     suspect = {}
     for run, traverses in by_run.items():
-        others = pooled(_without(test, traverses))[1] if few else scale
+        others = pooled_residuals(_without(test, traverses))[1] if few else scale
         far = [each for each in traverses if abs(shifts[each]) > TRAVERSE_LIMIT * others]
         if far:
             suspect[run] = far
@@ -385,11 +385,11 @@ def _without(test: PositioningTest, traverses: Iterable[Traverse]) -> Positionin
     for direction, column in traverses:
         keep = np.ones(test.deviations(direction).shape, dtype=bool)
         keep[:, column] = False
-        test = kept(test, direction, keep)
+        test = keep_readings(test, direction, keep)
     return test
 
 
-def suspect_readings(
+def suspect_reading_findings(
     test: PositioningTest, compare: Compare, *, reported: bool = False
 ) -> list[Finding]:
     """Return one finding for all readings that are outliers at their target and in their traverse
@@ -397,7 +397,7 @@ def suspect_readings(
 
     ``reported``: another finding names them; this one gives the result with and without them.
     """
-    found, scale = far_readings(test)
+    found, scale = outlying_readings(test)
     if not found:
         return []
     changed = without_readings(test, found)

@@ -24,7 +24,7 @@ _MAD_FACTORS: Final = {
 _BOTH: Final = (Direction.POSITIVE, Direction.NEGATIVE)
 
 
-def pooled(test: PositioningTest) -> tuple[list[FloatArray], float]:
+def pooled_residuals(test: PositioningTest) -> tuple[list[FloatArray], float]:
     """Return the residuals (m, n) from the target's median in + and −, and the robust scale of a
     reading, common to both.
     """

@@ -88,7 +88,7 @@ def _number(key: str, text: str, file: str, faults: list[Fault]) -> float:
     return value
 
 
-def at_temperatures(thermal: Thermal, stated: Temperatures) -> Thermal:
+def with_temperatures(thermal: Thermal, stated: Temperatures) -> Thermal:
     """Return ``thermal`` at the temperatures that a test states, mean of start and end."""
     for name, (start, end) in stated.items():
         mean, rise = 0.5 * (start + end), end - start

@@ -17,7 +17,7 @@ from __future__ import annotations
 import math
 from typing import Final
 
-from compwright.evaluation.pooled_scatter import pooled_scatter, spread_of
+from compwright.evaluation.pooled_scatter import pooled_scatter, reading_range
 from compwright.foundations.units import outside_factor
 from compwright.records.axis import AxisKind
 from compwright.records.positioning import PositioningTest
@@ -39,7 +39,7 @@ def unit_odds(test: PositioningTest, factor: float) -> float:
     """Return how much more usual the readings are times ``factor`` than as they are."""
     outside = outside_factor(test.kind.unit)
     s, dof = pooled_scatter(test)
-    sizes = [(spread_of(test) * outside, _RANGE[test.kind])]
+    sizes = [(reading_range(test) * outside, _RANGE[test.kind])]
     if dof >= _ENOUGH and s > _ROUNDING:
         sizes.append((s * outside, _SCATTER[test.kind]))
     logs = (

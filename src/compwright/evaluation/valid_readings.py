@@ -11,7 +11,7 @@ from typing import Final
 
 import numpy as np
 
-from compwright.evaluation.residuals import pooled, robust_scale, row_medians, run_medians
+from compwright.evaluation.residuals import pooled_residuals, robust_scale, row_medians, run_medians
 from compwright.evaluation.statistics import standard_deviation
 from compwright.records.axis import Direction
 from compwright.records.positioning import PositioningTest
@@ -26,15 +26,15 @@ _ROUNDING: Final = 1e-9
 _BOTH: Final = (Direction.POSITIVE, Direction.NEGATIVE)
 
 
-def believable(test: PositioningTest) -> PositioningTest:
-    """Return ``test`` without the traverses that were not made (`not_made`) and without outlying
-    readings (CW-T014).
+def valid_part(test: PositioningTest) -> PositioningTest:
+    """Return ``test`` without the traverses that were not made (`zero_traverses`) and without
+    outlying readings (CW-T014).
     """
-    made = without_traverses(test, not_made(test))
-    return without_readings(made, far_readings(made)[0])
+    made = without_traverses(test, zero_traverses(test))
+    return without_readings(made, outlying_readings(made)[0])
 
 
-def not_made(test: PositioningTest) -> list[tuple[Direction, int]]:
+def zero_traverses(test: PositioningTest) -> list[tuple[Direction, int]]:
     """Return direction and column of each traverse that is exactly zero at all its targets (two or
     more) while the others scatter so that this is no chance.
     """
@@ -57,11 +57,11 @@ def without_traverses(
         keep = np.ones(test.deviations(direction).shape, dtype=bool)
         keep[:, [column for where, column in traverses if where is direction]] = False
         if not np.all(keep):
-            test = kept(test, direction, keep)
+            test = keep_readings(test, direction, keep)
     return test
 
 
-def far_readings(
+def outlying_readings(
     test: PositioningTest,
 ) -> tuple[list[tuple[float, Direction, int, int]], float]:
     """Return the outlying readings, the farthest first, and the robust standard deviation of a
@@ -71,7 +71,7 @@ def far_readings(
     column of the run.
     """
     found: list[tuple[float, Direction, int, int]] = []
-    inner = [residual - run_medians(residual) for residual in pooled(test)[0]]
+    inner = [residual - run_medians(residual) for residual in pooled_residuals(test)[0]]
     inner = [residual - row_medians(residual) for residual in inner]
     scale = robust_scale(inner, test)
     for direction, residual in zip(_BOTH, inner, strict=True):
@@ -85,13 +85,13 @@ def far_readings(
 def without_readings(
     test: PositioningTest, found: Sequence[tuple[float, Direction, int, int]]
 ) -> PositioningTest:
-    """Return ``test`` without the readings ``found`` by `far_readings`."""
+    """Return ``test`` without the readings ``found`` by `outlying_readings`."""
     for direction in _BOTH:
         keep = np.ones(test.deviations(direction).shape, dtype=bool)
         for _, where, i, j in found:
             if where is direction:
                 keep[i, j] = False
-        test = kept(test, direction, keep)
+        test = keep_readings(test, direction, keep)
     return test
 
 
@@ -110,7 +110,7 @@ def chance_of_zero(test: PositioningTest) -> float:
     return min(test.step / (scatter * math.sqrt(2.0 * math.pi)), 1.0)
 
 
-def kept(
+def keep_readings(
     test: PositioningTest,
     direction: Direction,
     keep: np.ndarray[tuple[int, ...], np.dtype[np.bool_]],

@@ -10,9 +10,20 @@ from typing import Final
 import numpy as np
 
 from compwright.fitting.grid_losses import good_enough, grid_loss, magnification_needed
-from compwright.fitting.grid_steps import GridCandidate, own_steps, round_steps, taken_steps, whole
+from compwright.fitting.grid_steps import (
+    GridCandidate,
+    allowed_steps,
+    is_whole,
+    listed_steps,
+    round_steps,
+)
 from compwright.fitting.requested_spacing import Span
-from compwright.fitting.unresolved_periods import HeldGrid, grid_of, held_part, unfollowed
+from compwright.fitting.unresolved_periods import (
+    HeldGrid,
+    held_grid,
+    ignored_periods,
+    resolved_part,
+)
 from compwright.foundations.errors import CapacityError, Fault
 from compwright.records.axis import FloatArray
 from compwright.records.capacity import Capacity, Lattice
@@ -22,7 +33,7 @@ from compwright.records.estimate import WantedCorrection
 AUTO_MOST: Final = 500
 
 
-def grid_chosen(
+def choose_candidate(
     pool: list[GridCandidate],
     others: list[GridCandidate],
     ends: tuple[float, float],
@@ -58,15 +69,15 @@ def grid_chosen(
     if capacity.lattice is not None:
         compromise = _least_left([*pool, *others], wanted, capacity, capacity.lattice)
         loss = grid_loss(compromise, wanted, capacity.interpolation)
-        return grid_of(compromise, wanted, capacity, loss=loss)
+        return held_grid(compromise, wanted, capacity, loss=loss)
     finest = _with_most_points(pool, others).nodes(quantum)
-    kept = held_part(finest, wanted, capacity)
-    if wanted.periods and unfollowed(finest, wanted.periods) == list(wanted.periods):
+    kept = resolved_part(finest, wanted, capacity)
+    if wanted.periods and ignored_periods(finest, wanted.periods) == list(wanted.periods):
         enough = _coarsest(pool, others, kept, capacity)
         if enough is not None:
-            return grid_of(enough, wanted, capacity, finest=finest)
+            return held_grid(enough, wanted, capacity, finest=finest)
     loss = 0.0 if capacity.max_points is None else grid_loss(finest, kept, capacity.interpolation)
-    return grid_of(finest, wanted, capacity, loss=loss, finest=finest)
+    return held_grid(finest, wanted, capacity, loss=loss, finest=finest)
 
 
 def _others(capacity: Capacity) -> str:
@@ -88,12 +99,12 @@ def candidates_over(
     and the others.
     """
     in_quanta = wanted.reference / capacity.position_quantum
-    reference = round(in_quanta) if whole(in_quanta) else None
+    reference = round(in_quanta) if is_whole(in_quanta) else None
     length = span.high - span.low
     exact = [
         GridCandidate(span.low, length // pieces, pieces + 1)
         for pieces in range(max(1, capacity.min_points - 1), most)
-        if length % pieces == 0 and taken_steps([length // pieces], capacity)
+        if length % pieces == 0 and allowed_steps([length // pieces], capacity)
     ]
     on = [one for one in exact if reference is not None and (reference - span.low) % one.step == 0]
     off = [one for one in exact if one not in on]
@@ -127,7 +138,7 @@ def _reaching_out(
     With free spacing, an end that the job fixed cuts the last section short.
     """
     length = span.high - span.low
-    for step in taken_steps(sorted(own_steps(capacity)) or round_steps(2 * length), capacity):
+    for step in allowed_steps(sorted(listed_steps(capacity)) or round_steps(2 * length), capacity):
         start = anchor - -(-(anchor - span.low) // step) * step
         count = -(-(span.high - start) // step) + 1
         if not capacity.min_points <= count <= most or (span.low_fixed and start != span.low):

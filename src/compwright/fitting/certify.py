@@ -20,7 +20,7 @@ from compwright.records.axis import Direction, FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation
 from compwright.records.estimate import WantedCorrection
-from compwright.records.rounding import RESIDUE, settled_number
+from compwright.records.rounding import RESIDUE, rounded_number
 
 #: A table of whole increments must keep every limit to this share of the unit: arithmetic dust.
 WHOLE: Final = 1e-6
@@ -55,7 +55,7 @@ def certificate(problem: QuadraticProblem, x: FloatArray, y: FloatArray) -> dict
 
 def rounded_proof(proof: Mapping[str, float]) -> dict[str, float]:
     """Return a certificate without the last bits of the arithmetic (Higham 2002, chapter 3)."""
-    return {name: settled_number(value, RESIDUE) for name, value in proof.items()}
+    return {name: rounded_number(value, RESIDUE) for name, value in proof.items()}
 
 
 def _in_lengths(problem: QuadraticProblem, y: FloatArray, stiffness: FloatArray) -> FloatArray:

@@ -107,7 +107,7 @@ class CurveChain:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Wish:
+class ChainTarget:
     """The wanted curve: at points with ``rows``, ``weights`` (p,) and ``aims`` (p,) in mm or deg.
 
     ``constant``: whether the constant is added at these points.
@@ -120,7 +120,7 @@ class Wish:
 
 
 def build_chain(
-    wishes: tuple[Wish, ...],
+    wishes: tuple[ChainTarget, ...],
     size: int,
     *,
     fixed: tuple[int, ...],
@@ -182,7 +182,7 @@ def build_chain(
     return _solved(chain, wishes)
 
 
-def _solved(chain: CurveChain, wishes: tuple[Wish, ...]) -> CurveChain:
+def _solved(chain: CurveChain, wishes: tuple[ChainTarget, ...]) -> CurveChain:
     """Return the chain with its optimum; ``chain`` still holds the linear terms in the place of
     optimum and constant.
     """
@@ -245,7 +245,7 @@ def _diagonal_share(chain: CurveChain) -> float:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Limits:
+class ChainLimits:
     """What binds a chain: values are whole multiples of ``step`` (mm or deg) plus a shift.
 
     ``increments``: least and largest number of steps between nodes; ``low``, ``high`` (m,): the
@@ -259,7 +259,7 @@ class Limits:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Push:
+class LimitMultipliers:
     """Multipliers of the limits: any are allowed, each gives a valid bound (weak duality; Boyd and
     Vandenberghe 2004, section 5.2.2).
 
@@ -281,7 +281,7 @@ class Push:
         force[chain.fixed] = 0.0
         return force
 
-    def price(self, chain: CurveChain, limits: Limits) -> float:
+    def price(self, chain: CurveChain, limits: ChainLimits) -> float:
         """Return the sum of multiplier times limit, the term that the limits have in the Lagrange
         function (Boyd and Vandenberghe 2004, section 5.1.1).
         """
@@ -322,17 +322,19 @@ class Relaxation:
         return centres
 
 
-def no_push(chain: CurveChain) -> Push:
+def closing_multipliers(chain: CurveChain) -> LimitMultipliers:
     """Return multipliers that only close the curve, where it must be."""
     close = 0.0
     if chain.closed:
         ends = np.zeros(chain.diagonal.size)
         ends[0], ends[-1] = 1.0, -1.0
         close = float((chain.optimum[0] - chain.optimum[-1]) / (ends @ chain.solve(ends)))
-    return Push(climb=np.zeros(chain.span.size), bound=np.zeros(chain.diagonal.size), close=close)
+    return LimitMultipliers(
+        climb=np.zeros(chain.span.size), bound=np.zeros(chain.diagonal.size), close=close
+    )
 
 
-def relax(chain: CurveChain, push: Push) -> Relaxation:
+def relax(chain: CurveChain, push: LimitMultipliers) -> Relaxation:
     """Return the lower bound that ``push`` gives, but for the price of the limits (`priced`), which
     alone depends on them: the least of a quadratic Lagrange function (Boyd and Vandenberghe 2004,
     section 5.2.4).
@@ -348,12 +350,16 @@ def relax(chain: CurveChain, push: Push) -> Relaxation:
     )
 
 
-def priced(relaxation: Relaxation, push: Push, chain: CurveChain, limits: Limits) -> Relaxation:
+def priced(
+    relaxation: Relaxation, push: LimitMultipliers, chain: CurveChain, limits: ChainLimits
+) -> Relaxation:
     """Return the lower bound under ``limits``."""
     return replace(relaxation, base=relaxation.base - push.price(chain, limits))
 
 
-def limiting_push(chain: CurveChain, limits: Limits, constant_range: tuple[float, float]) -> Push:
+def limit_multipliers(
+    chain: CurveChain, limits: ChainLimits, constant_range: tuple[float, float]
+) -> LimitMultipliers:
     """Return multipliers near the best ones, from OSQP (Stellato et al., Mathematical Programming
     Computation 12, 2020). They need not be exact: every push gives a valid bound.
     """
@@ -361,7 +367,7 @@ def limiting_push(chain: CurveChain, limits: Limits, constant_range: tuple[float
     from scipy import sparse
 
     if not chain.span.size:
-        return no_push(chain)  # one value: its range shows in the windows
+        return closing_multipliers(chain)  # one value: its range shows in the windows
     m, scale, step = chain.diagonal.size, float(np.max(chain.diagonal)), limits.step
     has_constant = 1 if chain.stiffness else 0
     upper = [sparse.diags([chain.diagonal, chain.off], [0, 1])]
@@ -406,10 +412,10 @@ def limiting_push(chain: CurveChain, limits: Limits, constant_range: tuple[float
     result = solver.solve(raise_error=False)
     y = np.asarray(result.y, dtype=np.float64) * scale * step
     if not np.all(np.isfinite(y)):
-        return no_push(chain)
+        return closing_multipliers(chain)
     bound = y[m - 1 : 2 * m - 1]
     unbounded = ~np.isfinite(np.where(bound > 0.0, limits.high, limits.low))
-    return Push(
+    return LimitMultipliers(
         climb=y[: m - 1],
         bound=np.where(chain.fixed | unbounded, 0.0, bound),
         close=float(y[-1]) if chain.closed else 0.0,

@@ -11,13 +11,13 @@ from __future__ import annotations
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
-from compwright.fitting.chain import CurveChain, Limits
+from compwright.fitting.chain import ChainLimits, CurveChain
 from compwright.fitting.sparse import IntArray
 from compwright.records.axis import FloatArray
 
 
-def reachable(
-    chain: CurveChain, limits: Limits, low: FloatArray, high: FloatArray
+def reachable_windows(
+    chain: CurveChain, limits: ChainLimits, low: FloatArray, high: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
     """Return the windows ``low`` to ``high`` (n, m), in steps, without totals that no increments
     reach from the neighbours' windows.
@@ -51,8 +51,8 @@ def closed_lanes(
     return chosen, low, high
 
 
-def cheapest(
-    chain: CurveChain, limits: Limits, targets: FloatArray, low: IntArray, high: IntArray
+def cheapest_totals(
+    chain: CurveChain, limits: ChainLimits, targets: FloatArray, low: IntArray, high: IntArray
 ) -> tuple[FloatArray, IntArray]:
     """Return the least (T - target)'H(T - target)/2 (n,) over totals in the windows (n, m), and the
     totals (n, m).
@@ -94,7 +94,7 @@ def cheapest(
 
 def _arrive(
     chain: CurveChain,
-    limits: Limits,
+    limits: ChainLimits,
     node: int,
     window: tuple[int, int, int],
     costs: FloatArray,

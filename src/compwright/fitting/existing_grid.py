@@ -10,7 +10,7 @@ from typing import Final
 
 import numpy as np
 
-from compwright.fitting.grid_steps import taken_steps
+from compwright.fitting.grid_steps import allowed_steps
 from compwright.foundations.errors import CapacityError, Fault
 from compwright.foundations.findings import Finding
 from compwright.records.axis import FloatArray
@@ -62,7 +62,7 @@ def existing_nodes(
     return nodes
 
 
-def too_close(nodes: FloatArray, capacity: Capacity, unit: str) -> tuple[Finding, ...]:
+def close_node_findings(nodes: FloatArray, capacity: Capacity, unit: str) -> tuple[Finding, ...]:
     """Return a warning where the grid that is there breaks a rule of the control: it ran so."""
     least = float(np.min(np.diff(nodes)))
     if least >= capacity.min_spacing * (1 - 1e-9):
@@ -179,7 +179,7 @@ def _check_steps(nodes: FloatArray, capacity: Capacity, unit: str) -> None:
         raise _no_use("its points are not equally spaced", "one spacing", found)
     step = float(steps[0])
     counted = round(step / capacity.position_quantum)
-    if capacity.spacings is not None and not taken_steps([counted], capacity):
+    if capacity.spacings is not None and not allowed_steps([counted], capacity):
         near = min(capacity.spacings, key=lambda one: abs(one - step))
         raise _no_use(
             "the control does not take its spacing",

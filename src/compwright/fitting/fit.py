@@ -17,25 +17,30 @@ import numpy as np
 from compwright.fitting.certify import rounded_proof
 from compwright.fitting.datum import with_datum
 from compwright.fitting.endless_axis import over_one_period
-from compwright.fitting.goals import Range, as_wish, best_for, mean_over
+from compwright.fitting.goals import Range, as_wanted, mean_over, optimise_goal
 from compwright.fitting.grid import choose_grid
 from compwright.fitting.grid_losses import NOISE_SHARE
 from compwright.fitting.problem import (
     BOTH,
     QuadraticProblem,
-    Sampled,
+    SampledCorrection,
     Shape,
     UnknownsLayout,
+    build_problem,
     limited_range,
-    sampled,
-    state_problem,
+    sample_correction,
 )
 from compwright.fitting.rounding import round_curve, to_quanta
 from compwright.fitting.solve import solve_quadratic
 from compwright.fitting.straight_line import fit_line
-from compwright.fitting.table_findings import added, edge_findings, loss_findings, worth_saying
+from compwright.fitting.table_findings import (
+    added_rms,
+    edge_findings,
+    loss_findings,
+    reportable_costs,
+)
 from compwright.fitting.unresolved_periods import HeldGrid
-from compwright.fitting.whole_increments import goal_finding, whole_table
+from compwright.fitting.whole_increments import goal_finding, whole_increment_table
 from compwright.foundations.errors import CapacityError, Fault
 from compwright.foundations.numerals import significant
 from compwright.records.axis import Direction, FloatArray
@@ -92,13 +97,13 @@ def fit_table(
     layout = _layout(grid.nodes, shape, capacity, wanted.reference_return)
     aim, datum_findings = with_datum(grid.wanted, layout, capacity)
     if capacity.lattice is not None:
-        fitted = whole_table(
+        fitted = whole_increment_table(
             grid, aim, (shape, reason), capacity, capacity.lattice, address=address
         )
         if request.goal != "expected":
             fitted = _whole_goal(request.goal, fitted, wanted, grid, layout, capacity, aim)
         return replace(fitted, findings=(*datum_findings, *fitted.findings))
-    fit = _Fit(sampled(aim, grid.nodes, capacity), layout, capacity, aim)
+    fit = _Fit(sample_correction(aim, grid.nodes, capacity), layout, capacity, aim)
     usual = fit.expected()
     best = fit.best(request.goal, wanted if wanted.scenarios else aim, usual)
     table = _rounded(best.x, fit, address, aim)
@@ -220,11 +225,11 @@ def _whole_goal(
             ),
         )
     free = replace(capacity, lattice=None)
-    fit = _Fit(sampled(aim, grid.nodes, free), layout, free, aim)
-    wish = as_wish(fit.best(goal, wanted, fit.expected()).x, layout, free, aim)
+    fit = _Fit(sample_correction(aim, grid.nodes, free), layout, free, aim)
+    wish = as_wanted(fit.best(goal, wanted, fit.expected()).x, layout, free, aim)
     mode = (usual.mode, usual.mode_reason)
     address = usual.compensation.address
-    whole = whole_table(grid, wish, mode, capacity, capacity.lattice, address=address)
+    whole = whole_increment_table(grid, wish, mode, capacity, capacity.lattice, address=address)
     with_it, without = (
         mean_over(goal, one.compensation, wanted, scenarios) for one in (whole, usual)
     )
@@ -247,13 +252,13 @@ class _Best:
 class _Fit:
     """One fit: the sampled wish, where the unknowns stand, the limits; ``aim``: the wish."""
 
-    data: Sampled
+    data: SampledCorrection
     layout: UnknownsLayout
     capacity: Capacity
     aim: WantedCorrection
 
     def problem(self, without: tuple[str, ...] = ()) -> QuadraticProblem:
-        return state_problem(
+        return build_problem(
             self.data, self.layout, self.capacity, self.aim.reference, without=without
         )
 
@@ -269,7 +274,7 @@ class _Fit:
         """
         if goal == "expected":
             return usual
-        x, proof = best_for(goal, wanted, self.layout, self.capacity, self.problem(), usual.x)
+        x, proof = optimise_goal(goal, wanted, self.layout, self.capacity, self.problem(), usual.x)
         return _Best(x, proof)
 
     def rms(self, x: FloatArray) -> float:
@@ -285,7 +290,7 @@ class _Fit:
             self.layout, shape=shape or self.layout.shape, reversal=reversal or self.layout.reversal
         )
         aim, _ = with_datum(self.aim, layout, self.capacity)
-        data = sampled(aim, layout.nodes, self.capacity)
+        data = sample_correction(aim, layout.nodes, self.capacity)
         other = replace(self, data=data, layout=layout, aim=aim)
         return other.rms(other.expected(_BOUNDS).x)
 
@@ -368,19 +373,19 @@ def _limits(
     costs.append(("number of points" if grid.points_loss else "spacing of the points", all_shapes))
     if layout.shape == "single" and layout.reversal != "free":
         with_constant = fit.unlimited(reversal="free")
-        costs.append(("one table for both directions", added(with_constant, all_shapes)))
-        costs.append(("no backlash value", added(this_shape, with_constant)))
+        costs.append(("one table for both directions", added_rms(with_constant, all_shapes)))
+        costs.append(("no backlash value", added_rms(this_shape, with_constant)))
     if capacity.zero is not None and not usual.free:
         any_reversal = fit.rms(fit.expected(("backlash range",)).x)
-        costs.append(("backlash range", added(held, any_reversal)))
+        costs.append(("backlash range", added_rms(held, any_reversal)))
         held = any_reversal
-    costs.append(("value range", added(held, this_shape)))
+    costs.append(("value range", added_rms(held, this_shape)))
     shift = _as_unknowns(table, layout) - best.x
     zero = replace(
         fit.data, wanted={direction: np.zeros_like(fit.data.points) for direction in BOTH}
     )
     costs.append(("quantum", float(np.sqrt(zero.mean_square(layout, shift)))))
-    return worth_saying(costs, capacity.quantum)
+    return reportable_costs(costs, capacity.quantum)
 
 
 def _rounding_error(table: AxisCompensation, x: FloatArray, layout: UnknownsLayout) -> float:

@@ -19,7 +19,14 @@ import numpy as np
 
 from compwright.fitting.mean_range import Deviations, product, solve_ranges
 from compwright.fitting.problem import BOTH, QuadraticProblem, UnknownsLayout, bends, hat_matrix
-from compwright.fitting.sparse import IntArray, SparseMatrix, entries, identity, stacked, sum_of
+from compwright.fitting.sparse import (
+    IntArray,
+    SparseMatrix,
+    from_dense,
+    identity,
+    stack_rows,
+    sum_of,
+)
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation
@@ -35,7 +42,7 @@ _KNOTS: Final = 24
 Range = Literal["A", "E", "M"]
 
 
-def best_for(
+def optimise_goal(
     goal: Range,
     wanted: WantedCorrection,
     layout: UnknownsLayout,
@@ -132,7 +139,7 @@ def mean_over(
     tests = np.repeat(np.arange(scenarios.count), where.size // scenarios.count)
     shown = [
         Deviations(
-            D=entries(nothing[:, np.newaxis]),
+            D=from_dense(nothing[:, np.newaxis]),
             base=beyond + table.at(where, way) - _wanted_at(wanted, where, way, table.period),
             half=half if goal == "A" else nothing,
             test=tests,
@@ -144,7 +151,7 @@ def mean_over(
     return together.of(held_out).mean_range(np.zeros(1))
 
 
-def as_wish(
+def as_wanted(
     x: FloatArray, layout: UnknownsLayout, capacity: Capacity, wanted: WantedCorrection
 ) -> WantedCorrection:
     """Return the curves of the unknowns ``x`` in place of what is ``wanted``: what a table of whole
@@ -257,7 +264,7 @@ def _together(parts: Sequence[Deviations], size: int, *, middle: bool) -> Deviat
             test=first.test,
         )
     return Deviations(
-        D=stacked([part.D for part in parts], size),
+        D=stack_rows([part.D for part in parts], size),
         base=np.concatenate([part.base for part in parts]),
         half=np.concatenate([part.half for part in parts]),
         test=np.concatenate([part.test for part in parts]),

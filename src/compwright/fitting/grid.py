@@ -11,12 +11,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from compwright.fitting.automatic_grid import candidates_over, grid_chosen, most_points
-from compwright.fitting.existing_grid import existing_nodes, too_close
-from compwright.fitting.grid_steps import GridCandidate, whole
-from compwright.fitting.reference_grids import anchored_grids
-from compwright.fitting.requested_spacing import Span, spaced_as_named
-from compwright.fitting.unresolved_periods import HeldGrid, grid_of
+from compwright.fitting.automatic_grid import candidates_over, choose_candidate, most_points
+from compwright.fitting.existing_grid import close_node_findings, existing_nodes
+from compwright.fitting.grid_steps import GridCandidate, is_whole
+from compwright.fitting.reference_grids import reference_grids
+from compwright.fitting.requested_spacing import Span, requested_grid
+from compwright.fitting.unresolved_periods import HeldGrid, held_grid
 from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
 from compwright.records.axis import FloatArray
 from compwright.records.capacity import Capacity
@@ -42,7 +42,7 @@ def choose_grid(wanted: WantedCorrection, capacity: Capacity, request: TableRequ
             )
         )
     if capacity.nodes is not None:
-        return grid_of(
+        return held_grid(
             _given_nodes(np.array(capacity.nodes), request, wanted.kind.unit), wanted, capacity
         )
     _check_order(wanted, request)
@@ -50,18 +50,18 @@ def choose_grid(wanted: WantedCorrection, capacity: Capacity, request: TableRequ
     if kept_nodes is not None:
         return _kept(kept_nodes, capacity, wanted)
     if capacity.anchored or capacity.period is not None:
-        grids = anchored_grids(wanted, capacity, request, most_points(capacity))
+        grids = reference_grids(wanted, capacity, request, most_points(capacity))
         if spacing is not None:
-            return grid_of(grids[0].nodes(capacity.position_quantum), wanted, capacity)
+            return held_grid(grids[0].nodes(capacity.position_quantum), wanted, capacity)
         ends = (float(wanted.positions[0]), float(wanted.positions[-1]))
-        return grid_chosen(grids, [], ends, capacity, wanted)
+        return choose_candidate(grids, [], ends, capacity, wanted)
     span = _span(wanted, capacity, request)
     if spacing is not None:
-        nodes = spaced_as_named(span, spacing, capacity, wanted)
-        return grid_of(nodes, wanted, capacity)
+        nodes = requested_grid(span, spacing, capacity, wanted)
+        return held_grid(nodes, wanted, capacity)
     pool, others = candidates_over(span, capacity, wanted, most_points(capacity))
     ends = (span.low * capacity.position_quantum, span.high * capacity.position_quantum)
-    return _covering(grid_chosen(pool, others, ends, capacity, wanted), span, capacity)
+    return _covering(choose_candidate(pool, others, ends, capacity, wanted), span, capacity)
 
 
 def possible_grids(
@@ -74,7 +74,7 @@ def possible_grids(
     """
     most = min(most, most_points(capacity))
     if capacity.anchored or capacity.period is not None:
-        grids = anchored_grids(wanted, capacity, request, most)
+        grids = reference_grids(wanted, capacity, request, most)
     else:
         pool, others = candidates_over(_span(wanted, capacity, request), capacity, wanted, most)
         grids = [*pool, *others]
@@ -113,8 +113,8 @@ def _given_nodes(nodes: FloatArray, request: TableRequest, unit: str) -> FloatAr
 
 
 def _kept(nodes: FloatArray, capacity: Capacity, wanted: WantedCorrection) -> HeldGrid:
-    grid = grid_of(nodes, wanted, capacity)
-    findings = (*grid.findings, *too_close(nodes, capacity, wanted.kind.unit))
+    grid = held_grid(nodes, wanted, capacity)
+    findings = (*grid.findings, *close_node_findings(nodes, capacity, wanted.kind.unit))
     return replace(grid, findings=findings, kept=True)
 
 
@@ -159,7 +159,7 @@ def _span(wanted: WantedCorrection, capacity: Capacity, request: TableRequest) -
     quantum = capacity.position_quantum
     faults = []
     for name, value in (("start", request.start), ("end", request.end)):
-        if value is not None and not whole(value / quantum):
+        if value is not None and not is_whole(value / quantum):
             nearest = round(value / quantum) * quantum
             faults.append(
                 Fault(

@@ -15,7 +15,7 @@ _NICE: Final = (10, 20, 25, 40, 50)  # tenths of a power of ten
 _HAIR: Final = 1e-9
 
 
-def whole(ratio: float) -> bool:
+def is_whole(ratio: float) -> bool:
     """Return whether ``ratio`` is a whole number but for arithmetic dust."""
     return abs(ratio - round(ratio)) <= 1e-6 * max(1.0, abs(ratio) * 1e-3)
 
@@ -42,7 +42,7 @@ def round_steps(most: int) -> list[int]:
     ]
 
 
-def taken_steps(steps: Iterable[int], capacity: Capacity) -> list[int]:
+def allowed_steps(steps: Iterable[int], capacity: Capacity) -> list[int]:
     """Return those of ``steps`` (quanta, > 0) that the control takes: none below its least spacing,
     only those that it has.
     """
@@ -50,11 +50,11 @@ def taken_steps(steps: Iterable[int], capacity: Capacity) -> list[int]:
     long_enough = [step for step in steps if step * quantum >= capacity.min_spacing * (1 - _HAIR)]
     if capacity.spacings is None:
         return long_enough
-    own = own_steps(capacity)
+    own = listed_steps(capacity)
     return [step for step in long_enough if step in own]
 
 
-def own_steps(capacity: Capacity) -> frozenset[int]:
+def listed_steps(capacity: Capacity) -> frozenset[int]:
     """Return the steps in quanta of a control that has only certain ones."""
     return frozenset(
         round(spacing / capacity.position_quantum) for spacing in capacity.spacings or ()

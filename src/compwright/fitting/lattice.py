@@ -14,11 +14,11 @@ from typing import Final
 import numpy as np
 
 from compwright.fitting.chain import (
-    Limits,
-    Push,
+    ChainLimits,
+    LimitMultipliers,
     Relaxation,
-    limiting_push,
-    no_push,
+    closing_multipliers,
+    limit_multipliers,
     priced,
     relax,
 )
@@ -30,8 +30,8 @@ from compwright.fitting.lattice_part import (
     continuous_bound,
     counts_within,
     first_of_part,
-    roomy,
     variants_within,
+    with_slack,
 )
 from compwright.records.axis import FloatArray
 
@@ -163,17 +163,17 @@ class _LatticeSearch:
         self, parts: tuple[LatticePart, ...], unit: float, increments: tuple[int, int]
     ) -> None:
         self.parts, self.unit, self.increments = parts, unit, increments
-        self.pushes: list[list[tuple[Push, Relaxation]]] = [[] for _ in parts]
+        self.pushes: list[list[tuple[LimitMultipliers, Relaxation]]] = [[] for _ in parts]
         self.sharpened: set[int] = set()
         self.best: dict[tuple[int, int], _Relaxed] = {}
         self.wholes: dict[tuple[int, int], _Whole] = {}
         for index, part in enumerate(parts):
-            self._add(index, no_push(part.chain))
+            self._add(index, closing_multipliers(part.chain))
 
-    def _add(self, index: int, push: Push) -> None:
+    def _add(self, index: int, push: LimitMultipliers) -> None:
         self.pushes[index].append((push, relax(self.parts[index].chain, push)))
 
-    def limits(self, part: LatticePart, magnification: int) -> Limits:
+    def limits(self, part: LatticePart, magnification: int) -> ChainLimits:
         return part.limits(self.unit, magnification, self.increments)
 
     def relaxed(self, index: int, magnification: int) -> _Relaxed:
@@ -221,7 +221,7 @@ class _LatticeSearch:
         for index, part in enumerate(self.parts):
             limits = self.limits(part, magnification)
             if binding(part, self.relaxed(index, magnification).relaxation, limits):
-                self._add(index, limiting_push(part.chain, limits, part.constant_range()))
+                self._add(index, limit_multipliers(part.chain, limits, part.constant_range()))
                 binds = True
         return binds
 
@@ -253,7 +253,7 @@ class _LatticeSearch:
             variants = variants_within(part, relaxation, limits, shifts, room)
             bound = float(np.min(variants.bound, initial=np.inf))
             known = self.wholes[index, magnification] = _Whole(bound, room, relaxation)
-        return known.bound if known.bound <= roomy(room) else np.inf
+        return known.bound if known.bound <= with_slack(room) else np.inf
 
     def without_whole_numbers(self, magnification: int) -> float:
         """Return a lower bound of the objective from the limits alone."""

@@ -25,11 +25,11 @@ from typing import Final
 import numpy as np
 
 from compwright.fitting.chain import (
+    ChainLimits,
     CurveChain,
-    Limits,
     Relaxation,
 )
-from compwright.fitting.dynamic_programming import cheapest, closed_lanes, reachable
+from compwright.fitting.dynamic_programming import cheapest_totals, closed_lanes, reachable_windows
 from compwright.fitting.sparse import IntArray
 from compwright.records.axis import FloatArray
 
@@ -59,14 +59,14 @@ class LatticePart:
     offsets: tuple[int, int] | None = None
     magnified: bool = False
 
-    def limits(self, unit: float, magnification: int, increments: tuple[int, int]) -> Limits:
+    def limits(self, unit: float, magnification: int, increments: tuple[int, int]) -> ChainLimits:
         """Return the limits at one magnification."""
         low, high = (np.full(self.chain.diagonal.size, end) for end in (self.low, self.high))
         if self.offsets is not None:
             one = unit * (magnification if self.magnified else 1)
             low[self.anchor] = max(self.low, self.offsets[0] * one)
             high[self.anchor] = min(self.high, self.offsets[1] * one)
-        return Limits(step=unit * magnification, increments=increments, low=low, high=high)
+        return ChainLimits(step=unit * magnification, increments=increments, low=low, high=high)
 
     def shifts(self, unit: float, magnification: int) -> FloatArray:
         """Return by how much the second table's values may stand off multiples of magnification
@@ -128,7 +128,7 @@ def _best_distance(part: LatticePart, relaxation: Relaxation) -> float:
     return float(min(max(relaxation.tilt / relaxation.curve, low - here), high - here))
 
 
-def binding(part: LatticePart, relaxation: Relaxation, limits: Limits) -> bool:
+def binding(part: LatticePart, relaxation: Relaxation, limits: ChainLimits) -> bool:
     """Return whether the least of a relaxation breaks a limit."""
     values = relaxation.centres(np.array([_best_distance(part, relaxation)]))[0]
     steps, dust = np.diff(values) / (limits.step * part.chain.span), 1e-4
@@ -152,7 +152,7 @@ def counts_within(part: LatticePart, relaxation: Relaxation, room: float) -> Int
         # The bound is a parabola in the reversal value: what is too high at its ends stays so
         # beyond them.
         top = relaxation.tilt / relaxation.curve
-        spare = max(0.0, roomy(room) - float(relaxation.bound(np.array([top]))[0]))
+        spare = max(0.0, with_slack(room) - float(relaxation.bound(np.array([top]))[0]))
         middle, reach = (
             part.chain.constant + top,
             np.sqrt(2.0 * spare / relaxation.curve) + _DUST * abs(step),
@@ -163,7 +163,7 @@ def counts_within(part: LatticePart, relaxation: Relaxation, room: float) -> Int
 
 
 def variants_within(
-    part: LatticePart, relaxation: Relaxation, limits: Limits, shifts: FloatArray, room: float
+    part: LatticePart, relaxation: Relaxation, limits: ChainLimits, shifts: FloatArray, room: float
 ) -> Variants:
     """Return what is to be tried where no solution may exceed ``room``, the most promising
     first.
@@ -182,11 +182,11 @@ def variants_within(
         np.repeat(shifts, counts.size),
         whole,
     )
-    kept = np.flatnonzero(whole <= roomy(room))
+    kept = np.flatnonzero(whole <= with_slack(room))
     return every.take(kept[np.argsort(whole[kept], kind="stable")])
 
 
-def roomy(room: float) -> float:
+def with_slack(room: float) -> float:
     """Return a ceiling with its slack against rounding errors."""
     return room + _DUST_SHARE * abs(room)
 
@@ -200,7 +200,11 @@ def _whole(chain: CurveChain, centres: FloatArray, shift: float, step: float) ->
 
 
 def best_of_part(
-    part: LatticePart, relaxation: Relaxation, limits: Limits, shifts: FloatArray, ceiling: float
+    part: LatticePart,
+    relaxation: Relaxation,
+    limits: ChainLimits,
+    shifts: FloatArray,
+    ceiling: float,
 ) -> LatticeValues | None:
     """Return the best solution of one part with value ``ceiling`` or less."""
     nearest = variants_within(part, relaxation, limits, shifts, np.inf).take(slice(0, 1))
@@ -209,7 +213,7 @@ def best_of_part(
     variants = variants_within(part, relaxation, limits, shifts, ceiling)
     for start in range(0, variants.count.size, _LANES):
         some = variants.take(slice(start, start + _LANES))
-        some = some.take(np.flatnonzero(some.bound <= roomy(ceiling)))
+        some = some.take(np.flatnonzero(some.bound <= with_slack(ceiling)))
         found = _within(part, relaxation, limits, some, ceiling)
         if found is not None and (best is None or found.objective < best.objective):
             best = found
@@ -218,7 +222,7 @@ def best_of_part(
 
 
 def first_of_part(
-    part: LatticePart, relaxation: Relaxation, limits: Limits, variant: Variants
+    part: LatticePart, relaxation: Relaxation, limits: ChainLimits, variant: Variants
 ) -> LatticeValues | None:
     """Return a solution for one variant: its relaxed values rounded and swept into the limits, else
     the best near them.
@@ -248,7 +252,7 @@ def first_of_part(
 
 
 def _allowed(
-    chain: CurveChain, limits: Limits, totals: FloatArray, low: FloatArray, high: FloatArray
+    chain: CurveChain, limits: ChainLimits, totals: FloatArray, low: FloatArray, high: FloatArray
 ) -> bool:
     steps = np.diff(totals)
     climbs = (steps >= limits.increments[0] * chain.span) & (
@@ -258,7 +262,7 @@ def _allowed(
     return bool(closes and np.all(climbs) and np.all((totals >= low) & (totals <= high)))
 
 
-def _swept(chain: CurveChain, limits: Limits, totals: FloatArray, anchor: int) -> FloatArray:
+def _swept(chain: CurveChain, limits: ChainLimits, totals: FloatArray, anchor: int) -> FloatArray:
     """Return ``totals`` (m,) with every increment within its limits, from the reference outward;
     what is within them stays.
     """
@@ -277,7 +281,9 @@ def _swept(chain: CurveChain, limits: Limits, totals: FloatArray, anchor: int) -
     return totals
 
 
-def _ends(chain: CurveChain, limits: Limits, shift: FloatArray) -> tuple[FloatArray, FloatArray]:
+def _ends(
+    chain: CurveChain, limits: ChainLimits, shift: FloatArray
+) -> tuple[FloatArray, FloatArray]:
     """Return least and largest totals (n, m) by the value range; zero where the value is fixed."""
     low = np.ceil((limits.low - shift[:, np.newaxis]) / limits.step - _DUST)
     high = np.floor((limits.high - shift[:, np.newaxis]) / limits.step + _DUST)
@@ -285,13 +291,17 @@ def _ends(chain: CurveChain, limits: Limits, shift: FloatArray) -> tuple[FloatAr
 
 
 def _within(
-    part: LatticePart, relaxation: Relaxation, limits: Limits, variants: Variants, ceiling: float
+    part: LatticePart,
+    relaxation: Relaxation,
+    limits: ChainLimits,
+    variants: Variants,
+    ceiling: float,
 ) -> LatticeValues | None:
     """Return the best solution of ``variants`` with value ``ceiling`` or less, from windows that
     hold every such one (Fincke and Pohst 1985).
     """
     chain = part.chain
-    spare = np.maximum(0.0, roomy(ceiling) - relaxation.bound(variants.distance))
+    spare = np.maximum(0.0, with_slack(ceiling) - relaxation.bound(variants.distance))
     radius = np.sqrt(2.0 * np.outer(spare, chain.inverse)) + _DUST * limits.step
     centres = relaxation.centres(variants.distance) - variants.shift[:, np.newaxis]
     low, high = _ends(chain, limits, variants.shift)
@@ -302,13 +312,13 @@ def _within(
 
 
 def _search_windows(
-    part: LatticePart, limits: Limits, variants: Variants, low: FloatArray, high: FloatArray
+    part: LatticePart, limits: ChainLimits, variants: Variants, low: FloatArray, high: FloatArray
 ) -> LatticeValues | None:
     """Return the best solution with totals between ``low`` and ``high`` (n, m), one lane for each
     variant.
     """
     chain = part.chain
-    low, high = reachable(chain, limits, low, high)
+    low, high = reachable_windows(chain, limits, low, high)
     lanes = np.flatnonzero(np.all(low <= high, axis=1))
     if chain.closed:
         lanes, low, high = closed_lanes(lanes, low, high)
@@ -322,7 +332,7 @@ def _search_windows(
             chain.optimum - np.outer(distance, chain.solve(chain.coupling)) - shift[:, np.newaxis]
         ) / limits.step
         batch = slice(start, start + _LANES)
-        costs, totals = cheapest(
+        costs, totals = cheapest_totals(
             chain, limits, targets, low[batch].astype(np.int64), high[batch].astype(np.int64)
         )
         left = 0.5 * chain.left if chain.stiffness else 0.0

@@ -13,11 +13,18 @@ import numpy as np
 from compwright.fitting.certify import range_gap
 from compwright.fitting.problem import QuadraticProblem
 from compwright.fitting.solve import by_columns, no_solution
-from compwright.fitting.sparse import IntArray, SparseMatrix, entries, stacked, sum_of, summed
+from compwright.fitting.sparse import (
+    IntArray,
+    SparseMatrix,
+    from_dense,
+    from_entries,
+    stack_rows,
+    sum_of,
+)
 from compwright.foundations.errors import CapacityError
 from compwright.foundations.one_thread import warnings_ignored
 from compwright.records.axis import FloatArray
-from compwright.records.rounding import settled_number
+from compwright.records.rounding import rounded_number
 
 #: A solution whose certificate misses by more than this (mm or deg) does not count, one nanometre:
 #: it rests on an interior-point solver.
@@ -64,7 +71,7 @@ class Deviations:
 def product(one: SparseMatrix, other: SparseMatrix) -> SparseMatrix:
     """Return the matrix product."""
     found = (by_columns(one) @ by_columns(other)).tocoo()
-    return summed(
+    return from_entries(
         found.shape,
         found.row.astype(np.int64),
         found.col.astype(np.int64),
@@ -93,7 +100,7 @@ def solve_ranges(
     try:
         taken, _ = _cvxpy(
             np.concatenate([limits.q / (scale * size), np.zeros(cost.size - n)]),
-            stacked([G, entries(cost[np.newaxis])], cost.size),
+            stack_rows([G, from_dense(cost[np.newaxis])], cost.size),
             np.concatenate([h, [least + 0.5 * slack / size]]),
             limits.P.times(1.0 / scale),
             n,
@@ -106,7 +113,7 @@ def solve_ranges(
     # A least-range table stays within the range of what is wanted about zero: ten times that is
     # ample.
     gap = size * range_gap(cost, G, h, multipliers, shown.mean_range(x) / size, 10.0)
-    proof = {"primal": settled_number(primal), "gap": settled_number(gap)}
+    proof = {"primal": rounded_number(primal), "gap": rounded_number(gap)}
     if not (primal <= CERTIFIED_RANGE and gap <= slack + CERTIFIED_RANGE):
         raise no_solution(
             "the least range does not pass its certificate",
@@ -129,7 +136,7 @@ def _linear_program(
     above_bottom = sum_of([shown.D.times(-1.0).placed(wide), own.placed(wide, column=n + tests)])
     up, down = np.isfinite(limits.upper), np.isfinite(limits.lower)
     A = limits.A.placed((limits.A.shape[0], wide[1]))
-    G = stacked([below_top, above_bottom, A.taken(up), A.taken(down).times(-1.0)], wide[1])
+    G = stack_rows([below_top, above_bottom, A.taken(up), A.taken(down).times(-1.0)], wide[1])
     h = np.concatenate(
         [
             -shown.base - shown.half,

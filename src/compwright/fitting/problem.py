@@ -14,10 +14,10 @@ from compwright.fitting.sparse import (
     IntArray,
     SparseMatrix,
     differences,
+    from_entries,
     identity,
-    stacked,
+    stack_rows,
     sum_of,
-    summed,
 )
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.capacity import Capacity
@@ -89,7 +89,7 @@ def hat_matrix(
     value at ``positions`` (p,): hat functions (de Boor 1978, chapter III).
     """
     rows = rows_at(positions, nodes, below=below, above=above, interpolation=interpolation)
-    return summed(
+    return from_entries(
         (positions.size, nodes.size),
         np.tile(np.arange(positions.size), 2),
         np.concatenate([rows.left, rows.left + 1]),
@@ -183,7 +183,7 @@ class QuadraticProblem:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Sampled:
+class SampledCorrection:
     """The wanted correction at points with weights, and the control's matrices there, by
     direction.
     """
@@ -206,10 +206,12 @@ class Sampled:
         )
 
 
-def sampled(wanted: WantedCorrection, nodes: FloatArray, capacity: Capacity) -> Sampled:
+def sample_correction(
+    wanted: WantedCorrection, nodes: FloatArray, capacity: Capacity
+) -> SampledCorrection:
     """Return ``wanted`` at the quadrature points of the travel (`quadrature`), mm or deg."""
     points, weights = quadrature(wanted.positions, nodes, capacity.interpolation)
-    return Sampled(
+    return SampledCorrection(
         points=points,
         weights=weights,
         matrix=hat_matrix(
@@ -236,8 +238,8 @@ def limited_range(capacity: Capacity) -> tuple[float, float]:
     )
 
 
-def state_problem(
-    data: Sampled,
+def build_problem(
+    data: SampledCorrection,
     layout: UnknownsLayout,
     capacity: Capacity,
     reference: float,
@@ -257,7 +259,7 @@ def state_problem(
         P=P,
         q=q,
         constant=constant,
-        A=stacked([rows for _, rows, _, _ in blocks], layout.size),
+        A=stack_rows([rows for _, rows, _, _ in blocks], layout.size),
         lower=np.concatenate(
             [np.empty(0), *(np.full(rows.shape[0], low) for _, rows, low, _ in blocks)]
         ),
@@ -267,7 +269,9 @@ def state_problem(
     )
 
 
-def _objective(data: Sampled, layout: UnknownsLayout) -> tuple[SparseMatrix, FloatArray, float]:
+def _objective(
+    data: SampledCorrection, layout: UnknownsLayout
+) -> tuple[SparseMatrix, FloatArray, float]:
     k = layout.nodes.size
     square = (layout.size, layout.size)
     tie = differences(k).gram(np.full(k - 1, TIE / k))
@@ -306,10 +310,10 @@ def _limits(
     if capacity.period is not None:
         closing = curves if layout.shape == "bidirectional" else curves[:1]
         closed = [_first_less_last(curve) for curve in closing]
-        blocks.append(("period", stacked(closed, layout.size), 0.0, 0.0))
+        blocks.append(("period", stack_rows(closed, layout.size), 0.0, 0.0))
     low, high = limited_range(capacity)
     if np.isfinite(low) or np.isfinite(high):
-        blocks.append(("value range", stacked(curves, layout.size), low, high))
+        blocks.append(("value range", stack_rows(curves, layout.size), low, high))
     if two_curves and capacity.zero is not None:
         plus, minus = (layout.columns(at_reference, direction) for direction in BOTH)
         blocks.append(

@@ -8,14 +8,14 @@ from math import gcd
 
 import numpy as np
 
-from compwright.fitting.grid_steps import GridCandidate, round_steps, taken_steps, whole
+from compwright.fitting.grid_steps import GridCandidate, allowed_steps, is_whole, round_steps
 from compwright.foundations.errors import CapacityError, Fault, raise_all
 from compwright.records.capacity import Capacity
 from compwright.records.estimate import WantedCorrection
 from compwright.records.fitted import TableRequest
 
 
-def anchored_grids(
+def reference_grids(
     wanted: WantedCorrection, capacity: Capacity, request: TableRequest, most: int
 ) -> list[GridCandidate]:
     """Return the grids that the control takes, coarsest first; one where the job names the spacing.
@@ -87,7 +87,7 @@ def _fixed_ends(
                     hint=f"set `table: {{{name}: {reference:.10g}}}` or {side}",
                 )
             )
-        elif not whole(counted):
+        elif not is_whole(counted):
             nearest = reference + round(counted) * quantum
             faults.append(
                 Fault(
@@ -115,16 +115,18 @@ def _steps(
     CapacityError where it does not fit.
     """
     if request.named_spacing is not None:
-        step = named_step(request.named_spacing, capacity, wanted.kind.unit)
+        step = requested_step(request.named_spacing, capacity, wanted.kind.unit)
         raise_all(CapacityError, _end_faults(step, wanted, capacity, ends))
         return [step]
     fixed = [abs(end) for end in ends if end]
     if fixed:
-        return taken_steps(divisors(gcd(*fixed)), capacity)
+        return allowed_steps(divisors(gcd(*fixed)), capacity)
     low, high = _reach(wanted, capacity, request)
     length = max(high, 0.0) - min(low, 0.0)
     own = [round(spacing / capacity.position_quantum) for spacing in capacity.spacings or ()]
-    return taken_steps([step for step in own if step > 0] or round_steps(int(2 * length)), capacity)
+    return allowed_steps(
+        [step for step in own if step > 0] or round_steps(int(2 * length)), capacity
+    )
 
 
 def divisors(number: int) -> list[int]:
@@ -133,14 +135,14 @@ def divisors(number: int) -> list[int]:
     return sorted({*small, *(number // one for one in small)})
 
 
-def named_step(spacing: float, capacity: Capacity, unit: str) -> int:
+def requested_step(spacing: float, capacity: Capacity, unit: str) -> int:
     """Return a spacing that the job names in quanta. Raises CapacityError where the control does
     not take it.
     """
     quantum = capacity.position_quantum
     step = round(spacing / quantum)
     faults = []
-    if not (step > 0 and whole(spacing / quantum)):
+    if not (step > 0 and is_whole(spacing / quantum)):
         nearest = max(1, step) * quantum
         faults.append(
             Fault(
@@ -154,7 +156,7 @@ def named_step(spacing: float, capacity: Capacity, unit: str) -> int:
                 hint=f"set `table: {{spacing: {nearest:.10g}}}`",
             )
         )
-    elif not taken_steps([step], capacity):
+    elif not allowed_steps([step], capacity):
         faults.append(_not_taken(spacing, capacity, unit))
     raise_all(CapacityError, faults)
     return step
@@ -260,14 +262,14 @@ def _endless_grids(
     ]
     raise_all(CapacityError, faults)
     length = round(period / quantum)
-    steps = taken_steps(divisors(length), capacity) if whole(period / quantum) else []
+    steps = allowed_steps(divisors(length), capacity) if is_whole(period / quantum) else []
     grids = [GridCandidate(0, step, length // step + 1, origin=reference) for step in steps]
     if request.named_spacing is None:
         return sorted(
             (one for one in grids if max(2, capacity.min_points) <= one.count <= most),
             key=lambda one: one.count,
         )
-    step = named_step(request.named_spacing, capacity, unit)
+    step = requested_step(request.named_spacing, capacity, unit)
     chosen = [one for one in grids if one.step == step]
     if not chosen:
         near = [

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from compwright.fitting.grid_steps import nodes_at, taken_steps, whole
-from compwright.fitting.reference_grids import named_step
+from compwright.fitting.grid_steps import allowed_steps, is_whole, nodes_at
+from compwright.fitting.reference_grids import requested_step
 from compwright.foundations.errors import CapacityError, Fault
 from compwright.records.axis import FloatArray
 from compwright.records.capacity import Capacity
@@ -26,7 +26,7 @@ class Span:
     high_fixed: bool
 
 
-def spaced_as_named(
+def requested_grid(
     span: Span, spacing: float, capacity: Capacity, wanted: WantedCorrection
 ) -> FloatArray:
     """Return nodes of exactly this ``spacing``, mm or deg. Raises CapacityError where the control
@@ -38,8 +38,8 @@ def spaced_as_named(
     if capacity.spacing == "free" and step > 0:
         return _freely_spaced(span, spacing, capacity, unit)
     if capacity.spacings is not None and not (span.low_fixed and span.high_fixed):
-        return _reaching_grid(span, named_step(spacing, capacity, unit), capacity, wanted)
-    if not (step > 0 and whole(spacing / quantum)):
+        return _reaching_grid(span, requested_step(spacing, capacity, unit), capacity, wanted)
+    if not (step > 0 and is_whole(spacing / quantum)):
         raise _refused(
             span, spacing, capacity, f"the step must be a multiple of {quantum:.10g} {unit}", unit
         )
@@ -52,7 +52,7 @@ def spaced_as_named(
             f"the table is {pieces:.6g} steps long, not a whole number",
             unit,
         )
-    named_step(spacing, capacity, unit)
+    requested_step(spacing, capacity, unit)
     _check_count(length // step + 1, span, capacity, unit)
     return nodes_at(span.low, step, length // step + 1, quantum)
 
@@ -147,7 +147,7 @@ def _nearest_steps(
         for pieces in range(max(1, capacity.min_points - 1), min(most, length + 1))
         if length % pieces == 0
     ]
-    steps = [step * capacity.position_quantum for step in taken_steps(fitting, capacity)]
+    steps = [step * capacity.position_quantum for step in allowed_steps(fitting, capacity)]
     below = [step for step in steps if step < spacing]
     above = [step for step in steps if step > spacing]
     return (max(below) if below else None), (min(above) if above else None)

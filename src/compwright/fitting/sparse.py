@@ -30,7 +30,7 @@ class SparseMatrix:
     @property
     def transposed(self) -> SparseMatrix:
         """The transposed matrix."""
-        return summed(self.shape[::-1], self.column, self.row, self.value)
+        return from_entries(self.shape[::-1], self.column, self.row, self.value)
 
     def __matmul__(self, x: FloatArray) -> FloatArray:
         """Return the product (rows,) with the vector ``x`` (columns,)."""
@@ -109,12 +109,12 @@ class SparseMatrix:
             columns += [other, one]
             values += [product, product]
         size = self.shape[1]
-        return summed(
+        return from_entries(
             (size, size), np.concatenate(rows), np.concatenate(columns), np.concatenate(values)
         )
 
 
-def summed(
+def from_entries(
     shape: tuple[int, int], row: IntArray, column: IntArray, value: FloatArray
 ) -> SparseMatrix:
     """Return the matrix of entries in any order; what stands at one place is added up."""
@@ -129,7 +129,7 @@ def summed(
     )
 
 
-def entries(matrix: FloatArray) -> SparseMatrix:
+def from_dense(matrix: FloatArray) -> SparseMatrix:
     """Return what is not zero in ``matrix`` (r, c)."""
     row, column = np.nonzero(matrix)
     return SparseMatrix(
@@ -147,7 +147,7 @@ def differences(size: int) -> SparseMatrix:
     """Return the matrix (size - 1, size) of what each value lies above the one before it."""
     lower = np.arange(size - 1, dtype=np.int64)
     ones = np.ones(size - 1)
-    return summed(
+    return from_entries(
         (size - 1, size),
         np.concatenate([lower, lower]),
         np.concatenate([lower, lower + 1]),
@@ -157,7 +157,7 @@ def differences(size: int) -> SparseMatrix:
 
 def sum_of(matrices: Sequence[SparseMatrix]) -> SparseMatrix:
     """Return the sum of matrices of one shape."""
-    return summed(
+    return from_entries(
         matrices[0].shape,
         np.concatenate([one.row for one in matrices]),
         np.concatenate([one.column for one in matrices]),
@@ -165,7 +165,7 @@ def sum_of(matrices: Sequence[SparseMatrix]) -> SparseMatrix:
     )
 
 
-def stacked(matrices: Sequence[SparseMatrix], columns: int) -> SparseMatrix:
+def stack_rows(matrices: Sequence[SparseMatrix], columns: int) -> SparseMatrix:
     """Return matrices of ``columns`` columns, one below the other."""
     starts = np.cumsum([0, *(one.shape[0] for one in matrices)])
     shape = (int(starts[-1]), columns)

@@ -11,7 +11,7 @@ import numpy as np
 
 from compwright.fitting.certify import rounded_proof
 from compwright.fitting.problem import quadrature
-from compwright.fitting.table_findings import added, loss_findings, worth_saying
+from compwright.fitting.table_findings import added_rms, loss_findings, reportable_costs
 from compwright.foundations.errors import CapacityError, Fault, raise_all
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation
@@ -180,9 +180,9 @@ def _limits(
     )
     costs = [
         ("a straight line instead of a table", straight),
-        ("no backlash value", added(open_, straight)),
-        ("value range", added(ranged, open_)),
-        ("quantum", added(reached, ranged)),
+        ("no backlash value", added_rms(open_, straight)),
+        ("value range", added_rms(ranged, open_)),
+        ("quantum", added_rms(reached, ranged)),
     ]
     length = float(line.wanted.positions[-1] - line.wanted.positions[0])
-    return worth_saying(costs, max(quantum * length, capacity.backlash_quantum or 0.0))
+    return reportable_costs(costs, max(quantum * length, capacity.backlash_quantum or 0.0))

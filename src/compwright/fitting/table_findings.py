@@ -13,11 +13,11 @@ from compwright.records.axis import AxisKind
 from compwright.records.correction import AxisCompensation
 from compwright.records.estimate import WantedCorrection
 from compwright.records.fitted import Limit
-from compwright.records.rounding import settled_number
+from compwright.records.rounding import rounded_number
 from compwright.words.sentences import Amount
 
 #: A limit that costs less than this share of a quantum is not worth a word.
-WORTH_SAYING: Final = 0.05
+LEAST_REPORTED: Final = 0.05
 #: A limit is warned of from this rms on (0.05 µm, 0.05 arcsec: no test shows less), and from this
 #: share of the standard deviation of one reading: it adds a hundredth to the square of 2 s.
 _SHOWN: Final = {AxisKind.LINEAR: 5e-5, AxisKind.ROTARY: 0.05 / 3600.0}
@@ -27,18 +27,20 @@ _OF_THE_NOISE: Final = 0.2
 _MANY: Final = 5
 
 
-def small(kind: AxisKind) -> tuple[float, str]:
+def display_unit(kind: AxisKind) -> tuple[float, str]:
     """Return the factor from mm to µm or from deg to arcsec, and the unit's name."""
     return (1e3, "µm") if kind.unit == "mm" else (3600.0, "arcsec")
 
 
-def worth_saying(costs: list[tuple[str, float]], quantum: float) -> tuple[Limit, ...]:
+def reportable_costs(costs: list[tuple[str, float]], quantum: float) -> tuple[Limit, ...]:
     """Return the ``costs`` (cause; rms in mm or deg) that are more than dust."""
-    rounded = [(cause, settled_number(value)) for cause, value in costs]
-    return tuple(Limit(cause, value) for cause, value in rounded if value > WORTH_SAYING * quantum)
+    rounded = [(cause, rounded_number(value)) for cause, value in costs]
+    return tuple(
+        Limit(cause, value) for cause, value in rounded if value > LEAST_REPORTED * quantum
+    )
 
 
-def added(larger: float, smaller: float) -> float:
+def added_rms(larger: float, smaller: float) -> float:
     """Return the rms that is added to ``smaller`` in ``larger``, in their unit: they add as
     squares."""
     return float(np.sqrt(max(0.0, larger**2 - smaller**2)))
@@ -55,7 +57,7 @@ def edge_findings(
     if table.period is not None:
         return ()
     unit, nodes, where = wanted.kind.unit, table.positions, wanted.positions
-    factor, name_small = small(wanted.kind)
+    factor, name_small = display_unit(wanted.kind)
     hair = 1e-6 * float(where[-1] - where[0])
     ends = bends(nodes, table.interpolation)[[0, -1]]
     findings: list[Finding] = []
@@ -103,7 +105,7 @@ def edge_findings(
 def loss_findings(limits: tuple[Limit, ...], wanted: WantedCorrection) -> tuple[Finding, ...]:
     """Return warnings for limits that cost so much that a test would show it."""
     least = max(_SHOWN[wanted.kind], _OF_THE_NOISE * wanted.noise)
-    factor, unit = small(wanted.kind)
+    factor, unit = display_unit(wanted.kind)
     costly = [limit for limit in limits if limit.value >= least]
     lost = ((limit.cause, Amount(limit.value * factor, unit, "2sig")) for limit in costly)
     return tuple(found for cause, left in lost for found in _loss(cause, left))

@@ -26,7 +26,7 @@ _HELP = {
 }
 
 
-def beyond_limits(
+def truncation_faults(
     fitted: FittedTable, wanted: WantedCorrection, capacity: Capacity
 ) -> Iterator[Fault]:
     """Yield a fault for each limit that cuts off more than a quantum and than the noise of one
@@ -51,7 +51,7 @@ def beyond_limits(
             )
 
 
-def far_beyond(wanted: WantedCorrection, capacity: Capacity) -> Iterator[Fault]:
+def range_faults(wanted: WantedCorrection, capacity: Capacity) -> Iterator[Fault]:
     """Yield a fault where so much of what is ``wanted`` lies outside of the value range that no
     table is worth the time of a search.
     """

@@ -15,9 +15,9 @@ from typing import Final
 import numpy as np
 
 from compwright.fitting.period_removal import without_periods
-from compwright.fitting.problem import hat_matrix, sampled
+from compwright.fitting.problem import hat_matrix, sample_correction
 from compwright.fitting.solve import least_squares
-from compwright.fitting.sparse import summed
+from compwright.fitting.sparse import from_entries
 from compwright.foundations.findings import Finding
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.capacity import Capacity
@@ -47,12 +47,12 @@ class HeldGrid:
     kept: bool = False
 
 
-def unheld(nodes: FloatArray, periods: Sequence[float]) -> list[float]:
+def unresolved_periods(nodes: FloatArray, periods: Sequence[float]) -> list[float]:
     """Return the ``periods`` (mm or deg) that ``nodes`` (k,) hold in part at most."""
     return _longer_than(nodes, periods, _HOLD)
 
 
-def unfollowed(nodes: FloatArray, periods: Sequence[float]) -> list[float]:
+def ignored_periods(nodes: FloatArray, periods: Sequence[float]) -> list[float]:
     """Return the ``periods`` (mm or deg) of which ``nodes`` (k,) hold nothing that is worth it."""
     return _longer_than(nodes, periods, _FOLLOW)
 
@@ -62,16 +62,18 @@ def _longer_than(nodes: FloatArray, periods: Sequence[float], least: float) -> l
     return [period for period in periods if step * least > period * (1 + 1e-9)]
 
 
-def held_part(nodes: FloatArray, wanted: WantedCorrection, capacity: Capacity) -> WantedCorrection:
+def resolved_part(
+    nodes: FloatArray, wanted: WantedCorrection, capacity: Capacity
+) -> WantedCorrection:
     """Return ``wanted`` (mm or deg) with what ``nodes`` (k,) hold of the periods that they are too
     far apart for: their part of least mean square over the travel (Draper and Smith, Applied
     Regression Analysis, 3rd ed. 1998, chapter 1), nothing of those that they do not follow.
     """
-    lost = unheld(nodes, wanted.periods)
+    lost = unresolved_periods(nodes, wanted.periods)
     if not lost:
         return wanted
     smooth = without_periods(wanted, lost)[0]
-    out = unfollowed(nodes, lost)
+    out = ignored_periods(nodes, lost)
     if len(out) == len(lost):
         return smooth
     followed = without_periods(wanted, out)[0] if out else wanted
@@ -105,12 +107,12 @@ def _projected(
     """Return the values (k,) at ``nodes`` that come closest to a ``wave`` (g,) at the positions of
     ``wanted``, mm or deg; the same at both ends of an endless axis.
     """
-    data = sampled(replace(wanted, positive=wave, negative=wave), nodes, capacity)
+    data = sample_correction(replace(wanted, positive=wave, negative=wave), nodes, capacity)
     matrix, free = data.matrix, nodes.size
     if capacity.period is not None:
         free -= 1
         shape = (matrix.shape[0], free)
-        matrix = summed(shape, matrix.row, matrix.column % free, matrix.value)
+        matrix = from_entries(shape, matrix.row, matrix.column % free, matrix.value)
     values = least_squares(matrix, data.weights, data.wanted[Direction.POSITIVE])
     return values[np.arange(nodes.size) % free]
 
@@ -121,7 +123,7 @@ def _neighbours(positions: FloatArray, places: FloatArray) -> FloatArray:
     return np.column_stack([positions[right - 1], positions[right]])
 
 
-def grid_of(
+def held_grid(
     nodes: FloatArray,
     wanted: WantedCorrection,
     capacity: Capacity,
@@ -133,10 +135,10 @@ def grid_of(
     they leave of them more than nothing; ``loss``: rms that more points would save. ``finest``: the
     finest nodes that the control allows, where these were chosen among them.
     """
-    lost = unheld(nodes, wanted.periods)
+    lost = unresolved_periods(nodes, wanted.periods)
     if not lost:
         return HeldGrid(nodes=nodes, wanted=wanted, points_loss=loss)
-    held = held_part(nodes, wanted, capacity)
+    held = resolved_part(nodes, wanted, capacity)
     whole = without_periods(wanted, lost)[1]
     rest = wanted.positive - np.interp(wanted.positions, held.positions, held.positive)
     left = float(np.sqrt(np.mean(rest**2)))
@@ -155,7 +157,7 @@ def _finding(
     of the whole (mm or deg), and which spacing would hold them.
     """
     shown = nodes if finest is None else finest
-    lost = unheld(nodes, wanted.periods)
+    lost = unresolved_periods(nodes, wanted.periods)
     unit = wanted.kind.unit
     factor, small = (1e3, "µm") if unit == "mm" else (3600.0, "arcsec")
     left, whole = rms
@@ -170,7 +172,7 @@ def _finding(
         points=shown.size,
         periods=lost,
         unit=unit,
-        left_out=len(unfollowed(nodes, lost)) == len(lost),
+        left_out=len(ignored_periods(nodes, lost)) == len(lost),
         whole=Amount(whole * factor, small, "2sig"),
         left=Amount(left * factor, small, "2sig"),
         share=left / whole if whole > 0.0 else None,

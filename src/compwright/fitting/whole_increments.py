@@ -10,17 +10,23 @@ from typing import Final, Literal
 import numpy as np
 
 from compwright.fitting.certify import lattice_certificate, rounded_proof
-from compwright.fitting.chain import CurveChain, Wish, build_chain, no_push, relax
+from compwright.fitting.chain import (
+    ChainTarget,
+    CurveChain,
+    build_chain,
+    closing_multipliers,
+    relax,
+)
 from compwright.fitting.datum import zero_in_the_zero_state
 from compwright.fitting.lattice import LatticeSolution, best_totals, relaxed_bound
 from compwright.fitting.lattice_part import LatticePart
 from compwright.fitting.problem import Rows, Shape, quadrature, rows_at
 from compwright.fitting.table_findings import (
-    added,
+    added_rms,
+    display_unit,
     edge_findings,
     loss_findings,
-    small,
-    worth_saying,
+    reportable_costs,
 )
 from compwright.fitting.unresolved_periods import HeldGrid
 from compwright.foundations.errors import CapacityError, Fault
@@ -41,7 +47,7 @@ GOAL_LEFT: Final = "CW-F010"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class WholeFit:
+class WholeIncrementFit:
     """One fit on a lattice: ``aim`` (totals, zero in the zero state) on ``nodes``."""
 
     aim: WantedCorrection
@@ -63,10 +69,10 @@ class WholeFit:
         """Nodes at which the curve of the zero state is zero."""
         return (self.anchor,) if self.capacity.period is None else (0, self.nodes.size - 1)
 
-    def wish(self, direction: Direction, *, constant: bool = False) -> Wish:
+    def wish(self, direction: Direction, *, constant: bool = False) -> ChainTarget:
         """Return what is wanted in one direction."""
         aims = np.interp(self.points, self.aim.positions, self.aim.total(direction))
-        return Wish(rows=self.rows, weights=self.weights, aims=aims, constant=constant)
+        return ChainTarget(rows=self.rows, weights=self.weights, aims=aims, constant=constant)
 
     def single(self, *, reversal: bool) -> CurveChain:
         """Return the one curve for both directions, with a constant between them or none."""
@@ -145,10 +151,10 @@ class WholeFit:
 
 
 def _free(chain: CurveChain) -> float:
-    return relax(chain, no_push(chain)).base
+    return relax(chain, closing_multipliers(chain)).base
 
 
-def fit_whole(
+def fit_whole_increments(
     grid: HeldGrid,
     aim: WantedCorrection,
     shape: Shape,
@@ -171,7 +177,7 @@ def fit_whole(
         above=capacity.above,
         interpolation=capacity.interpolation,
     )
-    fit = WholeFit(
+    fit = WholeIncrementFit(
         aim=aim,
         nodes=grid.nodes,
         shape=shape,
@@ -211,7 +217,7 @@ def fit_whole(
 
 
 def _table(
-    fit: WholeFit, parts: tuple[LatticePart, ...], solution: LatticeSolution, address: str
+    fit: WholeIncrementFit, parts: tuple[LatticePart, ...], solution: LatticeSolution, address: str
 ) -> AxisCompensation:
     step = solution.magnification * fit.lattice.unit
     curves = [
@@ -242,7 +248,10 @@ def _table(
 
 
 def _limits(
-    fit: WholeFit, parts: tuple[LatticePart, ...], solution: LatticeSolution, grid: HeldGrid
+    fit: WholeIncrementFit,
+    parts: tuple[LatticePart, ...],
+    solution: LatticeSolution,
+    grid: HeldGrid,
 ) -> tuple[Limit, ...]:
     """Return what each limit costs; costs add as squares, each is the root of a difference of two
     mean squares.
@@ -256,17 +265,17 @@ def _limits(
     ]
     if fit.shape == "single":
         costs.append(
-            ("one table for both directions", added(free["one table"], free["two tables"]))
+            ("one table for both directions", added_rms(free["one table"], free["two tables"]))
         )
-        costs.append(("no backlash value", added(free["own"], free["one table"])))
+        costs.append(("no backlash value", added_rms(free["own"], free["one table"])))
     if bound > free["own"] * (1.0 + _HAIR):
         ranged = np.sqrt(
             max(0.0, relaxed_bound(parts, unit=unit, increments=_ANY, magnification=magnification))
         )
-        costs.append(("value range", added(ranged, free["own"])))
-        costs.append(("largest increment", added(bound, ranged)))
-    costs.append(("quantum", added(reached, bound)))
-    return worth_saying(costs, unit * magnification)
+        costs.append(("value range", added_rms(ranged, free["own"])))
+        costs.append(("largest increment", added_rms(bound, ranged)))
+    costs.append(("quantum", added_rms(reached, bound)))
+    return reportable_costs(costs, unit * magnification)
 
 
 def _magnification_finding(
@@ -274,7 +283,7 @@ def _magnification_finding(
 ) -> tuple[Finding, ...]:
     if len(lattice.magnifications) < 2:
         return ()
-    factor, unit = small(aim.kind)
+    factor, unit = display_unit(aim.kind)
     chosen, least, largest = solution.magnification, *lattice.increments
     left = float(np.sqrt(solution.objective)) * factor
     span = say("increments", least=least, largest=largest, symmetric=least == -largest)
@@ -314,7 +323,7 @@ def goal_finding(goal: Goal, why: Literal["slope", "increments", "no_gain"]) -> 
     return (Finding.of("CW-F010", "info", goal=goal, why=why),)
 
 
-def whole_table(
+def whole_increment_table(
     grid: HeldGrid,
     aim: WantedCorrection,
     mode: tuple[Shape, str],
@@ -324,7 +333,7 @@ def whole_table(
     address: str,
 ) -> FittedTable:
     """Return the fitted table with all its findings; ``mode``: the chosen shape and the reason."""
-    table, proof, limits, findings = fit_whole(
+    table, proof, limits, findings = fit_whole_increments(
         grid, aim, mode[0], capacity, lattice, address=address
     )
     return FittedTable(

@@ -83,10 +83,10 @@ def evaluate(
             DEFAULT_CIRCULAR_STANDARD,
             circular_standard_by_id,
         )
-        from compwright.planning.circle_diagnosis import diagnosed_circle
+        from compwright.planning.circle_diagnosis import diagnose_circle
 
         edition = circular_standard_by_id(standard or DEFAULT_CIRCULAR_STANDARD).id
-        return Evaluation(circular_document(diagnosed_circle(test, edition)))
+        return Evaluation(circular_document(diagnose_circle(test, edition)))
     result = evaluate_positioning(test, standard or DEFAULT_STANDARD, spread=spread)
     return Evaluation(result_document(result))
 
@@ -109,7 +109,7 @@ def estimate(
     readings at fewer than two targets.
     """
     from compwright.estimation.axis import estimate_axis
-    from compwright.estimation.noise import noise_of
+    from compwright.estimation.noise import infer_noise
     from compwright.estimation.observed_test import ObservedTest
 
     given = [tests] if isinstance(tests, PositioningTest) else list(tests)
@@ -125,7 +125,7 @@ def estimate(
         ends = [target for test in mapped for target in (test.targets[0], test.targets[-1])]
         span = (float(min(ends)), float(max(ends)))
     posterior = estimate_axis(
-        [ObservedTest(test=test, noise=noise_of(test)) for test in mapped],
+        [ObservedTest(test=test, noise=infer_noise(test)) for test in mapped],
         travel=span or (0.0, 0.0),
         periods=tuple(screw_pitch),
     )

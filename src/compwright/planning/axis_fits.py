@@ -9,14 +9,18 @@ from typing import Final, Literal
 from compwright.foundations.errors import CapacityError, CompwrightError, Fault, collect, raise_all
 from compwright.foundations.findings import doubts_of
 from compwright.foundations.side_by_side import Each, in_turn
-from compwright.planning.axis_work import AxisWork, CapacityOf, fresh_like_first
+from compwright.planning.axis_work import AxisWork, CapacityOf, repeats_of_first
 from compwright.planning.practical_tables import Shown, practical_table
 from compwright.planning.predicted_gain import predict
-from compwright.planning.reversal_along_travel import drift_within, rise_of, rises_as_drift
-from compwright.planning.scenarios import alike, gains, scenarios_of
-from compwright.planning.shared_points import shared_fairly
-from compwright.planning.simulated_repeat_tests import FreshTests, Like
-from compwright.planning.tables import fit_within, freely_chosen
+from compwright.planning.reversal_along_travel import (
+    drift_within_run,
+    explained_by_drift,
+    reversal_rise,
+)
+from compwright.planning.scenarios import goal_improves, same_tables, scenarios_of
+from compwright.planning.shared_points import share_points
+from compwright.planning.simulated_repeat_tests import FreshTests, RepeatConditions
+from compwright.planning.tables import fit_within, free_grid_table
 from compwright.planning.temperature_slopes import fresh_slope
 from compwright.planning.wanted_correction import (
     wanted_correction,
@@ -63,7 +67,7 @@ def fit_all(
             capacities[name] = capacity_of(work.planned.axis, one_curve=one_curve)
         except CapacityError as error:
             errors.append(_not_held(error, name, work, job_file))
-    capacities = shared_fairly(
+    capacities = share_points(
         capacities,
         {name: work.planned for name, work in wanted.items() if work.planned.active is not None},
     )
@@ -119,8 +123,8 @@ def _holds_drift(work: AxisWork, found: _Fitted, rule: Literal["simple", "guarde
     planned = work.planned
     if planned.request.mode != "auto" or found.table.mode != "bidirectional":
         return False
-    within = drift_within(work.results[0].test, fresh_like_first(work, rule).draws.noise)
-    return rises_as_drift(rise_of(planned.estimate, work.active), within)
+    within = drift_within_run(work.results[0].test, repeats_of_first(work, rule).draws.noise)
+    return explained_by_drift(reversal_rise(planned.estimate, work.active), within)
 
 
 def _requested_fit(
@@ -146,10 +150,10 @@ def _requested_fit(
             judged = replace(wanted, scenarios=scenarios)
             table = fit_within(judged, capacity, request, axis)
             if _pays(work, table, usual, rule):
-                chosen = freely_chosen(judged, capacity, request, table, axis)
+                chosen = free_grid_table(judged, capacity, request, table, axis)
                 return _Fitted(judged, request, table, chosen, usual, capacity)
             alternative = table
-        chosen = freely_chosen(wanted, capacity, expected, usual, axis)
+        chosen = free_grid_table(wanted, capacity, expected, usual, axis)
     except CapacityError as error:
         return error
     return _Fitted(wanted, expected, usual, chosen, alternative, capacity)
@@ -158,11 +162,11 @@ def _requested_fit(
 def _shown(work: AxisWork, rule: Literal["simple", "guarded"]) -> Shown:
     """Return what says what a fresh test like the first one of an axis shows with a table."""
     drawn: list[FreshTests] = []
-    like = Like(0, fresh_slope(rule, work.planned.tests[0]))
+    like = RepeatConditions(0, fresh_slope(rule, work.planned.tests[0]))
 
     def shown(table: FittedTable) -> TestPrediction:
         if not drawn:
-            drawn.append(fresh_like_first(work, rule))
+            drawn.append(repeats_of_first(work, rule))
         change = difference(table.compensation.at, work.active)
         axis = work.planned.axis
         return predict(work.results[0], work.posterior, change, axis, like, drawn[0])
@@ -177,10 +181,10 @@ def _pays(
     the prediction show that it gains.
     """
     goal = work.planned.request.goal
-    if goal == "expected" or alike(table, usual):
+    if goal == "expected" or same_tables(table, usual):
         return True
     with_it, without = (difference(one.compensation.at, work.active) for one in (table, usual))
-    return gains(goal, with_it, without, fresh_like_first(work, rule))
+    return goal_improves(goal, with_it, without, repeats_of_first(work, rule))
 
 
 def _not_held(error: CapacityError, name: str, work: AxisWork, file: str) -> CapacityError:

@@ -11,40 +11,40 @@ from dataclasses import replace
 
 from compwright.planning.axis_work import (
     AxisWork,
-    fresh_like_first,
-    no_gain,
     predict_axis,
+    repeats_of_first,
     start_axis,
+    why_no_gain,
 )
 from compwright.planning.drift_doubts import drift_or_reversal
 from compwright.planning.goal_findings import goal_findings
 from compwright.planning.limiting_causes import what_limits
-from compwright.planning.point_count_tradeoff import worth_of_points
+from compwright.planning.point_count_tradeoff import point_count_tradeoff
 from compwright.planning.shortfalls import unheld_period
-from compwright.planning.table_verdict import stopped, verdict
-from compwright.planning.unapplied_steps import never_applied
-from compwright.prediction.active_corrections import Correction, nothing
+from compwright.planning.table_verdict import no_table_finding, verdict
+from compwright.planning.unapplied_steps import unapplied_step_findings
+from compwright.prediction.active_corrections import Correction, no_correction
 from compwright.records.correction import AxisCompensation, ControlState
 from compwright.records.job import AxisJob, Job
 from compwright.records.plan import PlannedTest
 from compwright.records.prediction import AxisPrediction
 
 
-def started(
+def start_task(
     task: tuple[Job, AxisJob, tuple[PlannedTest, ...], Mapping[str, ControlState]],
 ) -> AxisWork:
     """Return an axis evaluated and estimated (`start_axis`); the present correction is not needed
     for that.
     """
-    return start_axis(*task, nothing)
+    return start_axis(*task, no_correction)
 
 
-def why_no_gain(task: tuple[AxisWork, Correction]) -> str:
-    """Return why a table would not improve its axis (`no_gain`)."""
-    return no_gain(*task)
+def gain_task(task: tuple[AxisWork, Correction]) -> str:
+    """Return why a table would not improve its axis (`why_no_gain`)."""
+    return why_no_gain(*task)
 
 
-def predicted(
+def predict_task(
     task: tuple[AxisWork, Correction, AxisCompensation | None, Job],
 ) -> AxisPrediction:
     """Return what fresh tests of an axis will show, what keeps it where it is, and whether a table
@@ -52,13 +52,17 @@ def predicted(
     """
     work, new, _, job = task
     fitted = work.planned.fitted
-    fresh = fresh_like_first(work, job.decision_rule)
+    fresh = repeats_of_first(work, job.decision_rule)
     axis, prediction = work.planned.axis, predict_axis(*task, fresh)
     findings = (
         *prediction.findings,
         *goal_findings(work, new, fresh),
         *drift_or_reversal(work, fresh),
-        *(() if fitted is None else never_applied(work.planned.axis, fitted.compensation)),
+        *(
+            ()
+            if fitted is None
+            else unapplied_step_findings(work.planned.axis, fitted.compensation)
+        ),
     )
     limits = what_limits(work, new, fresh)
     if limits is None:
@@ -71,13 +75,13 @@ def predicted(
     # Of a table that was fitted, not of an axis whose tests contradict its files.
     refused = bool(work.refused) and work.capacity is not None
     verdicts = (
-        (stopped(axis, limits),)
+        (no_table_finding(axis, limits),)
         if work.stops
         else tuple(verdict(axis, limits, tabled=tabled, refused=refused))
     )
     return replace(
         prediction,
         limits=limits,
-        worth=worth_of_points(work, new, fresh, limits.parameter),
+        worth=point_count_tradeoff(work, new, fresh, limits.parameter),
         findings=(*findings, *verdicts),
     )

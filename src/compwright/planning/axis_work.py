@@ -10,9 +10,9 @@ import numpy as np
 
 from compwright.estimation.reach import longer_tests
 from compwright.evaluation.standards import evaluate
-from compwright.evaluation.valid_readings import believable
+from compwright.evaluation.valid_readings import valid_part
 from compwright.foundations.findings import Finding
-from compwright.planning.consistent_tests import counted_together, with_active_corrections
+from compwright.planning.consistent_tests import select_consistent, with_active_corrections
 from compwright.planning.guard_bands import guard_bands
 from compwright.planning.header_statements import statement_findings
 from compwright.planning.limit_decisions import (
@@ -22,22 +22,27 @@ from compwright.planning.limit_decisions import (
     unguarded,
 )
 from compwright.planning.motions import with_backlash, with_motion
-from compwright.planning.new_targets import decided
-from compwright.planning.predicted_gain import predict, why_not_better, why_not_seen, yardstick
-from compwright.planning.sign_and_unit_doubts import misread_tests, with_known_backlash
-from compwright.planning.simulated_repeat_tests import FreshTests, Like, fresh_tests
-from compwright.planning.tables import offer
-from compwright.planning.temperature_slopes import fresh_slope, with_slopes
-from compwright.planning.unapplied_steps import never_applied
+from compwright.planning.new_targets import decide_limits
+from compwright.planning.predicted_gain import (
+    judged_parameter,
+    predict,
+    why_not_better,
+    why_not_seen,
+)
+from compwright.planning.sign_and_unit_doubts import reading_doubts, with_known_backlash
+from compwright.planning.simulated_repeat_tests import FreshTests, RepeatConditions, fresh_tests
+from compwright.planning.tables import new_grid_offer
+from compwright.planning.temperature_slopes import fresh_slope, with_temperature_slopes
+from compwright.planning.unapplied_steps import unapplied_step_findings
 from compwright.planning.wanted_correction import (
     MeasuredError,
+    axis_compensation,
     check_coverage,
     dense_positions,
-    held_by,
     observed_tests,
     with_change,
 )
-from compwright.prediction.active_corrections import Correction, difference, nothing
+from compwright.prediction.active_corrections import Correction, difference, no_correction
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, ControlState
@@ -96,7 +101,7 @@ class AxisWork:
     def active(self) -> Correction:
         """The correction that was active during the first test; zero where it is unknown."""
         active = self.planned.active
-        return nothing if active is None else active.at
+        return no_correction if active is None else active.at
 
     @property
     def stops(self) -> bool:
@@ -139,7 +144,7 @@ class AxisWork:
 _REPORTED_BY: Final = {"CW-E020": "CW-T012", "CW-E021": "CW-T012", "CW-E024": "CW-T014"}
 
 
-def evaluated(
+def evaluate_test(
     job: Job,
     axis: Axis,
     test: PositioningTest,
@@ -179,22 +184,23 @@ def start_axis(
     measured = [planned.test for planned in tests]
     others = [[other for other in measured if other is not test] for test in measured]
     results = tuple(
-        evaluated(job, axis, test, other_tests=other_tests)
+        evaluate_test(job, axis, test, other_tests=other_tests)
         for test, other_tests in zip(measured, others, strict=True)
     )
     check_limits(job, entry, results)
     active = None
     if tests[0].measured_in in states:
-        active = held_by(states[tests[0].measured_in], axis)
+        active = axis_compensation(states[tests[0].measured_in], axis)
     tests = with_active_corrections(
-        with_backlash(with_slopes(job, tests), axis, states), axis, states
+        with_backlash(with_temperature_slopes(job, tests), axis, states), axis, states
     )
     observed = observed_tests(tests, active)
-    misread = misread_tests(tests, observed, axis, states)
-    tests, posterior, contradicting = counted_together(tests, observed, axis, active)
+    misread = reading_doubts(tests, observed, axis, states)
+    tests, posterior, contradicting = select_consistent(tests, observed, axis, active)
     results = tuple(
         with_known_backlash(
-            evaluated(job, axis, result.test, reported, other_tests) if reported else result, bare
+            evaluate_test(job, axis, result.test, reported, other_tests) if reported else result,
+            bare,
         )
         for result, reported, other_tests, bare in zip(
             results, _reported_checks(posterior), others, observed, strict=True
@@ -246,13 +252,13 @@ def predict_axis(
     the first one at new targets, where they are drawn already.
     """
     axis, rule = work.planned.axis, job.decision_rule
-    first = fresh or fresh_like_first(work, rule)
+    first = fresh or repeats_of_first(work, rule)
     tests = tuple(
         _predicted_test(work, place, new, job, None if place else first)
         for place in range(len(work.results))
     )
     change = difference(new, work.active)
-    accept, undecided = decided(
+    accept, undecided = decide_limits(
         work.entry, work.planned, work.results, work.posterior, change, rule, tests, first
     )
     guard = lacking_guard(axis, work.results[0].standard, unguarded(accept))
@@ -276,7 +282,7 @@ def _predicted_test(
     planned, result = work.planned, work.results[place]
     test = planned.tests[place]
     change = with_motion(difference(new, work.active), planned.axis, test.backlash_more)
-    like = Like(place, fresh_slope(job.decision_rule, test))
+    like = RepeatConditions(place, fresh_slope(job.decision_rule, test))
     shown = predict(result, work.posterior, change, planned.axis, like, fresh)
     accept = work.entry.accept
     names = tuple(each.test.name for each in work.results)
@@ -286,9 +292,9 @@ def _predicted_test(
     return replace(shown, uncertainty=bands)
 
 
-def fresh_like_first(work: AxisWork, rule: Literal["simple", "guarded"] = "simple") -> FreshTests:
+def repeats_of_first(work: AxisWork, rule: Literal["simple", "guarded"] = "simple") -> FreshTests:
     """Return fresh tests like the first one of an axis, at new targets."""
-    like = Like(0, fresh_slope(rule, work.planned.tests[0]))
+    like = RepeatConditions(0, fresh_slope(rule, work.planned.tests[0]))
     return fresh_tests(work.results[0], work.posterior, work.planned.axis, like)
 
 
@@ -303,9 +309,9 @@ def _offered(
     if chosen is None or capacity is None:
         return
     change = difference(chosen.compensation.at, work.active)
-    like = Like(0, fresh_slope(rule, work.planned.tests[0]))
+    like = RepeatConditions(0, fresh_slope(rule, work.planned.tests[0]))
     offered = predict(work.results[0], work.posterior, change, work.planned.axis, like, fresh)
-    finding = offer(
+    finding = new_grid_offer(
         work.planned.axis,
         np.array(capacity.there),
         chosen,
@@ -318,7 +324,7 @@ def _offered(
         yield finding
 
 
-def no_gain(work: AxisWork, new: Correction) -> str:
+def why_no_gain(work: AxisWork, new: Correction) -> str:
     """Return why ``new``, the table as read back, would not improve the axis enough; empty where it
     does.
 
@@ -328,7 +334,7 @@ def no_gain(work: AxisWork, new: Correction) -> str:
     """
     changes = [difference(each, work.active) for each in (new, work.as_found)]
     first = work.results[0]
-    test = believable(first.test)
+    test = valid_part(first.test)
     after, before = (
         evaluate(
             with_change(test, *(change(test.targets, direction) for direction in Direction)),
@@ -338,12 +344,13 @@ def no_gain(work: AxisWork, new: Correction) -> str:
     )
     drawn = fresh_tests(first, work.posterior, work.planned.axis)
     fresh, old = (
-        drawn.quantiles(change, cured=("tails",), only=yardstick(first)) for change in changes
+        drawn.quantiles(change, cured=("tails",), only=judged_parameter(first))
+        for change in changes
     )
     why = why_not_better(before, after, old, fresh)
     fitted = work.planned.fitted
     if why and fitted is not None:
-        stuck = never_applied(work.planned.axis, fitted.compensation)
+        stuck = unapplied_step_findings(work.planned.axis, fitted.compensation)
         why = "; ".join([why, *(finding.message for finding in stuck)])
     if why or work.planned.request.gain == "any":
         return why

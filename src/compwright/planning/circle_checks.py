@@ -12,8 +12,8 @@ import numpy as np
 from compwright.foundations.findings import Finding
 from compwright.planning.axis_work import AxisWork
 from compwright.planning.circles import CircleWork, effect_of
-from compwright.planning.value_with_error import Stated
-from compwright.prediction.active_corrections import IDLE, ActiveCorrections, difference
+from compwright.planning.value_with_error import ValueWithError
+from compwright.prediction.active_corrections import NO_CORRECTIONS, ActiveCorrections, difference
 from compwright.records.axis import Axis, Direction
 from compwright.records.job import Job
 
@@ -23,16 +23,18 @@ _UM, _PPM = 1e3, 1e6
 
 
 @dataclass(frozen=True, slots=True)
-class ByLaser:
+class LaserValues:
     """What the positioning test says of an axis over a circle, in the state in which the circle was
     measured.
     """
 
-    lost_motion: Stated
-    scale: Stated
+    lost_motion: ValueWithError
+    scale: ValueWithError
 
 
-def laser_over(work: CircleWork, axis: AxisWork, index: int, during: ActiveCorrections) -> ByLaser:
+def laser_values(
+    work: CircleWork, axis: AxisWork, index: int, during: ActiveCorrections
+) -> LaserValues:
     """Return lost motion (mm, > 0 lags) and scale of an axis by its positioning test, at both ends
     of a circle.
 
@@ -49,34 +51,34 @@ def laser_over(work: CircleWork, axis: AxisWork, index: int, during: ActiveCorre
     scale = np.mean([curve[:, 1] - curve[:, 0] for curve in (positive, negative)], axis=0) / (
         2.0 * radius
     )
-    return ByLaser(
-        lost_motion=Stated(float(np.mean(lost)), float(np.std(lost))),
-        scale=Stated(float(np.mean(scale)), float(np.std(scale))),
+    return LaserValues(
+        lost_motion=ValueWithError(float(np.mean(lost)), float(np.std(lost))),
+        scale=ValueWithError(float(np.mean(scale)), float(np.std(scale))),
     )
 
 
-def lost_motion(work: CircleWork, index: int) -> Stated | None:
+def lost_motion(work: CircleWork, index: int) -> ValueWithError | None:
     """Return the lost motion, mm, of the circle's first (``index`` 0) or second axis."""
     found = effect_of(work.result, f"backlash_{ENDS[index]}")
-    return None if found is None else Stated(found.value / _UM, found.std_error / _UM)
+    return None if found is None else ValueWithError(found.value / _UM, found.std_error / _UM)
 
 
-def scale_error(work: CircleWork, index: int) -> Stated | None:
+def scale_error(work: CircleWork, index: int) -> ValueWithError | None:
     """Return the scale error (relative) of the first or second axis; None without a calibrated
     bar.
     """
     found = effect_of(work.result, f"scale_error_{ENDS[index]}")
-    return None if found is None else Stated(found.value / _PPM, found.std_error / _PPM)
+    return None if found is None else ValueWithError(found.value / _PPM, found.std_error / _PPM)
 
 
-def mismatch(work: CircleWork) -> Stated | None:
+def mismatch(work: CircleWork) -> ValueWithError | None:
     """Return scale of the first axis minus that of the second, relative."""
     found = effect_of(work.result, "scale_mismatch")
     across = 2.0 * work.planned.test.nominal_radius * _UM
-    return None if found is None else Stated(found.value / across, found.std_error / across)
+    return None if found is None else ValueWithError(found.value / across, found.std_error / across)
 
 
-class Checks:
+class CircleChecks:
     """Compares every circle of a job with the positioning tests of its axes."""
 
     def __init__(
@@ -86,14 +88,16 @@ class Checks:
         self.works = works
         self.states = states
 
-    def laser(self, work: CircleWork, index: int) -> ByLaser | None:
+    def laser(self, work: CircleWork, index: int) -> LaserValues | None:
         """Return the values of the positioning test for an axis of a circle; None for an axis
         without a positioning test in both directions.
         """
         axis = self.works.get(work.planned.test.axes[index])
         if axis is None or not axis.results[0].test.bidirectional:
             return None
-        found = laser_over(work, axis, index, self.states.get(work.planned.measured_in, IDLE))
+        found = laser_values(
+            work, axis, index, self.states.get(work.planned.measured_in, NO_CORRECTIONS)
+        )
         budget = self.job.uncertainty
         own = budget.device_per_m / 2.0 / _PPM if budget is not None else 0.0
         return replace(
@@ -111,7 +115,7 @@ class Checks:
             if both[0] is not None and both[1] is not None:
                 yield from self._mismatch(work, both[0], both[1])
 
-    def _lost(self, work: CircleWork, index: int, laser: ByLaser) -> Iterator[Finding]:
+    def _lost(self, work: CircleWork, index: int, laser: LaserValues) -> Iterator[Finding]:
         circle = lost_motion(work, index)
         if circle is None or not circle.differs(laser.lost_motion):
             return
@@ -126,7 +130,7 @@ class Checks:
             counts=counts,
         )
 
-    def _scale(self, work: CircleWork, index: int, laser: ByLaser) -> Iterator[Finding]:
+    def _scale(self, work: CircleWork, index: int, laser: LaserValues) -> Iterator[Finding]:
         circle = scale_error(work, index)
         if circle is None or not circle.differs(laser.scale):
             return
@@ -139,10 +143,12 @@ class Checks:
             test=work.name,
         )
 
-    def _mismatch(self, work: CircleWork, first: ByLaser, second: ByLaser) -> Iterator[Finding]:
+    def _mismatch(
+        self, work: CircleWork, first: LaserValues, second: LaserValues
+    ) -> Iterator[Finding]:
         circle = mismatch(work)
         error = float(np.hypot(first.scale.std_error, second.scale.std_error))
-        laser = Stated(first.scale.value - second.scale.value, error)
+        laser = ValueWithError(first.scale.value - second.scale.value, error)
         if circle is None or not circle.differs(laser):
             return
         axes = " minus ".join(work.planned.test.axes)
@@ -192,7 +198,7 @@ class Checks:
             return Finding.of("CW-P130.no_circle", "warning", axis=name)
         return Finding.of("CW-P130.unknown", "error", axis=name)
 
-    def _shift(self, name: str, circles: Sequence[CircleWork]) -> Stated | None:
+    def _shift(self, name: str, circles: Sequence[CircleWork]) -> ValueWithError | None:
         """Return how much more lost motion (mm) than the laser the circles of an axis show, their
         weighted mean.
         """
@@ -207,7 +213,9 @@ class Checks:
                 weights.append(circle.std_error**-2)
         if not values:
             return None
-        return Stated(float(np.average(values, weights=weights)), float(np.sum(weights) ** -0.5))
+        return ValueWithError(
+            float(np.average(values, weights=weights)), float(np.sum(weights) ** -0.5)
+        )
 
 
 def _on(circles: Sequence[CircleWork], name: str) -> bool:

@@ -16,7 +16,7 @@ _NOT_SEPARABLE = (
 )
 
 
-def diagnosed_circle(test: CircularTest, standard: str) -> CircularResult:
+def diagnose_circle(test: CircularTest, standard: str) -> CircularResult:
     """Return the test evaluated to ``standard``, with the causes of its deviations.
 
     Where the causes cannot be determined, without them and with the reason. Raises InputError for a

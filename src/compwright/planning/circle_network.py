@@ -18,8 +18,8 @@ import numpy as np
 
 from compwright.estimation.circle_model import PRIOR_SCALE, PRIORS, SOFTEST_LOOP
 from compwright.foundations.findings import Finding
-from compwright.planning.circles import CircleWork, effect_of, with_its_lag
-from compwright.planning.value_with_error import SIGNIFICANT, Stated
+from compwright.planning.circles import CircleWork, as_shown_at_feed, effect_of
+from compwright.planning.value_with_error import SIGNIFICANT, ValueWithError
 from compwright.words.sentences import Sentence, say
 
 _PPM: Final = 1e6
@@ -54,7 +54,7 @@ class Observation:
 
     kind: str
     parts: Mapping[Unknown, float]
-    found: Stated
+    found: ValueWithError
     circle: str
 
 
@@ -64,10 +64,10 @@ class CircleNetwork:
     contradict each other with those observations.
     """
 
-    values: Mapping[Unknown, Stated]
+    values: Mapping[Unknown, ValueWithError]
     contradictions: Mapping[str, tuple[Observation, ...]]
 
-    def values_of(self, kind: str) -> dict[str, Stated]:
+    def values_of(self, kind: str) -> dict[str, ValueWithError]:
         """Return the values of a kind that the circles tell, by axis or plane."""
         most = _TELLS * _PRIOR[kind][1]
         return {
@@ -77,7 +77,7 @@ class CircleNetwork:
         }
 
 
-def solved(circles: Sequence[CircleWork]) -> CircleNetwork:
+def solve_network(circles: Sequence[CircleWork]) -> CircleNetwork:
     """Return the machine of these circles, which were measured in one state."""
     seen = [each for work in circles for each in _observations(work)]
     unknowns = sorted({unknown for each in seen for unknown in each.parts})
@@ -107,7 +107,7 @@ def solved(circles: Sequence[CircleWork]) -> CircleNetwork:
             contradictions[kind] = tuple(each for each in seen if each.kind == kind)
     errors = worse * np.sqrt(np.diag(covariance))
     values = {
-        name: Stated(float(value), float(each))
+        name: ValueWithError(float(value), float(each))
         for name, value, each in zip(unknowns, solution, errors, strict=True)
     }
     return CircleNetwork(values, contradictions)
@@ -129,30 +129,30 @@ def _observations(work: CircleWork) -> Iterator[Observation]:
     angle = effect_of(work.result, "squareness")
     if angle is not None:
         pair = "".join(sorted(test.axes))
-        found = Stated(angle.value, angle.std_error)
+        found = ValueWithError(angle.value, angle.std_error)
         yield Observation("squareness", {("squareness", pair): 1.0}, found, name)
     mismatch = effect_of(work.result, "scale_mismatch")
     across = 2e-3 * test.nominal_radius  # um of the mismatch for 1 um/m
     if mismatch is not None:
         # The shrinking is an unknown here: nothing of it may be taken off before.
-        difference = with_its_lag(mismatch)
+        difference = as_shown_at_feed(mismatch)
         parts = {
             ("scale", first): 1.0,
             ("scale", second): -1.0,
             ("shrinking", first): -turning,
             ("shrinking", second): turning,
         }
-        found = Stated(difference.value / across, difference.std_error / across)
+        found = ValueWithError(difference.value / across, difference.std_error / across)
         yield Observation("scale", parts, found, name)
         yield from _mean_scale(work, found.std_error, turning)
     late = effect_of(work.result, "servo_mismatch")
     if late is not None:
         parts = {("lag", first): 1.0, ("lag", second): -1.0}
-        yield Observation("servo mismatch", parts, Stated(late.value, late.std_error), name)
+        yield Observation("servo mismatch", parts, ValueWithError(late.value, late.std_error), name)
     for axis, side in ((first, "first"), (second, "second")):
         lost = effect_of(work.result, f"backlash_{side}")
         if lost is not None:
-            found = Stated(lost.value, lost.std_error)
+            found = ValueWithError(lost.value, lost.std_error)
             yield Observation("lost motion", {("lost motion", axis): 1.0}, found, name)
 
 
@@ -162,7 +162,7 @@ def _mean_scale(work: CircleWork, of_mismatch: float, turning: float) -> Iterato
     """
     found = [effect_of(work.result, f"scale_error_{side}") for side in ("first", "second")]
     # What is taken off for unequal lags has opposite signs and is not in the mean.
-    both = [with_its_lag(each) for each in found if each is not None]
+    both = [as_shown_at_feed(each) for each in found if each is not None]
     if len(both) < 2:
         return
     doubt = turning * _MOST_SHRINKING / np.sqrt(3.0)
@@ -173,7 +173,7 @@ def _mean_scale(work: CircleWork, of_mismatch: float, turning: float) -> Iterato
         for unknown, share in ((("scale", axis), 1.0), (("shrinking", axis), -turning))
     }
     value = 0.5 * (both[0].value + both[1].value)
-    stated = Stated(value, float(np.sqrt(max(variance, _LEAST**2))))
+    stated = ValueWithError(value, float(np.sqrt(max(variance, _LEAST**2))))
     yield Observation("scale", parts, stated, work.name)
 
 
@@ -189,7 +189,7 @@ def network_findings(circles: Sequence[CircleWork]) -> Iterator[Finding]:
     for works in states.values():
         if len(works) < 2:
             continue
-        network = solved(works)
+        network = solve_network(works)
         yield Finding.of(
             "CW-P135",
             "info",
@@ -236,5 +236,5 @@ def _machine(network: CircleNetwork) -> Iterator[Sentence]:
             yield say(
                 "CW-P135.position_loop",
                 axis=name,
-                value=Stated(float(lag), float(error)).words(1, "ms"),
+                value=ValueWithError(float(lag), float(error)).words(1, "ms"),
             )

@@ -21,7 +21,7 @@ from compwright.foundations.errors import (
     raise_all,
 )
 from compwright.foundations.findings import Finding
-from compwright.planning.circle_diagnosis import diagnosed_circle
+from compwright.planning.circle_diagnosis import diagnose_circle
 from compwright.planning.limit_decisions import limit_faults
 from compwright.prediction.active_corrections import ActiveCorrections
 from compwright.prediction.circular import moved_test, predict_circle
@@ -63,7 +63,7 @@ def effect_of(result: CircularResult, name: str) -> CircularEffect | None:
     return result.diagnosis.effects.get(name)
 
 
-def with_its_lag(effect: CircularEffect) -> CircularEffect:
+def as_shown_at_feed(effect: CircularEffect) -> CircularEffect:
     """Return a scale or mismatch as the circle shows it at its feed, with the error of the fit
     alone: nothing of what a lag may do to it taken off.
     """
@@ -96,7 +96,7 @@ def start_circle(
     given = request.centre if request.centre is not None else test.centre
     centre, said = _centre(test, given, axes)
     findings = () if said else (_middle_assumed(test, centre),)
-    result = diagnosed_circle(replace(test, centre=given), CIRCULAR_STANDARD)
+    result = diagnose_circle(replace(test, centre=given), CIRCULAR_STANDARD)
     planned = PlannedCircle(
         test=result.test,
         measured_in=request.measured_in,
@@ -183,7 +183,7 @@ def _middle_assumed(test: CircularTest, centre: tuple[float, float]) -> Finding:
     return Finding.of("CW-P101", "warning", circle=test.name, centre=where)
 
 
-def checked_axes(work: CircleWork, axes: Mapping[str, Axis]) -> tuple[Finding, ...]:
+def travel_findings(work: CircleWork, axes: Mapping[str, Axis]) -> tuple[Finding, ...]:
     """Return findings about a circle that does not lie within the travels of its axes, or on axes
     that are not linear.
     """
@@ -206,7 +206,7 @@ def checked_axes(work: CircleWork, axes: Mapping[str, Axis]) -> tuple[Finding, .
     return tuple(found)
 
 
-def worse_circles(predictions: Mapping[str, CirclePrediction]) -> tuple[Finding, ...]:
+def worse_circle_findings(predictions: Mapping[str, CirclePrediction]) -> tuple[Finding, ...]:
     """Return a finding for every circle whose circular deviation the tables are predicted to make
     worse.
 
@@ -220,7 +220,7 @@ def worse_circles(predictions: Mapping[str, CirclePrediction]) -> tuple[Finding,
     )
 
 
-def undecided_circles(predictions: Mapping[str, CirclePrediction]) -> tuple[Finding, ...]:
+def undecided_circle_findings(predictions: Mapping[str, CirclePrediction]) -> tuple[Finding, ...]:
     """Return a finding for every circle with limits of which the causes are not known.
 
     Its predicted band then holds the noise of the samples alone: of fresh tests on short arcs 0 to
@@ -287,7 +287,7 @@ def predicted_circle(
     axes = planned.test.axes
     old, new = change_from.displacement(axes), change_to.displacement(axes)
     moved = moved_test(planned.test, planned.centre, lambda path: new(path) - old(path))
-    expected = diagnosed_circle(moved, result.standard)
+    expected = diagnose_circle(moved, result.standard)
     seed = hashlib.sha256(
         f"circle\x1f{planned.test.name}".encode("utf-8", "surrogatepass")
     ).digest()

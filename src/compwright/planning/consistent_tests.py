@@ -18,8 +18,8 @@ from compwright.estimation.observed_test import ObservedTest
 from compwright.evaluation.error_agreement import disagreeing_test
 from compwright.foundations.findings import Finding
 from compwright.planning.motions import backlash_more, with_motion
-from compwright.planning.wanted_correction import MeasuredError, held_by, measured_error
-from compwright.prediction.active_corrections import Correction, nothing
+from compwright.planning.wanted_correction import MeasuredError, axis_compensation, measured_error
+from compwright.prediction.active_corrections import Correction, no_correction
 from compwright.records.axis import Axis, Direction
 from compwright.records.correction import AxisCompensation, ControlState
 from compwright.records.plan import Acted, PlannedTest
@@ -56,7 +56,9 @@ def active_at(
     state = states.get(test.measured_in)
     if state is None:
         return None
-    return with_motion(held_by(state, axis).at, axis, backlash_more(axis, test.motion, state))
+    return with_motion(
+        axis_compensation(state, axis).at, axis, backlash_more(axis, test.motion, state)
+    )
 
 
 def _tells_something(test: PositioningTest) -> bool:
@@ -70,7 +72,7 @@ def _active_values(
     if first.measured_in in states:
         correction = active_at(test, axis, states)
     elif (test.measured_in, test.motion) == (first.measured_in, first.motion):
-        correction = nothing
+        correction = no_correction
     else:
         correction = None
     if correction is None:
@@ -79,7 +81,7 @@ def _active_values(
     return correction(targets, Direction.POSITIVE), correction(targets, Direction.NEGATIVE)
 
 
-def counted_together(
+def select_consistent(
     tests: tuple[PlannedTest, ...],
     observed: Sequence[ObservedTest],
     axis: Axis,

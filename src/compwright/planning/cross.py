@@ -18,11 +18,11 @@ from compwright.foundations.findings import Finding, Severity
 from compwright.planning.circles import CircleWork, effect_of, why_undetermined
 from compwright.planning.value_with_error import SIGNIFICANT
 from compwright.prediction.active_corrections import ActiveCorrections
-from compwright.prediction.circular import path_of
+from compwright.prediction.circular import commanded_path
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.circular import CircularRun
 from compwright.records.correction import CrossCompensation
-from compwright.records.correction_need import REPEAT, need_of, shortfall
+from compwright.records.correction_need import REPEAT, correction_need, shortfall
 from compwright.records.job import CrossRequest, Job, other_axis
 from compwright.records.plan import PlannedCross
 from compwright.words.sentences import Sentence, say
@@ -185,7 +185,7 @@ class _Planner:
         )
         if difference > max(SIGNIFICANT * circle.std_error, SQUARE):
             self.find("CW-P104", "warning", measured=named, circle=circle.words, tests=circle.tests)
-        elif need_of(circle.value * _PPM, circle.std_error * _PPM) != "undetermined":
+        elif correction_need(circle.value * _PPM, circle.std_error * _PPM) != "undetermined":
             self.find("CW-P105", "info", measured=named, tests=circle.tests, circle=circle.words)
 
     # --- squareness from circles
@@ -204,7 +204,11 @@ class _Planner:
             if bent not in self.axes or other not in self.axes or pair in self.measured_pairs:
                 continue
             angle = self.angles.get(pair)
-            need = None if angle is None else need_of(angle.value * _PPM, angle.std_error * _PPM)
+            need = (
+                None
+                if angle is None
+                else correction_need(angle.value * _PPM, angle.std_error * _PPM)
+            )
             if angle is None or need == "undetermined":
                 self._not_corrected(plane, pair, angle)
             elif need == "negligible":
@@ -215,7 +219,7 @@ class _Planner:
             if (
                 pair not in requested
                 and pair not in self.measured_pairs
-                and need_of(angle.value * _PPM, angle.std_error * _PPM) == "correct"
+                and correction_need(angle.value * _PPM, angle.std_error * _PPM) == "correct"
             ):
                 plane = "".join(sorted(pair))
                 self.find("CW-P108", "info", plane=plane, squareness=angle.words, tests=angle.tests)
@@ -329,7 +333,7 @@ def angle_of(work: CircleWork, state: ActiveCorrections) -> float:
         CircularRun(sense="ccw", angles=degrees, deviations=np.zeros_like(degrees)),
         CircularRun(sense="cw", angles=degrees, deviations=np.zeros_like(degrees)),
     ):
-        moved = crossing(path_of(test, run, work.planned.centre))
+        moved = crossing(commanded_path(test, run, work.planned.centre))
         radial = moved[:, 0] * np.cos(theta) + moved[:, 1] * np.sin(theta)
         wave = np.sin(2.0 * theta)
         # Bending by s times the other axis gives s R/2 sin2θ, squareness β gives -β R/2 sin2θ.

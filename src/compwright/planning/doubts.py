@@ -13,7 +13,7 @@ from compwright.records.prediction import AcceptDecision
 
 
 @dataclass(frozen=True, slots=True)
-class Noticed:
+class ScopedFinding:
     """A finding with the axes of the job that it concerns; None: all. ``circle``: the circular test
     that it is about.
     """
@@ -31,7 +31,7 @@ class Noticed:
 class Doubts:
     """The ``open`` doubts, the ``acknowledged`` ones, and the ``unused`` acknowledgements."""
 
-    open: tuple[Noticed, ...] = ()
+    open: tuple[ScopedFinding, ...] = ()
     acknowledged: tuple[Acknowledged, ...] = ()
     unused: tuple[Acknowledgement, ...] = ()
 
@@ -46,8 +46,8 @@ class Doubts:
         return any(one.circle == name for one in self.open) or any(map(self.about, axes))
 
 
-def doubts_among(
-    noticed: Iterable[Noticed], given: Sequence[Acknowledgement], axes_of_job: Iterable[str]
+def find_doubts(
+    noticed: Iterable[ScopedFinding], given: Sequence[Acknowledgement], axes_of_job: Iterable[str]
 ) -> Doubts:
     """Return the doubts among the findings, each once; ``given``: the acknowledgements of the job.
 
@@ -55,7 +55,7 @@ def doubts_among(
     all axes concerns those of the job.
     """
     every = frozenset(axes_of_job)
-    still: list[Noticed] = []
+    still: list[ScopedFinding] = []
     done: list[Acknowledged] = []
     for one in dict.fromkeys(each for each in noticed if each.finding.is_doubt):
         axes = every if one.axes is None else one.axes
@@ -72,6 +72,6 @@ def doubts_among(
     return Doubts(tuple(still), tuple(done), unused)
 
 
-def undecided(accept: Mapping[str, AcceptDecision]) -> dict[str, AcceptDecision]:
+def mark_undecided(accept: Mapping[str, AcceptDecision]) -> dict[str, AcceptDecision]:
     """Return the decisions about an axis or a circle of which a doubt is open."""
     return {name: replace(entry, decision="undecided") for name, entry in accept.items()}

@@ -18,14 +18,14 @@ from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.axis_work import AxisWork
 from compwright.planning.reversal_along_travel import (
-    drift_within,
-    own_reversal,
-    rise_of,
-    rises_as_drift,
+    drift_within_run,
+    explained_by_drift,
+    reversal_curve,
+    reversal_rise,
 )
 from compwright.planning.simulated_repeat_tests import FreshTests
 from compwright.records.axis import Direction
-from compwright.records.rounding import settled_number
+from compwright.records.rounding import rounded_number
 from compwright.words.sentences import Amount
 
 #: A backlash value is doubted from where the drift may make out so much of it, and so much of the
@@ -45,9 +45,9 @@ def drift_or_reversal(work: AxisWork, fresh: FreshTests) -> Iterator[Finding]:
     if planned.fitted is None or runs < 2:
         return
     noise = fresh.draws.noise
-    drift = settled_number(np.median(noise.drift))
+    drift = rounded_number(np.median(noise.drift))
     if planned.fitted.mode == "bidirectional":
-        yield from _second_table(work, drift, drift_within(test, noise))
+        yield from _second_table(work, drift, drift_within_run(test, noise))
     elif work.capacity is not None and (
         work.capacity.curves == 2 or work.capacity.backlash_quantum is not None
     ):
@@ -55,13 +55,13 @@ def drift_or_reversal(work: AxisWork, fresh: FreshTests) -> Iterator[Finding]:
         each = (drift + np.median(noise.drift_tilt) * along) / (runs - 1)
         m = test.targets.size
         waits = (2 * m - 1 - 2 * np.arange(m)) / (2 * m)
-        yield from _backlash_value(work, drift, settled_number(-float(np.mean(waits * each))))
+        yield from _backlash_value(work, drift, rounded_number(-float(np.mean(waits * each))))
 
 
 def _second_table(work: AxisWork, drift: float, within: float) -> Iterator[Finding]:
     """Yield CW-P153: ``drift`` from the first run to the last, ``within`` a run; mm or deg."""
-    rises = rise_of(work.planned.estimate, work.active)
-    if not rises_as_drift(rises, within):
+    rises = reversal_rise(work.planned.estimate, work.active)
+    if not explained_by_drift(rises, within):
         return
     risen, drifted, shown = _texts(work, rises, drift, within)
     yield Finding.of(
@@ -73,8 +73,8 @@ def _backlash_value(work: AxisWork, drift: float, moved: float) -> Iterator[Find
     """Yield CW-P154: ``drift`` from the first run to the last, by which the mean reversal is
     ``moved``; mm or deg.
     """
-    _, reversal = own_reversal(work.planned.estimate, work.active)
-    mean = settled_number(float(np.mean(reversal)))
+    _, reversal = reversal_curve(work.planned.estimate, work.active)
+    mean = rounded_number(float(np.mean(reversal)))
     noise = work.planned.estimate.noise
     if abs(moved) < max(_OF_THE_REVERSAL * abs(mean), _OF_THE_NOISE * noise, 1e-9):
         return

@@ -9,7 +9,7 @@ from compwright.fitting.whole_increments import GOAL_LEFT
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.axis_work import AxisWork
-from compwright.planning.scenarios import alike
+from compwright.planning.scenarios import same_tables
 from compwright.planning.simulated_repeat_tests import FreshTests
 from compwright.prediction.active_corrections import Correction, difference
 from compwright.words.sentences import say
@@ -33,7 +33,7 @@ def goal_findings(work: AxisWork, new: Correction, fresh: FreshTests) -> Iterato
         fresh.quantiles(difference(correction, work.active))
         for correction in (new, work.alternative.compensation.at)
     )
-    same = alike(planned.fitted, work.alternative)
+    same = same_tables(planned.fitted, work.alternative)
     unit = planned.axis.kind.unit
     factor, small = outside_factor(unit), shown_unit(unit)
     names = next(

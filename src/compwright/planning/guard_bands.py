@@ -10,7 +10,7 @@ from dataclasses import replace
 
 from compwright.evaluation.uncertainty import expanded_uncertainties
 from compwright.planning.predicted_gain import predict_same_targets
-from compwright.planning.simulated_repeat_tests import Like
+from compwright.planning.simulated_repeat_tests import RepeatConditions
 from compwright.planning.temperature_slopes import slope_after, slope_in_table
 from compwright.planning.wanted_correction import MeasuredError, with_change
 from compwright.prediction.active_corrections import Correction
@@ -61,7 +61,7 @@ def guard_bands(
     if stated is None or slope == 0.0:
         return stated
     still, sloped = (
-        predict_same_targets(result, posterior, change, planned.axis, Like(place, std))
+        predict_same_targets(result, posterior, change, planned.axis, RepeatConditions(place, std))
         for std in (0.0, slope)
     )
     return {

@@ -13,7 +13,7 @@ import numpy as np
 
 from compwright.foundations.findings import Finding
 from compwright.planning.circles import CircleWork
-from compwright.planning.wanted_correction import held_by
+from compwright.planning.wanted_correction import axis_compensation
 from compwright.records.axis import Axis
 from compwright.records.circular import CircularResult
 from compwright.records.correction import ControlState
@@ -62,7 +62,7 @@ def with_statements(
     return tuple(checked)
 
 
-def stated_after(result: _Result, axes: Sequence[str]) -> _Result:
+def after_test_doubts(result: _Result, axes: Sequence[str]) -> _Result:
     """Return the result of a test after loading, with a doubt where its header says that
     compensation was off. ``axes``: those of which the plan loads a table; none: nothing to compare.
     """
@@ -98,7 +98,7 @@ def _contradiction(
 
 
 def _is_active(state: ControlState, axis: Axis) -> bool:
-    held = held_by(state, axis)
+    held = axis_compensation(state, axis)
     return bool(held.backlash or np.any(held.positive) or np.any(held.negative))
 
 

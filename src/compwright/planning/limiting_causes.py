@@ -12,12 +12,12 @@ from typing import Any, Final, Protocol
 import numpy as np
 
 from compwright.planning.axis_work import AxisWork
-from compwright.planning.predicted_gain import spread_of, yardstick
+from compwright.planning.predicted_gain import judged_parameter, test_spread
 from compwright.planning.shortfalls import as_curve, shortfalls, unheld_period
 from compwright.planning.simulated_repeat_tests import FreshTests
 from compwright.prediction.active_corrections import Correction, difference
-from compwright.prediction.dead_zone import as_applied
-from compwright.records.limits import Cause, Limiting
+from compwright.prediction.dead_zone import applied_compensation
+from compwright.records.limits import LimitingCause, LimitingCauses
 from compwright.records.noise import NoisePart
 from compwright.records.prediction import Quantiles
 
@@ -40,7 +40,7 @@ NEVER_APPLIED: Final = "steps that the control never applies"
 _WORTH_SAYING: Final = 0.005
 
 
-def what_limits(work: AxisWork, new: Correction, fresh: FreshTests) -> Limiting | None:
+def what_limits(work: AxisWork, new: Correction, fresh: FreshTests) -> LimitingCauses | None:
     """Return what limits the first of A, E, ... that the first test of an axis has, with the
     correction ``new``; None where it has none.
 
@@ -48,7 +48,7 @@ def what_limits(work: AxisWork, new: Correction, fresh: FreshTests) -> Limiting 
     stay. The part of the known error that the table does not hold is the sum of the causes that
     `shortfalls` names: to remove one is to add what it lacks.
     """
-    name = yardstick(work.results[0])
+    name = judged_parameter(work.results[0])
     if name is None:
         return None
     change = difference(new, work.active)
@@ -59,9 +59,9 @@ def what_limits(work: AxisWork, new: Correction, fresh: FreshTests) -> Limiting 
     causes = [
         # Scatter without the few outliers, which are given in units of the same scatter: the
         # outliers are removed first.
-        Cause(cause=NOISE, value=alike.median - shown(change, cured=("scatter",)).median),
+        LimitingCause(cause=NOISE, value=alike.median - shown(change, cured=("scatter",)).median),
         *(
-            Cause(cause=cause, value=then.median - without.median, rms=rms)
+            LimitingCause(cause=cause, value=then.median - without.median, rms=rms)
             for cause, without, rms in _without(work, fresh, change, shown, alike)
         ),
     ]
@@ -70,12 +70,12 @@ def what_limits(work: AxisWork, new: Correction, fresh: FreshTests) -> Limiting 
         for cause in causes
         if cause.rms is not None or abs(cause.value) > _WORTH_SAYING * abs(then.median)
     ]
-    return Limiting(
+    return LimitingCauses(
         parameter=name,
         now=now.median,
         then=then.median,
         least=least.median,
-        spread=spread_of(then),
+        spread=test_spread(then),
         causes=tuple(sorted(worth, key=lambda cause: -cause.value)),
     )
 
@@ -117,7 +117,7 @@ def _without(
         yield lack.cause, shown(difference(change, lack.curve)), lack.rms
         yield NO_TABLE, shown(difference(change, difference(known, lack.curve))), None
         return
-    applied = as_applied(fitted.compensation, work.planned.axis)
+    applied = applied_compensation(fitted.compensation, work.planned.axis)
     if applied is not fitted.compensation:
         lost = difference(applied.at, fitted.compensation.at)
         yield NEVER_APPLIED, shown(difference(change, lost)), None

@@ -25,7 +25,7 @@ from compwright.estimation.observed_test import ObservedTest
 from compwright.evaluation.statistics import count_readings, mean_deviation
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
-from compwright.planning.wanted_correction import held_by
+from compwright.planning.wanted_correction import axis_compensation
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.correction import ControlState
 from compwright.records.plan import PlannedTest
@@ -45,7 +45,7 @@ _LEFT: Final = 0.45
 _NOISE: Final = 2.0
 
 
-def mirrored_tests(
+def mirror_image_doubts(
     tests: Sequence[PlannedTest],
     observed: Sequence[ObservedTest],
     axis: Axis,
@@ -65,7 +65,7 @@ def mirrored_tests(
             if name != planned.measured_in
         ]
         noise = _noise(bare)
-        shown = mean_middle(test)
+        shown = mean_of_directions(test)
         changes = (there, *(there - other for other in before))
         if shown is not None and any(
             is_mirror_image(change, shown, test.targets, noise) for change in changes
@@ -90,7 +90,7 @@ def is_mirror_image(
     return left <= float(np.hypot(_LEFT * min(sizes), _NOISE * noise))
 
 
-def mean_middle(test: PositioningTest) -> FloatArray | None:
+def mean_of_directions(test: PositioningTest) -> FloatArray | None:
     """Return the mean (m,) of both directions at each target, or of the one that was measured; None
     where a target has no reading.
     """
@@ -104,7 +104,7 @@ def mean_middle(test: PositioningTest) -> FloatArray | None:
 
 
 def _middle_of_table(state: ControlState, axis: Axis, test: PositioningTest) -> FloatArray:
-    table = held_by(state, axis)
+    table = axis_compensation(state, axis)
     curves = [
         table.at(test.targets, direction)
         for direction in Direction

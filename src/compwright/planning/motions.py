@@ -13,7 +13,7 @@ from dataclasses import replace
 import numpy as np
 
 from compwright.foundations.errors import Fault
-from compwright.prediction.active_corrections import Correction, added
+from compwright.prediction.active_corrections import Correction, sum_of_corrections
 from compwright.records.axis import Axis, Direction, FloatArray, Motion
 from compwright.records.correction import ControlState
 from compwright.records.job import AS_FOUND, Job
@@ -37,7 +37,7 @@ def with_motion(correction: Correction, axis: Axis, more: float) -> Correction:
         compensated = direction is not axis.reference_return
         return np.full(np.shape(positions), direction.sign * more if compensated else 0.0)
 
-    return correction if more == 0.0 else added(correction, shift)
+    return correction if more == 0.0 else sum_of_corrections(correction, shift)
 
 
 def with_backlash(

@@ -12,7 +12,12 @@ from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.limit_decisions import accept_decisions, accepted_index, magnitude
 from compwright.planning.motions import with_motion
-from compwright.planning.simulated_repeat_tests import FreshTests, Like, fresh_tests, generator
+from compwright.planning.simulated_repeat_tests import (
+    FreshTests,
+    RepeatConditions,
+    fresh_tests,
+    generator,
+)
 from compwright.planning.temperature_slopes import fresh_slope
 from compwright.planning.wanted_correction import MeasuredError
 from compwright.prediction.active_corrections import Correction
@@ -21,14 +26,14 @@ from compwright.records.job import AxisJob
 from compwright.records.plan import PlannedAxis
 from compwright.records.prediction import AcceptDecision, Quantiles, TestPrediction
 from compwright.records.result import PositioningResult
-from compwright.records.targets import told_targets
+from compwright.records.targets import targets_text
 from compwright.words.sentences import Amount, say
 
 #: Periods that are named: of this probability and more.
 _NAMED: Final = 0.05
 
 
-def decided(
+def decide_limits(
     entry: AxisJob,
     planned: PlannedAxis,
     results: Sequence[PositioningResult],
@@ -48,7 +53,7 @@ def decided(
         return {}, ()
     axis, place = planned.axis, accepted_index(entry.accept, tuple(each.name for each in tests))
     test = planned.tests[place]
-    like = Like(place, fresh_slope(rule, test))
+    like = RepeatConditions(place, fresh_slope(rule, test))
     drawn = fresh_tests(results[place], posterior, axis, like) if place else first
     rng = generator(axis.name, tests[place].name, "hidden periods")
     count, hidden = drawn.draws.positive.shape[0], posterior.own.hidden
@@ -108,7 +113,7 @@ def _left_open(
             )
         )
     known = any(each.source == "job" for each in periods)
-    better = told_targets(float(targets[0]), float(targets[-1]), targets.size, axis.kind.unit)
+    better = targets_text(float(targets[0]), float(targets[-1]), targets.size, axis.kind.unit)
     yield Finding.of(
         "CW-P133",
         "warning",

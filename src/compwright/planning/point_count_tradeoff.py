@@ -17,7 +17,7 @@ from compwright.prediction.active_corrections import Correction, difference
 from compwright.records.axis import FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.fitted import TableRequest
-from compwright.records.limits import Worth
+from compwright.records.limits import PointCountOption
 
 #: Number of sizes that are shown in addition to the written and the existing one.
 _SIZES: Final = 7
@@ -25,9 +25,9 @@ _SIZES: Final = 7
 _MOST: Final = 400
 
 
-def worth_of_points(
+def point_count_tradeoff(
     work: AxisWork, new: Correction, fresh: FreshTests, name: str
-) -> tuple[Worth, ...]:
+) -> tuple[PointCountOption, ...]:
     """Return what fresh tests at new targets show of the parameter ``name`` with tables of several
     numbers of points, ascending; with ``new`` for the one that is written. Empty where there is
     nothing to choose: no table, or only one grid.
@@ -96,9 +96,9 @@ def _worth(
     *,
     written: bool = False,
     there: bool = False,
-) -> Worth:
+) -> PointCountOption:
     shown = fresh.quantiles(difference(new, active), only=name)[name]
-    return Worth(
+    return PointCountOption(
         points=nodes.size,
         spacing=float(np.max(np.diff(nodes))),
         median=shown.median,

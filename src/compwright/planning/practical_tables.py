@@ -13,8 +13,8 @@ from compwright.fitting.grid import possible_grids
 from compwright.foundations.errors import CapacityError
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
-from compwright.planning.predicted_gain import yardstick
-from compwright.planning.tables import fit_within, grid_words, next_to_nothing
+from compwright.planning.predicted_gain import judged_parameter
+from compwright.planning.tables import fit_within, grid_text, negligible_loss
 from compwright.records.axis import Axis, FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.estimate import WantedCorrection
@@ -48,7 +48,7 @@ def practical_table(
     return capacity, table
 
 
-def as_planned(
+def planned_request(
     capacity: Capacity, request: TableRequest, planned: FittedTable
 ) -> tuple[Capacity, TableRequest]:
     """Return the limits and the request by which the fit of a plan's table comes out again: with
@@ -80,7 +80,7 @@ def _with_kept_magnification(
         kept = fit_within(wanted, staying, request, axis)
     except CapacityError:
         return capacity, best
-    return (staying, kept) if next_to_nothing(shown(kept), shown(best)) else (capacity, best)
+    return (staying, kept) if negligible_loss(shown(kept), shown(best)) else (capacity, best)
 
 
 def _with_fewest_points(
@@ -106,7 +106,7 @@ def _with_fewest_points(
         except CapacityError:
             return None
         found = shown(fewer)
-        return (fewer, found) if next_to_nothing(found, aim) else None
+        return (fewer, found) if negligible_loss(found, aim) else None
 
     most = int(_FEWER * nodes.size) - 2 * capacity.cover
     grids = possible_grids(wanted, capacity, request, most)
@@ -160,14 +160,14 @@ def _fewer_points(
     found: TestPrediction,
     aim: TestPrediction,
 ) -> Finding:
-    name, unit = yardstick(aim.before) or "", axis.kind.unit
+    name, unit = judged_parameter(aim.before) or "", axis.kind.unit
     factor, small = outside_factor(unit), shown_unit(unit)
     mine, other = (
         f"predicted {name} {one.predicted[name].median * factor:.2f} {small}"
         f" ({one.predicted_new_targets[name].median * factor:.2f} at new targets)"
         for one in (found, aim)
     )
-    few, many = (grid_words(one.compensation.positions, unit) for one in (fewer, best))
+    few, many = (grid_text(one.compensation.positions, unit) for one in (fewer, best))
     nodes = best.compensation.positions
     spacing = float(nodes[-1] - nodes[0]) / (nodes.size - 1)
     return Finding.of(

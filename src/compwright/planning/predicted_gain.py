@@ -9,7 +9,7 @@ from compwright.planning.simulated_repeat_tests import (
     BAND,
     FIRST,
     FreshTests,
-    Like,
+    RepeatConditions,
     draws_like,
     fresh_tests,
     generator,
@@ -28,7 +28,7 @@ def predict(
     posterior: MeasuredError,
     change: Correction,
     axis: Axis,
-    like: Like = FIRST,
+    like: RepeatConditions = FIRST,
     fresh: FreshTests | None = None,
 ) -> TestPrediction:
     """Return what a fresh test like ``result`` will show with the changed correction, at its
@@ -48,7 +48,7 @@ def predict_same_targets(
     posterior: MeasuredError,
     change: Correction,
     axis: Axis,
-    like: Like = FIRST,
+    like: RepeatConditions = FIRST,
 ) -> Mapping[str, Quantiles]:
     """Return what a fresh test like ``result`` will show with the changed correction at its own
     targets.
@@ -86,7 +86,7 @@ def why_not_better(
     what the new files give; ``old``, ``new``: what newly dithered targets will show, from the same
     draws. Judged by the first of A, E, ... that the test has.
     """
-    name = yardstick(before)
+    name = judged_parameter(before)
     if name is None:
         return ""
     factor = outside_factor(before.test.kind.unit)
@@ -114,13 +114,13 @@ def why_not_seen(
 
     Arguments as of `why_not_better`, which has found the table better.
     """
-    name = yardstick(before)
+    name = judged_parameter(before)
     if name is None or name not in new or name not in old:
         return ""
     factor = outside_factor(before.test.kind.unit)
     unit = shown_unit(before.test.kind.unit)
     was, becomes = (abs(each[name].median) for each in (old, new))
-    spread = spread_of(new[name])
+    spread = test_spread(new[name])
     if was - becomes > spread:
         return ""
     return (
@@ -130,14 +130,14 @@ def why_not_seen(
     )
 
 
-def spread_of(shown: Quantiles) -> float:
+def test_spread(shown: Quantiles) -> float:
     """Return the standard deviation of a parameter between tests, from the part below its median: a
     few outlying readings widen the part above.
     """
     return 2.0 * (shown.median - shown.p05) / BAND
 
 
-def yardstick(result: PositioningResult) -> str | None:
+def judged_parameter(result: PositioningResult) -> str | None:
     """Return the first of A, E, ... that a test has: by it tables are judged."""
     names = ("A", "E", "A_positive", "A_negative", "E_positive", "E_negative", "P", "R", "B_mean")
     return next((name for name in names if result.parameters.get(name) is not None), None)

@@ -17,7 +17,7 @@ from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.plan import Acted
 from compwright.records.positioning import PositioningTest
 
-WayOfReading = Literal["stated", "off", "sign", "directions", "order", "against"]
+Interpretation = Literal["stated", "off", "sign", "directions", "order", "against"]
 ActiveAt = Callable[[FloatArray, Direction], FloatArray]
 #: Targets as symmetric as this (of their interval) look the same in the opposite order.
 _SYMMETRIC: Final = 1e-3
@@ -26,21 +26,21 @@ _SHAPELESS: Final = 0.5
 
 
 @dataclass(frozen=True, slots=True)
-class TestReading:
+class InterpretedTest:
     """One way of reading a test: the error of the axis that it leaves, in ``error``; ``table``: the
     table that is known, at its targets, (m,) by direction, mm or deg, and its ``smooth`` part. None
     where there is none.
     """
 
-    way: WayOfReading
+    way: Interpretation
     error: ObservedTest
     table: Acted | None = None
     smooth: Acted | None = None
 
 
-def ways_of_reading(
+def reading_interpretations(
     bare: ObservedTest, axis: Axis, active_at: ActiveAt | None
-) -> tuple[TestReading, ...]:
+) -> tuple[InterpretedTest, ...]:
     """Return the assumptions between which the readings can decide, as stated first.
 
     ``bare``: the test with the active correction subtracted; ``active_at``: that correction by
@@ -48,27 +48,27 @@ def ways_of_reading(
     """
     table = None if active_at is None else _at(active_at, bare.test.targets)
     if active_at is None or table is None or not _has_shape(bare, table):
-        stated = TestReading("stated", bare)
+        stated = InterpretedTest("stated", bare)
         if _symmetric(bare.test.targets):
             return (stated,)
-        return stated, TestReading("order", _in_opposite_order(bare))
+        return stated, InterpretedTest("order", _in_opposite_order(bare))
     return tuple(_with_table(bare, axis, active_at, table))
 
 
 def _with_table(
     bare: ObservedTest, axis: Axis, active_at: ActiveAt, table: Acted
-) -> Iterator[TestReading]:
-    raw, smooth = plus(bare, table), _smooth(bare.test, axis, table)
-    yield TestReading("stated", bare, table, smooth)
-    yield TestReading("off", raw, table, smooth)
-    yield TestReading("sign", _less(_turned(raw), table), table, smooth)
-    yield TestReading("directions", _less(_exchanged(raw), table), table, smooth)
-    yield TestReading("order", _less(_in_opposite_order(raw), table), table, smooth)
+) -> Iterator[InterpretedTest]:
+    raw, smooth = add_to_readings(bare, table), _smooth(bare.test, axis, table)
+    yield InterpretedTest("stated", bare, table, smooth)
+    yield InterpretedTest("off", raw, table, smooth)
+    yield InterpretedTest("sign", _less(_turned(raw), table), table, smooth)
+    yield InterpretedTest("directions", _less(_exchanged(raw), table), table, smooth)
+    yield InterpretedTest("order", _less(_in_opposite_order(raw), table), table, smooth)
     if axis.modulo is None:
         against = _counted_against(raw, sum(axis.travel))
         there = _at(active_at, against.test.targets)
         error = _less(against, there)
-        yield TestReading("against", error, there, _smooth(against.test, axis, there))
+        yield InterpretedTest("against", error, there, _smooth(against.test, axis, there))
 
 
 def _at(active_at: ActiveAt, targets: FloatArray) -> Acted:
@@ -106,7 +106,7 @@ def _smooth(test: PositioningTest, axis: Axis, table: Acted) -> Acted:
     return smooth_part(alone, Travel(*axis.travel, axis.modulo))
 
 
-def plus(observed: ObservedTest, more: Acted) -> ObservedTest:
+def add_to_readings(observed: ObservedTest, more: Acted) -> ObservedTest:
     """Return a test with (m,) by direction added to its readings."""
     test, noise = observed.test, observed.noise
     added = np.concatenate(more)
@@ -122,7 +122,7 @@ def plus(observed: ObservedTest, more: Acted) -> ObservedTest:
 
 
 def _less(observed: ObservedTest, what: Acted) -> ObservedTest:
-    return plus(observed, (-what[0], -what[1]))
+    return add_to_readings(observed, (-what[0], -what[1]))
 
 
 def _turned(observed: ObservedTest) -> ObservedTest:

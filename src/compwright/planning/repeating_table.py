@@ -31,7 +31,7 @@ HELD: Final = 2.5
 _SECTIONS: Final = (10, 12, 9, 8, 16, 15, 20)
 
 
-def with_wave(
+def with_repeating_table(
     fit: Fit,
     wanted: WantedCorrection,
     capacity: Capacity,

@@ -13,13 +13,13 @@ from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.estimate import ErrorEstimate
 from compwright.records.noise import NoiseDraws
 from compwright.records.positioning import PositioningTest
-from compwright.records.rounding import settled_number
+from compwright.records.rounding import rounded_number
 
 #: The reversal changes by about what the drift would give: within this factor.
 _ALIKE: Final = 2.0
 
 
-def own_reversal(estimate: ErrorEstimate, active: Correction) -> tuple[FloatArray, FloatArray]:
+def reversal_curve(estimate: ErrorEstimate, active: Correction) -> tuple[FloatArray, FloatArray]:
     """Return positions (k,) over the measured range, and the reversal of the axis itself there
     (without the ``active`` correction), mean in + minus mean in -, mm or deg.
 
@@ -39,22 +39,22 @@ def own_reversal(estimate: ErrorEstimate, active: Correction) -> tuple[FloatArra
     return within[inside], reversal[inside]
 
 
-def rise_of(estimate: ErrorEstimate, active: Correction) -> float:
+def reversal_rise(estimate: ErrorEstimate, active: Correction) -> float:
     """Return by how much the reversal of the axis itself rises from end to end of the measured
     range, mm or deg: by a straight line.
     """
-    where, reversal = own_reversal(estimate, active)
+    where, reversal = reversal_curve(estimate, active)
     slope = np.polyfit(where - where[0], reversal, 1)[0]
     low, high = estimate.measured
-    return settled_number(slope * (high - low))
+    return rounded_number(slope * (high - low))
 
 
-def drift_within(test: PositioningTest, noise: NoiseDraws) -> float:
+def drift_within_run(test: PositioningTest, noise: NoiseDraws) -> float:
     """Return by how much the axis drifts within a run, mm or deg; 0 where nothing shows it."""
     runs = min(int(np.max(test.readings(way), initial=0.0)) for way in Direction)
-    return 0.0 if runs < 2 else settled_number(np.median(noise.drift)) / (runs - 1)
+    return 0.0 if runs < 2 else rounded_number(np.median(noise.drift)) / (runs - 1)
 
 
-def rises_as_drift(rise: float, within: float) -> bool:
+def explained_by_drift(rise: float, within: float) -> bool:
     """Return whether a reversal that rises by ``rise`` may be the drift ``within`` each run."""
     return within != 0.0 and 1.0 / _ALIKE <= rise / within <= _ALIKE

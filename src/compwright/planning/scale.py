@@ -16,15 +16,19 @@ from compwright.estimation.circle_model import SOFTEST_LOOP
 from compwright.foundations.errors import CapacityError
 from compwright.foundations.findings import Finding
 from compwright.planning.axis_work import CapacityOf
-from compwright.planning.circle_checks import ENDS, Checks, mismatch, scale_error
-from compwright.planning.circles import CircleWork, effect_of, why_undetermined, with_its_lag
-from compwright.planning.tables import NEW_GRID, fit_remaining, fit_staying
-from compwright.planning.value_with_error import Stated
-from compwright.planning.wanted_correction import dense_positions, held_by, wanted_correction
-from compwright.prediction.active_corrections import IDLE, ActiveCorrections
+from compwright.planning.circle_checks import ENDS, CircleChecks, mismatch, scale_error
+from compwright.planning.circles import CircleWork, as_shown_at_feed, effect_of, why_undetermined
+from compwright.planning.tables import NEW_GRID, fit_keeping_grid, fit_remaining
+from compwright.planning.value_with_error import ValueWithError
+from compwright.planning.wanted_correction import (
+    axis_compensation,
+    dense_positions,
+    wanted_correction,
+)
+from compwright.prediction.active_corrections import NO_CORRECTIONS, ActiveCorrections
 from compwright.records.axis import Axis, Direction
 from compwright.records.correction import ControlState
-from compwright.records.correction_need import need_of, shortfall
+from compwright.records.correction_need import correction_need, shortfall
 from compwright.records.estimate import ErrorEstimate
 from compwright.records.fitted import FittedTable, TableRequest
 from compwright.records.job import AS_FOUND, AxisJob, Job
@@ -44,7 +48,7 @@ MEASURE = "Measure the axis with a laser, or repeat the circle at a low feed."
 
 
 @dataclass(frozen=True, slots=True)
-class Scaled:
+class ScaleCorrection:
     """An axis whose table comes from circles, or (``planned`` None) why it gets none."""
 
     name: str
@@ -59,13 +63,13 @@ class Scaled:
         return (self.finding, *(one for one in moved if one.code == NEW_GRID))
 
 
-def scaled_axes(
+def correct_scales(
     job: Job,
     circles: Sequence[CircleWork],
-    checks: Checks,
+    checks: CircleChecks,
     capacity: CapacityOf,
     state: ControlState,
-) -> tuple[Scaled, ...]:
+) -> tuple[ScaleCorrection, ...]:
     """Return the result for every axis of ``apply.scale``. The slope of a positioning test takes
     precedence. ``state``: the present contents of the control.
     """
@@ -75,7 +79,7 @@ def scaled_axes(
         if entry is None:
             continue  # CW-J004 says so
         if entry.before:
-            found.append(Scaled(name, None, Finding.of("CW-P118", "info", axis=name)))
+            found.append(ScaleCorrection(name, None, Finding.of("CW-P118", "info", axis=name)))
             continue
         found.append(_scaled(entry, circles, checks, capacity, state))
     return tuple(found)
@@ -84,33 +88,33 @@ def scaled_axes(
 def _scaled(
     entry: AxisJob,
     circles: Sequence[CircleWork],
-    checks: Checks,
+    checks: CircleChecks,
     capacity: CapacityOf,
     state: ControlState,
-) -> Scaled:
+) -> ScaleCorrection:
     name = entry.axis.name
     found = list(_values(name, circles, checks))
     values = [entry for entry in found if not isinstance(entry, str)]
     reasons = [entry for entry in found if isinstance(entry, str)]
     if not values:
-        return Scaled(
+        return ScaleCorrection(
             name,
             None,
             Finding.of("CW-P119.not_taken", "error", axis=name, reasons=reasons),
         )
     weights = [stated.std_error**-2 for stated, _ in values]
-    scale = Stated(
+    scale = ValueWithError(
         float(np.average([stated.value for stated, _ in values], weights=weights)),
         float(np.sum(weights) ** -0.5),
     )
     source = [how for _, how in values]
     words = say("scale_by", axis=name, scale=scale.words(_PPM, "µm/m"), tests=source)
-    need = need_of(scale.value * _PPM, scale.std_error * _PPM)
+    need = correction_need(scale.value * _PPM, scale.std_error * _PPM)
     if need == "negligible":
-        return Scaled(name, None, Finding.of("CW-P119.negligible", "info", scale=words))
+        return ScaleCorrection(name, None, Finding.of("CW-P119.negligible", "info", scale=words))
     if need == "undetermined":
         why = shortfall(scale.value * _PPM, scale.std_error * _PPM)
-        return Scaled(
+        return ScaleCorrection(
             name,
             None,
             Finding.of(
@@ -120,7 +124,7 @@ def _scaled(
     try:
         planned = _planned(entry, scale, capacity, state)
     except CapacityError as error:
-        return Scaled(
+        return ScaleCorrection(
             name,
             None,
             Finding.of(
@@ -130,12 +134,12 @@ def _scaled(
                 reasons=[str(fault) for fault in error.faults],
             ),
         )
-    return Scaled(name, planned, Finding.of("CW-P120", "warning", scale=words))
+    return ScaleCorrection(name, planned, Finding.of("CW-P120", "warning", scale=words))
 
 
 def _values(
-    name: str, circles: Sequence[CircleWork], checks: Checks
-) -> Iterator[tuple[Stated, str] | str]:
+    name: str, circles: Sequence[CircleWork], checks: CircleChecks
+) -> Iterator[tuple[ValueWithError, str] | str]:
     """Yield the scale as it is now with its source, or why a circle does not give it."""
     mine = [work for work in circles if name in work.planned.test.axes]
     slow = [
@@ -161,7 +165,9 @@ def _values(
         yield _by_mismatch(work, name, checks)
 
 
-def _by_mismatch(work: CircleWork, name: str, checks: Checks) -> tuple[Stated, str] | str:
+def _by_mismatch(
+    work: CircleWork, name: str, checks: CircleChecks
+) -> tuple[ValueWithError, str] | str:
     index = _index(work, name)
     lacking = list(why_undetermined((work,), "scale_mismatch"))
     if lacking:
@@ -180,7 +186,7 @@ def _by_mismatch(work: CircleWork, name: str, checks: Checks) -> tuple[Stated, s
         )
     # The mismatch is first minus second.
     own = laser.scale.value + (between.value if index == 0 else -between.value)
-    stated = Stated(own, float(np.hypot(between.std_error, laser.scale.std_error)))
+    stated = ValueWithError(own, float(np.hypot(between.std_error, laser.scale.std_error)))
     return (
         _now(stated, work, name, checks),
         f"the mismatch of {work.name} and the laser on {work.planned.test.axes[1 - index]}",
@@ -195,7 +201,7 @@ def shrinking(work: CircleWork) -> float:
 
 def _two_feeds(
     works: Sequence[CircleWork], name: str
-) -> Iterator[tuple[CircleWork, CircleWork, Stated]]:
+) -> Iterator[tuple[CircleWork, CircleWork, ValueWithError]]:
     """Yield (fast, slow, scale at no feed) of circles of one size about one centre in one state, at
     feeds far enough apart.
     """
@@ -218,31 +224,33 @@ def _two_feeds(
             share = shrinking(slow) / (shrinking(fast) - shrinking(slow))
             value = at_slow.value + share * (at_slow.value - at_fast.value)
             error = np.hypot((1.0 + share) * at_slow.std_error, share * at_fast.std_error)
-            yield fast, slow, Stated(value, float(error))
+            yield fast, slow, ValueWithError(value, float(error))
 
 
-def _seen(work: CircleWork, name: str) -> Stated | None:
+def _seen(work: CircleWork, name: str) -> ValueWithError | None:
     """Return the scale as the circle shows it, with the standard error of its fit alone; the lag
     needs two feeds.
     """
     effect = effect_of(work.result, f"scale_error_{ENDS[_index(work, name)]}")
     if effect is None:
         return None
-    seen = with_its_lag(effect)
+    seen = as_shown_at_feed(effect)
     doubt = shrinking(work) * _PPM / np.sqrt(3.0)
     error = float(np.sqrt(max(seen.std_error**2 - doubt**2, _LEAST**2)))
-    return Stated(seen.value / _PPM, error / _PPM)
+    return ValueWithError(seen.value / _PPM, error / _PPM)
 
 
 def _index(work: CircleWork, name: str) -> int:
     return work.planned.test.axes.index(name)
 
 
-def _now(stated: Stated, work: CircleWork, name: str, checks: Checks) -> Stated:
+def _now(
+    stated: ValueWithError, work: CircleWork, name: str, checks: CircleChecks
+) -> ValueWithError:
     """Return a scale measured by a circle, converted to the present corrections."""
     radius, middle = work.planned.test.nominal_radius, work.planned.centre[_index(work, name)]
-    during = checks.states.get(work.planned.measured_in, IDLE)
-    now = checks.states.get(AS_FOUND, IDLE)
+    during = checks.states.get(work.planned.measured_in, NO_CORRECTIONS)
+    now = checks.states.get(AS_FOUND, NO_CORRECTIONS)
     return replace(
         stated,
         value=stated.value
@@ -259,7 +267,7 @@ def _slope(state: ActiveCorrections, name: str, middle: float, radius: float) ->
 
 
 def _planned(
-    entry: AxisJob, scale: Stated, capacity: CapacityOf, state: ControlState
+    entry: AxisJob, scale: ValueWithError, capacity: CapacityOf, state: ControlState
 ) -> PlannedAxis:
     """Return the table that takes a scale away, about the reference of the axis. Raises
     CapacityError.
@@ -281,14 +289,14 @@ def _planned(
         noise_dof=1.0,
         measured=axis.travel,
     )
-    active = held_by(state, axis)
+    active = axis_compensation(state, axis)
     wanted = wanted_correction(estimate, active, axis, reversal_log_odds=0.0)
     limits = capacity(axis)
 
     def fit(request: TableRequest) -> FittedTable:
         return fit_remaining(wanted, limits, request, axis)
 
-    fitted = fit_staying(fit, limits, entry.table, axis)
+    fitted = fit_keeping_grid(fit, limits, entry.table, axis)
     return PlannedAxis(
         axis=axis,
         tests=(),
@@ -301,7 +309,7 @@ def _planned(
     )
 
 
-def scale_steps(scaled: Sequence[Scaled]) -> tuple[Mapping[str, str], ...]:
+def scale_steps(scaled: Sequence[ScaleCorrection]) -> tuple[Mapping[str, str], ...]:
     """Return the steps of the card for the axes whose table comes from circles."""
     return tuple(
         {

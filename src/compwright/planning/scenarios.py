@@ -17,7 +17,7 @@ from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.estimate import ErrorEstimate, Scenarios
 from compwright.records.fitted import FittedTable
 from compwright.records.result import PositioningResult
-from compwright.records.rounding import settled
+from compwright.records.rounding import rounded
 
 #: Different sets of new targets, and tests at each: so many sets that targets of one or another lie
 #: everywhere in each half of them, and few enough tests for a linear program.
@@ -64,11 +64,11 @@ def scenarios_of(
             measured = np.all(np.isfinite(mean))
             parts[name].append(relative.ravel() if measured else np.empty(0))
             parts[f"half_{name}"].append(half.ravel() if measured else np.empty(0))
-    joined = {name: settled(np.concatenate(blocks)) for name, blocks in parts.items()}
+    joined = {name: rounded(np.concatenate(blocks)) for name, blocks in parts.items()}
     return Scenarios(count=sets * _TESTS_EACH, **joined)
 
 
-def gains(
+def goal_improves(
     goal: Literal["A", "E", "M"], with_it: Correction, without: Correction, fresh: FreshTests
 ) -> bool:
     """Return whether ``fresh`` tests show clearly less of the ``goal`` (median) after the change
@@ -79,7 +79,7 @@ def gains(
     return one[name].median < (1.0 - _LEAST_GAIN) * other[name].median
 
 
-def alike(one: FittedTable, other: FittedTable) -> bool:
+def same_tables(one: FittedTable, other: FittedTable) -> bool:
     """Return whether two tables hold the same values."""
     mine, usual = one.compensation, other.compensation
     return (

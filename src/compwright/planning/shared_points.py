@@ -15,7 +15,7 @@ from compwright.records.plan import PlannedAxis
 _TO_SPARE: Final = 2
 
 
-def shared_fairly(
+def share_points(
     capacities: Mapping[str, Capacity], planned: Mapping[str, PlannedAxis]
 ) -> dict[str, Capacity]:
     """Return the capacities, with the points of a common store divided among the axes whose spacing

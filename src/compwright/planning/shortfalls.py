@@ -17,10 +17,10 @@ import numpy as np
 from compwright.fitting.endless_axis import over_one_period
 from compwright.fitting.fit import fit_table
 from compwright.fitting.grid import choose_grid
-from compwright.fitting.unresolved_periods import held_part
+from compwright.fitting.unresolved_periods import resolved_part
 from compwright.foundations.errors import CapacityError
 from compwright.foundations.findings import Finding
-from compwright.planning.wanted_correction import without_others
+from compwright.planning.wanted_correction import without_kept_tables
 from compwright.prediction.active_corrections import Correction, difference
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.capacity import Capacity
@@ -73,7 +73,7 @@ def unheld_period(
     """
     if capacity.line is not None or not wanted.periods:
         return None
-    own = without_others(wanted, capacity.stays)
+    own = without_kept_tables(wanted, capacity.stays)
     turn = capacity.period
     over = own if turn is None else over_one_period(own, turn)
     try:
@@ -83,7 +83,7 @@ def unheld_period(
     finding = next((one for one in grid.findings if one.code == "CW-F002"), None)
     if finding is None:
         return None
-    held = held_part(grid.nodes, own, capacity)
+    held = resolved_part(grid.nodes, own, capacity)
     return Shortfall(PERIOD, difference(as_curve(held), as_curve(own)), grid.left_out), finding
 
 
@@ -95,7 +95,7 @@ def _parts(
 ) -> Iterator[tuple[str, Correction]]:
     table, own = _alone(fitted.compensation, wanted)
     nodes = table.positions
-    held = held_part(nodes, own, capacity) if nodes.size > 1 else own
+    held = resolved_part(nodes, own, capacity) if nodes.size > 1 else own
     yield PERIOD, difference(as_curve(held), as_curve(own))
     rest = difference(table.at, as_curve(held))
     if table.positions.size:
@@ -126,7 +126,7 @@ def _alone(
     """
     if not held.others:
         return held, wanted
-    return replace(held, others=()), without_others(wanted, held.others)
+    return replace(held, others=()), without_kept_tables(wanted, held.others)
 
 
 def _best(

@@ -23,30 +23,30 @@ from typing import Final
 
 import numpy as np
 
-from compwright.estimation.likelihood import Shape, log_likelihood
+from compwright.estimation.likelihood import ScaledCurve, log_likelihood
 from compwright.estimation.model import Travel
 from compwright.estimation.observed_test import ObservedTest
-from compwright.evaluation.copied_runs import same_runs_findings
+from compwright.evaluation.copied_runs import copied_run_findings
 from compwright.evaluation.plausibility import reversal_above_zero
 from compwright.foundations.findings import Finding
 from compwright.planning.consistent_tests import active_at
-from compwright.planning.mirror_image import mirrored_tests
+from compwright.planning.mirror_image import mirror_image_doubts
 from compwright.planning.reading_interpretations import (
     ActiveAt,
-    TestReading,
-    WayOfReading,
-    plus,
-    ways_of_reading,
+    Interpretation,
+    InterpretedTest,
+    add_to_readings,
+    reading_interpretations,
 )
 from compwright.records.axis import Axis
 from compwright.records.correction import ControlState
 from compwright.records.plan import PlannedTest
 from compwright.records.result import PositioningResult
-from compwright.records.rounding import LOGARITHM, settled_number
+from compwright.records.rounding import LOGARITHM, rounded_number
 from compwright.words.sentences import say
 
 #: How much less usual than a test as stated each other way of reading is: a weak prior.
-_PRIOR: Final[Mapping[WayOfReading, float]] = {
+_PRIOR: Final[Mapping[Interpretation, float]] = {
     "stated": 0.88,
     "off": 0.05,
     "sign": 0.02,
@@ -69,26 +69,26 @@ _FEWEST: Final = 6
 _MOST: Final = 1e6
 
 
-def misread_tests(
+def reading_doubts(
     tests: Sequence[PlannedTest],
     observed: Sequence[ObservedTest],
     axis: Axis,
     states: Mapping[str, ControlState],
 ) -> tuple[Finding, ...]:
-    """Return the doubts about the tests of an axis (CW-P160, and CW-P161 of `mirrored_tests`).
+    """Return the doubts about the tests of an axis (CW-P160, and CW-P161 of `mirror_image_doubts`).
 
     ``observed``: the same tests with the correction that was active in them subtracted, as far as
     ``states`` (by name) give it. A test that made its table gets no second doubt.
     """
-    mirrored = dict(mirrored_tests(tests, observed, axis, states))
+    mirrored = dict(mirror_image_doubts(tests, observed, axis, states))
     known = states if tests[0].measured_in in states else {}
     misread = (
         finding
         for place, (planned, bare) in enumerate(zip(tests, observed, strict=True))
         if place not in mirrored
-        for finding in misread_findings(
+        for finding in test_doubts(
             # Copied runs tell nothing of the noise: it is inferred with the error.
-            replace(bare, noise=None) if same_runs_findings(planned.test) else bare,
+            replace(bare, noise=None) if copied_run_findings(planned.test) else bare,
             axis,
             active_at(planned, axis, known),
         )
@@ -118,9 +118,7 @@ def with_known_backlash(result: PositioningResult, bare: ObservedTest) -> Positi
     return replace(result, findings=findings)
 
 
-def misread_findings(
-    bare: ObservedTest, axis: Axis, active: ActiveAt | None
-) -> tuple[Finding, ...]:
+def test_doubts(bare: ObservedTest, axis: Axis, active: ActiveAt | None) -> tuple[Finding, ...]:
     """Return the doubt (CW-P160) about a test whose readings are far more likely under another
     assumption than as stated, with the odds.
 
@@ -129,24 +127,24 @@ def misread_findings(
     """
     if bare.test.targets.size < _FEWEST:
         return ()
-    ways = ways_of_reading(bare, axis, active)
+    ways = reading_interpretations(bare, axis, active)
     if len(ways) < 2:
         return ()
     logs = {
-        reading.way: settled_number(_log_likelihood(reading, axis), LOGARITHM) for reading in ways
+        reading.way: rounded_number(_log_likelihood(reading, axis), LOGARITHM) for reading in ways
     }
     return _doubt(logs, bare.test.name)
 
 
-def _log_likelihood(reading: TestReading, axis: Axis) -> float:
+def _log_likelihood(reading: InterpretedTest, axis: Axis) -> float:
     travel, periods = Travel(*axis.travel, axis.modulo), axis.screw_pitch
     if reading.table is None or reading.smooth is None:
         return log_likelihood(reading.error, travel, periods)
     whole, smooth = reading.table, reading.smooth
     cases = (
-        (plus(reading.error, whole), Shape(*whole, _MADE_FOR_IT)),
-        (plus(reading.error, smooth), Shape(*smooth, _MADE_FOR_IT)),
-        (reading.error, Shape(*smooth, _ANYTHING)),
+        (add_to_readings(reading.error, whole), ScaledCurve(*whole, _MADE_FOR_IT)),
+        (add_to_readings(reading.error, smooth), ScaledCurve(*smooth, _MADE_FOR_IT)),
+        (reading.error, ScaledCurve(*smooth, _ANYTHING)),
     )
     parts = [
         math.log(share) + log_likelihood(error, travel, periods, shape)
@@ -155,7 +153,7 @@ def _log_likelihood(reading: TestReading, axis: Axis) -> float:
     return float(np.logaddexp.reduce(parts))
 
 
-def _doubt(logs: Mapping[WayOfReading, float], name: str) -> tuple[Finding, ...]:
+def _doubt(logs: Mapping[Interpretation, float], name: str) -> tuple[Finding, ...]:
     priors = {way: math.log(_PRIOR[way]) + value for way, value in logs.items()}
     whole = float(np.logaddexp.reduce(np.array(list(priors.values()))))
     probability = {way: math.exp(value - whole) for way, value in priors.items()}

@@ -37,7 +37,7 @@ BAND: Final = 3.29
 
 
 @dataclass(frozen=True, slots=True)
-class Like:
+class RepeatConditions:
     """How a fresh test is taken: with the noise of which test of the axis (its ``place`` among
     them), and with which standard deviation of its slope, mm/mm, from a temperature that is not
     known better.
@@ -48,7 +48,7 @@ class Like:
 
 
 #: As the first test of an axis, at a known temperature.
-FIRST: Final = Like()
+FIRST: Final = RepeatConditions()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -150,7 +150,7 @@ def draws_like(result: PositioningResult) -> int:
 
 
 def fresh_tests(
-    result: PositioningResult, posterior: MeasuredError, axis: Axis, like: Like = FIRST
+    result: PositioningResult, posterior: MeasuredError, axis: Axis, like: RepeatConditions = FIRST
 ) -> FreshTests:
     """Return fresh tests of ``axis`` like ``result`` at newly dithered targets; the same for the
     same names of axis and test.

@@ -10,7 +10,7 @@ from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.limiting_causes import DRIFT, NOISE, OUTLIERS, TRAVERSES, UNKNOWN
 from compwright.planning.shortfalls import PERIOD, REVERSAL
 from compwright.records.axis import Axis
-from compwright.records.limits import Cause, Limiting
+from compwright.records.limits import LimitingCause, LimitingCauses
 from compwright.words.sentences import Amount, say
 
 #: From this share of the parameter on a cause is the reason.
@@ -21,7 +21,9 @@ _CURED_ELSEWHERE: Final = frozenset({NOISE, OUTLIERS, TRAVERSES, DRIFT, REVERSAL
 _REMAINING: Final = "what no table of this control takes away"
 
 
-def verdict(axis: Axis, limiting: Limiting, *, tabled: bool, refused: bool) -> Iterator[Finding]:
+def verdict(
+    axis: Axis, limiting: LimitingCauses, *, tabled: bool, refused: bool
+) -> Iterator[Finding]:
     """Yield a finding where a table improves an axis little (CW-P150), or some while most is
     scatter (CW-P151).
 
@@ -57,7 +59,7 @@ def verdict(axis: Axis, limiting: Limiting, *, tabled: bool, refused: bool) -> I
     )
 
 
-def stopped(axis: Axis, limiting: Limiting) -> Finding:
+def no_table_finding(axis: Axis, limiting: LimitingCauses) -> Finding:
     """Return the finding (CW-P155) that an axis is left as it is because its table gains nothing
     that a test would show, with the largest remaining cause.
     """
@@ -82,7 +84,7 @@ def stopped(axis: Axis, limiting: Limiting) -> Finding:
     )
 
 
-def _what_remains(axis: Axis, limiting: Limiting, scatter: float) -> Iterator[Finding]:
+def _what_remains(axis: Axis, limiting: LimitingCauses, scatter: float) -> Iterator[Finding]:
     """Yield what makes most of the parameter although the table helps."""
     factor, unit = outside_factor(axis.kind.unit), shown_unit(axis.kind.unit)
     main = _main_cause(limiting, 0.0)
@@ -111,7 +113,7 @@ def _what_remains(axis: Axis, limiting: Limiting, scatter: float) -> Iterator[Fi
         )
 
 
-def _main_cause(limiting: Limiting, scatter: float) -> Cause | None:
+def _main_cause(limiting: LimitingCauses, scatter: float) -> LimitingCause | None:
     """Return the cause that explains why a table does not help; None where there is no advice about
     it.
     """

@@ -13,14 +13,14 @@ import numpy as np
 
 from compwright.fitting.fit import fit_table
 from compwright.fitting.grid_losses import good_enough
-from compwright.fitting.truncation import beyond_limits, far_beyond
+from compwright.fitting.truncation import range_faults, truncation_faults
 from compwright.foundations.errors import CapacityError, raise_all
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
-from compwright.planning.predicted_gain import yardstick
-from compwright.planning.repeating_table import with_wave
+from compwright.planning.predicted_gain import judged_parameter
+from compwright.planning.repeating_table import with_repeating_table
 from compwright.planning.separate_line import with_line
-from compwright.planning.wanted_correction import without_others
+from compwright.planning.wanted_correction import without_kept_tables
 from compwright.records.axis import Axis, FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.estimate import WantedCorrection
@@ -46,15 +46,15 @@ def fit_within(
     """
 
     def fit(limits: Capacity, requested: TableRequest) -> FittedTable:
-        own = without_others(wanted, limits.stays)
-        raise_all(CapacityError, list(far_beyond(own, limits)))
+        own = without_kept_tables(wanted, limits.stays)
+        raise_all(CapacityError, list(range_faults(own, limits)))
         table = fit_remaining(wanted, limits, requested, axis)
-        raise_all(CapacityError, list(beyond_limits(table, own, limits)))
+        raise_all(CapacityError, list(truncation_faults(table, own, limits)))
         return table
 
-    plain = fit_staying(partial(fit, capacity), capacity, request, axis)
+    plain = fit_keeping_grid(partial(fit, capacity), capacity, request, axis)
     inclined = with_line(fit, wanted, capacity, request, plain)
-    table = with_wave(fit, wanted, capacity, request, inclined)
+    table = with_repeating_table(fit, wanted, capacity, request, inclined)
     moved = (one for one in plain.findings if one.code == NEW_GRID)
     return replace(table, findings=tuple(dict.fromkeys((*moved, *table.findings))))
 
@@ -72,12 +72,12 @@ def fit_remaining(
     ``costs``: whether to compute what each limit costs. Raises CapacityError where the control
     cannot hold it.
     """
-    own = without_others(wanted, capacity.stays)
+    own = without_kept_tables(wanted, capacity.stays)
     table = fit_table(own, capacity, request, address=axis.address, costs=costs)
     return replace(table, compensation=replace(table.compensation, others=capacity.stays))
 
 
-def fit_staying(
+def fit_keeping_grid(
     fit: Callable[[TableRequest], FittedTable],
     capacity: Capacity,
     request: TableRequest,
@@ -95,7 +95,7 @@ def fit_staying(
             raise
         why = "; ".join(str(fault) for fault in error.faults)
     chosen, unit = fit(replace(request, spacing="auto")), axis.kind.unit
-    new = grid_words(chosen.compensation.positions, unit)
+    new = grid_text(chosen.compensation.positions, unit)
     return replace(
         chosen,
         findings=(
@@ -104,7 +104,7 @@ def fit_staying(
                 "warning",
                 axis=axis.name,
                 grid=new,
-                existing=grid_words(np.array(capacity.there), unit),
+                existing=grid_text(np.array(capacity.there), unit),
                 why=why,
             ),
             *chosen.findings,
@@ -112,7 +112,7 @@ def fit_staying(
     )
 
 
-def freely_chosen(
+def free_grid_table(
     wanted: WantedCorrection,
     capacity: Capacity,
     request: TableRequest,
@@ -123,7 +123,7 @@ def freely_chosen(
     one and that loses too much; else None.
     """
     held = table.compensation
-    own = without_others(wanted, held.others)
+    own = without_kept_tables(wanted, held.others)
     if not table.keeps_grid or good_enough(held.positions, own, capacity):
         return None
     try:
@@ -132,11 +132,11 @@ def freely_chosen(
         return None
 
 
-def next_to_nothing(kept: TestPrediction, best: TestPrediction) -> bool:
+def negligible_loss(kept: TestPrediction, best: TestPrediction) -> bool:
     """Return whether tests show next to nothing of what one table loses against the ``best`` one:
     at the same targets and at new ones, by the parameter that judges tables.
     """
-    name = yardstick(best.before)
+    name = judged_parameter(best.before)
     if name is None:
         return False
     factor = outside_factor(best.before.test.kind.unit)
@@ -149,7 +149,7 @@ def next_to_nothing(kept: TestPrediction, best: TestPrediction) -> bool:
     )
 
 
-def grid_words(nodes: FloatArray, unit: str) -> str:
+def grid_text(nodes: FloatArray, unit: str) -> str:
     """Return a grid as people read it: "25 points from 0 to 960 mm, every 40 mm"."""
     if nodes.size < 2:
         return f"{nodes.size} points"
@@ -160,7 +160,7 @@ def grid_words(nodes: FloatArray, unit: str) -> str:
     return f"{nodes.size} points from {nodes[0]:.10g} to {nodes[-1]:.10g} {unit}, {apart}"
 
 
-def offer(
+def new_grid_offer(
     axis: Axis,
     there: FloatArray,
     chosen: FittedTable,
@@ -178,7 +178,7 @@ def offer(
     counts when it is larger than ``quantum``, the control's resolution, and than one standard
     deviation of the parameter between tests.
     """
-    name = yardstick(kept.before)
+    name = judged_parameter(kept.before)
     if name is None:
         return None
     pairs = [
@@ -195,7 +195,7 @@ def offer(
     (same, better), (new, better_new) = (
         [Amount(one.median * factor, small) for one in pair] for pair in pairs
     )
-    old, new_grid = (grid_words(nodes, unit) for nodes in (there, chosen.compensation.positions))
+    old, new_grid = (grid_text(nodes, unit) for nodes in (there, chosen.compensation.positions))
     return Finding.of(
         "CW-P141",
         "info",

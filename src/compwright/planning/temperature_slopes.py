@@ -18,7 +18,7 @@ from compwright.records.plan import PlannedTest
 from compwright.records.positioning import PositioningTest
 
 
-def with_slopes(job: Job, tests: Sequence[PlannedTest]) -> tuple[PlannedTest, ...]:
+def with_temperature_slopes(job: Job, tests: Sequence[PlannedTest]) -> tuple[PlannedTest, ...]:
     """Return the tests of an axis, each with the standard deviation of its own slope (mm/mm).
 
     ``guarded``: the slope relative to the first test, because the slope of the first test is part

@@ -11,7 +11,7 @@ from compwright.records.axis import Axis
 from compwright.records.correction import AxisCompensation
 
 
-def never_applied(axis: Axis, table: AxisCompensation) -> Iterator[Finding]:
+def unapplied_step_findings(axis: Axis, table: AxisCompensation) -> Iterator[Finding]:
     """Yield CW-P156 where reversals of a table lie in the zone of steps that are never applied,
     with the accelerations of the axis that would help.
     """

@@ -14,13 +14,13 @@ SIGNIFICANT = 2.0
 
 
 @dataclass(frozen=True, slots=True)
-class Stated:
+class ValueWithError:
     """A value and its standard error: mm for lost motion, mm/mm for scale."""
 
     value: float
     std_error: float
 
-    def differs(self, other: Stated) -> bool:
+    def differs(self, other: ValueWithError) -> bool:
         """Whether two values lie further apart than both uncertainties allow."""
         return abs(self.value - other.value) > SIGNIFICANT * float(
             np.hypot(self.std_error, other.std_error)

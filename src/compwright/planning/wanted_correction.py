@@ -8,13 +8,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from compwright.estimation.axis import AxisPosterior, Draws, estimate_axis
-from compwright.estimation.noise import noise_of
+from compwright.estimation.noise import infer_noise
 from compwright.estimation.noise_posterior import NoisePosterior
 from compwright.estimation.observed_test import ObservedTest
-from compwright.evaluation.valid_readings import not_made, without_traverses
+from compwright.evaluation.valid_readings import without_traverses, zero_traverses
 from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.findings import Finding
-from compwright.prediction.dead_zone import as_applied
+from compwright.prediction.dead_zone import applied_compensation
 from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
 from compwright.records.correction import AxisCompensation, ControlState, no_compensation
 from compwright.records.estimate import ErrorEstimate, WantedCorrection
@@ -117,11 +117,13 @@ def observed_tests(
     observed = []
     for place, planned in enumerate(tests):
         active_then = planned.acted
-        test = without_traverses(planned.test, not_made(planned.test))
+        test = without_traverses(planned.test, zero_traverses(planned.test))
         if place == 0 and active is not None:
             active_then = _at(active, test)
         bare = test if active_then is None else with_change(test, -active_then[0], -active_then[1])
-        observed.append(ObservedTest(test=bare, noise=noise_of(bare), slope_std=planned.slope_std))
+        observed.append(
+            ObservedTest(test=bare, noise=infer_noise(bare), slope_std=planned.slope_std)
+        )
     return tuple(observed)
 
 
@@ -208,7 +210,7 @@ def check_coverage(file: str, axis: Axis, tests: Sequence[PositioningTest]) -> N
         measured = axis.modulo - float(np.max(np.diff(np.append(around, around[0] + axis.modulo))))
     else:
         travel = high - low
-        measured = covered(tests, low, high)
+        measured = covered_travel(tests, low, high)
     if measured >= LEAST_COVERED * travel - 1e-9 * travel:
         return
     unit = axis.kind.unit
@@ -235,7 +237,7 @@ def check_coverage(file: str, axis: Axis, tests: Sequence[PositioningTest]) -> N
     )
 
 
-def covered(tests: Sequence[PositioningTest], low: float, high: float) -> float:
+def covered_travel(tests: Sequence[PositioningTest], low: float, high: float) -> float:
     """Return how much of the travel lies between the first and the last target of any test."""
     ranges = sorted(
         (max(float(test.targets[0]), low), min(float(test.targets[-1]), high)) for test in tests
@@ -247,12 +249,12 @@ def covered(tests: Sequence[PositioningTest], low: float, high: float) -> float:
     return length
 
 
-def held_by(state: ControlState, axis: Axis) -> AxisCompensation:
+def axis_compensation(state: ControlState, axis: Axis) -> AxisCompensation:
     """Return what a state of the control does on an axis; an axis of which it does not speak has no
     compensation.
     """
     none = no_compensation(axis.address, axis.kind, axis.reference_return)
-    return as_applied(state.axes.get(axis.address, none), axis)
+    return applied_compensation(state.axes.get(axis.address, none), axis)
 
 
 def dense_positions(axis: Axis, periods: Sequence[float]) -> FloatArray:
@@ -298,7 +300,9 @@ def wanted_correction(
     )
 
 
-def without_others(wanted: WantedCorrection, stays: Sequence[AxisCompensation]) -> WantedCorrection:
+def without_kept_tables(
+    wanted: WantedCorrection, stays: Sequence[AxisCompensation]
+) -> WantedCorrection:
     """Return the part of the wanted correction that the tables that stay do not hold, zero at the
     reference.
     """

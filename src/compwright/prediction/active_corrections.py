@@ -18,7 +18,7 @@ from compwright.records.axis import Direction, FloatArray
 Correction = Callable[[FloatArray, Direction], FloatArray]
 
 
-def nothing(positions: FloatArray, _direction: Direction) -> FloatArray:
+def no_correction(positions: FloatArray, _direction: Direction) -> FloatArray:
     """Return the correction of a control that does nothing."""
     return np.zeros(np.shape(positions))
 
@@ -28,7 +28,7 @@ def difference(new: Correction, old: Correction) -> Correction:
     return partial(_together, new, old, -1.0)
 
 
-def added(one: Correction, other: Correction) -> Correction:
+def sum_of_corrections(one: Correction, other: Correction) -> Correction:
     """Return what two corrections of one axis do together."""
     return partial(_together, one, other, 1.0)
 
@@ -53,11 +53,11 @@ class ActiveCorrections:
 
     def on(self, axis: str) -> Correction:
         """Return the correction of an axis by its own position."""
-        return self.along.get(axis, nothing)
+        return self.along.get(axis, no_correction)
 
     def between(self, given: str, bent: str) -> Correction:
         """Return the correction of the axis ``bent`` by the position of ``given``."""
-        return self.across.get((given, bent), nothing)
+        return self.across.get((given, bent), no_correction)
 
     def displacement(self, axes: tuple[str, str]) -> Displacement:
         """Return what moves the tool in the plane of two axes (names of the job), (n, 2) mm.
@@ -73,19 +73,21 @@ class ActiveCorrections:
             }
             moved = np.zeros((path.first.size, 2))
             for index, name in enumerate(axes):
-                moved[:, index] += by_motion(self.on(name), *places[name])
+                moved[:, index] += correction_in_motion(self.on(name), *places[name])
                 for other, place in places.items():
-                    moved[:, index] += by_motion(self.between(other, name), *place)
+                    moved[:, index] += correction_in_motion(self.between(other, name), *place)
             return moved
 
         return at
 
 
 #: No correction, or an unknown one.
-IDLE = ActiveCorrections({}, {})
+NO_CORRECTIONS = ActiveCorrections({}, {})
 
 
-def by_motion(correction: Correction, positions: FloatArray, moves: FloatArray) -> FloatArray:
+def correction_in_motion(
+    correction: Correction, positions: FloatArray, moves: FloatArray
+) -> FloatArray:
     """Return a correction at ``positions`` (n,) of an axis that moves with the sign ``moves`` (n,)
     there.
     """

@@ -21,9 +21,9 @@ from compwright.evaluation.circular import evaluate_circle
 from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularResult, CircularRun, CircularTest, Diagnosis
 from compwright.records.prediction import CirclePrediction, Quantiles
-from compwright.records.rounding import settled_number
+from compwright.records.rounding import rounded_number
 
-__all__ = ["CirclePath", "moved_test", "path_of", "predict_circle"]
+__all__ = ["CirclePath", "commanded_path", "moved_test", "predict_circle"]
 
 #: Samples over which the path is taken as a parabola: 2.6° of a usual ballbar's 1500, well within
 #: the decay of a reversal spike.
@@ -57,7 +57,7 @@ class CirclePath:
 Displacement = Callable[[CirclePath], FloatArray]
 
 
-def path_of(test: CircularTest, run: CircularRun, centre: tuple[float, float]) -> CirclePath:
+def commanded_path(test: CircularTest, run: CircularRun, centre: tuple[float, float]) -> CirclePath:
     """Return where ``run`` of ``test`` about ``centre`` (mm, machine coordinates of both axes)
     commands the axes.
     """
@@ -90,7 +90,7 @@ def moved_test(
         point = (test.nominal_radius + run.deviations)[:, np.newaxis] * np.column_stack(
             [np.cos(theta), np.sin(theta)]
         )
-        point = point + displacement(path_of(test, run, centre)) - in_centre
+        point = point + displacement(commanded_path(test, run, centre)) - in_centre
         runs.append(
             replace(run, deviations=np.hypot(point[:, 0], point[:, 1]) - test.nominal_radius)
         )
@@ -129,7 +129,7 @@ def predict_circle(
 def _quantiles(values: FloatArray) -> Quantiles:
     p05, median, p95 = np.quantile(values, [0.05, 0.5, 0.95])
     return Quantiles(
-        median=settled_number(median), p05=settled_number(p05), p95=settled_number(p95)
+        median=rounded_number(median), p05=rounded_number(p05), p95=rounded_number(p95)
     )
 
 

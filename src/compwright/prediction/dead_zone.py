@@ -23,7 +23,7 @@ _CYCLES = 4
 _PLACES = 501
 
 
-def as_applied(compensation: AxisCompensation, axis: Axis) -> AxisCompensation:
+def applied_compensation(compensation: AxisCompensation, axis: Axis) -> AxisCompensation:
     """Return what the control applies of a compensation on traverses over the whole travel and
     back; the compensation itself where every step of it is applied.
     """

@@ -15,7 +15,7 @@ from compwright.foundations.errors import Fault, UsageError
 from compwright.prediction.fresh_scatter import FreshScatter
 from compwright.records.axis import FloatArray
 from compwright.records.prediction import Quantiles
-from compwright.records.rounding import settled_number
+from compwright.records.rounding import rounded_number
 
 __all__ = [
     "Quantiles",
@@ -104,7 +104,7 @@ def fresh_slopes(
 def _quantiles(draws: FloatArray) -> Quantiles:
     p05, median, p95 = np.quantile(draws, [0.05, 0.5, 0.95])
     return Quantiles(
-        median=settled_number(median), p05=settled_number(p05), p95=settled_number(p95)
+        median=rounded_number(median), p05=rounded_number(p05), p95=rounded_number(p95)
     )
 
 

@@ -11,7 +11,7 @@ from typing import Final, Literal
 from compwright.foundations.findings import Finding
 from compwright.foundations.provenance import Source
 from compwright.records.axis import FloatArray
-from compwright.records.correction_need import REPEAT, need_of, shortfall
+from compwright.records.correction_need import REPEAT, correction_need, shortfall
 from compwright.records.result import ExpandedUncertainty
 
 Sense = Literal["ccw", "cw"]
@@ -161,7 +161,7 @@ class Diagnosis:
         if (
             effect is None
             or "squareness" in self.undetermined
-            or need_of(effect.value, effect.std_error) != "undetermined"
+            or correction_need(effect.value, effect.std_error) != "undetermined"
         ):
             return self.undetermined
         reason = f"{shortfall(effect.value, effect.std_error)}: {REPEAT}"

@@ -15,7 +15,7 @@ _BOTH_SIDES: Final = 2.0  # standard errors to either end of the 95 % interval
 Need = Literal["correct", "negligible", "undetermined"]
 
 
-def need_of(value: float, std_error: float) -> Need:
+def correction_need(value: float, std_error: float) -> Need:
     """Return whether a squareness or scale error (both µm/m) is to be corrected, needs no
     correction, or is not known well enough for either.
     """

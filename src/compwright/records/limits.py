@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Cause:
+class LimitingCause:
     """``value``: the predicted median of the parameter with the cause less the one without it, mm
     or deg, from the same draws; negative where it happens to cancel another one.
 
@@ -20,7 +20,7 @@ class Cause:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Limiting:
+class LimitingCauses:
     """What a fresh test at new targets is expected to show of one ``parameter``, medians in mm or
     deg: ``now`` with what is in the control, ``then`` with what is written, ``least`` of an axis
     without any error, by its scatter alone.
@@ -36,11 +36,11 @@ class Limiting:
     then: float
     least: float
     spread: float
-    causes: tuple[Cause, ...] = ()
+    causes: tuple[LimitingCause, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Worth:
+class PointCountOption:
     """What a fresh test at new targets shows of a parameter with a table of so many ``points``,
     ``spacing`` apart (mm or deg; the widest section): median and 5 to 95 %, mm or deg.
 

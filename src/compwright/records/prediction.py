@@ -10,7 +10,7 @@ from compwright.foundations.findings import Finding
 from compwright.records.circular import CircularResult
 from compwright.records.correction import AxisCompensation
 from compwright.records.estimate import AxisPeriod, PeriodEvidence
-from compwright.records.limits import Limiting, Worth
+from compwright.records.limits import LimitingCauses, PointCountOption
 from compwright.records.result import ExpandedUncertainty, PositioningResult
 
 Decision = Literal["accept", "reject", "undecided"]
@@ -85,8 +85,8 @@ class AxisPrediction:
     tests: tuple[TestPrediction, ...]
     table: AxisCompensation | None
     quantum: float | None
-    limits: Limiting | None = None
-    worth: tuple[Worth, ...] = ()
+    limits: LimitingCauses | None = None
+    worth: tuple[PointCountOption, ...] = ()
     accept: Mapping[str, AcceptDecision] = field(default_factory=dict)
     findings: tuple[Finding, ...] = ()
     periods: tuple[AxisPeriod, ...] = ()

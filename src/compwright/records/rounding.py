@@ -25,12 +25,12 @@ OUTSIDE: Final = 6
 LOGARITHM: Final = 6
 
 
-def settled(values: FloatArray, digits: int = PICO) -> FloatArray:
+def rounded(values: FloatArray, digits: int = PICO) -> FloatArray:
     """Return ``values``, mm or deg, rounded to so many decimals; no minus zero."""
     rounded: FloatArray = np.round(values, digits) + 0.0
     return rounded
 
 
-def settled_number(value: float, digits: int = PICO) -> float:
-    """Return one value as `settled` does."""
+def rounded_number(value: float, digits: int = PICO) -> float:
+    """Return one value as `rounded` does."""
     return round(float(value), digits) + 0.0

@@ -40,7 +40,7 @@ def proposed_targets(low: float, high: float, count: int) -> FloatArray:
 
 
 @lru_cache(maxsize=64)  # tests of one machine have the same targets
-def told_targets(low: float, high: float, count: int, unit: str) -> Sentence:
+def targets_text(low: float, high: float, count: int, unit: str) -> Sentence:
     """Return a proposal of targets for display: all of them, at most thirty."""
     targets = proposed_targets(low, high, int(np.clip(count, 12, 30)))
     return say("better_targets", targets=targets, unit=unit)

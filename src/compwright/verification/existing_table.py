@@ -41,7 +41,7 @@ _LISTED: Final = 0.05
 
 
 @dataclass(frozen=True, slots=True)
-class OldTable:
+class ExistingTableVerdict:
     """What two tests of an axis show about a table.
 
     ``on``, ``off``: names of the test with it and of the one without it; ``state``: the state in

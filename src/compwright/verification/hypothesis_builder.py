@@ -19,7 +19,7 @@ Curve = FloatArray  # (2, m): in + and in -
 Held = dict[Direction, FloatArray]  # values at the nodes (k,)
 
 
-class Ways:
+class HypothesisBuilder:
     """One loading at one set of targets.
 
     ``table``: the planned table alone, ``own`` (2, m): its correction; ``stay``: the correction of

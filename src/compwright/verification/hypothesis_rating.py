@@ -17,7 +17,7 @@ from compwright.records.axis import FloatArray
 from compwright.records.verification import LoadingName
 from compwright.verification.hypothesis import Hypothesis
 from compwright.verification.likelihood import AfterMeans, Curves, Fits, fits_of
-from compwright.verification.measurement_cases import View
+from compwright.verification.measurement_cases import MeasurementCase
 
 #: Standard deviation of a slope of any size, mm/mm: 3 K of steel.
 _ANY_SLOPE: Final = 35e-6
@@ -32,7 +32,7 @@ _SEEN: Final = 3.0
 
 
 @dataclass(frozen=True, slots=True)
-class Rated:
+class RatedHypothesis:
     """A hypothesis rated by a test: ``expected`` (2, m), the best-fitting noise-free test;
     ``probability``; ``score`` of the residual; slope and factor with their standard errors.
     """
@@ -48,13 +48,13 @@ class Rated:
     base: FloatArray
 
 
-def rate(
-    after: AfterMeans, views: Sequence[View], slope: float | None
-) -> tuple[list[Rated], tuple[float, float]]:
+def rate_hypotheses(
+    after: AfterMeans, views: Sequence[MeasurementCase], slope: float | None
+) -> tuple[list[RatedHypothesis], tuple[float, float]]:
     """Return all hypotheses rated by the test, and the part of the planned effect that it shows (1
     loaded, 0 not active) with its standard error (inf: the test cannot show it).
     """
-    found: list[Rated] = []
+    found: list[RatedHypothesis] = []
     effect = (0.0, math.inf)
     for view in views:
         ways = view.hypotheses
@@ -81,7 +81,9 @@ def rate(
     ], effect
 
 
-def _rated_by(after: AfterMeans, view: View, fits: Fits, index: int, way: Hypothesis) -> Rated:
+def _rated_by(
+    after: AfterMeans, view: MeasurementCase, fits: Fits, index: int, way: Hypothesis
+) -> RatedHypothesis:
     """Return a way of ``view`` with row ``index`` of ``fits``; its probability is not known yet."""
     expected = view.belief.mean + way.change
     amount = float(fits.amount[index, 0]) if way.free is not None else 0.0
@@ -90,7 +92,7 @@ def _rated_by(after: AfterMeans, view: View, fits: Fits, index: int, way: Hypoth
     if way.sloped:
         along = after.targets - after.targets.mean()
         expected = expected + fits.slope[index, 0] * along
-    return Rated(
+    return RatedHypothesis(
         hypothesis=way,
         name="thermal" if way.sloped and way.name == "loaded" else way.name,
         expected=expected,
@@ -103,7 +105,7 @@ def _rated_by(after: AfterMeans, view: View, fits: Fits, index: int, way: Hypoth
     )
 
 
-def _relevant(after: AfterMeans, rated: Sequence[Rated]) -> list[Rated]:
+def _relevant(after: AfterMeans, rated: Sequence[RatedHypothesis]) -> list[RatedHypothesis]:
     """Return the hypotheses with less weight for those that this test hardly distinguishes from a
     table that is active as planned, or not at all.
 
@@ -153,7 +155,9 @@ def _curves_of(ways: Sequence[Hypothesis]) -> Curves:
     )
 
 
-def distances(after: AfterMeans, best: Rated, rated: Sequence[Rated]) -> FloatArray:
+def distances(
+    after: AfterMeans, best: RatedHypothesis, rated: Sequence[RatedHypothesis]
+) -> FloatArray:
     """Return the distances (H,) of the noise-free tests of the hypotheses from that of the best, in
     standard errors; free values are those that give the least distance.
     """

@@ -20,7 +20,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from compwright.estimation.noise import noise_of
+from compwright.estimation.noise import infer_noise
 from compwright.estimation.observed_test import traverse_columns
 from compwright.evaluation.statistics import count_readings, mean_deviation
 from compwright.records.axis import AxisKind, FloatArray
@@ -134,7 +134,7 @@ def after_means(test: PositioningTest, fallback: NoiseDraws) -> AfterMeans:
     blocks = (test.positive, test.negative)
     plain = np.stack([_means(block) for block in blocks])
     counts = np.stack([count_readings(block) for block in blocks])
-    own = noise_of(test)
+    own = infer_noise(test)
     if own is None:
         return _as_before(test, plain, counts, fallback)
     m, floor = test.targets.size, _LEAST_NOISE[test.kind]

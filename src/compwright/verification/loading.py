@@ -18,10 +18,10 @@ import numpy as np
 
 from compwright.foundations.findings import Finding
 from compwright.records.verification import LoadingName, LoadingVerdict
-from compwright.verification.hypothesis_rating import Rated, rate
+from compwright.verification.hypothesis_rating import RatedHypothesis, rate_hypotheses
 from compwright.verification.likelihood import AfterMeans
 from compwright.verification.loading_messages import (
-    Shown,
+    ShownTest,
     declared_slope_text,
     named_message,
     neither_message,
@@ -35,9 +35,9 @@ from compwright.verification.loading_names import (
     REFUSED,
     NamedLoading,
     factor_of,
-    named,
+    name_loading,
 )
-from compwright.verification.measurement_cases import View
+from compwright.verification.measurement_cases import MeasurementCase
 from compwright.words.sentences import Sentence, say
 
 #: A name is given from this probability on, those that no test could tell from it counted with it.
@@ -49,10 +49,10 @@ _EXPLAINED: Final = 0.15
 
 def judge_loading(
     after: AfterMeans,
-    views: Sequence[View],
+    views: Sequence[MeasurementCase],
     *,
     declared_slope: float | None,
-    further: Callable[[], Sequence[View]] = tuple,
+    further: Callable[[], Sequence[MeasurementCase]] = tuple,
     read_back: bool = False,
 ) -> LoadingVerdict:
     """Return the loading verdict from the test ``after``, by the hypotheses of all ``views``.
@@ -76,17 +76,17 @@ def judge_loading(
             sentence=say("loading.too_few"),
         )
     slope = None if declared_slope is None else math.hypot(declared_slope, LEAST_SLOPE)
-    found, effect = rate(after, views, slope)
+    found, effect = rate_hypotheses(after, views, slope)
     if not any(_fits_unchanged(each) for each in found):
         more = further()
         if more:
-            found, effect = rate(after, [*views, *more], slope)
+            found, effect = rate_hypotheses(after, [*views, *more], slope)
     first = views[0]
-    shown = Shown.of(after, first.belief, first.hypotheses, effect, read_back=read_back)
-    return _verdict(shown, named(after, found, declared_slope), found, declared_slope)
+    shown = ShownTest.of(after, first.belief, first.hypotheses, effect, read_back=read_back)
+    return _verdict(shown, name_loading(after, found, declared_slope), found, declared_slope)
 
 
-def _fits_unchanged(each: Rated) -> bool:
+def _fits_unchanged(each: RatedHypothesis) -> bool:
     """Return whether the test fits the loaded table, or the control as before, without any further
     change.
     """
@@ -94,7 +94,10 @@ def _fits_unchanged(each: Rated) -> bool:
 
 
 def _verdict(
-    shown: Shown, names: NamedLoading, ways: Sequence[Rated], declared_slope: float | None
+    shown: ShownTest,
+    names: NamedLoading,
+    ways: Sequence[RatedHypothesis],
+    declared_slope: float | None,
 ) -> LoadingVerdict:
     best = names.best
     clear = names.together >= CLEAR and not names.hidden and (names.fits or _explains(shown, best))
@@ -127,7 +130,7 @@ def _verdict(
     )
 
 
-def _neither(shown: Shown, names: NamedLoading) -> LoadingVerdict:
+def _neither(shown: ShownTest, names: NamedLoading) -> LoadingVerdict:
     """Return the verdict where nothing fits: the least unlikely of that is no lead."""
     sentence = neither_message(shown)
     return LoadingVerdict(
@@ -147,7 +150,7 @@ def _findings(verdict: LoadingName, sentence: Sentence) -> tuple[Finding, ...]:
     return (Finding.of("CW-V028", "warning", verdict=sentence),)
 
 
-def _explains(shown: Shown, best: Rated) -> bool:
+def _explains(shown: ShownTest, best: RatedHypothesis) -> bool:
     """Return whether a fault of the table explains nearly all of what neither the loaded table nor
     the old control does.
     """
@@ -162,7 +165,10 @@ def _explains(shown: Shown, best: Rated) -> bool:
 
 
 def _sentence(
-    shown: Shown, names: NamedLoading, ways: Sequence[Rated], declared_slope: float | None
+    shown: ShownTest,
+    names: NamedLoading,
+    ways: Sequence[RatedHypothesis],
+    declared_slope: float | None,
 ) -> Sentence:
     """Return the sentence about a verdict."""
     best, declared = names.best, declared_slope or 0.0

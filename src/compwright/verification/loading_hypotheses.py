@@ -11,7 +11,7 @@ from compwright.records.axis import FloatArray
 from compwright.records.verification import LoadingName
 from compwright.verification import partial_table_faults, whole_table_faults
 from compwright.verification.hypothesis import Hypothesis, Loading
-from compwright.verification.hypothesis_builder import Ways
+from compwright.verification.hypothesis_builder import HypothesisBuilder
 
 #: Where the values that were read back from the control are those of the plan, a fault of the
 #: values is this much less likely. ``inverted`` is none of these: a control whose sign is another
@@ -40,7 +40,7 @@ _FAULTS: Final = (
 
 def loading_hypotheses(loading: Loading, targets: FloatArray) -> tuple[Hypothesis, ...]:
     """Return every way in which the table may have been loaded, at ``targets`` (m,)."""
-    ways = Ways(loading, targets)
+    ways = HypothesisBuilder(loading, targets)
     found = [ways.made("loaded", ways.total(ways.own), 1.0)]
     found += [way for fault in _FAULTS for way in fault(ways)]
     if not loading.read_back:

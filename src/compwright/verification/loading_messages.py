@@ -31,7 +31,7 @@ VISIBLE: Final = 10.2
 
 
 @dataclass(frozen=True, slots=True)
-class Shown:
+class ShownTest:
     """What a test shows: its ``means`` (2, m) in + and -, NaN where there is none, at ``targets``;
     ``noise`` of a reading; the means expected with the new table and without it; ``effect``: which
     part of their difference it shows, with its standard error; ``read_back``: the values that were
@@ -56,7 +56,7 @@ class Shown:
         effect: tuple[float, float],
         *,
         read_back: bool = False,
-    ) -> Shown:
+    ) -> ShownTest:
         """Return the test ``after`` minus the expected deviations of the first hypotheses."""
         expected = {
             name: next((belief.mean + h.change for h in hypotheses if h.name == name), None)
@@ -120,7 +120,7 @@ class Shown:
         return float(np.std(step))
 
 
-def words_of(candidate: LoadingName, detail: str = "") -> Sentence:
+def candidate_text(candidate: LoadingName, detail: str = "") -> Sentence:
     """Return a name as it is shown, with its variant."""
     return say("loading.name", name=candidate.replace("_", " "), detail=detail)
 
@@ -129,7 +129,7 @@ def words_of(candidate: LoadingName, detail: str = "") -> Sentence:
 
 
 def named_message(
-    shown: Shown,
+    shown: ShownTest,
     name: LoadingName,
     way: Hypothesis,
     expected: FloatArray,
@@ -145,14 +145,14 @@ def named_message(
         sentences.append(
             say(
                 "loading.equivalent",
-                names=[words_of(other) for other in equivalent],
+                names=[candidate_text(other) for other in equivalent],
                 read_back=shown.read_back,
             )
         )
     return sentences
 
 
-def _sentence(shown: Shown, name: LoadingName, way: Hypothesis, factor: float) -> Sentence:
+def _sentence(shown: ShownTest, name: LoadingName, way: Hypothesis, factor: float) -> Sentence:
     if name == "measurement":
         return say(
             "loading.measurement",
@@ -172,7 +172,7 @@ def _sentence(shown: Shown, name: LoadingName, way: Hypothesis, factor: float) -
     )
 
 
-def _evidence(shown: Shown, name: LoadingName, expected: FloatArray) -> Iterator[Sentence]:
+def _evidence(shown: ShownTest, name: LoadingName, expected: FloatArray) -> Iterator[Sentence]:
     mine = shown.rms(shown.left(expected))
     if name == "loaded":
         yield say("loading.as_predicted", left=mine)
@@ -194,7 +194,7 @@ def _evidence(shown: Shown, name: LoadingName, expected: FloatArray) -> Iterator
 
 
 def open_message(
-    shown: Shown, candidates: Sequence[Candidate], unexplained: FloatArray | None
+    shown: ShownTest, candidates: Sequence[Candidate], unexplained: FloatArray | None
 ) -> Sentence:
     """Return the sentence of an undecided verdict, with the correction that a test could show.
 
@@ -213,7 +213,7 @@ def open_message(
         candidates=[
             say(
                 "loading.candidate",
-                name=words_of(each.verdict, each.detail),
+                name=candidate_text(each.verdict, each.detail),
                 percent=100.0 * each.probability,
                 sure=each.probability >= 0.995,
             )
@@ -224,7 +224,7 @@ def open_message(
     )
 
 
-def neither_message(shown: Shown) -> Sentence:
+def neither_message(shown: ShownTest) -> Sentence:
     """Return by how much, and where, a test contradicts every way of loading."""
     loaded, inactive = (
         None if expected is None else shown.left(expected)
@@ -273,12 +273,12 @@ def declared_slope_text(slope: float, error: float, declared: float) -> Sentence
     )
 
 
-def thermal_message(shown: Shown, expected: FloatArray, slope: Sentence) -> Sentence:
+def thermal_message(shown: ShownTest, expected: FloatArray, slope: Sentence) -> Sentence:
     """Return the sentence of an active table on an axis that is longer or shorter now."""
     return say("loading.thermal", left=shown.rms(shown.left(expected)), slope=slope)
 
 
-def straight_line_message(shown: Shown, slope: Sentence, active_part: float) -> Sentence:
+def straight_line_message(shown: ShownTest, slope: Sentence, active_part: float) -> Sentence:
     """Return the sentence for a correction that is a straight line itself."""
     return say(
         "loading.straight_line",

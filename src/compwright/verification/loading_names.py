@@ -14,7 +14,7 @@ import numpy as np
 from compwright.records.axis import FloatArray
 from compwright.records.verification import Candidate, LoadingName
 from compwright.verification.hypothesis import UNKNOWN_FACTOR
-from compwright.verification.hypothesis_rating import Rated, distances
+from compwright.verification.hypothesis_rating import RatedHypothesis, distances
 from compwright.verification.likelihood import AfterMeans
 
 #: A test that fits is refused in 1 of 1000 cases by what is left over, and by a slope beyond what
@@ -41,7 +41,7 @@ class NamedLoading:
     the test would be the same.
     """
 
-    best: Rated
+    best: RatedHypothesis
     fits: bool
     together: float
     equivalent: tuple[LoadingName, ...]
@@ -51,7 +51,9 @@ class NamedLoading:
     hidden: bool
 
 
-def named(after: AfterMeans, rated: Sequence[Rated], declared_slope: float | None) -> NamedLoading:
+def name_loading(
+    after: AfterMeans, rated: Sequence[RatedHypothesis], declared_slope: float | None
+) -> NamedLoading:
     """Return the name of the loading verdict from the ``rated`` hypotheses of a test, with its
     equivalents and its odds.
 
@@ -93,7 +95,9 @@ def named(after: AfterMeans, rated: Sequence[Rated], declared_slope: float | Non
 
 
 def _margin(
-    rated: Sequence[Rated], names: Collection[LoadingName], excluded: Collection[LoadingName]
+    rated: Sequence[RatedHypothesis],
+    names: Collection[LoadingName],
+    excluded: Collection[LoadingName],
 ) -> float:
     """Return the logarithm of the odds for ``names`` over the most probable name that is not
     ``excluded``.
@@ -111,7 +115,9 @@ def _margin(
     )
 
 
-def _loaded_or_thermal(rated: Sequence[Rated], declared_slope: float | None) -> LoadingName:
+def _loaded_or_thermal(
+    rated: Sequence[RatedHypothesis], declared_slope: float | None
+) -> LoadingName:
     """Return ``loaded`` or, where the slope of the test relative to the active table exceeds the
     declared one, ``thermal``.
     """
@@ -123,7 +129,9 @@ def _loaded_or_thermal(rated: Sequence[Rated], declared_slope: float | None) -> 
     return "thermal" if beyond else "loaded"
 
 
-def _equivalent(best: Rated, far: FloatArray, rated: Sequence[Rated]) -> tuple[LoadingName, ...]:
+def _equivalent(
+    best: RatedHypothesis, far: FloatArray, rated: Sequence[RatedHypothesis]
+) -> tuple[LoadingName, ...]:
     """Return the names that no test could distinguish from the best.
 
     A hypothesis whose limit is the loaded table, or none, is no other name there (a factor near
@@ -145,7 +153,7 @@ def _equivalent(best: Rated, far: FloatArray, rated: Sequence[Rated]) -> tuple[L
     return tuple(found)
 
 
-def _near(far: FloatArray, rated: Sequence[Rated]) -> tuple[LoadingName, ...]:
+def _near(far: FloatArray, rated: Sequence[RatedHypothesis]) -> tuple[LoadingName, ...]:
     """Return the names whose test is so close to the best that this test hardly distinguishes them.
 
     Left out: variants that can come arbitrarily close (a cut near an end, an unknown factor or
@@ -163,7 +171,9 @@ def _near(far: FloatArray, rated: Sequence[Rated]) -> tuple[LoadingName, ...]:
     )
 
 
-def _candidates(rated: Sequence[Rated], totals: dict[LoadingName, float]) -> tuple[Candidate, ...]:
+def _candidates(
+    rated: Sequence[RatedHypothesis], totals: dict[LoadingName, float]
+) -> tuple[Candidate, ...]:
     ordered = sorted(totals, key=lambda one: -totals[one])
     excluded = [one for one in ordered if totals[one] >= _LISTED] or ordered[:1]
     return tuple(
@@ -176,7 +186,7 @@ def _candidates(rated: Sequence[Rated], totals: dict[LoadingName, float]) -> tup
     )
 
 
-def factor_of(best: Rated) -> float:
+def factor_of(best: RatedHypothesis) -> float:
     """Return the factor of a scaled table: its known one, or that which the test shows."""
     way = best.hypothesis
     if way.name != "scaled" or way.free is None:

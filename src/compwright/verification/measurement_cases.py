@@ -27,14 +27,14 @@ _UNITS: Final = (1000.0, 0.001, 25.4, 1.0 / 25.4)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class View:
+class MeasurementCase:
     """Ways of loading, with one expectation of what the test would show without any change."""
 
     belief: ErrorBelief
     hypotheses: tuple[Hypothesis, ...]
 
 
-def measurement_views(view: View, *, both: bool = True) -> tuple[View, ...]:
+def measurement_cases(view: MeasurementCase, *, both: bool = True) -> tuple[MeasurementCase, ...]:
     """Return the faults of measurement: the loaded table, or the old control, read with the wrong
     sign or with exchanged directions (``both`` are measured).
     """
@@ -47,7 +47,7 @@ def measurement_views(view: View, *, both: bool = True) -> tuple[View, ...]:
     return tuple(views)
 
 
-def unit_views(view: View, louder: float) -> tuple[View, ...]:
+def unit_cases(view: MeasurementCase, louder: float) -> tuple[MeasurementCase, ...]:
     """Return the loaded table read in another unit.
 
     ``louder``: the noise of the test over that of the tests before. Readings in another unit
@@ -63,7 +63,7 @@ def unit_views(view: View, louder: float) -> tuple[View, ...]:
         read = _read(view.belief.scaled(unit), stood, unit, "unit")
         odds = math.exp(_honest(louder / unit) - _honest(louder))
         ways = (replace(each, weight=max(odds * each.weight, _NEVER)) for each in read.hypotheses)
-        views.append(View(belief=read.belief, hypotheses=tuple(ways)))
+        views.append(MeasurementCase(belief=read.belief, hypotheses=tuple(ways)))
     return tuple(views)
 
 
@@ -72,17 +72,19 @@ def _honest(ratio: float) -> float:
     return -0.5 * (math.log(ratio) / _OTHER_NOISE) ** 2
 
 
-def of_other_axis(name: str, view: View) -> View:
+def other_axis_case(name: str, view: MeasurementCase) -> MeasurementCase:
     """Return that the test is one of another axis ``name``, whose ``view`` this is."""
     stood = [each for each in view.hypotheses if each.name in ("loaded", "not_active")][:2]
     read = _read(view.belief, stood, 1.0, "wrong_axis").hypotheses
     share = _OTHER_AXIS / _MEASURED_WRONG
     named = (replace(each, weight=share * each.weight, detail=f"axis {name}") for each in read)
-    return View(belief=view.belief, hypotheses=tuple(named))
+    return MeasurementCase(belief=view.belief, hypotheses=tuple(named))
 
 
-def _read(belief: ErrorBelief, stood: Sequence[Hypothesis], factor: float, of: str) -> View:
-    return View(
+def _read(
+    belief: ErrorBelief, stood: Sequence[Hypothesis], factor: float, of: str
+) -> MeasurementCase:
+    return MeasurementCase(
         belief=belief,
         hypotheses=tuple(
             replace(

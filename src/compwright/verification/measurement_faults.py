@@ -14,13 +14,13 @@ from typing import Final, Literal
 
 import numpy as np
 
-from compwright.evaluation.copied_runs import same_runs
+from compwright.evaluation.copied_runs import copied_runs
 from compwright.evaluation.plausibility import (
     FEWEST_TARGETS,
     certain_fault,
     wrong_target_unit,
 )
-from compwright.evaluation.pooled_scatter import pooled_scatter, spread_of
+from compwright.evaluation.pooled_scatter import pooled_scatter, reading_range
 from compwright.evaluation.reading_checks import position_text, text_of
 from compwright.evaluation.statistics import mean_deviation
 from compwright.foundations.findings import Finding
@@ -65,7 +65,7 @@ def measurement_fault(
     """Return the fault that the test after loading shows for certain against the ``first`` test of
     the axis, or None.
     """
-    spread = spread_of(after)
+    spread = reading_range(after)
     if spread <= SAME_READING or any(finding.code == "CW-R009" for finding in after.findings):
         return NamedFault("zeros", say("CW-V026.zeros"))
     copy = _copied(after, first)
@@ -89,12 +89,12 @@ def _copied(after: PositioningTest, first: PositioningTest) -> Sentence | None:
     ):
         if _shifted(after, first, positive, negative):
             return say("CW-V026.copied", test=first.name, way=way)
-    groups = same_runs(after)
+    groups = copied_runs(after)
     every = all(
         len(groups[side]) == 1 and len(groups[side][0]) == after.deviations(side).shape[1]
         for side in _measured(after)
     )
-    if every and not any(same_runs(first).values()) and after.positive.shape[0] > 3:
+    if every and not any(copied_runs(first).values()) and after.positive.shape[0] > 3:
         return say("CW-V026.one_run")
     correlation = copied_scatter(after, first)
     if correlation is not None:
@@ -218,7 +218,7 @@ def normal_score(ratio: float, dof: float, noise_dof: float) -> float:
     return ((1.0 - b) * root - (1.0 - a)) / math.sqrt(b * root**2 + a)
 
 
-def proof_lacking(after: PositioningTest, first: PositioningTest) -> list[Finding]:
+def proof_findings(after: PositioningTest, first: PositioningTest) -> list[Finding]:
     """Return what the test after loading lacks as a proof, relative to the ``first`` test: CW-V020
     (targets), CW-V021 (noise).
     """
@@ -285,7 +285,7 @@ def _noise(after: PositioningTest, first: PositioningTest) -> Iterable[Finding]:
     )
 
 
-def files_apart(parts: Sequence[PositioningTest]) -> tuple[PositioningTest, str] | None:
+def file_disagreement(parts: Sequence[PositioningTest]) -> tuple[PositioningTest, str] | None:
     """Return which of the files of one test differs most from the first, and by how much, in words;
     None where all agree.
 

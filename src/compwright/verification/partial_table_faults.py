@@ -11,14 +11,14 @@ import numpy as np
 
 from compwright.records.axis import Direction
 from compwright.verification.hypothesis import COMMON, RARE, Hypothesis
-from compwright.verification.hypothesis_builder import Curve, Held, Ways
+from compwright.verification.hypothesis_builder import Curve, Held, HypothesisBuilder
 
 #: Most places at which a table may be cut.
 _CUTS: Final = 120
 _FAMILY: Final = 0.025  # prior odds of a whole family of cuts of one kind
 
 
-def one_direction(ways: Ways) -> Iterator[Hypothesis]:
+def one_direction(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
     """Yield the table in one direction, in the other what may act there instead."""
     new = ways.total(ways.own)
     beyond = [("the other as before", ways.old - ways.active_before)]
@@ -34,7 +34,7 @@ def one_direction(ways: Ways) -> Iterator[Hypothesis]:
             yield ways.made("one_direction", change, 0.5 * COMMON, detail)
 
 
-def wrong_backlash(ways: Ways) -> Iterator[Hypothesis]:
+def wrong_backlash(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
     """Yield another backlash than planned: that of the control, or what two tables hold."""
     step = ways.backlash
     if not np.any(step):
@@ -53,7 +53,7 @@ def wrong_backlash(ways: Ways) -> Iterator[Hypothesis]:
             yield ways.made("backlash", ways.total(ways.own, value), COMMON, detail)
 
 
-def _reversal(ways: Ways) -> Curve:
+def _reversal(ways: HypothesisBuilder) -> Curve:
     """Return the mean difference of two tables, as a backlash would do it."""
     mean = (
         float(np.mean(ways.table.negative - ways.table.positive))
@@ -67,7 +67,7 @@ def _reversal(ways: Ways) -> Curve:
     return step
 
 
-def partial(ways: Ways) -> Iterator[Hypothesis]:
+def partial(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
     """Yield the table up to a node, or from one on, with the possible values at the other nodes."""
     nodes = ways.table.positions
     if nodes.size < 3:
@@ -106,7 +106,7 @@ def partial(ways: Ways) -> Iterator[Hypothesis]:
                 )
 
 
-def cut_off(ways: Ways) -> Iterator[Hypothesis]:
+def cut_off(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
     """Yield a table that ends between two nodes all at once, its backlash with it."""
     nodes, targets = ways.table.positions, ways.targets
     if nodes.size < 3 or targets.size < 3:
@@ -133,7 +133,7 @@ def cut_off(ways: Ways) -> Iterator[Hypothesis]:
                 )
 
 
-def _cuts(ways: Ways) -> list[int]:
+def _cuts(ways: HypothesisBuilder) -> list[int]:
     """Return the numbers of nodes that may have been loaded: between the targets, at most
     `_CUTS`.
     """

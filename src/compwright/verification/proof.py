@@ -189,7 +189,7 @@ def doubts_after(after: PositioningResult | CircularResult) -> tuple[Finding, ..
     )
 
 
-def doubted(
+def doubt_warnings(
     after: PositioningResult | CircularResult,
     before: PositioningResult | CircularResult,
     acknowledged: Collection[Finding],
@@ -216,7 +216,7 @@ def doubted(
 # ---------------------------------------------------------------- measurements given twice
 
 
-def copies(tests: Iterable[AfterTest]) -> dict[str, NamedFault]:
+def copied_tests(tests: Iterable[AfterTest]) -> dict[str, NamedFault]:
     """Return by axis the faults of duplicates: one file twice within a test, or one measurement for
     two axes.
     """
@@ -236,7 +236,7 @@ def copies(tests: Iterable[AfterTest]) -> dict[str, NamedFault]:
     return found
 
 
-def old_circles(plan: Plan, circles: Mapping[str, CircularTest]) -> Iterator[Finding]:
+def repeated_circles(plan: Plan, circles: Mapping[str, CircularTest]) -> Iterator[Finding]:
     """Yield circles that are those from before loading, by the content of their files (CW-V025)."""
     for name, test in circles.items():
         if share_a_file(plan.circles[name].test.sources, test.sources):

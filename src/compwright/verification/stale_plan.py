@@ -39,10 +39,10 @@ def stale_plan(
                 ", ".join(sorted(plan.circles)) or "none",
             )
         )
-    return [stale(what, mine, theirs, file) for what, mine, theirs in differences]
+    return [stale_fault(what, mine, theirs, file) for what, mine, theirs in differences]
 
 
-def stale(what: str, mine: str, theirs: str, file: str) -> Fault:
+def stale_fault(what: str, mine: str, theirs: str, file: str) -> Fault:
     """Return the fault of a job with the value ``mine`` whose plan has the value ``theirs``."""
     return Fault(
         message="the plan was made for another job, or before the job was edited",

@@ -10,7 +10,7 @@ import numpy as np
 
 from compwright.records.axis import Direction, FloatArray
 from compwright.verification.hypothesis import COMMON, RARE, UNKNOWN_FACTOR, Hypothesis
-from compwright.verification.hypothesis_builder import Ways
+from compwright.verification.hypothesis_builder import HypothesisBuilder
 
 #: Factors with a known cause, and the relative probability of each.
 _FACTORS: Final[Mapping[float, tuple[float, str]]] = {
@@ -30,7 +30,7 @@ _MOST_SHIFT: Final = 5
 _OTHER: Final = 0.01
 
 
-def inactive(ways: Ways) -> Iterator[Hypothesis]:
+def inactive(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
     """Yield the cases in which the table is not active: the old correction, none, the new backlash
     value alone.
     """
@@ -47,7 +47,7 @@ def inactive(ways: Ways) -> Iterator[Hypothesis]:
         yield ways.made("not_active", ways.total(nothing), RARE, "the new backlash alone is active")
 
 
-def with_existing(ways: Ways) -> Iterator[Hypothesis]:
+def with_existing(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
     """Yield the change alone, the total on top of the existing table, and an existing table that
     was not active in the tests before although the job states it.
     """
@@ -67,7 +67,7 @@ def with_existing(ways: Ways) -> Iterator[Hypothesis]:
         yield ways.made("state", ways.total(ways.own) + believed, RARE)
 
 
-def inverted(ways: Ways) -> Iterator[Hypothesis]:
+def inverted(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
     """Yield the other sign, of everything or of all but the backlash."""
     yield ways.made("inverted", ways.total(-ways.own, -ways.backlash), COMMON)
     if np.any(ways.backlash):
@@ -75,7 +75,7 @@ def inverted(ways: Ways) -> Iterator[Hypothesis]:
         yield ways.made("inverted", ways.total(-ways.own), COMMON, apart)
 
 
-def scaled(ways: Ways) -> Iterator[Hypothesis]:
+def scaled(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
     """Yield factors with a known cause, and one that nothing is known of."""
     for factor, (share, words) in _FACTORS.items():
         weight = COMMON * share
@@ -94,7 +94,7 @@ def scaled(ways: Ways) -> Iterator[Hypothesis]:
         )
 
 
-def shifted(ways: Ways) -> Iterator[Hypothesis]:
+def shifted(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
     """Yield the values at nodes further to + or -."""
     nodes, held = ways.table.positions.size, ways.held()
     for k in range(1, min(_MOST_SHIFT, nodes - 2) + 1):
@@ -103,7 +103,7 @@ def shifted(ways: Ways) -> Iterator[Hypothesis]:
                 yield from ways.moved("shifted", curves, COMMON / (1 + k), shift_nodes=by)
 
 
-def mirrored(ways: Ways) -> Iterator[Hypothesis]:
+def mirrored(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
     """Yield the values in the order of the other end, each counted alone or from step to step."""
     if ways.table.positions.size > 2:
         held = ways.held()
@@ -123,7 +123,7 @@ def mirrored(ways: Ways) -> Iterator[Hypothesis]:
             yield from ways.moved("mirrored", next(ways.shifts(by, steps)), RARE, **more)
 
 
-def wrong_axis(ways: Ways) -> Iterator[Hypothesis]:
+def wrong_axis(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
     """Yield the tables of other axes, by position and by the numbers of their nodes."""
     for name, other in ways.loading.others.items():
         if other.kind is not ways.table.kind or not other.positions.size:

@@ -31,7 +31,7 @@ from compwright.foundations.findings import Finding
 from compwright.foundations.input_sizes import PLAN
 from compwright.foundations.session import Session
 from compwright.jobs.command_line import stated_activity
-from compwright.planning.practical_tables import as_planned
+from compwright.planning.practical_tables import planned_request
 from compwright.planning.tables import fit_within
 from compwright.records.axis import Axis
 from compwright.records.correction import Assumption, ControlFile
@@ -145,7 +145,7 @@ def _refitted(
             capacity = control.format.capacity(axis, one_curve=entry.request.mode == "single")
             request = entry.request
             if plan.format == control.id:
-                capacity, request = as_planned(capacity, request, entry.fitted)
+                capacity, request = planned_request(capacity, request, entry.fitted)
             table = fit_within(entry.wanted, capacity, request, axis)
         except CapacityError as error:
             errors.append(CapacityError(*(fault.within(f"axis {name}") for fault in error.faults)))

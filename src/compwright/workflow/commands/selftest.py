@@ -27,7 +27,7 @@ from compwright.foundations.extras import installed_version
 from compwright.foundations.provenance import fingerprint
 from compwright.foundations.session import Session
 from compwright.foundations.utf8 import encoded
-from compwright.planning.circle_diagnosis import diagnosed_circle
+from compwright.planning.circle_diagnosis import diagnose_circle
 from compwright.records.positioning import PositioningTest
 from compwright.workflow.inputs.evaluated import tests_in
 from compwright.workflow.results.single_files import refuse_other_kinds
@@ -135,7 +135,7 @@ def _evaluated(content: bytes, file: str, standard: str) -> tuple[Mapping[str, f
         if isinstance(test, PositioningTest):
             document = result_document(evaluate(test, standard))
             return _given(document["parameters"]), ""
-        document = circular_document(diagnosed_circle(test, standard))
+        document = circular_document(diagnose_circle(test, standard))
         causes = {name: one["value"] for name, one in (document["diagnosis"] or {}).items()}
         return _given({**document["parameters"], **causes}), ""
     except CompwrightError as error:

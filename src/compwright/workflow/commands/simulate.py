@@ -18,7 +18,7 @@ from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.input_sizes import MACHINE
 from compwright.foundations.session import Session
-from compwright.prediction.active_corrections import IDLE, ActiveCorrections
+from compwright.prediction.active_corrections import NO_CORRECTIONS, ActiveCorrections
 from compwright.prediction.circular import moved_test
 from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularRun
@@ -73,7 +73,7 @@ def simulated(
     """Return the test of every axis and the recording of every circle by name, as `simulate_files`
     writes them. Raises UsageError, InputError for tables that cannot be read.
     """
-    loaded = IDLE if tables is None else _loaded(session, machine, tables, file)
+    loaded = NO_CORRECTIONS if tables is None else _loaded(session, machine, tables, file)
     tests: dict[str, PositioningTest | CircleRecording] = {}
     for number, name in enumerate(machine.axes):
         rng = np.random.default_rng([seed, number])

@@ -36,8 +36,13 @@ from compwright.foundations.side_by_side import Each, in_turn
 from compwright.records.job import AS_FOUND, Job
 from compwright.records.plan import Plan
 from compwright.verification.acceptance import OverallVerdict, overall_verdict
-from compwright.verification.proof import changed_limits, copies, not_measured, old_circles
-from compwright.verification.stale_plan import stale, stale_plan
+from compwright.verification.proof import (
+    changed_limits,
+    copied_tests,
+    not_measured,
+    repeated_circles,
+)
+from compwright.verification.stale_plan import stale_fault, stale_plan
 from compwright.workflow.commands.compare import compare_plan
 from compwright.workflow.inputs.after_tests import after_tests, read_again
 from compwright.workflow.inputs.input_copies import BY_VERIFY, INPUTS, files_of_verify
@@ -185,7 +190,7 @@ def _verified(
     as_found = states.get(AS_FOUND) or decode(control, (), known)
     read_back = decode(control, read_files(session, loaded), known) if loaded else None
     ours = tuple(not_read_back(plan_file, loaded))
-    twice = copies(tests)
+    twice = copied_tests(tests)
     axes = {
         test.axis: verified_axis(
             job,
@@ -207,7 +212,7 @@ def _verified(
         *not_measured(
             job, plan, {name: axis.before.test.name for name, axis in axes.items()}, measured
         ),
-        *old_circles(plan, measured),
+        *repeated_circles(plan, measured),
     ]
     found = Verified(
         job=job,
@@ -301,7 +306,7 @@ def _planned(
         replace(origin_of(job, Path(job.file).parent), carried=plan.definition),
     )
     if named.id != plan.format:
-        raise InputError(stale("format", named.id, plan.format, str(file)))
+        raise InputError(stale_fault("format", named.id, plan.format, str(file)))
     control = replace(control, notes=named.notes)
     own = plan.states.get(AS_FOUND, ())
     job, _ = named_axes(job, control, lambda: control.format.listing.names(control.format, own))

@@ -21,7 +21,7 @@ from compwright.records.environment import MATERIAL
 from compwright.records.job import AxisJob, Job, TestRequest
 from compwright.records.plan import Plan
 from compwright.records.positioning import PositioningTest
-from compwright.verification.measurement_faults import files_apart
+from compwright.verification.measurement_faults import file_disagreement
 from compwright.verification.proof import AfterTest
 from compwright.workflow.inputs.job_inputs import read_measurement, read_test
 from compwright.workflow.inputs.measurement_files import load_profile
@@ -115,7 +115,7 @@ def _refuse_files_apart(session: Session, entry: AxisJob, request: TestRequest) 
     parts = [
         read_test(session, entry, replace(request, files=(file,)), Path()) for file in request.files
     ]
-    found = files_apart(parts)
+    found = file_disagreement(parts)
     if found is not None:
         part, words = found
         raise InputError(

@@ -142,10 +142,10 @@ class CirclesEvaluator:
     def __call__(self, test: CircularTest) -> FileTests:
         """Return the test evaluated; whatever is wrong with it is noted as a fault of its file."""
         from compwright.documents.circular import circular_document
-        from compwright.planning.circle_diagnosis import diagnosed_circle
+        from compwright.planning.circle_diagnosis import diagnose_circle
 
         try:
-            entry = circular_document(diagnosed_circle(test, self.request.circular))
+            entry = circular_document(diagnose_circle(test, self.request.circular))
         except Exception as error:  # noqa: BLE001 - the other tests are evaluated all the same
             return FileTests(noted=_noted(error, test.sources[0].file, "refused"))
         return FileTests((Evaluated(_kept(entry, self.request)),))

@@ -12,7 +12,7 @@ from compwright.controls.gantries import partner_questions
 from compwright.controls.settled import length_unit, other_joints
 from compwright.evaluation.environment_reduction import reduce_by_record
 from compwright.evaluation.expansion import remove_differential_expansion
-from compwright.evaluation.temperatures import at_temperatures, temperatures_of
+from compwright.evaluation.temperatures import temperatures_of, with_temperatures
 from compwright.foundations import storage
 from compwright.foundations.errors import (
     CompwrightError,
@@ -173,7 +173,7 @@ def read_test(
     if thermal is not None:
         of_files = temperatures_of(parts).items()
         stated = {name: T for name, T in of_files if name not in request.own_temperatures}
-        thermal = at_temperatures(thermal, stated)
+        thermal = with_temperatures(thermal, stated)
     if request.environment is not None:
         mapped = profile.position_map if profile is not None else None
         zero = (mapped or request.position_map).offset

@@ -9,8 +9,8 @@ from compwright import __version__
 from compwright.foundations.findings import RESULTS, Finding, doubts_of
 from compwright.jobs.idle_keys import unused_acknowledgements
 from compwright.planning.axis_work import AxisWork
-from compwright.planning.circles import undecided_circles, worse_circles
-from compwright.planning.doubts import Doubts, Noticed, doubts_among, undecided
+from compwright.planning.circles import undecided_circle_findings, worse_circle_findings
+from compwright.planning.doubts import Doubts, ScopedFinding, find_doubts, mark_undecided
 from compwright.planning.limit_decisions import lacking_circle_guard
 from compwright.records.correction import Assumption
 from compwright.records.plan import Plan
@@ -67,7 +67,7 @@ class Finished:
         """The doubts that must be cleared before any decision, with the axes that they concern;
         findings of tests name their test.
         """
-        return doubts_among(
+        return find_doubts(
             [*self._noticed(), *self._of_tests(), *self._of_circles()],
             self.measured.job.acknowledged,
             self.measured.axes,
@@ -85,12 +85,12 @@ class Finished:
         """Return the job without a decision about the axes and circles of which a doubt is open."""
         doubts = self.doubts
         axes = {
-            name: replace(axis, accept=undecided(axis.accept)) if doubts.about(name) else axis
+            name: replace(axis, accept=mark_undecided(axis.accept)) if doubts.about(name) else axis
             for name, axis in self.predicted.axes.items()
         }
         circles = {
             name: (
-                replace(circle, accept=undecided(circle.accept))
+                replace(circle, accept=mark_undecided(circle.accept))
                 if doubts.about_circle(name, circle.before.test.axes)
                 else circle
             )
@@ -98,33 +98,33 @@ class Finished:
         }
         return replace(self, predicted=replace(self.predicted, axes=axes, circles=circles))
 
-    def _noticed(self) -> list[Noticed]:
+    def _noticed(self) -> list[ScopedFinding]:
         """Return the findings that do not belong to a test or circle."""
         states = self.measured.states.values()
         return [
-            *map(Noticed, self.measured.job.findings),
+            *map(ScopedFinding, self.measured.job.findings),
             *(self._of_control(finding) for state in states for finding in state.findings),
             *(
-                Noticed(finding, frozenset({name}))
+                ScopedFinding(finding, frozenset({name}))
                 for name, prediction in self.predicted.axes.items()
                 for finding in prediction.findings
             ),
             *(
-                Noticed(finding, frozenset(finding.axes) or None)
+                ScopedFinding(finding, frozenset(finding.axes) or None)
                 for finding in self.wanted.findings
             ),
-            *map(Noticed, self.written.findings),
+            *map(ScopedFinding, self.written.findings),
             *map(self._of_control, self.predicted.findings),
-            *map(Noticed, worse_circles(self.predicted.circles)),
-            *map(Noticed, undecided_circles(self.predicted.circles)),
+            *map(ScopedFinding, worse_circle_findings(self.predicted.circles)),
+            *map(ScopedFinding, undecided_circle_findings(self.predicted.circles)),
             *(
-                Noticed(finding, frozenset(circle.before.test.axes), name)
+                ScopedFinding(finding, frozenset(circle.before.test.axes), name)
                 for name, circle in self.predicted.circles.items()
                 for finding in lacking_circle_guard(name, circle.accept)
             ),
         ]
 
-    def _of_control(self, finding: Finding) -> Noticed:
+    def _of_control(self, finding: Finding) -> ScopedFinding:
         """Return a finding of the control's files with the axes of the job that it concerns.
 
         That no file holds an axis's own table is no doubt where no table is made: the existing
@@ -137,11 +137,11 @@ class Finished:
         )
         if finding.code == "CW-S008" and own and own.isdisjoint({*self.works, *self.fitted.scales}):
             finding = replace(finding, severity="info")
-        return Noticed(finding, own or None)
+        return ScopedFinding(finding, own or None)
 
-    def _of_tests(self) -> list[Noticed]:
+    def _of_tests(self) -> list[ScopedFinding]:
         return [
-            Noticed(
+            ScopedFinding(
                 replace(
                     finding,
                     sentence=say(
@@ -155,14 +155,14 @@ class Finished:
             for finding in result.findings
         ]
 
-    def _of_circles(self) -> list[Noticed]:
+    def _of_circles(self) -> list[ScopedFinding]:
         """Return the findings of circles with the axes that take something from circles."""
         apply = self.measured.job.apply
         taking = {*apply.squareness.values(), *apply.scale}
         if apply.backlash_from == "circle":
             taking |= self.works.keys()
         return [
-            Noticed(
+            ScopedFinding(
                 replace(
                     finding,
                     sentence=say("of_circle", circle=work.name, finding=finding.sentence),

@@ -9,7 +9,7 @@ from compwright.controls.control import Control
 from compwright.foundations.side_by_side import Each, in_turn
 from compwright.planning.axis_fits import fit_all
 from compwright.planning.axis_work import AxisWork
-from compwright.planning.scale import Scaled, scaled_axes
+from compwright.planning.scale import ScaleCorrection, correct_scales
 from compwright.records.plan import PlannedAxis
 from compwright.workflow.run.measured import Measured
 from compwright.workflow.run.wanted import Wanted
@@ -23,7 +23,7 @@ class Fitted:
 
     control: Control
     works: Mapping[str, AxisWork]
-    scaled: tuple[Scaled, ...] = ()
+    scaled: tuple[ScaleCorrection, ...] = ()
 
     @property
     def scales(self) -> dict[str, PlannedAxis]:
@@ -45,5 +45,5 @@ def fitted(measured: Measured, wanted: Wanted, each: Each = in_turn) -> Fitted:
     return Fitted(
         control=control,
         works=fit_all(wanted.works, capacity_of, job.file, each, job.decision_rule),
-        scaled=scaled_axes(job, wanted.circles, wanted.checks, capacity_of, as_found.state),
+        scaled=correct_scales(job, wanted.circles, wanted.checks, capacity_of, as_found.state),
     )

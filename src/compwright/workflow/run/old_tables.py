@@ -16,19 +16,19 @@ from compwright.planning.axis_work import AxisWork
 from compwright.planning.motions import with_backlash
 from compwright.planning.wanted_correction import (
     UNDECLARED_SLOPE,
-    held_by,
+    axis_compensation,
     measured_error,
     observed_tests,
 )
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation, ControlState
 from compwright.records.plan import PlannedTest
-from compwright.verification.existing_table import OldTable
+from compwright.verification.existing_table import ExistingTableVerdict
 from compwright.verification.hypothesis import Loading
 from compwright.verification.likelihood import after_means, belief_of, draws_for
 from compwright.verification.loading import judge_loading
 from compwright.verification.loading_hypotheses import loading_hypotheses
-from compwright.verification.measurement_cases import View, measurement_views
+from compwright.verification.measurement_cases import MeasurementCase, measurement_cases
 from compwright.words.sentences import say
 from compwright.workflow.run.measured import Measured
 
@@ -59,7 +59,7 @@ def with_old_tables(
             sentence = say("of_axis", axis=name, finding=finding.sentence)
             findings.append(replace(finding, sentence=sentence))
             continue
-        table = held_by(measured.states[task[2].measured_in], task[0])
+        table = axis_compensation(measured.states[task[2].measured_in], task[0])
         sentences = measured.control.look_at(task[0], table)
         names = dict.fromkeys((old.verdict.verdict, *(one.verdict for one in old.likely)))
         look = [sentence for name in names for sentence in sentences.get(name, ())]
@@ -81,12 +81,15 @@ def _tasks(
             first.setdefault(planned.measured_in, planned)
     if len(first) < 2:
         return []
-    off = min(first.values(), key=lambda one: _size(held_by(states[one.measured_in], axis), one))
-    least = held_by(states[off.measured_in], axis)
+    off = min(
+        first.values(), key=lambda one: _size(axis_compensation(states[one.measured_in], axis), one)
+    )
+    least = axis_compensation(states[off.measured_in], axis)
     return [
         (axis, off, on, states, axes)
         for on in first.values()
-        if on is not off and _apart(least, held_by(states[on.measured_in], axis), on) > _SAME
+        if on is not off
+        and _apart(least, axis_compensation(states[on.measured_in], axis), on) > _SAME
     ]
 
 
@@ -101,7 +104,7 @@ def _apart(one: AxisCompensation, other: AxisCompensation, planned: PlannedTest)
     return float(np.ptp(gaps))
 
 
-def _judged(task: _Task) -> OldTable:
+def _judged(task: _Task) -> ExistingTableVerdict:
     return judged_old_table(*task)
 
 
@@ -111,13 +114,13 @@ def judged_old_table(
     on: PlannedTest,
     states: Mapping[str, ControlState],
     axes: Sequence[Axis],
-) -> OldTable:
+) -> ExistingTableVerdict:
     """Return what the test ``on``, compared with the test ``off``, shows about the table of its
     state.
 
     ``states`` by name; ``axes``: all of the job, whose tables may be active in place of this one.
     """
-    least, table = (held_by(states[one.measured_in], axis) for one in (off, on))
+    least, table = (axis_compensation(states[one.measured_in], axis) for one in (off, on))
     tests = with_backlash((replace(off, acted=None),), axis, states)
     error = measured_error(tests, observed_tests(tests, least), axis, least)
     test = on.test
@@ -129,16 +132,16 @@ def judged_old_table(
         others=_of_others(axis, axes, states[on.measured_in]),
         reference=axis.reference,
     )
-    view = View(
+    view = MeasurementCase(
         belief=belief_of(draws.positive, draws.negative),
         hypotheses=loading_hypotheses(loading, test.targets),
     )
     verdict = judge_loading(
         after_means(test, draws.noise),
-        [view, *measurement_views(view, both=test.bidirectional)],
+        [view, *measurement_cases(view, both=test.bidirectional)],
         declared_slope=_slope(off, on) if test.kind is AxisKind.LINEAR else None,
     )
-    return OldTable(on.test.name, off.test.name, on.measured_in, verdict)
+    return ExistingTableVerdict(on.test.name, off.test.name, on.measured_in, verdict)
 
 
 def _of_others(

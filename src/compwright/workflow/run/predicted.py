@@ -14,8 +14,8 @@ from compwright.planning import axis_tasks
 from compwright.planning.axis_work import AxisWork
 from compwright.planning.circles import CircleWork, predicted_circle
 from compwright.planning.limit_decisions import circle_decisions
-from compwright.planning.predicted_gain import yardstick
-from compwright.prediction.active_corrections import IDLE, ActiveCorrections, Correction
+from compwright.planning.predicted_gain import judged_parameter
+from compwright.prediction.active_corrections import NO_CORRECTIONS, ActiveCorrections, Correction
 from compwright.records.job import AS_FOUND
 from compwright.records.prediction import AxisPrediction, CirclePrediction, TestPrediction
 from compwright.workflow.run.fitted import Fitted
@@ -48,8 +48,8 @@ def predicted(
         has = planned.fitted is not None and loaded is not None
         table = loaded.state.axes[planned.axis.address] if has and loaded is not None else None
         tasks.append((work, after_loading(work, loaded), table, job))
-    axes = dict(zip(written.works, each(axis_tasks.predicted, tasks), strict=True))
-    then = _active_after(measured, fitted, written) if wanted.circles else IDLE
+    axes = dict(zip(written.works, each(axis_tasks.predict_task, tasks), strict=True))
+    then = _active_after(measured, fitted, written) if wanted.circles else NO_CORRECTIONS
     skews: tuple[Finding, ...] = ()
     if measured.as_found is not None:
         tabled = [axis for axis, _ in tables_of(written.works, fitted.scales)]
@@ -64,7 +64,7 @@ def predicted(
 
 def _gain(test: TestPrediction) -> float:
     """Return by how much the parameter that judges tables falls, mm or deg."""
-    name = yardstick(test.before)
+    name = judged_parameter(test.before)
     was = None if name is None else test.before.parameters[name]
     if name is None or was is None:
         return 0.0
@@ -80,7 +80,7 @@ def after_loading(work: AxisWork, loaded: DecodedState | None) -> Correction:
 
 def _circle(work: CircleWork, measured: Measured, then: ActiveCorrections) -> CirclePrediction:
     """Predict a circle after loading, from the state in which it was measured."""
-    during = measured.active.get(work.planned.measured_in, IDLE)
+    during = measured.active.get(work.planned.measured_in, NO_CORRECTIONS)
     prediction = predicted_circle(work.result, work.planned, during, then)
     rule = measured.job.decision_rule
     return replace(prediction, accept=circle_decisions(work.planned.accept, prediction, rule))
@@ -88,7 +88,7 @@ def _circle(work: CircleWork, measured: Measured, then: ActiveCorrections) -> Ci
 
 def _active_after(measured: Measured, fitted: Fitted, written: Written) -> ActiveCorrections:
     """Return the active corrections after loading, on the axes and between them."""
-    now, after = measured.active.get(AS_FOUND, IDLE), written.cross.after
+    now, after = measured.active.get(AS_FOUND, NO_CORRECTIONS), written.cross.after
     along = {
         axis.name: applied_of(written.loaded, axis)
         for axis, _ in tables_of(written.works, fitted.scales)

@@ -13,9 +13,9 @@ from compwright.foundations.findings import Finding
 from compwright.foundations.side_by_side import Each, in_turn
 from compwright.planning import axis_tasks
 from compwright.planning.axis_work import AxisWork
-from compwright.planning.circle_checks import Checks
+from compwright.planning.circle_checks import CircleChecks
 from compwright.planning.circle_network import network_findings
-from compwright.planning.circles import CircleWork, checked_axes, start_circles
+from compwright.planning.circles import CircleWork, start_circles, travel_findings
 from compwright.planning.header_statements import with_statements
 from compwright.planning.mirror_image import MIRRORED
 from compwright.records.job import Job
@@ -30,7 +30,7 @@ class Wanted:
 
     works: Mapping[str, AxisWork]
     circles: tuple[CircleWork, ...]
-    checks: Checks
+    checks: CircleChecks
     findings: tuple[Finding, ...]
 
 
@@ -44,7 +44,7 @@ def wanted(measured: Measured, each: Each = in_turn) -> Wanted:
     entries = {name: entry for name, entry in job.axes.items() if entry.before}
     tests = measured.inputs.tests
     started = each(
-        axis_tasks.started,
+        axis_tasks.start_task,
         [(job, entry, tests[name], measured.states) for name, entry in entries.items()],
     )
     works = {
@@ -54,10 +54,10 @@ def wanted(measured: Measured, each: Each = in_turn) -> Wanted:
     works, old_tables = with_old_tables(measured, works, each)
     works = {name: _not_twice(job, work) for name, work in works.items()}
     circles = with_statements(start_circles(job, measured.circles, axes), axes, measured.states)
-    checks = Checks(job, works, measured.active)
+    checks = CircleChecks(job, works, measured.active)
     with_circles, taken = checks.with_circle_backlash(circles)
     places = (
-        finding for work in circles for finding in (*work.findings, *checked_axes(work, axes))
+        finding for work in circles for finding in (*work.findings, *travel_findings(work, axes))
     )
     return Wanted(
         works=with_circles,

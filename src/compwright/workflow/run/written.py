@@ -115,7 +115,7 @@ def _improving(
         for name, work in works.items()
         if work.planned.fitted is not None
     }
-    reasons = zip(tasks, each(axis_tasks.why_no_gain, list(tasks.values())), strict=True)
+    reasons = zip(tasks, each(axis_tasks.gain_task, list(tasks.values())), strict=True)
     refused = {name: why for name, why in reasons if why}
     if not refused:
         return works

@@ -14,12 +14,12 @@ from compwright.planning.motions import with_motion
 from compwright.planning.temperature_slopes import relative_to_first, slope_after
 from compwright.planning.wanted_correction import (
     MeasuredError,
-    held_by,
+    axis_compensation,
     measured_error,
     observed_tests,
 )
-from compwright.prediction.active_corrections import nothing
-from compwright.prediction.dead_zone import as_applied
+from compwright.prediction.active_corrections import no_correction
+from compwright.prediction.dead_zone import applied_compensation
 from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.correction import ControlState, no_compensation
 from compwright.records.job import Job
@@ -33,10 +33,10 @@ from compwright.verification.loading import judge_loading
 from compwright.verification.loading_hypotheses import loading_hypotheses
 from compwright.verification.measurement_cases import (
     UNLIKE,
-    View,
-    measurement_views,
-    of_other_axis,
-    unit_views,
+    MeasurementCase,
+    measurement_cases,
+    other_axis_case,
+    unit_cases,
 )
 from compwright.words.sentences import say
 
@@ -72,19 +72,19 @@ def judged_loading(
     slope = slope_after(job, planned.tests, test) if test.kind is AxisKind.LINEAR else None
     views = [
         view,
-        *measurement_views(view, both=test.bidirectional),
+        *measurement_cases(view, both=test.bidirectional),
     ]
 
     louder = after.sigma / error.noise
-    units = unit_views(view, louder)
+    units = unit_cases(view, louder)
     if not 1.0 / UNLIKE < louder < UNLIKE:
         views += units
 
-    def further() -> list[View]:
+    def further() -> list[MeasurementCase]:
         return [
             *units,
             *(
-                of_other_axis(name, _view(other, test, 0, _error_of(other), as_found, {})[0])
+                other_axis_case(name, _view(other, test, 0, _error_of(other), as_found, {})[0])
                 for name, other in others.items()
                 if other.tests and other.fitted is not None and other.axis.kind is test.kind
             ),
@@ -102,13 +102,13 @@ def _view(
     others: Mapping[str, PlannedAxis],
     *,
     read_back: bool = False,
-) -> tuple[View, NoiseDraws]:
+) -> tuple[MeasurementCase, NoiseDraws]:
     axis, fitted = planned.axis, planned.fitted
     draws = error.draw(test.targets, draws_for(test.targets.size), np.random.default_rng(0), place)
     none = no_compensation(axis.address, axis.kind, axis.reference_return)
     loading = Loading(
-        new=none if fitted is None else as_applied(fitted.compensation, axis),
-        old=held_by(as_found, axis),
+        new=none if fitted is None else applied_compensation(fitted.compensation, axis),
+        old=axis_compensation(as_found, axis),
         active_before=none if planned.active is None else planned.active,
         others={
             name: other.fitted.compensation
@@ -119,7 +119,7 @@ def _view(
         always=_motion(planned, place, test.targets),
         read_back=read_back,
     )
-    view = View(
+    view = MeasurementCase(
         belief=belief_of(draws.positive, draws.negative),
         hypotheses=loading_hypotheses(loading, test.targets),
     )
@@ -130,7 +130,7 @@ def _motion(planned: PlannedAxis, place: int, targets: FloatArray) -> tuple[Floa
     """Return the difference of the correction at the targets that comes from the motion of the
     repeated test.
     """
-    more = with_motion(nothing, planned.axis, planned.tests[place].backlash_more)
+    more = with_motion(no_correction, planned.axis, planned.tests[place].backlash_more)
     return more(targets, Direction.POSITIVE), more(targets, Direction.NEGATIVE)
 
 

@@ -35,7 +35,7 @@ from compwright.foundations.utf8 import encoded
 from compwright.records.axis import Axis
 from compwright.records.correction import ControlFile
 from compwright.records.job import AS_FOUND, Job, other_axis
-from compwright.records.limits import Limiting
+from compwright.records.limits import LimitingCauses
 from compwright.records.plan import Plan
 from compwright.verification.proof import AfterTest
 from compwright.workflow.inputs.input_copies import files_of_job
@@ -321,7 +321,7 @@ def _updated_axis(finished: Finished, name: str) -> UpdatedAxis:
     return UpdatedAxis(updated=True, reason=reason.removeprefix(f"Axis {name}: "))
 
 
-def _gained(limits: Limiting | None, axis: Axis) -> str:
+def _gained(limits: LimitingCauses | None, axis: Axis) -> str:
     """Return what a further table is expected to gain."""
     if limits is None:
         return "a further table is written"

@@ -13,20 +13,20 @@ from compwright.controls.decoded import DecodedState
 from compwright.controls.gantries import with_partners
 from compwright.controls.two_readers import SINGLE_PRECISION, table_positions
 from compwright.documents.verification import ExpectedMeans, VerifiedAxis
-from compwright.estimation.cells import folded_findings
+from compwright.estimation.cells import alias_findings
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
-from compwright.planning.axis_work import evaluated
+from compwright.planning.axis_work import evaluate_test
 from compwright.planning.guard_bands import guard_bands
-from compwright.planning.header_statements import stated_after
+from compwright.planning.header_statements import after_test_doubts
 from compwright.planning.limit_decisions import lacking_guard, measured_decisions, unguarded
 from compwright.planning.motions import with_motion
 from compwright.planning.predicted_gain import predict_same_targets
-from compwright.planning.simulated_repeat_tests import Like
+from compwright.planning.simulated_repeat_tests import RepeatConditions
 from compwright.planning.temperature_slopes import fresh_slope
 from compwright.planning.wanted_correction import MeasuredError, measured_error, observed_tests
-from compwright.prediction.active_corrections import Correction, difference, nothing
-from compwright.prediction.dead_zone import as_applied
+from compwright.prediction.active_corrections import Correction, difference, no_correction
+from compwright.prediction.dead_zone import applied_compensation
 from compwright.records.axis import Axis, Direction, partner_of
 from compwright.records.correction import AxisCompensation
 from compwright.records.fitted import FittedTable
@@ -34,11 +34,11 @@ from compwright.records.job import Acknowledged, Job
 from compwright.records.plan import PlannedAxis, PlannedTest
 from compwright.records.prediction import AcceptDecision
 from compwright.records.result import PositioningResult
-from compwright.records.rounding import LOGARITHM, settled_number
+from compwright.records.rounding import LOGARITHM, rounded_number
 from compwright.records.verification import LoadingName, LoadingVerdict
 from compwright.verification.loading_hypotheses import OF_VALUES
-from compwright.verification.measurement_faults import NamedFault, measurement_fault, proof_lacking
-from compwright.verification.proof import AfterTest, doubted, doubts_after
+from compwright.verification.measurement_faults import NamedFault, measurement_fault, proof_findings
+from compwright.verification.proof import AfterTest, doubt_warnings, doubts_after
 from compwright.workflow.verify.judged_loading import judged_loading
 
 
@@ -64,8 +64,8 @@ def verified_axis(
     names = [entry.test.name for entry in planned.tests]
     place = names.index(after.repeats) if after.repeats in names else 0
     repeated = planned.tests[place]
-    before, result = (evaluated(job, axis, test) for test in (repeated.test, after.test))
-    result = stated_after(result, () if planned.fitted is None else (axis.name,))
+    before, result = (evaluate_test(job, axis, test) for test in (repeated.test, after.test))
+    result = after_test_doubts(result, () if planned.fitted is None else (axis.name,))
     observed = observed_tests(planned.tests, planned.active)
     posterior = measured_error(planned.tests, observed, axis, planned.active)
     change = _change(planned, as_found, repeated)
@@ -92,7 +92,7 @@ def verified_axis(
     given = read_back.state.findings if read_back is not None and not ours else ()
     files = tuple(each for each in given if each.is_doubt and not each.axes)
     accept, findings, acknowledged = _judged(job, axis, before, result, loading, fault, files)
-    like = Like(place, fresh_slope(job.decision_rule, repeated))
+    like = RepeatConditions(place, fresh_slope(job.decision_rule, repeated))
     guarded = job.decision_rule == "guarded"
     return VerifiedAxis(
         before=before,
@@ -111,9 +111,11 @@ def _change(planned: PlannedAxis, as_found: DecodedState, repeated: PlannedTest)
     """Return the expected correction after loading minus the one in the test that is repeated, at
     the motion of that test.
     """
-    active = nothing if planned.active is None else planned.active.at
+    active = no_correction if planned.active is None else planned.active.at
     table = (
-        None if planned.fitted is None else as_applied(planned.fitted.compensation, planned.axis).at
+        None
+        if planned.fitted is None
+        else applied_compensation(planned.fitted.compensation, planned.axis).at
     )
     wanted = table or applied_of(as_found, planned.axis)
     return difference(with_motion(wanted, planned.axis, repeated.backlash_more), active)
@@ -135,14 +137,14 @@ def _judged(
     files read back.
     """
     guarded = job.decision_rule == "guarded"
-    waves = folded_findings(result.test.targets, axis.screw_pitch, axis.kind.unit)
+    waves = alias_findings(result.test.targets, axis.screw_pitch, axis.kind.unit)
     readings = () if fault else doubts_after(result)
     by = {each: job.acknowledgement(each.code, axis.name) for each in (*readings, *waves, *files)}
     acknowledged = {each: given for each, given in by.items() if given is not None}
     still = tuple(each for each in (*waves, *files) if each not in acknowledged)
     lacking = (
-        *(() if fault else proof_lacking(result.test, before.test)),
-        *(() if fault else doubted(result, before, acknowledged, guarded=guarded)),
+        *(() if fault else proof_findings(result.test, before.test)),
+        *(() if fault else doubt_warnings(result, before, acknowledged, guarded=guarded)),
         *still,
     )
     accept = measured_decisions(
@@ -195,14 +197,14 @@ def _loading_document(
         **({"of": loading.of} if loading.of is not None else {}),
         "equivalent": list(loading.equivalent),
         "near": list(loading.near),
-        "factor": settled_number(loading.factor),
+        "factor": rounded_number(loading.factor),
         "shift_nodes": loading.shift_nodes,
-        "margin": settled_number(loading.margin, LOGARITHM),
+        "margin": rounded_number(loading.margin, LOGARITHM),
         "detail": loading.detail,
         "candidates": [
             {
                 "verdict": each.verdict,
-                "probability": settled_number(each.probability, LOGARITHM),
+                "probability": rounded_number(each.probability, LOGARITHM),
                 "detail": each.detail,
             }
             for each in loading.candidates
@@ -214,7 +216,7 @@ def _loading_document(
 
 
 def _slope_document(slope: float, error: float) -> dict[str, Any]:
-    value, std_error = (settled_number(one * 1e6, LOGARITHM) for one in (slope, error))
+    value, std_error = (rounded_number(one * 1e6, LOGARITHM) for one in (slope, error))
     return {"value": value, "std_error": std_error, "unit": "um/m"}
 
 

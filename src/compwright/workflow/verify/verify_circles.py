@@ -29,7 +29,7 @@ from compwright.foundations.provenance import share_a_file
 from compwright.foundations.session import Session
 from compwright.foundations.utf8 import shown_path
 from compwright.instruments.circular_reading import is_circular, read_circular
-from compwright.planning.circle_diagnosis import diagnosed_circle
+from compwright.planning.circle_diagnosis import diagnose_circle
 from compwright.planning.circles import (
     CIRCULAR_STANDARD,
     effect_of,
@@ -37,16 +37,16 @@ from compwright.planning.circles import (
     predicted_circle,
     with_uncertainty,
 )
-from compwright.planning.header_statements import stated_after
+from compwright.planning.header_statements import after_test_doubts
 from compwright.planning.limit_decisions import lacking_circle_guard, measured_circle_decisions
 from compwright.planning.value_with_error import SIGNIFICANT
-from compwright.prediction.active_corrections import ActiveCorrections, added
+from compwright.prediction.active_corrections import ActiveCorrections, sum_of_corrections
 from compwright.records.axis import Axis
 from compwright.records.circular import CircularResult, CircularTest
 from compwright.records.job import Acknowledged, Job
 from compwright.records.plan import Plan, PlannedCircle
 from compwright.records.prediction import AcceptDecision
-from compwright.verification.proof import doubted, doubts_after
+from compwright.verification.proof import doubt_warnings, doubts_after
 from compwright.workflow.inputs.circles import read_circle
 
 
@@ -162,11 +162,11 @@ def _verified(
 ) -> VerifiedCircle:
     before, result = (
         with_uncertainty(
-            diagnosed_circle(test, CIRCULAR_STANDARD), job.uncertainty_circular, job.thermal
+            diagnose_circle(test, CIRCULAR_STANDARD), job.uncertainty_circular, job.thermal
         )
         for test in (circle.test, replace(after, name=circle.test.name))
     )
-    result = stated_after(result, _loaded(plan, circle.test.axes))
+    result = after_test_doubts(result, _loaded(plan, circle.test.axes))
     prediction = predicted_circle(before, circle, during, then)
     corrected = (entry for entry in plan.cross if entry.written and entry.source == "circle")
     bent = next((entry for entry in corrected if entry.pair == frozenset(circle.test.axes)), None)
@@ -220,7 +220,7 @@ def _judged(
         for axis in result.test.axes
         if (given := job.acknowledgement(each.code, axis)) is not None
     }
-    lacking = tuple(doubted(result, before, by, guarded=rule == "guarded"))
+    lacking = tuple(doubt_warnings(result, before, by, guarded=rule == "guarded"))
     accept = (
         measured_circle_decisions(
             limits,
@@ -260,6 +260,10 @@ def _planned(plan: Plan, as_found: DecodedState, axes: Mapping[str, Axis]) -> Ac
         if entry.written:
             pair = (entry.input, entry.output)
             then = replace(
-                then, across={**then.across, pair: added(then.between(*pair), entry.added.at)}
+                then,
+                across={
+                    **then.across,
+                    pair: sum_of_corrections(then.between(*pair), entry.added.at),
+                },
             )
     return then
