@@ -73,13 +73,13 @@ _WHOLE: Final = tuple(getattr(room, name) for room, name, _ in _SAMPLING)
 #: Where estimates are asked for, and the function that remembers them: brief ones, others.
 _BRIEF_ESTIMATES, _WHOLE_ESTIMATES = (
     (
-        (wanted_correction, "noise_of", noise_of),
-        (after_tests, "noise_of", noise_of),
+        (wanted_correction, "infer_noise", infer_noise),
+        (after_tests, "infer_noise", infer_noise),
         (wanted_correction, "estimate_axis", remembered(axis.estimate_axis)),
         (sign_and_unit_doubts, "log_likelihood", remembered(likelihood.log_likelihood)),
         (circle_diagnosis, "diagnose", remembered(circle.diagnose)),
     )
-    for noise_of in (remembered(noise.infer_noise), remembered(noise.infer_noise))
+    for infer_noise in (remembered(noise.infer_noise), remembered(noise.infer_noise))
 )
 
 look_for_garbage_seldom()  # as every command does

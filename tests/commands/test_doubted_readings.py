@@ -17,7 +17,7 @@ from compwright.cli import run as compwright
 from compwright.evaluation.plausibility import plausibility_findings
 from compwright.evaluation.same_error import same_error_findings, same_error_odds
 from compwright.evaluation.typical_magnitudes import turned_odds
-from compwright.planning.sign_and_unit_doubts import test_doubts
+from compwright.planning.sign_and_unit_doubts import misreading_doubts
 from compwright.planning.wanted_correction import observed_tests
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation
@@ -76,7 +76,7 @@ def doubts(
     planned = PlannedTest(test=as_test(readings, targets), measured_in="as_found")
     (bare,) = observed_tests([planned], table)
     axis = Axis(name="X", kind=AxisKind.LINEAR, travel=(-400.0, 400.0), address="1")
-    found = test_doubts(bare, axis, None if table is None else table.at)
+    found = misreading_doubts(bare, axis, None if table is None else table.at)
     assert all((one.code, one.severity) == ("CW-P160", "warning") for one in found)
     return [one.message for one in found]
 

@@ -209,7 +209,7 @@ def test_a_table_that_fresh_tests_do_not_bear_out_is_not_taken(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """Nor when the plan is exported: there it asks for the least expected square."""
-    monkeypatch.setattr("compwright.planning.axis_fits.gains", lambda *_: False)
+    monkeypatch.setattr("compwright.planning.axis_fits.goal_improves", lambda *_: False)
     work, usual = fitted("E", 1000.0), fitted("expected", 1000.0)
     assert work.planned.fitted is not None
     assert usual.planned.fitted is not None

@@ -10,7 +10,12 @@ import pytest
 from compwright.evaluation.standards import evaluate
 from compwright.planning import simulated_repeat_tests
 from compwright.planning.axis_work import AxisWork, why_no_gain
-from compwright.planning.predicted_gain import predict, test_spread, why_not_better, why_not_seen
+from compwright.planning.predicted_gain import (
+    parameter_spread,
+    predict,
+    why_not_better,
+    why_not_seen,
+)
 from compwright.prediction.active_corrections import difference, no_correction
 from compwright.records.axis import AxisKind
 from compwright.records.correction import AxisCompensation
@@ -145,9 +150,9 @@ def test_the_spread_from_test_to_test_is_that_of_a_normal_law() -> None:
     """5 % of a normal law lie 1.645 standard deviations below its middle; a long upper end does not
     count.
     """
-    assert test_spread(Quantiles(median=10.0, p05=10.0 - 1.645 * 2.0, p95=40.0)) == pytest.approx(
-        2.0
-    )
+    assert parameter_spread(
+        Quantiles(median=10.0, p05=10.0 - 1.645 * 2.0, p95=40.0)
+    ) == pytest.approx(2.0)
 
 
 @pytest.mark.parametrize(("gain", "seen"), [(1.5, False), (2.5, True)])

@@ -12,7 +12,7 @@ from typing import Any, Final, Protocol
 import numpy as np
 
 from compwright.planning.axis_work import AxisWork
-from compwright.planning.predicted_gain import judged_parameter, test_spread
+from compwright.planning.predicted_gain import judged_parameter, parameter_spread
 from compwright.planning.shortfalls import as_curve, shortfalls, unheld_period
 from compwright.planning.simulated_repeat_tests import FreshTests
 from compwright.prediction.active_corrections import Correction, difference
@@ -75,7 +75,7 @@ def what_limits(work: AxisWork, new: Correction, fresh: FreshTests) -> LimitingC
         now=now.median,
         then=then.median,
         least=least.median,
-        spread=test_spread(then),
+        spread=parameter_spread(then),
         causes=tuple(sorted(worth, key=lambda cause: -cause.value)),
     )
 

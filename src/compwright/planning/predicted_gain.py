@@ -120,7 +120,7 @@ def why_not_seen(
     factor = outside_factor(before.test.kind.unit)
     unit = shown_unit(before.test.kind.unit)
     was, becomes = (abs(each[name].median) for each in (old, new))
-    spread = test_spread(new[name])
+    spread = parameter_spread(new[name])
     if was - becomes > spread:
         return ""
     return (
@@ -130,7 +130,7 @@ def why_not_seen(
     )
 
 
-def test_spread(shown: Quantiles) -> float:
+def parameter_spread(shown: Quantiles) -> float:
     """Return the standard deviation of a parameter between tests, from the part below its median: a
     few outlying readings widen the part above.
     """

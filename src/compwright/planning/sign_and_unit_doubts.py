@@ -86,7 +86,7 @@ def reading_doubts(
         finding
         for place, (planned, bare) in enumerate(zip(tests, observed, strict=True))
         if place not in mirrored
-        for finding in test_doubts(
+        for finding in misreading_doubts(
             # Copied runs tell nothing of the noise: it is inferred with the error.
             replace(bare, noise=None) if copied_run_findings(planned.test) else bare,
             axis,
@@ -118,7 +118,9 @@ def with_known_backlash(result: PositioningResult, bare: ObservedTest) -> Positi
     return replace(result, findings=findings)
 
 
-def test_doubts(bare: ObservedTest, axis: Axis, active: ActiveAt | None) -> tuple[Finding, ...]:
+def misreading_doubts(
+    bare: ObservedTest, axis: Axis, active: ActiveAt | None
+) -> tuple[Finding, ...]:
     """Return the doubt (CW-P160) about a test whose readings are far more likely under another
     assumption than as stated, with the odds.
 

@@ -27,8 +27,8 @@ LOGARITHM: Final = 6
 
 def rounded(values: FloatArray, digits: int = PICO) -> FloatArray:
     """Return ``values``, mm or deg, rounded to so many decimals; no minus zero."""
-    rounded: FloatArray = np.round(values, digits) + 0.0
-    return rounded
+    result: FloatArray = np.round(values, digits) + 0.0
+    return result
 
 
 def rounded_number(value: float, digits: int = PICO) -> float:
