@@ -41,8 +41,10 @@ def test_the_last_run_or_target_lacks_readings(
     assert words in told(read(text(rows[:-2])))["CW-R053"]
 
 
-def test_a_hole_elsewhere_is_no_cut() -> None:
-    assert "CW-R053" not in told(read(text(BY_RUN[:5] + BY_RUN[6:])))
+@pytest.mark.parametrize(("rows", "hole"), [(BY_RUN, 5), (BY_RUN, -3), (BY_TARGET, 11)])
+def test_a_hole_elsewhere_is_no_cut(rows: list[tuple[float, str, int]], hole: int) -> None:
+    """Also a hole in the last run: a file that ends there would lack the rows behind it too."""
+    assert "CW-R053" not in told(read(text([row for row in rows if row != rows[hole]])))
 
 
 @pytest.mark.parametrize(

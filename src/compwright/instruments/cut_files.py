@@ -34,27 +34,36 @@ def _unfinished(readings: Readings, kind: AxisKind) -> Sentence | None:
     last = readings.one(-1)
     _, traverse = np.unique(2 * readings.runs + readings.positive, return_inverse=True)
     _, target = np.unique(readings.targets, return_inverse=True)
-    if lacking := _lacking(traverse):
+    if lacking := _lacking(traverse, target):
         number, of = lacking
         run = f"{last.direction}{last.run}"
         return say("CW-R053.last_run", run=run, lacking=number, readings=of)
-    if lacking := _lacking(target):
+    if lacking := _lacking(target, traverse):
         number, of = lacking
         place = Amount(last.target, kind.unit, ".10g")
         return say("CW-R053.last_target", target=place, lacking=number, readings=of)
     return None
 
 
-def _lacking(groups: IntArray) -> tuple[int, int] | None:
+def _lacking(groups: IntArray, others: IntArray) -> tuple[int, int] | None:
     """Return how many readings are missing of how many in the group of the last reading, if only
-    that group has fewer than the others; ``groups`` (n,): the group of each reading, from 0.
+    that group has fewer than the others and its end is what is missing.
+
+    ``groups``, ``others`` (n,): traverse and target of each reading, or the reverse, from 0. Groups
+    go through the others in one order, or back and forth. A reading that is missing anywhere else
+    was left out, not cut off.
     """
     counts = np.bincount(groups)
     mine = groups[-1]
-    whole = int(counts.max())
+    whole, there = int(counts.max()), int(counts[mine])
     if counts.size < 3 or np.flatnonzero(counts < whole).tolist() != [mine]:
         return None
-    return whole - int(counts[mine]), whole
+    order = others[groups == np.argmax(counts)]
+    begun = others[-there:]
+    is_end = np.all(groups[-there:] == mine) and any(
+        np.array_equal(begun, way[:there]) for way in (order, order[::-1])
+    )
+    return (whole - there, whole) if is_end else None
 
 
 def _promises(readings: Readings, header: Mapping[str, str]) -> list[Sentence]:
