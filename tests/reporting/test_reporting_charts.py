@@ -19,8 +19,9 @@ from compwright.reporting.axis_figures import (
     result_figure,
     table_figure,
 )
-from compwright.reporting.chart_svg import chart_svg
+from compwright.reporting.chart_svg import Drawing
 from compwright.reporting.charts import LOOKS, Band, Chart, ChartCurve
+from compwright.words.sentences import say
 from reporting_samples import made_up, positioning, quantiles, run_view, verify_view
 
 BLUE, ORANGE = "#0b4a82", "#c2590c"  # approached in + and in -
@@ -31,7 +32,8 @@ NUMBER = re.compile(r"−?\d+(\.\d+)?")
 class Picture:
     """A picture as it is read: by the numbers along its axes."""
 
-    def __init__(self, svg: str) -> None:
+    def __init__(self, drawn: Drawing | str) -> None:
+        svg = drawn.svg("en") if isinstance(drawn, Drawing) else drawn
         self.root = ET.fromstring(svg)  # noqa: S314  our own picture
         self.words = [
             (float(one.attrib["x"]), float(one.attrib["y"]), one.text or "", dict(one.attrib))
@@ -118,6 +120,11 @@ class Picture:
         first, last = self.panels[panel][0][0], self.panels[panel][-1][0]
         free = 0.3 * (last - first)
         return first - free < x < last + free
+
+
+def _svg(charts: list[Chart], height: float) -> str:
+    described = say("chart.described", what="deviations", name="X")
+    return Drawing(tuple(charts), height, described).svg("en")
 
 
 def _value(text: str) -> float:
@@ -226,7 +233,7 @@ def test_one_direction_and_missing_readings_draw_only_what_there_is() -> None:
         [[0.0], [None], [7.0]],
         {"A": None, "E": 8.0, "B": 1.0},
     )
-    svg = result_figure(single, "single")
+    svg = result_figure(single, "single").svg("en")
     assert "polygon" not in svg  # no s, no band
     assert values(Picture(svg).triangles(ORANGE, "none"))[:2] == pytest.approx([0.0, 7.0], abs=0.01)
     line = next(d for d in Picture(svg).lines(ORANGE) if d.count("M") > 1)
@@ -250,7 +257,7 @@ def test_a_flat_curve_is_not_blown_up() -> None:
 @pytest.mark.parametrize("top", [0.004, 0.7, 3.0, 12.5, 480.0, 99999.0])
 def test_numbers_along_the_axes_are_round_apart_and_few(top: float) -> None:
     curve = ChartCurve(x=[-top, top], y=[-3 * top, top], look=LOOKS[0], label="any", width=1.0)
-    picture = Picture(chart_svg([Chart(curves=[curve])] * 3, 234.0, "numbers"))
+    picture = Picture(_svg([Chart(curves=[curve])] * 3, 234.0))
     assert 3 <= len(picture.rows) <= 10
     for panel in picture.panels:
         assert 2 <= len(panel) <= 10
@@ -273,7 +280,7 @@ def test_a_dense_curve_loses_no_peak() -> None:
             Band(x=places, low=[v - 1 for v in curve], high=[v + 1 for v in curve], look=LOOKS[1])
         ],
     )
-    svg = chart_svg([chart], 209.0, "dense")
+    svg = _svg([chart], 209.0)
     picture = Picture(svg)
     points = [tuple(map(float, at.split(","))) for at in picture.lines(BLUE)[0][1:].split()]
     assert len(points) < 1100
@@ -288,7 +295,7 @@ def test_a_dense_curve_loses_no_peak() -> None:
 
 def test_names_of_the_user_stay_text() -> None:
     hostile: dict[str, Any] = made_up(name="$\\frac{$ 中\n<b>", axis="C<script>&" * 20)
-    picture = Picture(result_figure(hostile, 'deviations of "<X>"'))
-    assert picture.root.attrib["aria-label"] == 'deviations of "<X>"'
+    picture = Picture(result_figure(hostile, '"<X>"'))
+    assert picture.root.attrib["aria-label"] == 'deviations of axis "<X>"'
     assert any("<b>" in text for text in picture.texts())
     assert {one.tag for one in picture.root.iter()} <= {"svg", "path", "polygon", "text"}

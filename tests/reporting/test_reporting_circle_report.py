@@ -15,11 +15,12 @@ import yaml
 
 from compwright.cli import run as compwright
 from compwright.documents.evaluation import in_short
-from compwright.reporting.causes import _WORDS, named_in_words, ranked_causes
+from compwright.reporting.causes import _KINDS, named_in_words, ranked_causes
 from compwright.reporting.circle_report import _causes, _words
 from compwright.reporting.circle_steps import job_lines, next_step
 from compwright.reporting.circular_parameters import parameter_words, printed_parameters
 from compwright.reporting.circular_tables import circular_tables
+from compwright.words.sentences import say
 from places import REAL, needs_shared
 
 BALLBARS = REAL / "ballbar"
@@ -46,20 +47,19 @@ RESULT: dict[str, Any] = {
 
 def test_causes_with_their_ends() -> None:
     table = _causes(ranked_causes(RESULT))
-    lost, end, straight = table["rows"]
+    lost, end, straight = [list(map(str, row)) for row in table["rows"]]
     assert lost[:4] == ["Lost motion X", "4.00", "80", "4.00 ± 0.20"]
     assert end == ["– at X+", "", "", "5.00 ± 0.30", "µm"]
     assert straight[0] == "Straightness Z"
-    assert "Software of the instrument" not in [head["text"] for head in table["heads"]]
+    assert "Software of the instrument" not in [str(head["text"]) for head in table["heads"]]
 
 
 def test_what_the_software_printed_is_next_to_it() -> None:
     def row(printed: float, *, valid: bool = True) -> list[str]:
         vendor = {"RENISHAW_DIAGNOSTICS": {"AF_BACKLASH_B_POS": {"value": printed, "valid": valid}}}
         table = _causes(ranked_causes({**RESULT, "vendor": vendor}))
-        assert table["heads"][-1]["text"] == "Comparison"
-        cells: list[str] = table["rows"][1][-2:]
-        return cells
+        assert str(table["heads"][-1]["text"]) == "Comparison"
+        return list(map(str, table["rows"][1][-2:]))
 
     assert row(4.5) == ["4.50", "agrees"]  # 5.0 ± 0.3
     assert row(4.3) == ["4.30", "differs"]
@@ -70,9 +70,9 @@ def test_what_the_software_printed_is_next_to_it() -> None:
 NO_STEP = {"scale_error", "backlash_mismatch", "lobes_2", "lobes_3", "positional_tolerance"}
 
 
-@pytest.mark.parametrize("cause", sorted(set(_WORDS) - NO_STEP))
+@pytest.mark.parametrize("cause", sorted(set(_KINDS) - NO_STEP))
 def test_every_cause_has_a_step_in_words(cause: str) -> None:
-    step = next_step(cause, AXES) or next_step(f"{cause}_first", AXES)
+    step = str(next_step(cause, AXES) or next_step(f"{cause}_first", AXES))
     assert len(step) > 20
     assert "{first}" not in step
     assert "_" not in step
@@ -94,16 +94,15 @@ def test_the_job_that_corrects_what_a_table_can() -> None:
 
 
 def test_no_name_of_a_key_is_on_the_page() -> None:
-    assert _words("backlash_first", RESULT) == "Lost motion Z"
-    assert _words("backlash_first_at_positive", RESULT) == "Lost motion Z at Z+"
-    assert _words("scale_error_second", RESULT) == "Scale error X"
-    assert _words("G_ccw", RESULT) == "G ccw"
-    assert parameter_words("G_bidirectional_lsc") == "G both, least-squares circle"
-    assert parameter_words("F_max_cw_lsc") == "F max cw, least-squares centre"
-    message = "worse: scale_mismatch (x 9, with straightness_second), my_file.b5r"
-    assert named_in_words(message, AXES) == (
-        "worse: Scale mismatch Z − X (x 9, with Straightness X), my_file.b5r"
-    )
+    assert str(_words("backlash_first", RESULT)) == "Lost motion Z"
+    assert str(_words("backlash_first_at_positive", RESULT)) == "Lost motion Z at Z+"
+    assert str(_words("scale_error_second", RESULT)) == "Scale error X"
+    assert str(_words("G_ccw", RESULT)) == "G ccw"
+    assert str(parameter_words("G_bidirectional_lsc")) == "G both, least-squares circle"
+    assert str(parameter_words("F_max_cw_lsc")) == "F max cw, least-squares centre"
+    message = say("CW-D001.cause", cause="scale_mismatch", factor=9, other="straightness_second")
+    assert str(named_in_words(message, AXES)) == "Scale mismatch Z − X (x 9, with Straightness X)"
+    assert named_in_words("my_file.b5r", AXES) == "my_file.b5r"
 
 
 @needs_shared

@@ -62,13 +62,13 @@ def test_high_odds_are_written_as_powers_that_can_be_read() -> None:
 def test_rows_say_who_tells_a_period_and_only_what_counts_is_marked() -> None:
     block = periods_block({"periods": FOUND, "period_search": SEARCH}, "um")
     assert block is not None
-    assert [(row["period"], row["probability"], row["source"]) for row in block["rows"]] == [
+    assert [(row["period"], row["probability"], str(row["source"])) for row in block["rows"]] == [
         ("10", "97 %", "found in the readings"),
         ("20", "> 99.9 %", "given by the job"),
         ("4", "6 %", "found in the readings"),
     ]
     assert [mark["text"] for mark in block["picture"]["found"]] == ["10", "20"]
-    assert block["alike"] == ["50, 12.5"]
+    assert list(map(str, block["alike"])) == ["These targets cannot tell apart: 50, 12.5 mm."]
     assert periods_block({"periods": [], "period_search": None}, "um") is None
 
 

@@ -338,12 +338,12 @@ def test_causes_are_ranked_and_details_are_parts() -> None:
         "cyclic_first",
     ]
     by_name = {cause.name: cause for cause in causes}
-    assert [part.words for part in by_name["backlash_first"].parts] == ["at X+", "at X−"]
-    assert [part.words for part in by_name["scale_mismatch"].parts] == ["Scale error X"]
-    assert by_name["squareness"].words == "Squareness XY"
-    assert by_name["squareness"].value_text == "−40.0 ± 5.0"
+    assert [str(part.words) for part in by_name["backlash_first"].parts] == ["at X+", "at X−"]
+    assert [str(part.words) for part in by_name["scale_mismatch"].parts] == ["Scale error X"]
+    assert str(by_name["squareness"].words) == "Squareness XY"
+    assert str(by_name["squareness"].value_text) == "−40.0 ± 5.0"
     assert by_name["squareness"].plain == -41.0
-    assert by_name["reversal_spike_second"].words == "Reversal spike Y"
+    assert str(by_name["reversal_spike_second"].words) == "Reversal spike Y"
     assert [cause.name for cause in causes if not cause.shown] == [
         "servo_mismatch",
         "cyclic_first",
@@ -381,7 +381,7 @@ def test_whiskers_by_hand() -> None:
 def test_bars_have_the_lengths_of_the_effects_in_their_order() -> None:
     panel: Any = Figure().subplots()
     causes = [entry for entry in ranked_causes(diagnosed()) if entry.shown]
-    draw_causes(panel, causes)
+    draw_causes(panel, causes, "en")
     bars = sorted(panel.patches, key=lambda bar: bar.get_y())
     assert [bar.get_width() for bar in bars] == pytest.approx([5.0, 4.0, 1.0, 0.2])
     assert panel.get_ylim()[0] > panel.get_ylim()[1]  # the first on top
@@ -400,7 +400,7 @@ def test_bars_have_the_lengths_of_the_effects_in_their_order() -> None:
 
 def test_a_whisker_longer_than_the_panel_ends_with_an_arrow() -> None:
     panel: Any = Figure().subplots()
-    draw_causes(panel, [cause(error=100.0)])
+    draw_causes(panel, [cause(error=100.0)], "en")
     assert [entry.get_marker() for entry in panel.lines if len(entry.get_xdata()) == 1] == [">"]
 
 

@@ -24,7 +24,7 @@ from compwright.records.correction_need import MOST_UNCERTAIN
 from compwright.records.job import Acknowledged
 from compwright.records.prediction import AcceptDecision, CirclePrediction, Decision, Quantiles
 from compwright.records.result import ExpandedUncertainty, PositioningResult
-from compwright.words.sentences import say
+from compwright.words.sentences import SentenceText, say
 
 SCHEMA = "compwright/verification/1"
 
@@ -142,14 +142,13 @@ def _headline(
     """Return the verdict in words; of limits only where there are any."""
     if verdict == "bad":
         limits = (entry.decision for one in circles.values() for entry in one.accept.values())
-        return f"Bad: see the {'circles' if 'reject' in limits else 'axes'} below"
+        return SentenceText(say("headline.bad", circles="reject" in limits))
     if verdict == "undecided":
-        return "Undecided: the tests do not tell"
+        return SentenceText(say("headline.undecided"))
     without = [name for name, axis in axes.items() if not axis.accept]
     if len(without) == len(axes) and not any(circle.accept for circle in circles.values()):
-        return f"Table{'s' * (len(axes) > 1)} active. No limits given."
-    none = f" (no limits given for {', '.join(without)})" if without else ""
-    return f"Good: the tables are active and the limits are met{none}"
+        return SentenceText(say("headline.active", tables=len(axes)))
+    return SentenceText(say("headline.good", without=without))
 
 
 def _axis(axis: VerifiedAxis) -> dict[str, Any]:

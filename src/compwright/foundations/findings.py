@@ -12,7 +12,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any, Final, Literal
 
-from compwright.words.sentences import Sentence, say
+from compwright.words.sentences import Sentence, SentenceText, say
 
 Severity = Literal["info", "warning", "error"]
 
@@ -53,9 +53,7 @@ DOUBTS: Final = _codes(_DOUBTS)
 RESULTS: Final = _codes(_RESULTS)
 REMARKS: Final = _codes(_REMARKS)
 #: How the doubts are headed, the same at the terminal, in reports and on the card.
-DOUBTS_FIRST: Final = "Check first: the result depends on it"
-#: What stands before the reason of a doubt that the job acknowledges.
-ACKNOWLEDGED: Final = "Acknowledged in the job"
+DOUBTS_FIRST: Final = say("doubts.first")
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,8 +79,8 @@ class Finding:
 
     @property
     def message(self) -> str:
-        """The sentence in English."""
-        return str(self.sentence)
+        """The sentence in English; pages take it in their language."""
+        return SentenceText(self.sentence)
 
     @property
     def values(self) -> Mapping[str, Any]:
@@ -95,18 +93,12 @@ class Finding:
         return self.code in DOUBTS and self.severity != "info"
 
 
-def next_step(codes: Iterable[str]) -> str:
-    """Return what to do about the doubts among findings that stand first, by their ``codes``; empty
+def next_step(codes: Iterable[str]) -> Sentence | None:
+    """Return what to do about the doubts among findings that stand first, by their ``codes``; None
     where there is none.
     """
     doubts = [code for code in dict.fromkeys(codes) if code in DOUBTS]
-    if not doubts:
-        return ""
-    answers = ", ".join(f"{code}: reason" for code in doubts)
-    return (
-        "Nothing is decided until this is clear. Correct the test or the job and run again, or give"
-        f" the reason why it is right in the job: acknowledged: {{{answers}}}"
-    )
+    return say("doubts.step", codes=doubts) if doubts else None
 
 
 def doubts_of(findings: Iterable[Finding]) -> tuple[Finding, ...]:

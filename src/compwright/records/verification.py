@@ -7,7 +7,7 @@ from typing import Literal
 
 from compwright.foundations.findings import Finding
 from compwright.records.axis import Direction
-from compwright.words.sentences import Sentence
+from compwright.words.sentences import Sentence, SentenceText
 
 LoadingName = Literal[
     "loaded",
@@ -70,7 +70,7 @@ class LoadingVerdict:
     @property
     def message(self) -> str:
         """The sentence in English."""
-        return str(self.sentence)
+        return SentenceText(self.sentence)
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,14 +1,16 @@
 """Figures in the pages of tests: a test, its residual, before and after, the table, the estimate.
-Each takes plain documents (deviations in µm or arcsec, positions in mm or deg) and returns an SVG
-picture as text, the same for the same input; ``description`` is what a screen reader says.
+Each takes plain documents (deviations in µm or arcsec, positions in mm or deg) and returns what a
+page draws in its language, the same for the same input.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Final
 
-from compwright.reporting.chart_svg import chart_svg
+from compwright.reporting.chart_svg import Drawing
 from compwright.reporting.charts import (
+    Chart,
     Document,
     estimate_chart,
     expected_chart,
@@ -20,33 +22,34 @@ from compwright.reporting.charts import (
     table_chart,
     title_of,
 )
+from compwright.words.sentences import say
 
 _HEIGHT: Final = 176.0  # points
 _LOW: Final = 104.0
 _BESIDE_EACH_OTHER: Final = 234.0
 
 
-def result_figure(result: Document, description: str) -> str:
+def result_figure(result: Document, axis: str) -> Drawing:
     """Return readings, means and mean ± k s of one positioning result over the targets."""
     chart = result_chart(result)
     chart.title, chart.right = title_of(result), parameter_line(result)
-    return chart_svg([chart], _HEIGHT, description)
+    return _drawing([chart], _HEIGHT, "deviations", axis)
 
 
-def reversal_figure(result: Document, description: str) -> str:
+def reversal_figure(result: Document, axis: str) -> Drawing:
     """Return the reversal B_i over the targets."""
-    return chart_svg([reversal_chart(result)], _LOW, description)
+    return _drawing([reversal_chart(result)], _LOW, "reversal", axis)
 
 
-def residual_figure(result: Document, description: str) -> str | None:
+def residual_figure(result: Document, name: str) -> Drawing | None:
     """Return what the causes of a circular result leave of its runs; None without a fit."""
     charts = residual_charts(result)
-    return chart_svg(charts, _LOW, description) if charts else None
+    return _drawing(charts, _LOW, "residual", name) if charts else None
 
 
 def before_after_figure(
-    before: Document, predicted: Document | None, description: str, after: Document | None = None
-) -> str:
+    before: Document, predicted: Document | None, axis: str, after: Document | None = None
+) -> Drawing:
     """Return before, predicted and after side by side on one scale; ``predicted`` or ``after`` may
     be None.
 
@@ -57,25 +60,29 @@ def before_after_figure(
     """
     charts = [result_chart(before)]
     most = 2 if predicted is not None and after is not None else 4  # what fits above a panel
-    charts[0].title, charts[0].note = "Before", parameter_line(before, most)
+    charts[0].title, charts[0].note = say("head.before"), parameter_line(before, most)
     if predicted is not None:
         chart = expected_chart(predicted, float(before.get("coverage") or 2.0))
         chart.name_axes(before.get("unit"))
-        chart.title = "Predicted"
+        chart.title = say("head.predicted")
         chart.note = prediction_line(predicted.get("parameters") or {}, before, most // 2)
         charts.append(chart)
     if after is not None:
         chart = result_chart(after)
-        chart.title, chart.note = "After", parameter_line(after, most)
+        chart.title, chart.note = say("head.after"), parameter_line(after, most)
         charts.append(chart)
-    return chart_svg(charts, _BESIDE_EACH_OTHER, description)
+    return _drawing(charts, _BESIDE_EACH_OTHER, "comparison", axis)
 
 
-def table_figure(entry: Document, description: str) -> str:
+def table_figure(entry: Document, axis: str) -> Drawing:
     """Return the correction over position beside the one that was wanted, as `table_chart`."""
-    return chart_svg([table_chart(entry)], _HEIGHT, description)
+    return _drawing([table_chart(entry)], _HEIGHT, "correction", axis)
 
 
-def estimate_figure(estimate: Document, result: Document, description: str) -> str:
+def estimate_figure(estimate: Document, result: Document, axis: str) -> Drawing:
     """Return the estimated deviation and the measured means, as `estimate_chart`."""
-    return chart_svg([estimate_chart(estimate, result)], _HEIGHT, description)
+    return _drawing([estimate_chart(estimate, result)], _HEIGHT, "estimate", axis)
+
+
+def _drawing(charts: Sequence[Chart], height: float, what: str, name: str) -> Drawing:
+    return Drawing(tuple(charts), height, say("chart.described", what=what, name=name))

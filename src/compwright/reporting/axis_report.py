@@ -13,6 +13,7 @@ from compwright.reporting.axis_figures import (
     estimate_figure,
     table_figure,
 )
+from compwright.reporting.chart_svg import Drawing
 from compwright.reporting.limiting import limits_block
 from compwright.reporting.numbers import (
     decimals_of,
@@ -75,7 +76,7 @@ def _run_axis(
         "periods": periods_block(predicted, unit),
         "state": _state(axis.get("state")),
         "estimate": (
-            estimate_figure(axis["estimate"], result, f"estimated error of axis {name}")
+            estimate_figure(axis["estimate"], result, name)
             if axis.get("estimate") and result
             else None
         ),
@@ -100,14 +101,12 @@ def _axis_facts(axis: Document, predicted: Document) -> list[tuple[Sentence, str
 
 def _before_figure(
     name: str, result: Document | None, axis: Document, predicted: Document
-) -> str | None:
+) -> Drawing | None:
     expected = axis.get("predicted_targets")
     if result is None or not expected:
         return None
     with_numbers = {**expected, "parameters": predicted.get("predicted")}
-    return before_after_figure(
-        result, with_numbers, f"deviations of axis {name} before and predicted"
-    )
+    return before_after_figure(result, with_numbers, name)
 
 
 def _run_parameters(test: Document, result: Document | None, unit: object) -> dict[str, Any]:
@@ -163,7 +162,7 @@ def _table(name: str, table: Document, axis: Document, predicted: Document) -> d
     return {
         "figure": table_figure(
             {"table": table, "wanted": axis.get("wanted"), "unit": unit},
-            f"correction of axis {name}",
+            name,
         ),
         "caption": say("run.table", count=len(rows), wanted=bool(axis.get("wanted"))),
         "count": len(rows),

@@ -5,12 +5,12 @@ the report.
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Final
 
 from compwright.reporting.numbers import number
+from compwright.words.sentences import Sentence, SentenceText, say
 
 #: A cause below this share of all effects, or below this effect (µm; half the last digit shown), is
 #: named, not listed.
@@ -19,29 +19,14 @@ LEAST_EFFECT: Final = 0.005
 
 _UNITS: Final = {"um": "µm", "um/m": "µm/m", "ms": "ms"}
 _DECIMALS: Final = {"um": 2, "um/m": 1, "ms": 3}
-#: Contract name -> words; {first} and {second} are the axes.
-_WORDS: Final = {
-    "squareness": "Squareness {first}{second}",
-    "scale_mismatch": "Scale mismatch {first} − {second}",
-    "servo_mismatch": "Servo mismatch {first} − {second}",
-    "radius_change": "Radius change ccw − cw",
-    "backlash": "Lost motion {axis}",
-    "lateral_play": "Lateral play {axis}",
-    "reversal_spike": "Reversal spike {axis}",
-    "cyclic": "Cyclic error {axis}",
-    "straightness": "Straightness {axis}",
-    "scale_error": "Scale error {axis}",
-    "backlash_mismatch": "Lost motion {first} − {second}",
-    "offset_change": "Centre change {axis}, ccw − cw",
-    "spiral": "Spiral (drift during a run)",
-    "master_slave": "Master-slave changeover",
-    "vibration": "Vibration",
-    "stick_slip": "Stick-slip {axis}",
-    "lobes_2": "Two lobes",
-    "lobes_3": "Three lobes",
-    "positional_tolerance": "Positional tolerance",
-}
-_KEY: Final = re.compile(r"\b[a-z]+(?:_[a-z0-9]+)+\b")
+_KINDS: Final = frozenset(
+    {
+        "squareness", "scale_mismatch", "servo_mismatch", "radius_change", "backlash",
+        "lateral_play", "reversal_spike", "cyclic", "straightness", "scale_error",
+        "backlash_mismatch", "offset_change", "spiral", "master_slave", "vibration", "stick_slip",
+        "lobes_2", "lobes_3", "positional_tolerance",
+    }
+)  # fmt: skip
 #: Values that sum up causes which are listed.
 _SUMMARIES: Final = ("backlash_mismatch", "lobes_2", "lobes_3", "positional_tolerance")
 #: Contract name -> name that Renishaw software prints (A the first axis of the plane, B the
@@ -59,14 +44,10 @@ _PRINTED: Final = {
     "straightness": "AF_STRAIGHTNESS_{letter}",
     "scale_error": "AF_SCALE_ERROR_{letter}",
 }
-_PARTS: Final = {
-    "at_positive": "at {axis}+",
-    "at_negative": "at {axis}−",
-    "at_positive_ccw": "at {axis}+ ccw",
-    "at_positive_cw": "at {axis}+ cw",
-    "at_negative_ccw": "at {axis}− ccw",
-    "at_negative_cw": "at {axis}− cw",
-}
+_PARTS: Final = (
+    "at_positive", "at_negative",
+    "at_positive_ccw", "at_positive_cw", "at_negative_ccw", "at_negative_cw",
+)  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -81,7 +62,7 @@ class CircleCause:
     """
 
     name: str
-    words: str
+    words: Sentence
     value: float
     error: float
     unit: str
@@ -94,10 +75,14 @@ class CircleCause:
     parts: tuple[CircleCause, ...] = ()
 
     @property
-    def value_text(self) -> str:
+    def value_text(self) -> Sentence:
         """Return value ± standard error with the decimals of the unit."""
         decimals = _DECIMALS.get(self.unit, 2)
-        return f"{number(self.value, decimals)} ± {number(self.error, decimals)}"
+        return say(
+            "label.value_error",
+            value=number(self.value, decimals),
+            error=number(self.error, decimals),
+        )
 
     @property
     def unit_text(self) -> str:
@@ -202,32 +187,44 @@ def _split(name: str) -> tuple[str, str, str]:
     return rest, "", part
 
 
-def cause_words(name: str, axes: Any) -> str:
-    """Return a cause of the contract in words, with the names of its axes."""
+def cause_words(name: str, axes: Any) -> Sentence:
+    """Return a cause of the contract in words, with the names of its axes; of a detail only which
+    it is.
+    """
     kind, which, part = _split(name)
     axis = axes[("first", "second").index(which)] if which else ""
-    form = _PARTS[part] if part else _WORDS.get(kind, name.replace("_", " "))
-    return form.format(first=axes[0], second=axes[1], axis=axis)
+    if part:
+        return say("cause.part", part=part, axis=axis)
+    if kind not in _KINDS:
+        return say("as_written", text=name.replace("_", " "))
+    return say("cause.kind", kind=kind, first=axes[0], second=axes[1], axis=axis)
 
 
-def full_cause_words(name: str, axes: Any) -> str:
+def full_cause_words(name: str, axes: Any) -> Sentence:
     """Return a cause or one of its details in words that need no heading: ``Lost motion X at
     X+``.
     """
     kind, _, part = _split(name)
     whole = name.removesuffix(f"_{part}") if part else name
     words = cause_words(whole, axes)
-    return f"{words} {cause_words(name, axes)}" if part and kind in _WORDS else words
+    if part and kind in _KINDS:
+        return say("cause.whole", cause=words, part=cause_words(name, axes))
+    return words
 
 
-def named_in_words(text: str, axes: Any) -> str:
-    """Return a sentence with the causes that it names by their keys in words."""
-
-    def words(found: re.Match[str]) -> str:
-        known = _split(found[0])[0] in _WORDS
-        return full_cause_words(found[0], axes) if known else found[0]
-
-    return _KEY.sub(words, text)
+def named_in_words(value: Any, axes: Any) -> Any:
+    """Return a value of a sentence, or a sentence, with the causes that it names by their keys in
+    words.
+    """
+    if isinstance(value, SentenceText):
+        return SentenceText(named_in_words(value.sentence, axes))
+    if isinstance(value, Sentence):
+        return replace(value, values=named_in_words(value.values, axes))
+    if isinstance(value, tuple):
+        return tuple(named_in_words(one, axes) for one in value)
+    if isinstance(value, str) and "_" in value and _split(value)[0] in _KINDS:
+        return full_cause_words(value, axes)
+    return value
 
 
 def _printed(name: str, vendor: Mapping[str, Any]) -> tuple[float | None, bool]:

@@ -22,6 +22,7 @@ from compwright.reporting.charts import (
     covered,
     legend_of,
 )
+from compwright.words.sentences import Language, Sentence, number_text
 
 _WIDTH: Final = 518.4
 # Round the panels: the label beside the numbers, one digit, the margin on the right, between
@@ -67,40 +68,52 @@ class _Scale:
         return [start + by * value for value in values]
 
 
-def chart_svg(charts: Sequence[Chart], height: float, description: str) -> str:
-    """Return the picture of panels on one scale, ``height`` points high with all its words;
-    ``description`` is what a screen reader says.
+@dataclass(frozen=True, slots=True)
+class Drawing:
+    """Panels on one scale, ``height`` points high with all their words; ``description`` is what a
+    screen reader says.
     """
-    across, up = covered(charts)
-    head = _HEAD + (_LINE if any(chart.note for chart in charts) else 0.0)
-    bottom = height - (_BELOW if legend_of(charts) else _NO_LEGEND)
-    rows, decimals = _ticks(*up, int((bottom - head) / _ROW), _STEPS)
-    numbers = [_written(value, decimals) for value in rows]
-    left = _BESIDE + _DIGIT * max(map(len, numbers), default=0)
-    each = (_WIDTH - left - _EDGE - _GAP * (len(charts) - 1)) / len(charts)
-    y = _Scale(*up, bottom, head)
-    parts = []
-    for index, chart in enumerate(charts):
-        start = left + index * (each + _GAP)
-        x = _Scale(*across, start, start + each)
-        beside = numbers if index == 0 else [""] * len(rows)
-        parts += [
-            *_frame(chart, x, y, list(zip(rows, beside, strict=True))),
-            *_content(chart, x, y),
-        ]
-        parts += _words(chart, x, y, named=index == 0)
-    parts += _legend(charts, bottom)
-    return (
-        f'<svg viewBox="0 0 {_WIDTH:g} {height:g}" role="img" font-size="{_SMALL:g}"'
-        f' fill="{INK}" aria-label="{_text(description)}">{"".join(parts)}</svg>'
-    )
+
+    charts: tuple[Chart, ...]
+    height: float
+    description: Sentence
+
+    def svg(self, language: Language) -> str:
+        """Return the picture, its words in the language."""
+        charts = [chart.written(language) for chart in self.charts]
+        across, up = covered(charts)
+        head = _HEAD + (_LINE if any(chart.note for chart in charts) else 0.0)
+        bottom = self.height - (_BELOW if legend_of(charts) else _NO_LEGEND)
+        rows, decimals = _ticks(*up, int((bottom - head) / _ROW), _STEPS)
+        numbers = [_written(value, decimals, language) for value in rows]
+        left = _BESIDE + _DIGIT * max(map(len, numbers), default=0)
+        each = (_WIDTH - left - _EDGE - _GAP * (len(charts) - 1)) / len(charts)
+        y = _Scale(*up, bottom, head)
+        parts = []
+        for index, chart in enumerate(charts):
+            start = left + index * (each + _GAP)
+            x = _Scale(*across, start, start + each)
+            beside = numbers if index == 0 else [""] * len(rows)
+            parts += [
+                *_frame(chart, x, y, list(zip(rows, beside, strict=True)), language),
+                *_content(chart, x, y),
+            ]
+            parts += _words(chart, x, y, named=index == 0)
+        parts += _legend(charts, bottom, language)
+        described = _text(self.description.text(language))
+        return (
+            f'<svg viewBox="0 0 {_WIDTH:g} {self.height:g}" role="img" font-size="{_SMALL:g}"'
+            f' fill="{INK}" aria-label="{described}">{"".join(parts)}</svg>'
+        )
 
 
 # --- axes
 # --------------------------------------------------------------------------------------------------
 
 
-def _frame(chart: Chart, x: _Scale, y: _Scale, rows: list[tuple[float, str]]) -> Iterator[str]:
+def _frame(
+    chart: Chart, x: _Scale, y: _Scale, rows: list[tuple[float, str]], language: Language
+) -> Iterator[str]:
     """Yield grid, lines and numbers of both axes; ``rows``: values with their numbers."""
     columns, decimals = _along(x, _STEPS_OF_A_TURN if chart.degrees else _STEPS)
     beside, below = y.at([value for value, _ in rows]), x.at(columns)
@@ -114,7 +127,7 @@ def _frame(chart: Chart, x: _Scale, y: _Scale, rows: list[tuple[float, str]]) ->
         if written:
             yield _word(x.first - 6.0, at + 2.7, written, anchor="end")
     for at, value in zip(below, columns, strict=True):
-        yield _word(at, y.first + 12.0, _written(value, decimals), anchor="middle")
+        yield _word(at, y.first + 12.0, _written(value, decimals, language), anchor="middle")
 
 
 def _along(x: _Scale, steps: Sequence[float]) -> tuple[list[float], int]:
@@ -139,8 +152,8 @@ def _ticks(low: float, high: float, most: int, steps: Sequence[float]) -> tuple[
     return [round(place * step, decimals) for place in range(first, last + 1)], decimals
 
 
-def _written(value: float, decimals: int) -> str:
-    return f"{value:.{decimals}f}".replace("-", "−")
+def _written(value: float, decimals: int, language: Language = "en") -> str:
+    return number_text(value, f".{decimals}f", language).replace("-", "−")
 
 
 # --- curves and bands
@@ -297,12 +310,12 @@ def _words(chart: Chart, x: _Scale, y: _Scale, *, named: bool) -> Iterator[str]:
         yield _word(9.0, middle, chart.y_label, size=_TEXT, anchor="middle", more=turned)
 
 
-def _legend(charts: Sequence[Chart], bottom: float) -> Iterator[str]:
+def _legend(charts: Sequence[Chart], bottom: float, language: Language) -> Iterator[str]:
     """Yield the legend of all panels: + above −, under a line that says what they are."""
     entries = list(legend_of(charts).items())
     if not entries:
         return
-    yield _word(_WIDTH / 2, bottom + 37.0, LEGEND_TITLE, anchor="middle")
+    yield _word(_WIDTH / 2, bottom + 37.0, LEGEND_TITLE.text(language), anchor="middle")
     height = 2 if len(entries) > 1 else 1
     columns = [entries[first : first + height] for first in range(0, len(entries), height)]
     wide = [
@@ -336,12 +349,18 @@ def _handle(part: Band | ChartCurve, at: float, up: float) -> str:
 
 
 def _word(
-    x: float, y: float, words: str, *, size: float = _SMALL, anchor: str = "start", more: str = ""
+    x: float,
+    y: float,
+    words: str | Sentence,
+    *,
+    size: float = _SMALL,
+    anchor: str = "start",
+    more: str = "",
 ) -> str:
     own = "" if size == _SMALL else f' font-size="{size:g}"'
     where = "" if anchor == "start" else f' text-anchor="{anchor}"'
     return f'<text x="{x:.2f}" y="{y:.2f}"{own}{where}{more}>{_text(words)}</text>'
 
 
-def _text(words: str) -> str:
-    return escape(visible(words)).replace("  ", "\u00a0\u00a0")  # blanks count, as in a table
+def _text(words: str | Sentence) -> str:
+    return escape(visible(str(words))).replace("  ", "\u00a0\u00a0")  # blanks count, as in a table

@@ -10,16 +10,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, Final, Literal
 
 from compwright.reporting.numbers import number, position_unit, standard_text, symbol, unit_text
+from compwright.words.sentences import Language, Sentence, in_language, say
 
 Document = Mapping[str, Any]
 Marker = Literal["^", "v", "_"]
 
 INK: Final = "#222222"
-LEGEND_TITLE: Final = "(+) and (−): approach in the positive and in the negative direction"
+LEGEND_TITLE: Final = say("chart.legend")
 #: Share of the range of positions and of deviations that is left free on either side.
 _MARGIN_X: Final = 0.03
 _MARGIN_Y: Final = 0.05
@@ -59,7 +60,7 @@ class ChartCurve:
     x: Sequence[float]
     y: Sequence[float]
     look: CurveLook
-    label: str = ""
+    label: str | Sentence = ""
     width: float = 0.0
     whole: bool = False
     opacity: float = 1.0
@@ -77,7 +78,7 @@ class Band:
     low: Sequence[float]
     high: Sequence[float]
     look: CurveLook
-    label: str = ""
+    label: str | Sentence = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,11 +96,11 @@ class Chart:
     of the axes, and what it shows. ``degrees``: positions of a rotary axis.
     """
 
-    title: str = ""
-    right: str = ""
-    note: str = ""
-    x_label: str = ""
-    y_label: str = ""
+    title: str | Sentence = ""
+    right: str | Sentence = ""
+    note: str | Sentence = ""
+    x_label: str | Sentence = ""
+    y_label: str | Sentence = ""
     degrees: bool = False
     bands: list[Band] = field(default_factory=list)
     curves: list[ChartCurve] = field(default_factory=list)
@@ -110,11 +111,25 @@ class Chart:
         parts: list[Band | ChartCurve] = [*self.bands, *self.curves]
         yield from (part for part in parts if part.label)
 
-    def name_axes(self, unit: object, quantity: str = "Deviation") -> None:
+    def written(self, language: Language) -> Chart:
+        """Return the panel with its words in the language."""
+        return replace(
+            self,
+            title=in_language(self.title, language),
+            right=in_language(self.right, language),
+            note=in_language(self.note, language),
+            x_label=in_language(self.x_label, language),
+            y_label=in_language(self.y_label, language),
+            bands=[replace(one, label=in_language(one.label, language)) for one in self.bands],
+            curves=[replace(one, label=in_language(one.label, language)) for one in self.curves],
+            marks=[replace(one, text=in_language(one.text, language)) for one in self.marks],
+        )
+
+    def name_axes(self, unit: object, quantity: str = "deviation") -> None:
         """Name both axes with their units."""
         self.degrees = position_unit(unit) == "deg"
-        self.x_label = f"Position in {unit_text(position_unit(unit))}"
-        self.y_label = f"{quantity} in {unit_text(unit)}"
+        self.x_label = say("chart.position", unit=unit_text(position_unit(unit)))
+        self.y_label = say("chart.quantity", quantity=quantity, unit=unit_text(unit))
 
 
 # --- charts
@@ -138,7 +153,14 @@ def result_chart(result: Document) -> Chart:
         if not _any_known(means):
             continue
         spread = [coverage * _number(target.get(f"s_{look.key}")) for target in targets]
-        _add_band(chart, positions, means, spread, look, f"mean ± {coverage:g} s ({look.sign})")
+        _add_band(
+            chart,
+            positions,
+            means,
+            spread,
+            look,
+            say("chart.spread", coverage=coverage, sign=look.sign),
+        )
         points = [
             (position, _number(reading))
             for position, target in zip(positions, targets, strict=True)
@@ -146,11 +168,11 @@ def result_chart(result: Document) -> Chart:
         ]
         if points:
             x, y = zip(*points, strict=True)
-            label = f"single readings ({look.sign})"
+            label = say("chart.readings", sign=look.sign)
             chart.curves.append(
                 ChartCurve(x=x, y=y, look=look, label=label, size=2.6, edge=0.4, opacity=0.75)
             )
-        label = f"mean ({look.sign})"
+        label = say("chart.mean", sign=look.sign)
         chart.curves.append(_means(positions, means, look, label, face=look.colour))
     chart.marks = [
         ChartMark(_number(end.get("position")), _number(end.get("value")), symbol(name))
@@ -173,7 +195,7 @@ def reversal_chart(result: Document) -> Chart:
     chart.marks = [
         ChartMark(x, y, symbol("B")) for x, y in zip(positions, values, strict=True) if x == at
     ]
-    chart.name_axes(result.get("unit"), "Reversal B")
+    chart.name_axes(result.get("unit"), "reversal")
     return chart
 
 
@@ -192,9 +214,9 @@ def residual_charts(result: Document) -> list[Chart]:
         if curves:
             charts.append(
                 Chart(
-                    title=f"Measured minus fit, {key}",
-                    x_label="Angle in deg",
-                    y_label="Radius in µm",
+                    title=say("chart.residual", sense=key),
+                    x_label=say("chart.angle"),
+                    y_label=say("chart.radius"),
                     degrees=True,
                     curves=curves,
                 )
@@ -213,10 +235,13 @@ def expected_chart(predicted: Document, coverage: float) -> Chart:
         means = numbers(predicted.get(look.key))
         if not _any_known(means):
             continue
-        positions, label = numbers(predicted["positions"]), f"mean ± {coverage:g} s ({look.sign})"
+        positions, label = (
+            numbers(predicted["positions"]),
+            say("chart.spread", coverage=coverage, sign=look.sign),
+        )
         _add_band(chart, positions, means, [spread] * len(means), look, label)
         chart.curves.append(
-            _means(positions, means, look, f"expected mean ({look.sign})", face="#ffffff")
+            _means(positions, means, look, say("chart.expected", sign=look.sign), face="#ffffff")
         )
     return chart
 
@@ -229,12 +254,12 @@ def table_chart(entry: Document) -> Chart:
     ``unit``) as in the prediction document, and ``wanted`` (``positions``, ``positive``,
     ``negative``) or None in the same unit.
     """
-    chart = Chart(title="Correction that the control adds to the command")
+    chart = Chart(title=say("chart.correction"))
     table, wanted = entry["table"], entry.get("wanted") or {}
     for look in LOOKS:
         if wanted.get(look.key):
             x, y = numbers(wanted["positions"]), numbers(wanted[look.key])
-            label = f"wanted ({look.sign})"
+            label = say("chart.wanted", sign=look.sign)
             chart.curves.append(
                 ChartCurve(x=x, y=y, look=look, label=label, width=2.6, whole=True, opacity=0.35)
             )
@@ -244,14 +269,14 @@ def table_chart(entry: Document) -> Chart:
     dense = len(positions) > _MOST_MARKED  # the line alone
     size = 0.0 if dense else 4.0 if len(positions) <= 60 else 2.0
     for look in LOOKS[:1] if same else LOOKS:
-        label = "table (+ and −)" if same else f"table ({look.sign})"
+        label = say("chart.table_both") if same else say("chart.table", sign=look.sign)
         chart.curves.append(
             ChartCurve(
                 x=positions, y=values[look.key], look=look, label=label, width=1.0, size=size,
                 face=look.colour,
             )
         )  # fmt: skip
-    chart.name_axes(table.get("unit", entry.get("unit")), "Correction")
+    chart.name_axes(table.get("unit", entry.get("unit")), "correction")
     return chart
 
 
@@ -262,7 +287,7 @@ def estimate_chart(estimate: Document, result: Document) -> Chart:
     ``estimate`` holds ``positions`` (g), ``mean_positive``, ``mean_negative``, ``std_positive``,
     ``std_negative`` (g) in the unit of the positioning result ``result``.
     """
-    chart = Chart(title="Estimated deviation with ± 2 standard deviations")
+    chart = Chart(title=say("chart.estimated"))
     positions = numbers(estimate["positions"])
     for look in LOOKS:
         means = numbers(estimate.get(f"mean_{look.key}"))
@@ -270,14 +295,14 @@ def estimate_chart(estimate: Document, result: Document) -> Chart:
             continue
         spread = [2.0 * value for value in numbers(estimate[f"std_{look.key}"])]
         _add_band(chart, positions, means, spread, look)
-        label = f"estimate ({look.sign})"
+        label = say("chart.estimate", sign=look.sign)
         chart.curves.append(ChartCurve(x=positions, y=means, look=look, label=label, width=1.2))
     targets = result.get("targets", [])
     where = [_number(target.get("position")) for target in targets]
     for look in LOOKS:
         means = [_number(target.get(f"mean_{look.key}")) for target in targets]
         if _any_known(means):
-            label = f"measured mean ({look.sign})"
+            label = say("chart.measured", sign=look.sign)
             chart.curves.append(
                 ChartCurve(x=where, y=means, look=look, label=label, size=4.2, face=look.colour)
             )
@@ -286,7 +311,7 @@ def estimate_chart(estimate: Document, result: Document) -> Chart:
 
 
 def _means(
-    x: Sequence[float], y: Sequence[float], look: CurveLook, label: str, *, face: str
+    x: Sequence[float], y: Sequence[float], look: CurveLook, label: Sentence, *, face: str
 ) -> ChartCurve:
     return ChartCurve(x=x, y=y, look=look, label=label, width=1.4, size=4.2, face=face)
 
@@ -297,7 +322,7 @@ def _add_band(
     y: Sequence[float],
     half: Sequence[float],
     look: CurveLook,
-    label: str = "",
+    label: str | Sentence = "",
 ) -> None:
     """Add y ± half, with its limits where it has a ``label``; nothing where half is not known."""
     if not _any_known(half):
@@ -350,13 +375,13 @@ def _with_margin(limits: Sequence[float], share: float, least: float = 0.0) -> t
 
 
 def legend_of(charts: Sequence[Chart]) -> dict[str, Band | ChartCurve]:
-    """Return what stands in the legend of all panels, by its name: each once, what is alike side by
-    side, + before −.
+    """Return what stands in the legend of all panels (as `Chart.written`), by its name: each once,
+    what is alike side by side, + before −.
     """
     entries: dict[str, Band | ChartCurve] = {}
     for chart in charts:
         for part in chart.named():
-            entries.setdefault(part.label, part)
+            entries.setdefault(str(part.label), part)
     order = list(dict.fromkeys(_quantity(label) for label in entries))
     # stable: + stays before −
     names = sorted(entries, key=lambda label: order.index(_quantity(label)))
@@ -371,23 +396,23 @@ def _quantity(label: str) -> str:
 # --------------------------------------------------------------------------------------------------
 
 
-def title_of(result: Document) -> str:
+def title_of(result: Document) -> Sentence:
     """Return axis, test, standard and number of runs as one line."""
     runs = result.get("n_runs") or {}
     counts = sorted({int(runs[key]) for key in ("positive", "negative") if runs.get(key)})
     count = "–".join(str(value) for value in counts)
     name = str(result.get("name") or "")
     axis = str(result.get("axis") or "?")
-    parts = [
-        f"Axis {_one_line(axis, 10)}",
+    parts: list[str | Sentence] = [
+        say("report.axis", axis=_one_line(axis, 10), name=""),
         _one_line(name, 20),
         standard_text(result.get("standard", "")),
         f"n = {count}" if count else "",
     ]
-    return "   ".join(part for part in parts if part)
+    return say("chart.line", parts=[part for part in parts if part], unit="")
 
 
-def parameter_line(result: Document, most: int = 4) -> str:
+def parameter_line(result: Document, most: int = 4) -> str | Sentence:
     """The parameters of the corner: both directions together, or those of the one direction that
     was measured.
     """
@@ -402,8 +427,8 @@ def parameter_line(result: Document, most: int = 4) -> str:
     ):
         shown = [key for key in keys if key in given][:most]
         if shown:
-            text = "   ".join(f"{symbol(key)} {number(given[key])}" for key in shown)
-            return f"{text} {unit_text(result.get('unit'))}"
+            parts = [say("parameter", parameter=symbol(k), value=number(given[k])) for k in shown]
+            return say("chart.line", parts=parts, unit=unit_text(result.get("unit")))
     return ""
 
 
@@ -411,7 +436,7 @@ def _single(direction: str) -> tuple[str, ...]:
     return tuple(f"{letter}_{direction}" for letter in "AER")
 
 
-def prediction_line(predicted: Document, before: Document, most: int) -> str:
+def prediction_line(predicted: Document, before: Document, most: int) -> str | Sentence:
     """Medians and 5-95 % of the first parameters of those that the panel before names."""
     given = before.get("parameters") or {}
     order = [
@@ -419,14 +444,22 @@ def prediction_line(predicted: Document, before: Document, most: int) -> str:
         for key in ("A", "E", "P", "Pa", *_single("positive"), *_single("negative"))
         if given.get(key) is not None
     ]
-    shown = [
-        (symbol(key), predicted[key]) for key in order if isinstance(predicted.get(key), Mapping)
-    ][:most]
-    text = "   ".join(
-        f"{name} {number(q.get('median'))} ({number(q.get('p05'))} to {number(q.get('p95'))})"
-        for name, q in shown
+    parts = [
+        quantiles(symbol(key), predicted[key])
+        for key in [key for key in order if isinstance(predicted.get(key), Mapping)][:most]
+    ]
+    return say("chart.line", parts=parts, unit=unit_text(before.get("unit"))) if parts else ""
+
+
+def quantiles(name: str, one: Document) -> Sentence:
+    """Return the median and the 5-95 % of a parameter."""
+    return say(
+        "chart.quantiles",
+        symbol=name,
+        median=number(one.get("median")),
+        p05=number(one.get("p05")),
+        p95=number(one.get("p95")),
     )
-    return f"{text} {unit_text(before.get('unit'))}" if text else ""
 
 
 def _one_line(text: str, most: int) -> str:

@@ -11,7 +11,7 @@ from compwright.reporting import paper, sections
 from compwright.reporting.axis_figures import residual_figure
 from compwright.reporting.causes import CircleCause, full_cause_words, ranked_causes
 from compwright.reporting.circle_steps import job_lines, steps_for
-from compwright.reporting.circles import circle_figure
+from compwright.reporting.circles import CircleFigure
 from compwright.reporting.circular_parameters import (
     parameter_rows,
     parameter_words,
@@ -19,14 +19,10 @@ from compwright.reporting.circular_parameters import (
 )
 from compwright.reporting.numbers import number, plain
 from compwright.reporting.sections import Document, TextTable
+from compwright.words.sentences import NumberText, Sentence, say
 
 #: Standard errors within which our value and the printed one agree.
 _AGREES: Final = 2.0
-_COMPARISON: Final = (
-    "Software of the instrument: agrees: within two standard errors of our value. Not valid, in"
-    " brackets: the software itself says so. Differs: its model is not published; ours fits every"
-    " cause at once, with step and spike of each reversal point of their own."
-)
 
 
 def circle_page(result: Document, index: int) -> dict[str, Any]:
@@ -35,16 +31,14 @@ def circle_page(result: Document, index: int) -> dict[str, Any]:
     causes = ranked_causes(result)
     acting = [cause for cause in causes if cause.significant and cause.shown]
     axes = result.get("axes") or ("first", "second")
-    residual = residual_figure(result, f"residual of circular test {name}")
+    residual = residual_figure(result, name)
     return {
-        "figure": circle_figure(result, f"test{index}", name),
+        "figure": CircleFigure(result, f"test{index}", name),
         "residual": residual,
-        "residual_words": (
-            f"What the causes below leave unexplained: {number(result.get('residual'))} µm rms."
-        ),
+        "residual_words": say("circle.unexplained", rms=number(result.get("residual"))),
         "parameters": _parameters(result),
         "causes": _causes(causes) if causes else None,
-        "comparison": _COMPARISON if _any_printed(causes) else "",
+        "comparison": say("circle.comparison") if _any_printed(causes) else "",
         "steps": steps_for(causes, axes),
         "job": job_lines([cause.name for cause in acting], result),
         "reasons": _reasons(result),
@@ -61,37 +55,44 @@ def _parameters(result: Document) -> TextTable:
     rows = []
     for row in parameter_rows(result):
         cells = [
-            f"{number(values.get(key))} ± {number(stated[key]['U'])}"
+            say(
+                "label.value_error",
+                value=number(values.get(key)),
+                error=number(stated[key]["U"]),
+            )
             if key in stated
             else number(values.get(key))
             if key
             else ""
             for key in row.keys
         ]
-        software = [printed.get(row.letter, "")] if printed else []
-        rows.append([row.words.strip(), row.letter, *cells, *software])
-    unit = "µm, ± U, k = 2" if stated else "µm"
+        software = [NumberText(printed.get(row.letter, ""))] if printed else []
+        rows.append([row.words, row.letter, *cells, *software])
+    unit = say("label.with_uncertainty", unit="µm", k=2) if stated else "µm"
     return {
         "heads": sections.heads(
-            "Parameter",
+            say("head.parameter"),
             "",
-            *((way, unit) for way in ("ccw", "cw", "both")),
-            *([("Software of the instrument", "µm")] if printed else []),
+            *((say("circle.sense", sense=way), unit) for way in ("ccw", "cw", "both")),
+            *([(say("circle.software"), "µm")] if printed else []),
         ),
         "rows": rows,
     }
 
 
-def _reasons(result: Document) -> list[tuple[str, str]]:
+def _reasons(result: Document) -> list[tuple[Sentence, str]]:
     """Return why values are missing: names in words, and their reason."""
-    reasons: dict[str, list[str]] = {}
+    reasons: dict[str, list[Sentence]] = {}
     for key, reason in (result.get("not_applicable") or {}).items():
-        words = "Causes" if key == "diagnosis" else _words(plain(key), result)
+        words = say("head.causes") if key == "diagnosis" else _words(plain(key), result)
         reasons.setdefault(plain(reason).rstrip("."), []).append(words)
-    return [(", ".join(dict.fromkeys(names)), reason) for reason, names in reasons.items()]
+    return [
+        (say("given.listed", items=list(dict.fromkeys(names))), reason)
+        for reason, names in reasons.items()
+    ]
 
 
-def _words(name: str, result: Document) -> str:
+def _words(name: str, result: Document) -> Sentence:
     """Return a cause or a parameter in words."""
     if name in (result.get("parameters") or {}):
         return parameter_words(name)
@@ -109,18 +110,19 @@ def _causes(causes: Sequence[CircleCause]) -> TextTable:
         share = f"{100.0 * cause.share:.0f}"
         rows.append([cause.words, number(cause.effect), share, *_values(cause, printed=printed)])
         rows += [
-            [f"– {part.words}", "", "", *_values(part, printed=printed)] for part in cause.parts
+            [say("circle.detail", part=part.words), "", "", *_values(part, printed=printed)]
+            for part in cause.parts
         ]
-    software: list[tuple[str, str] | str] = (
-        [("Software of the instrument", ""), "Comparison"] if printed else []
+    software: list[tuple[Sentence, str] | Sentence] = (
+        [(say("circle.software"), ""), say("circle.compared")] if printed else []
     )
     return {
         "heads": sections.heads(
-            "Cause",
-            ("Effect on the radius", "µm"),
-            ("Share", "%"),
-            ("Value ± standard error", ""),
-            "Unit",
+            say("head.cause"),
+            (say("circle.effect"), "µm"),
+            (say("circle.share"), "%"),
+            (say("circle.value_error"), ""),
+            say("head.unit"),
             *software,
         ),
         "rows": rows,
@@ -131,16 +133,21 @@ def _any_printed(causes: Sequence[CircleCause]) -> bool:
     return any(one.printed is not None for cause in causes for one in (cause, *cause.parts))
 
 
-def _values(cause: CircleCause, *, printed: bool) -> list[str]:
+def _values(cause: CircleCause, *, printed: bool) -> list[str | Sentence]:
     theirs = cause.text(cause.printed)
-    software = [f"({theirs})" if theirs and cause.doubtful else theirs, _comparison(cause)]
+    software = [
+        NumberText(f"({theirs})") if theirs and cause.doubtful else theirs,
+        _comparison(cause),
+    ]
     return [cause.value_text, cause.unit_text, *(software if printed else [])]
 
 
-def _comparison(cause: CircleCause) -> str:
-    """Return how our value and the printed one compare: a word of `_COMPARISON`."""
+def _comparison(cause: CircleCause) -> str | Sentence:
+    """Return how our value and the printed one compare."""
     if cause.printed is None:
         return ""
-    if cause.doubtful:
-        return "not valid"
-    return "agrees" if abs(cause.value - cause.printed) <= _AGREES * cause.error else "differs"
+    agrees = abs(cause.value - cause.printed) <= _AGREES * cause.error
+    return say(
+        "circle.agreement",
+        how="not_valid" if cause.doubtful else "agrees" if agrees else "differs",
+    )

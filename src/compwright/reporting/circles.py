@@ -5,6 +5,7 @@ expected, and was found.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Any, Final
 
 from compwright.reporting import paper, sections
@@ -14,7 +15,7 @@ from compwright.reporting.numbers import number, plain
 from compwright.reporting.page import inline_figure
 from compwright.reporting.polar import polar_figure
 from compwright.reporting.sections import Document
-from compwright.words.sentences import Sentence, say
+from compwright.words.sentences import Language, Sentence, say
 
 _PARAMETERS: Final = (
     "G_ccw",
@@ -52,7 +53,7 @@ def circle_blocks(
             {
                 "name": plain(name),
                 "anchor": f"circle-{index}",
-                "figure": (None if shown is None else circle_figure(shown, f"circle{index}", name)),
+                "figure": (None if shown is None else CircleFigure(shown, f"circle{index}", name)),
                 "table": _table(circle, result),
                 "sheet": (
                     None if shown is None else paper.sheet(shown, (stated or {}).get(name) or {})
@@ -64,16 +65,26 @@ def circle_blocks(
     return blocks
 
 
-def circle_figure(result: Document, prefix: str, name: str) -> Any:
-    """Return the picture of a circular result as markup; ``prefix`` makes its ids its own."""
-    return inline_figure(polar_figure(result), prefix=prefix, description=f"circular test {name}")
+@dataclass(frozen=True, slots=True)
+class CircleFigure:
+    """The picture of a circular result in a page; ``prefix`` makes its ids its own."""
+
+    result: Document
+    prefix: str
+    name: str
+
+    def svg(self, language: Language) -> str:
+        """Return the picture, its words in the language."""
+        described = say("chart.described", what="circle", name=self.name).text(language)
+        drawn = polar_figure(self.result, language=language)
+        return str(inline_figure(drawn, prefix=self.prefix, description=described))
 
 
 def findings_in_words(result: Document) -> list[Document]:
     """Return the findings of a result with the causes that they name in words."""
     axes = result.get("axes") or ("first", "second")
     return [
-        {**finding, "message": named_in_words(str(finding["message"]), axes)}
+        {**finding, "message": named_in_words(finding["message"], axes)}
         for finding in result.get("findings") or ()
     ]
 

@@ -9,17 +9,19 @@ from dataclasses import dataclass
 from typing import Any, Final
 
 from compwright.reporting.numbers import plain
+from compwright.words.sentences import Sentence, say
 
-#: Rows of the parameter table: words, letter, keys for ccw, cw and both.
+#: Rows of the parameter table: letter, whether about the least-squares centre, keys for ccw, cw
+#: and both.
 _ROWS: Final = (
-    ("Circular deviation, minimum zone", "G", ("G_ccw", "G_cw", "G_bidirectional")),
-    ("  by the least-squares circle", "", ("G_ccw_lsc", "G_cw_lsc", "G_bidirectional_lsc")),
-    ("Radial deviation, largest", "F max", ("F_max_ccw", "F_max_cw", "")),
-    ("Radial deviation, smallest", "F min", ("F_min_ccw", "F_min_cw", "")),
-    ("  largest, least-squares centre", "", ("F_max_ccw_lsc", "F_max_cw_lsc", "")),
-    ("  smallest, least-squares centre", "", ("F_min_ccw_lsc", "F_min_cw_lsc", "")),
-    ("Circular hysteresis", "H", ("", "", "H")),
-    ("Mean radial deviation", "D", ("", "", "D")),
+    ("G", "", ("G_ccw", "G_cw", "G_bidirectional")),
+    ("", "G_lsc", ("G_ccw_lsc", "G_cw_lsc", "G_bidirectional_lsc")),
+    ("F max", "", ("F_max_ccw", "F_max_cw", "")),
+    ("F min", "", ("F_min_ccw", "F_min_cw", "")),
+    ("", "F_max_lsc", ("F_max_ccw_lsc", "F_max_cw_lsc", "")),
+    ("", "F_min_lsc", ("F_min_ccw_lsc", "F_min_cw_lsc", "")),
+    ("H", "", ("", "", "H")),
+    ("D", "", ("", "", "D")),
 )
 #: What Renishaw software prints under an edition of ISO 230-4: letter, names for ccw, cw and both.
 _PRINTED: Final = (
@@ -37,11 +39,6 @@ _PRINTED: Final = (
     ("H", ("AF_CIRCULAR_HYSTERESIS",)),
     ("D", ("AF_MEAN_BIDIRECTIONAL_RADIAL_DEVIATION",)),
 )
-_OTHER_CENTRE: Final = {
-    "G": "least-squares circle",
-    "F max": "least-squares centre",
-    "F min": "least-squares centre",
-}
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,7 +47,7 @@ class ParameterRow:
     there is none).
     """
 
-    words: str
+    words: Sentence
     letter: str
     keys: tuple[str, str, str]
 
@@ -64,10 +61,11 @@ def parameter_rows(result: Mapping[str, Any]) -> list[ParameterRow]:
     """Return the lines that say something: with a value, and not the same numbers twice."""
     values = result.get("parameters") or {}
     rows = []
-    for words, letter, keys in _ROWS:
+    for letter, name, keys in _ROWS:
         own = keys[0].removesuffix("_lsc")
         twice = own != keys[0] and own[0] == "F" and values.get(own) == values.get(keys[0])
         if not twice and any(values.get(key) is not None for key in keys):
+            words = say("circle.parameter", name=name or letter.replace(" ", "_"))
             rows.append(ParameterRow(words, letter, keys))
     return rows
 
@@ -89,10 +87,16 @@ def printed_parameters(result: Mapping[str, Any]) -> dict[str, str]:
     return {letter: " / ".join(values) for letter, values in found.items() if values}
 
 
-def parameter_words(key: str) -> str:
+def parameter_words(key: str) -> Sentence:
     """Return a parameter as a page names it (``F_max_ccw_lsc`` -> ``F max ccw, least-squares
     centre``).
     """
-    name = key.removesuffix("_lsc").replace("_bidirectional", " both").replace("_", " ")
-    letter = name.removesuffix(" both").removesuffix(" ccw").removesuffix(" cw")
-    return f"{name}, {_OTHER_CENTRE[letter]}" if key.endswith("_lsc") else name
+    letter, _, rest = key.removesuffix("_lsc").partition("_")
+    words = rest.split("_") if rest else []
+    sense = next((word for word in words if word in ("bidirectional", "ccw", "cw")), "")
+    return say(
+        "circle.symbol",
+        letter=" ".join([letter, *(word for word in words if word != sense)]),
+        sense=sense,
+        centre=letter if key.endswith("_lsc") else "",
+    )

@@ -97,7 +97,7 @@ def _parameters(result: Mapping[str, Any]) -> Table:
         table.add_column(heading, justify="right", no_wrap=True)
     for row in parameter_rows(result):
         table.add_row(
-            row.words,
+            str(row.words) if row.letter else f"  {row.words}",
             row.letter,
             *(_deviation(values[key], signed=row.signed) if key else "" for key in row.keys),
         )
@@ -136,7 +136,7 @@ def _listed(names: Sequence[str], result: Mapping[str, Any]) -> str:
 
 def _shortened(name: str, causes: Container[str], axes: Sequence[str]) -> str:
     if name in causes:
-        return cause_words(name, axes)
+        return str(cause_words(name, axes))
     return "G (both)" if "_bi" in name else name.partition("_")[0] + _way(name)
 
 
@@ -164,11 +164,12 @@ def _causes(result: Mapping[str, Any]) -> list[RenderableType]:
     shown = [cause for cause in causes if cause.shown]
     for cause in shown:
         table.add_row(
-            *_row(cause, cause.words, printed=printed), style="" if cause.significant else "dim"
+            *_row(cause, str(cause.words), printed=printed),
+            style="" if cause.significant else "dim",
         )
         for part in cause.parts:
             table.add_row(*_row(part, f"  {part.words}", printed=printed, whole=False), style="dim")
-    small = ", ".join(cause.words for cause in causes if not cause.shown)
+    small = ", ".join(str(cause.words) for cause in causes if not cause.shown)
     lines: list[RenderableType] = [table] if shown else []
     if small:
         lines.append(Text(f"Below 1 % or 0.005 µm each: {small}", style="dim"))
@@ -176,12 +177,12 @@ def _causes(result: Mapping[str, Any]) -> list[RenderableType]:
         lines.append(Text("(…) the instrument's software itself calls it not valid", style="dim"))
     steps = steps_for(causes, result["axes"])
     if steps:
-        lines += [Text(), Text("Check first", style="bold"), *map(Text, steps)]
+        lines += [Text(), Text("Check first", style="bold"), *(Text(str(step)) for step in steps)]
     return lines
 
 
 def _row(cause: CircleCause, words: str, *, printed: bool, whole: bool = True) -> list[str]:
-    cells = [words, cause.value_text, cause.unit_text]
+    cells = [words, str(cause.value_text), cause.unit_text]
     cells += [number(cause.effect), f"{100.0 * cause.share:.0f} %"] if whole else ["", ""]
     cells.append(cause.text(cause.plain))
     if printed:

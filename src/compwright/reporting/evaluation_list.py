@@ -191,7 +191,7 @@ def _gravest(findings: Sequence[Mapping[str, str]]) -> _ListCell:
 
 
 def _largest(causes: Sequence[Any]) -> str:
-    return next((cause.words for cause in causes if cause.shown and cause.significant), "")
+    return next((str(cause.words) for cause in causes if cause.shown and cause.significant), "")
 
 
 def _summary(summary: Mapping[str, Any], folder: str) -> list[RenderableType]:

@@ -8,34 +8,10 @@ from collections.abc import Mapping
 from typing import Any, Final
 
 from compwright.reporting.numbers import number, plain, symbol, unit_text
+from compwright.words.sentences import say
 
 Document = Mapping[str, Any]
 
-#: The causes in plain words; one that is not here is shown by its own name.
-_WORDS: Final = {
-    "noise": "readings scatter: the same position does not come back the same (repeatability)",
-    "single outliers": "single outliers",
-    "shifts between traverses": "whole traverses that are shifted",
-    "drift": "drift: the axis changes while it is measured",
-    "temperature within its uncertainty": "temperature: a slope within what the job declares"
-    " uncertain",
-    "error that the test leaves open": "error that the test did not tell: between targets, and"
-    " hidden in the scatter",
-    "steps that the control never applies": "steps of the correction (reversal) that the control"
-    " never applies, because of its acceleration and servo period",
-    "no table is written": "error that was measured, and that no table takes away",
-    "spacing too wide for the period": "periodic error: the points are too far apart for it",
-    "spacing of the points": "what bends between the points of the table",
-    "number of points": "what bends between the points: the control has too few of them",
-    "one table for both directions": "reversal that changes along the travel: one table and one"
-    " reversal value cannot hold it",
-    "no backlash value": "reversal: the control has no value for it",
-    "quantum": "resolution of the table's values",
-    "value range": "largest value that the control takes",
-    "backlash range": "largest reversal value that the control takes",
-    "largest increment": "largest step from point to point that the control takes",
-    "a straight line instead of a table": "what bends: the control holds a straight line, no table",
-}
 #: Width of a bar's picture, in its own units.
 _WIDTH: Final = 200.0
 #: Below this (µm, arcsec) a cause is not worth a word at the terminal.
@@ -53,7 +29,7 @@ def limits_block(predicted: Document, unit: object) -> dict[str, Any] | None:
     whole = max([limited["then"], *(cause["value"] for cause in causes)])
     rows = [
         {
-            "words": _WORDS.get(cause["cause"], plain(cause["cause"])),
+            "words": say("limits.cause", cause=cause["cause"]),
             "value": number(cause["value"]),
             "width": _bar(cause["value"], whole),
             "rms": number(cause.get("rms"), 3) if cause.get("rms") is not None else "",

@@ -89,7 +89,7 @@ def plain(value: object) -> str:
         return NumberText((f"{value:.10g}" if value else "0").replace("-", "−"))
     if isinstance(value, int):
         return str(value).replace("-", "−")
-    return str(value)
+    return value if isinstance(value, str) else str(value)
 
 
 def with_unit(value: object, unit: str) -> Sentence:

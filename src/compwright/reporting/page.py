@@ -11,16 +11,17 @@ from __future__ import annotations
 import functools
 import re
 from collections.abc import Mapping
-from typing import Any, Final
+from typing import Any, Final, Protocol
 from urllib.parse import quote
 
 from compwright.foundations.extras import need
 from compwright.foundations.utf8 import encoded, visible_lines
 from compwright.reporting.numbers import MISSING, number, plain, unit_text
-from compwright.words.sentences import Language, NumberText, Sentence, say
+from compwright.words.sentences import Language, Sentence, in_language, say
 
 #: Letters of the report number that fit in a footer.
 _MOST_IN_FOOTER: Final = 60
+_CODE: Final = re.compile(r"`([^`]+)`")
 # What XML 1.0 does not allow in text; half surrogates cannot be written as UTF-8 either.
 _NOT_TEXT: Final = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
@@ -57,8 +58,17 @@ def _environment(language: Language) -> Any:
     )
     environment.filters.update(number=number, plain=plain, unit=unit_text, link=_link)
     environment.filters["css"] = functools.partial(_css, language=language)
+    environment.filters["coded"] = functools.partial(_coded, language=language)
+    environment.filters["drawn"] = functools.partial(_drawn, language=language)
     environment.globals.update(missing=MISSING, say=say, language=language)
     return environment
+
+
+class Figure(Protocol):
+    """What a page draws in its language."""
+
+    def svg(self, language: Language) -> str:
+        """Return the picture as markup to stand inside a page."""
 
 
 def inline_figure(svg: bytes, *, prefix: str, description: str) -> Any:
@@ -92,9 +102,21 @@ def _clean(value: Any, language: Language) -> Any:
     """Return sentences and numbers in the language. Show what no page may hold, in plain text only:
     markup is ours and clean.
     """
-    if isinstance(value, Sentence | NumberText):
-        value = value.text(language)
+    if isinstance(value, Sentence | str) and not hasattr(value, "__html__"):
+        value = in_language(value, language)
     return visible_lines(value) if type(value) is str else value
+
+
+def _coded(value: Any, language: Language) -> Any:
+    """Return a text as markup: what stands between backticks is code."""
+    markup = need("markupsafe")
+    escaped = str(markup.escape(_clean(value, language)))
+    return markup.Markup(_CODE.sub(r"<code>\1</code>", escaped))
+
+
+def _drawn(figure: Figure, language: Language) -> Any:
+    """Return a figure as markup, its words in the language."""
+    return need("markupsafe").Markup(figure.svg(language))
 
 
 def _css(value: str | Sentence, language: Language) -> Any:

@@ -59,7 +59,8 @@ _STYLE: Final[dict[str, object]] = {
 
 
 def draw_chart(panel: Any, chart: Chart) -> None:
-    """Draw a chart into a panel of the plotting library."""
+    """Draw a chart into a panel of the plotting library, in English."""
+    chart = chart.written("en")
     panel.axhline(0.0, color="#777777", linewidth=0.8, zorder=1.0)
     for band in chart.bands:
         panel.fill_between(
@@ -111,7 +112,7 @@ def _draw_curve(panel: Any, curve: ChartCurve) -> None:
 
 def legend(figure: Any, charts: Sequence[Chart], panels: Sequence[Any]) -> None:
     """Draw one legend for all panels, below them."""
-    names = list(legend_of(charts))
+    names = list(legend_of([chart.written("en") for chart in charts]))
     handles: dict[str, Any] = {}
     for panel in panels:
         for handle, label in zip(*panel.get_legend_handles_labels(), strict=True):
@@ -119,7 +120,7 @@ def legend(figure: Any, charts: Sequence[Chart], panels: Sequence[Any]) -> None:
     if names:
         figure.legend(
             [handles[name] for name in names], names, loc="outside lower center",
-            ncols=max(1, (len(names) + 1) // 2), title=LEGEND_TITLE, title_fontsize=7.5,
+            ncols=max(1, (len(names) + 1) // 2), title=str(LEGEND_TITLE), title_fontsize=7.5,
         )  # fmt: skip
 
 

@@ -115,8 +115,8 @@ def measured_block(result: Document, stated: Mapping[str, str]) -> dict[str, Any
     axis = plain(result.get("axis"))
     reversal = any(target.get("reversal") is not None for target in result.get("targets") or ())
     return {
-        "figure": result_figure(result, f"deviations of axis {axis}"),
-        "reversal": reversal_figure(result, f"reversal of axis {axis}") if reversal else None,
+        "figure": result_figure(result, axis),
+        "reversal": reversal_figure(result, axis) if reversal else None,
         "extremes": _extremes(result),
         "budget": _budget(result),
         "sheet": sheet(result, stated),

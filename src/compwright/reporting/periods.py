@@ -9,14 +9,10 @@ from collections.abc import Mapping, Sequence
 from typing import Any, Final
 
 from compwright.reporting.numbers import position_unit
+from compwright.words.sentences import NumberText, say
 
 Document = Mapping[str, Any]
 
-_SOURCES: Final = {
-    "job": "given by the job",
-    "found": "found in the readings",
-    "files": "given by the control's files",
-}
 #: The picture, in its own units: width and height of the curve's field, margin on the left, above.
 _WIDTH: Final = 620.0
 _HEIGHT: Final = 150.0
@@ -44,14 +40,18 @@ def periods_block(predicted: Document, unit: object) -> dict[str, Any] | None:
         "unit": where,
         "rows": [
             {
-                "period": f"{each['period']:.5g}",
+                "period": NumberText(f"{each['period']:.5g}"),
                 "probability": _percent(each["probability"]),
-                "source": _SOURCES.get(each["source"], each["source"]),
+                "source": say("period.source", source=each["source"]),
             }
             for each in periods
         ],
         "alike": [
-            ", ".join(f"{period:.4g}" for period in sorted(group, reverse=True))
+            say(
+                "period.alike",
+                periods=[NumberText(f"{period:.4g}") for period in sorted(group, reverse=True)],
+                unit=where,
+            )
             for group in (search or {}).get("alike", [])
         ],
         "picture": _picture(search, periods) if search and search["periods"] else None,
@@ -60,8 +60,8 @@ def periods_block(predicted: Document, unit: object) -> dict[str, Any] | None:
 
 def _percent(probability: float) -> str:
     if probability > 0.999:
-        return "> 99.9 %"
-    return f"{100.0 * probability:.3g} %"
+        return NumberText("> 99.9 %")
+    return NumberText(f"{100.0 * probability:.3g} %")
 
 
 def _picture(search: Document, periods: Sequence[Document]) -> dict[str, Any]:
@@ -90,7 +90,7 @@ def _picture(search: Document, periods: Sequence[Document]) -> dict[str, Any]:
         ),
         "even": up(0.0),
         "ticks": [
-            {"x": across(tick), "text": f"{tick:g}"}
+            {"x": across(tick), "text": NumberText(f"{tick:g}")}
             for tick in _TICKS
             if sizes[0] <= tick <= sizes[-1]
         ],
@@ -98,7 +98,7 @@ def _picture(search: Document, periods: Sequence[Document]) -> dict[str, Any]:
             {"y": up(level), "text": _power(level)} for level in range(0, int(top) + 1, step)
         ],
         "found": [
-            {"x": across(each["period"]), "text": f"{each['period']:.4g}"}
+            {"x": across(each["period"]), "text": NumberText(f"{each['period']:.4g}")}
             for each in periods
             if sizes[0] <= each["period"] <= sizes[-1] and each["probability"] > 0.5
         ],

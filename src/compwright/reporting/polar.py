@@ -27,6 +27,7 @@ from compwright.reporting.polar_words import (
     title,
     zone_text,
 )
+from compwright.words.sentences import Language, number_text, say
 
 #: Height of the picture of one test, inches.
 TEST_HEIGHT: Final = 4.55
@@ -74,8 +75,12 @@ class Path:
     evaluated: bool
 
 
-# the plotting library's own word
-def polar_figure(result: Document, *, format: str = "svg") -> bytes:  # noqa: A002
+def polar_figure(
+    result: Document,
+    *,
+    format: str = "svg",  # noqa: A002 - the plotting library's own word
+    language: Language = "en",
+) -> bytes:
     """Return the picture of one circular result: the path magnified, and its causes where it was
     diagnosed.
 
@@ -96,21 +101,23 @@ def polar_figure(result: Document, *, format: str = "svg") -> bytes:  # noqa: A0
         )
     with style():
         figure = new_figure(TEST_HEIGHT)
-        draw_test(figure, result)
+        draw_test(figure, result, language)
         return render(figure, kind)
 
 
-def draw_test(figure: Any, result: Document) -> None:
+def draw_test(figure: Any, result: Document, language: Language = "en") -> None:
     """Draw one test into a figure or a part of one: path and legend on the left, ranked causes on
     the right.
     """
     causes = [cause for cause in ranked_causes(result) if cause.shown][:_MOST_CAUSES]
     grid = figure.add_gridspec(1, 2 if causes else 1, width_ratios=(1.5, 1.0) if causes else None)
-    figure.suptitle(title(result), x=0.012, ha="left", fontsize=8.5, fontweight="bold")
+    figure.suptitle(
+        title(result).text(language), x=0.012, ha="left", fontsize=8.5, fontweight="bold"
+    )
     panel = figure.add_subplot(grid[0, 0])
-    draw_path(panel, result)
+    draw_path(panel, result, language)
     if causes:
-        draw_causes(figure.add_subplot(grid[0, 1]), causes)
+        draw_causes(figure.add_subplot(grid[0, 1]), causes, language)
     handles, labels = panel.get_legend_handles_labels()
     figure.legend(
         handles, labels, loc="outside lower left", ncols=2, fontsize=7.0, handlelength=3.6
@@ -179,7 +186,7 @@ def picture_centre(result: Document) -> tuple[str, tuple[float, float]]:
     return "set-up", (0.0, 0.0)
 
 
-def draw_path(panel: Any, result: Document) -> None:
+def draw_path(panel: Any, result: Document, language: Language = "en") -> None:
     """Draw the runs, the nominal circle, the minimum zone, the axes and the starts of the arc,
     magnified.
     """
@@ -193,10 +200,10 @@ def draw_path(panel: Any, result: Document) -> None:
     place = _Place(radius, magnification / _MICROMETRES, base)
     panel.set_aspect("equal")
     panel.axis("off")
-    _rings(panel, place, most, least)
+    _rings(panel, place, most, least, language)
     reach = 1.1 * (radius + place.scale * max(most, 0.0))
     if base:
-        words = f"least-squares circle, {signed(base)} µm from nominal"
+        words = say("circle.least_squares", base=signed(base)).text(language)
         panel.plot(
             *place.circle(base),
             color="#555555",
@@ -210,14 +217,14 @@ def draw_path(panel: Any, result: Document) -> None:
             color="#555555",
             linewidth=0.9,
             linestyle=(0, (7, 2, 1, 2)),
-            label="nominal circle",
+            label=say("circle.nominal").text(language),
         )
         reach = max(reach, 1.1 * (radius - place.scale * base))
     _axes(panel, result, reach)
-    _zones(panel, result, centre, place)
+    _zones(panel, result, centre, place, language)
     for path in paths:
-        _run(panel, path, place, result)
-    label: str | None = "fit: what all causes together make of each run"
+        _run(panel, path, place, result, language)
+    label: str | None = say("circle.fit").text(language)
     for path in paths_of(result, centre, result.get("fitted") or ()):
         if path.evaluated:
             panel.plot(
@@ -231,10 +238,12 @@ def draw_path(panel: Any, result: Document) -> None:
         markersize=9,
         color=_INK,
         linestyle="none",
-        label=centre_text(name, centre, result),
+        label=centre_text(name, centre, result).text(language),
     )
     panel.set_title(
-        f"{setting(result)}\nMagnification {grouped(magnification)} : 1, rings in µm",
+        say("circle.magnified", setting=setting(result), magnification=grouped(magnification)).text(
+            language
+        ),
         fontsize=7.5,
     )
     panel.set_xlim(-1.1 * reach, 1.1 * reach)
@@ -276,7 +285,7 @@ def _base(result: Document, values: Sequence[float]) -> float:
     return 0.0 if near and result["calibrated"] else mean
 
 
-def _rings(panel: Any, place: _Place, most: float, least: float) -> None:
+def _rings(panel: Any, place: _Place, most: float, least: float, language: Language) -> None:
     """Draw faint circles at round deviations with their values beside the second axis."""
     step = _round_step(max(most, -least, 0.05))
     box = {"boxstyle": "square,pad=0.12", "facecolor": "white", "edgecolor": "none", "alpha": 0.8}
@@ -288,7 +297,7 @@ def _rings(panel: Any, place: _Place, most: float, least: float) -> None:
         radial = place.base + count * step
         panel.plot(*place.circle(radial), color="#d9d9d9", linewidth=0.5, zorder=0.5)
         (x,), (y,) = place([_RING_LABELS], [radial])
-        words = f"{count * step:+.3g}".replace("-", "−")
+        words = number_text(count * step, "+.3g", language).replace("-", "−")
         panel.text(
             x, y, words, fontsize=6.0, color="#666666", ha="center", va="center", zorder=6, bbox=box
         )
@@ -320,7 +329,13 @@ def _axes(panel: Any, result: Document, reach: float) -> None:
         )
 
 
-def _zones(panel: Any, result: Document, centre: tuple[float, float], place: _Place) -> None:
+def _zones(
+    panel: Any,
+    result: Document,
+    centre: tuple[float, float],
+    place: _Place,
+    language: Language,
+) -> None:
     """Draw the two circles of the minimum zone: of both directions where the standard has that,
     else of each.
     """
@@ -335,7 +350,7 @@ def _zones(panel: Any, result: Document, centre: tuple[float, float], place: _Pl
         zone = zones[key]
         dx, dy = zone["centre"][0] - centre[0], zone["centre"][1] - centre[1]
         line = (0, (1.2, 1.4)) if key != "cw" else (0, (3, 1.2, 1, 1.2))
-        words = zone_text(key, values)
+        words = zone_text(key, values).text(language)
         for limit, label in ((zone["inner"], words), (zone["outer"], None)):
             radial = [limit + dx * math.cos(angle) + dy * math.sin(angle) for angle in around]
             panel.plot(
@@ -343,7 +358,7 @@ def _zones(panel: Any, result: Document, centre: tuple[float, float], place: _Pl
             )
 
 
-def _run(panel: Any, path: Path, place: _Place, result: Document) -> None:
+def _run(panel: Any, path: Path, place: _Place, result: Document, language: Language) -> None:
     """Draw one run, with a star where it starts and an arrow in the direction of travel; runs not
     evaluated pale.
     """
@@ -351,7 +366,7 @@ def _run(panel: Any, path: Path, place: _Place, result: Document) -> None:
     closed = path.evaluated and result["arc"]["extent"] >= _TURN
     if closed:
         x, y = [*x, x[0]], [*y, y[0]]
-    label = run_text(path.way.key, result) if path.evaluated else None
+    label = run_text(path.way.key, result).text(language) if path.evaluated else None
     width, strength = (path.way.width, 1.0) if path.evaluated else (0.5, 0.45)
     panel.plot(
         x,
@@ -369,12 +384,12 @@ def _run(panel: Any, path: Path, place: _Place, result: Document) -> None:
     panel.plot(
         x[:1], y[:1], marker="*", markersize=8.5, markerfacecolor=filled,
         markeredgecolor=path.way.colour, markeredgewidth=0.8,
-        linestyle="none", zorder=5, label=f"start of {path.way.key}",
+        linestyle="none", zorder=5, label=say("circle.start", sense=path.way.key).text(language),
     )  # fmt: skip
-    _travel(panel, path, result)
+    _travel(panel, path, result, language)
 
 
-def _travel(panel: Any, path: Path, result: Document) -> None:
+def _travel(panel: Any, path: Path, result: Document, language: Language) -> None:
     """Draw an arrow inside the circle, near the start, in the direction of travel."""
     radius = float(result["nominal_radius"]) * (0.60 if path.way.key == "ccw" else 0.53)
     begin = path.angles[0]
@@ -395,8 +410,8 @@ def _travel(panel: Any, path: Path, result: Document) -> None:
     }
     panel.annotate("", xy=(x[-1], y[-1]), xytext=(x[-2], y[-2]), arrowprops=arrow)
     panel.text(
-        0.84 * x[6], 0.84 * y[6], path.way.key, fontsize=6.5, color=path.way.colour, ha="center",
-        va="center",
+        0.84 * x[6], 0.84 * y[6], say("circle.sense", sense=path.way.key).text(language),
+        fontsize=6.5, color=path.way.colour, ha="center", va="center",
     )  # fmt: skip
 
 
@@ -404,7 +419,7 @@ def _travel(panel: Any, path: Path, result: Document) -> None:
 # --------------------------------------------------------------------------------------------------
 
 
-def draw_causes(panel: Any, causes: Sequence[CircleCause]) -> None:
+def draw_causes(panel: Any, causes: Sequence[CircleCause], language: Language) -> None:
     """Draw the effects of the causes as bars, the largest above, with 95 % whiskers and the values
     beside.
     """
@@ -424,7 +439,9 @@ def draw_causes(panel: Any, causes: Sequence[CircleCause]) -> None:
         panel.text(
             0.0,
             row - 0.43,
-            f"{cause.words}  {cause.value_text} {cause.unit_text}",
+            say(
+                "circle.cause", cause=cause.words, value=cause.value_text, unit=cause.unit_text
+            ).text(language),
             fontsize=7.0,
             va="center",
         )
@@ -434,5 +451,5 @@ def draw_causes(panel: Any, causes: Sequence[CircleCause]) -> None:
     panel.set_yticks([])
     panel.locator_params(axis="x", nbins=5)
     panel.grid(visible=False, axis="y")
-    panel.set_xlabel("Effect, peak to peak, in µm; whiskers 95 %")
-    panel.set_title("Causes, share of all\npale: less than twice its standard error", fontsize=7.5)
+    panel.set_xlabel(say("circle.effects").text(language))
+    panel.set_title(say("circle.shares").text(language), fontsize=7.5)

@@ -8,29 +8,32 @@ from typing import Final
 
 from compwright.reporting.charts import Document
 from compwright.reporting.numbers import MISSING, number, plain, standard_text
+from compwright.words.sentences import NumberText, Sentence, say
 
 _TURN: Final = 360.0
 
 
-def title(result: Document) -> str:
+def title(result: Document) -> Sentence:
     """Return plane, name and standard of a circular test as one line."""
-    parts = [
-        f"Circle {result['plane']}",
+    parts: list[str | Sentence] = [
+        say("report.circle", plane=result["plane"], name=""),
         _one_line(str(result.get("name") or ""), 50),
         standard_text(result.get("standard", "")),
     ]
-    return "   ".join(part for part in parts if part)
+    return say("chart.line", parts=[part for part in parts if part], unit="")
 
 
-def setting(result: Document) -> str:
+def setting(result: Document) -> Sentence:
     """Return radius, feed and arc."""
     arc, feed = result["arc"], result.get("feed")
-    parts = [
-        f"R {plain(result['nominal_radius'])} mm",
-        f"{feed:.5g} mm/min" if isinstance(feed, int | float) else "",
-        "" if arc["extent"] >= _TURN else f"arc {arc['extent']:.4g}° from {arc['start']:.4g}°",
-    ]
-    return ", ".join(part for part in parts if part)
+    whole = arc["extent"] >= _TURN
+    return say(
+        "circle.setting",
+        radius=plain(result["nominal_radius"]),
+        feed=feed if isinstance(feed, int | float) else None,
+        extent=0 if whole else arc["extent"],
+        start=arc["start"],
+    )
 
 
 def _one_line(text: str, most: int) -> str:
@@ -38,23 +41,25 @@ def _one_line(text: str, most: int) -> str:
     return line if len(line) <= most else f"{line[: most - 1]}…"
 
 
-def run_text(key: str, result: Document) -> str:
+def run_text(key: str, result: Document) -> Sentence:
     """Return the numbers of one direction: G, and F where it is given, else F about the
     least-squares centre.
     """
     values = result["parameters"]
     given = values.get(f"F_max_{key}") is not None
     kind = "" if given else "_lsc"
-    name = (
-        "F"
-        if given and result["arc"]["extent"] >= _TURN
-        else "F (set-up centre)"
-        if given
-        else "F (own centre)"
-    )
     highest, lowest = values.get(f"F_max_{key}{kind}"), values.get(f"F_min_{key}{kind}")
-    return (
-        f"{key}: G {number(values.get(f'G_{key}'))}, {name} {signed(highest)} / {signed(lowest)} µm"
+    return say(
+        "circle.run",
+        sense=key,
+        G=number(values.get(f"G_{key}")),
+        centre=(
+            ""
+            if given and result["arc"]["extent"] >= _TURN
+            else say("circle.about", centre="set_up" if given else "own")
+        ),
+        highest=signed(highest),
+        lowest=signed(lowest),
     )
 
 
@@ -62,26 +67,34 @@ def signed(value: float | None) -> str:
     """Return a number with its sign, for the eye."""
     if value is None:
         return MISSING
-    return f"+{number(value)}" if value >= 0.005 else number(value)
+    return NumberText(f"+{number(value)}") if value >= 0.005 else number(value)
 
 
-def centre_text(name: str, centre: tuple[float, float], result: Document) -> str:
+def centre_text(name: str, centre: tuple[float, float], result: Document) -> Sentence:
     """Return which centre the picture is laid about, with its place, µm."""
     axes = result["axes"]
-    kind = {"common": "common least-squares centre", "set-up": "set-up centre"}.get(
-        name, f"least-squares centre of {name}"
-    )
     hysteresis = result["parameters"].get("H")  # it is taken about the common centre
-    told = "" if hysteresis is None else f"; H {number(hysteresis)} µm"
-    return f"{kind}: {axes[0]} {number(centre[0], 1)}, {axes[1]} {number(centre[1], 1)} µm{told}"
+    return say(
+        "circle.centre",
+        name=name,
+        first=axes[0],
+        second=axes[1],
+        x=number(centre[0], 1),
+        y=number(centre[1], 1),
+        H="" if hysteresis is None else number(hysteresis),
+    )
 
 
-def zone_text(key: str, values: Document) -> str:
+def zone_text(key: str, values: Document) -> Sentence:
     """Return G of the zone that is drawn, and beside it what belongs to both directions."""
     both = key == "both"
     name = "G_bidirectional" if both else f"G_{key}"
-    told = f"minimum zone{' of both' if both else f', {key}'}: G {number(values.get(name))} µm"
-    return f"{told}; D {signed(values['D'])} µm" if both and values.get("D") is not None else told
+    return say(
+        "circle.zone",
+        sense=key,
+        G=number(values.get(name)),
+        D=signed(values["D"]) if both and values.get("D") is not None else "",
+    )
 
 
 def grouped(value: float) -> str:

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, Final
 
-from compwright.foundations.findings import ACKNOWLEDGED, DOUBTS_FIRST, next_step
+from compwright.foundations.findings import DOUBTS_FIRST, next_step
 from compwright.reporting.edition_terms import edition_symbol, parameter_term
 from compwright.reporting.numbers import (
     MISSING,
@@ -39,11 +39,6 @@ _SEVERITIES: Final = {
     "warning": {"tone": "open", "text": say("severity.warning")},
     "info": {"tone": "none", "text": say("severity.info")},
 }
-_LOADING_WORDS: Final = {
-    "loaded": say("mark.loaded"),
-    "undecided": say("decision.undecided"),
-    "measurement": say("mark.measurement"),
-}
 _BAR_WIDTH: Final = 200.0
 _COLUMNS: Final = 10  # traverses that fit across a page
 
@@ -57,7 +52,7 @@ def loading_mark(verdict: object) -> Mark:
     """Return the mark of a loading verdict (``loaded``, ``not_active``, ...)."""
     name = str(verdict)
     tone = {"loaded": "good", "undecided": "open", "measurement": "open"}.get(name, "bad")
-    return {"tone": tone, "text": _LOADING_WORDS.get(name, f"✗ {name.replace('_', ' ')}")}
+    return {"tone": tone, "text": say("mark.loading", verdict=name)}
 
 
 def pairs(values: Document | None) -> list[tuple[str, str]]:
@@ -109,10 +104,16 @@ def doubts(items: Iterable[Document] | None) -> dict[str, Any] | None:
     return {"heading": DOUBTS_FIRST, "items": told, "step": step} if told else None
 
 
-def acknowledged(items: Iterable[Document] | None) -> list[str]:
+def acknowledged(items: Iterable[Document] | None) -> list[Sentence]:
     """Return the doubts that the job acknowledges, each with its reason."""
     return [
-        f"{plain(item['code'])}: {ACKNOWLEDGED}: {plain(item['reason'])}. {plain(item['message'])}"
+        say(
+            "label.coded",
+            code=plain(item["code"]),
+            text=say(
+                "doubts.acknowledged", reason=plain(item["reason"]), message=plain(item["message"])
+            ),
+        )
         for item in items or ()
     ]
 

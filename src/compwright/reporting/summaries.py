@@ -13,11 +13,12 @@ from rich.console import RenderableType
 from rich.rule import Rule
 from rich.table import Table
 
-from compwright.foundations.findings import ACKNOWLEDGED, DOUBTS_FIRST, next_step
+from compwright.foundations.findings import DOUBTS_FIRST, next_step
 from compwright.reporting.limiting import limits_line
 from compwright.reporting.numbers import MISSING, number, plain, symbol, unit_text
 from compwright.reporting.sections import rule_lines
 from compwright.reporting.shown import Text
+from compwright.words.sentences import say
 
 _STYLES: Final = {
     "accept": "green",
@@ -44,9 +45,9 @@ def doubt_lines(doubts: Sequence[Mapping[str, str]]) -> list[RenderableType]:
         return []
     step = next_step(doubt["code"] for doubt in doubts)
     return [
-        Rule(Text(DOUBTS_FIRST, style="bold yellow"), align="left", characters="━"),
+        Rule(Text(str(DOUBTS_FIRST), style="bold yellow"), align="left", characters="━"),
         *finding_lines(doubts),
-        *([Text(step)] if step else []),
+        *([Text(str(step))] if step else []),
         Text(),
     ]
 
@@ -57,8 +58,10 @@ def acknowledged_lines(acknowledged: Sequence[Mapping[str, str]]) -> list[Render
         return []
     table = finding_table()
     for entry in acknowledged:
-        words = Text(f"{ACKNOWLEDGED}: {entry['reason']}. {entry['message']}")
-        table.add_row(_word(entry["severity"]), entry["code"], words)
+        words = say(
+            "doubts.acknowledged", reason=str(entry["reason"]), message=str(entry["message"])
+        )
+        table.add_row(_word(entry["severity"]), entry["code"], Text(str(words)))
     return [table, Text()]
 
 

@@ -10,6 +10,7 @@ from typing import Any
 
 from compwright.reporting import paper, sections
 from compwright.reporting.axis_figures import before_after_figure
+from compwright.reporting.chart_svg import Drawing
 from compwright.reporting.circles import circle_blocks, limit_rows
 from compwright.reporting.numbers import number, plain, symbol, unit_text
 from compwright.reporting.page import render_page
@@ -202,14 +203,12 @@ def _after_figure(
     after: Document | None,
     extra: Document,
     axis: Document,
-) -> str | None:
+) -> Drawing | None:
     if before is None:
         return None
     expected = extra.get("predicted_targets")
     with_numbers = {**expected, "parameters": axis.get("predicted")} if expected else None
-    return before_after_figure(
-        before, with_numbers, f"axis {name} before, predicted and after", after
-    )
+    return before_after_figure(before, with_numbers, name, after)
 
 
 def _loading(loading: Document) -> dict[str, Any]:

@@ -6,10 +6,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from html import escape
 from typing import Any, Final
 
-from compwright.reporting.numbers import number, plain, position_unit, symbol, unit_text
+from compwright.reporting.charts import quantiles
+from compwright.reporting.numbers import plain, position_unit, symbol, unit_text
+from compwright.words.sentences import Language, Sentence, number_text, say
 
 Document = Mapping[str, Any]
 
@@ -31,31 +34,46 @@ def worth_block(predicted: Document, unit: object) -> dict[str, Any] | None:
     name, small = symbol(limited["parameter"]), unit_text(unit)
     place = unit_text(position_unit(unit))
     words = [
-        f"{points} points, every {plain(round(one['spacing'], 4))} {place}: {name}"
-        f" {number(one['median'])} {small} ({number(one['p05'])} to {number(one['p95'])})"
+        say(
+            "worth.points",
+            points=one["points"],
+            spacing=plain(round(one["spacing"], 4)),
+            place=place,
+            parameter=quantiles(name, one),
+            unit=small,
+        )
         for one in sizes
-        if (points := one["points"])
     ]
+    marked = any(one["there"] and not one["written"] for one in sizes)
+    there = any(one["there"] for one in sizes)
     return {
-        "svg": _picture(sizes, f"{name} in {small}"),
-        "caption": _caption(sizes, name),
+        "figure": WorthFigure(tuple(sizes), say("worth.quantity", symbol=name, unit=small)),
+        "caption": say(
+            "worth.caption", symbol=name, grid="ring" if marked else "on_it" if there else ""
+        ),
         "words": words,
     }
 
 
-def _caption(sizes: Sequence[Document], name: str) -> str:
-    marks = ["Filled dot: the table that is written"]
-    if any(one["there"] and not one["written"] for one in sizes):
-        marks.append("ring: the grid that is in the control")
-    elif any(one["there"] for one in sizes):
-        marks.append("on the grid that is in the control")
-    return (
-        f"Predicted {name} at new targets over the number of points, median and 5 to 95 %."
-        f" {', '.join(marks)}."
-    )
+@dataclass(frozen=True, slots=True)
+class WorthFigure:
+    """The predicted ``quantity`` over the number of points."""
+
+    sizes: Sequence[Document]
+    quantity: Sentence
+
+    def svg(self, language: Language) -> str:
+        """Return the picture, its words in the language."""
+        described = say("worth.described", quantity=self.quantity)
+        quantity, description, over = (
+            escape(one.text(language)) for one in (self.quantity, described, say("worth.over"))
+        )
+        return _picture(self.sizes, quantity, description, over, language)
 
 
-def _picture(sizes: Sequence[Document], title: str) -> str:
+def _picture(
+    sizes: Sequence[Document], quantity: str, described: str, over: str, language: Language
+) -> str:
     first, last = (math.log(sizes[index]["points"]) for index in (0, -1))
     largest = max(one["p95"] for one in sizes)
     step = _step(largest)
@@ -72,31 +90,31 @@ def _picture(sizes: Sequence[Document], title: str) -> str:
     band += [(x(one), y(one["p05"])) for one in reversed(sizes)]
     line = [(x(one), y(one["median"])) for one in sizes]
     middle = (_TOP + _BOTTOM) / 2
-    quantity = escape(title)
     return (
         f'<svg viewBox="0 0 {_WIDTH:g} {_HEIGHT:g}" role="img" font-size="11" fill="#222222"'
-        f' aria-label="{quantity} over the number of points">'
-        + "".join(_grid(step, top, y))
+        f' aria-label="{described}">'
+        + "".join(_grid(step, top, y, language))
         + f'<polygon points="{_points(band)}" fill="{_INK}" fill-opacity="0.14"></polygon>'
         f'<polyline points="{_points(line)}" fill="none" stroke="{_INK}" stroke-width="1.6">'
         "</polyline>"
         + "".join(_mark(one, x(one), y(one["median"])) for one in sizes)
         + "".join(_numbers(sizes, x))
         + f'<text x="{(_LEFT + _RIGHT) / 2:g}" y="{_HEIGHT - 8:g}" text-anchor="middle">'
-        "points of the table</text>"
+        f"{over}</text>"
         f'<text x="14" y="{middle:g}" text-anchor="middle"'
         f' transform="rotate(-90 14 {middle:g})">{quantity}</text></svg>'
     )
 
 
-def _grid(step: float, top: float, y: Callable[[float], float]) -> list[str]:
+def _grid(step: float, top: float, y: Callable[[float], float], language: Language) -> list[str]:
     lines = []
     for index in range(round(top / step) + 1):
         value = index * step
         lines.append(
             f'<line x1="{_LEFT:g}" x2="{_RIGHT:g}" y1="{y(value)}" y2="{y(value)}"'
             f' stroke="{"#777777" if index == 0 else "#e3e3e3"}" stroke-width="0.8"></line>'
-            f'<text x="{_LEFT - 6:g}" y="{y(value) + 4:g}" text-anchor="end">{value:g}</text>'
+            f'<text x="{_LEFT - 6:g}" y="{y(value) + 4:g}" text-anchor="end">'
+            f"{number_text(value, 'g', language)}</text>"
         )
     return lines
 

@@ -9,7 +9,8 @@ A template is English text with fields. ``{name}`` puts a value in; behind a col
   format that is given
 - ``plural|target|targets``: the form for this number, as many forms as the language has
 - ``if|text|other text``: text where there is a value that is not zero or empty
-- ``choose|key=text|other key=text``: text by a value; fields may stand in every text
+- ``choose|key=text|other key=text|=text``: text by a value, without a key that of any other value;
+  fields may stand in every text
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ import string
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from decimal import Decimal
-from typing import Any, Final, Literal
+from typing import Any, Final, Literal, Self
 
 Language = Literal["en", "de", "fr", "ru"]
 
@@ -51,6 +52,23 @@ _PLURAL: Final[dict[Language, Callable[[float], int]]] = {
 }
 _DECIMAL_MARK: Final[dict[Language, str]] = {"en": ".", "de": ",", "fr": ",", "ru": ","}
 _AND: Final[dict[Language, str]] = {"en": " and ", "de": " und ", "fr": " et ", "ru": " и "}
+#: Units and symbols that a language writes in its own way, where English has words in them.
+_SYMBOLS: Final = {
+    "mean B": "B̄", "Ps mean": "P̄s", "U mean": "Ū", "Ps max": "Ps,max", "U max": "Umax",
+    "arcsec": "″", "deg": "°",
+}  # fmt: skip
+_RUSSIAN_UNITS: Final = {
+    "µm": "мкм", "mm": "мм", "m": "м", "µm/m": "мкм/м", "µm/(m K)": "мкм/(м·К)",
+    "mm/min": "мм/мин", "ms": "мс", "K": "К", "Hz": "Гц",
+}  # fmt: skip
+_OWN_NAMES: Final[dict[Language, dict[str, str]]] = {
+    "en": {},
+    "de": _SYMBOLS,
+    "fr": _SYMBOLS,
+    "ru": {**_SYMBOLS, **_RUSSIAN_UNITS},
+}
+#: Units that follow their number without a blank.
+_CLOSE: Final = frozenset("°″")
 _MORE_THAN: Final[dict[Language, str]] = {
     "en": "more than",
     "de": "mehr als",
@@ -83,7 +101,9 @@ class Amount:
 
     def text(self, language: Language) -> str:
         """Return number and unit."""
-        return f"{number_text(self.value, self.form, language)} {self.unit}".rstrip()
+        unit = in_language(self.unit, language)
+        between = "" if unit in _CLOSE else " "
+        return f"{number_text(self.value, self.form, language)}{between}{unit}".rstrip()
 
 
 @dataclass(frozen=True, slots=True)
@@ -112,6 +132,27 @@ class Sentence:
         return {name: _outside(value) for name, value in self.values}
 
 
+class SentenceText(str):
+    """A sentence as it is written in English, for documents; a page takes it in its language."""
+
+    __slots__ = ("sentence",)
+    sentence: Sentence
+
+    def __new__(cls, sentence: Sentence) -> Self:
+        """Return the English text that still knows its sentence."""
+        written = super().__new__(cls, str(sentence))
+        written.sentence = sentence
+        return written
+
+    def __reduce__(self) -> tuple[type[SentenceText], tuple[Sentence]]:
+        """Return how a copy is made."""
+        return SentenceText, (self.sentence,)
+
+    def text(self, language: Language) -> str:
+        """Return the sentence in the language."""
+        return self.sentence.text(language)
+
+
 def say(name: str, /, **values: object) -> Sentence:
     """Return the sentence ``name`` of the catalogue with its values."""
     return Sentence(name, tuple((key, _kept(value)) for key, value in values.items()))
@@ -129,6 +170,14 @@ def number_text(value: float, form: str, language: Language = "en") -> str:
     else:
         text = format(value, form)
     return text.replace(".", _DECIMAL_MARK[language])
+
+
+def in_language(value: object, language: Language) -> str:
+    """Return a value as a text of the language: sentences, numbers, and a unit or symbol alone."""
+    if isinstance(value, Amount | Sentence | NumberText | SentenceText):
+        return value.text(language)
+    text = str(value)
+    return _OWN_NAMES[language].get(text, text)
 
 
 def catalogue(language: Language) -> Mapping[str, str]:
@@ -186,12 +235,13 @@ def _field(value: Any, form: str, values: Mapping[str, Any], language: Language)
         return filled((*texts, "")[0 if value else 1], values, language)
     if how == "choose":
         keyed = dict(text.split("=", 1) for text in texts)
-        return filled(keyed[str(value)], values, language)
+        key = str(value)
+        return filled(keyed[key if key in keyed else ""], values, language)
     if isinstance(value, tuple):
         between = _AND[language] if how == "and" else texts[0] if how == "join" else ", "
         each = "" if how in ("and", "join") else form
         return between.join(_field(item, each, values, language) for item in value)
-    return number_text(value, form, language) if form else _plain(value, language)
+    return number_text(value, form, language) if form else in_language(value, language)
 
 
 def parts(form: str) -> list[str]:
@@ -204,10 +254,6 @@ def parts(form: str) -> list[str]:
         else:
             parts[-1] += character
     return parts
-
-
-def _plain(value: Any, language: Language) -> str:
-    return value.text(language) if isinstance(value, Amount | Sentence | NumberText) else str(value)
 
 
 def _outside(value: Any) -> Any:

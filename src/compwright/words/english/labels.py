@@ -47,6 +47,132 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "budget.setup": "Set-up",
     "budget.title": "Budget of the measurement uncertainty, over {length}",
+    "cause.kind": (
+        "{kind:choose|squareness=Squareness {first}{second}|scale_mismatch=Scale mismatch {first}"
+        " − {second}|servo_mismatch=Servo mismatch {first} − {second}|radius_change=Radius change"
+        " ccw − cw|backlash=Lost motion {axis}|lateral_play=Lateral play"
+        " {axis}|reversal_spike=Reversal spike {axis}|cyclic=Cyclic error"
+        " {axis}|straightness=Straightness {axis}|scale_error=Scale error"
+        " {axis}|backlash_mismatch=Lost motion {first} − {second}|offset_change=Centre change"
+        " {axis}, ccw − cw|spiral=Spiral (drift during a run)|master_slave=Master-slave"
+        " changeover|vibration=Vibration|stick_slip=Stick-slip {axis}|lobes_2=Two"
+        " lobes|lobes_3=Three lobes|positional_tolerance=Positional tolerance}"
+    ),
+    "cause.part": (
+        "at {axis}{part:choose|at_positive=+|at_negative=−|at_positive_ccw=+ ccw|at_positive_cw=+"
+        " cw|at_negative_ccw=− ccw|at_negative_cw=− cw}"
+    ),
+    "cause.whole": "{cause} {part}",
+    "changes.summary": (
+        "{count} entries change; {untouched} lines of the control's files stay as they are. The"
+        " values are those of the files, in the control's own units.{more:if| {more} more changes"
+        " are in `changes.csv`.|}"
+    ),
+    "chart.angle": "Angle in deg",
+    "chart.correction": "Correction that the control adds to the command",
+    "chart.described": (
+        "{what:choose|deviations=deviations of axis {name}|reversal=reversal of axis {name}|"
+        "residual=residual of circular test {name}|correction=correction of axis {name}|"
+        "comparison=axis {name}, deviations side by side|estimate=estimated error of axis {name}|"
+        "circle=circular test {name}}"
+    ),
+    "chart.estimate": "estimate ({sign})",
+    "chart.estimated": "Estimated deviation with ± 2 standard deviations",
+    "chart.expected": "expected mean ({sign})",
+    "chart.legend": "(+) and (−): approach in the positive and in the negative direction",
+    "chart.line": "{parts:join|   }{unit:if| {unit}|}",
+    "chart.mean": "mean ({sign})",
+    "chart.measured": "measured mean ({sign})",
+    "chart.position": "Position in {unit}",
+    "chart.quantiles": "{symbol} {median} ({p05} to {p95})",
+    "chart.quantity": (
+        "{quantity:choose|deviation=Deviation|reversal=Reversal B|correction=Correction} in {unit}"
+    ),
+    "chart.radius": "Radius in µm",
+    "chart.readings": "single readings ({sign})",
+    "chart.residual": "Measured minus fit, {sense}",
+    "chart.spread": "mean ± {coverage:g} s ({sign})",
+    "chart.table": "table ({sign})",
+    "chart.table_both": "table (+ and −)",
+    "chart.wanted": "wanted ({sign})",
+    "circle.about": "{centre:choose|set_up= (set-up centre)|own= (own centre)}",
+    "circle.agreement": "{how:choose|agrees=agrees|differs=differs|not_valid=not valid}",
+    "circle.cause": "{cause}  {value} {unit}",
+    "circle.centre": (
+        "{name:choose|common=common least-squares centre|set-up=set-up centre|ccw=least-squares"
+        " centre of ccw|cw=least-squares centre of cw}: {first} {x}, {second} {y} µm{H:if|; H {H}"
+        " µm|}"
+    ),
+    "circle.compared": "Comparison",
+    "circle.comparison": (
+        "Software of the instrument: agrees: within two standard errors of our value. Not valid,"
+        " in brackets: the software itself says so. Differs: its model is not published; ours fits"
+        " every cause at once, with step and spike of each reversal point of their own."
+    ),
+    "circle.detail": "– {part}",
+    "circle.effect": "Effect on the radius",
+    "circle.effects": "Effect, peak to peak, in µm; whiskers 95 %",
+    "circle.fit": "fit: what all causes together make of each run",
+    "circle.job": (
+        "These lines of a job put into tables and backlash compensation what they can correct."
+        " Make the job with `compwright new --from FILE... --format ID --out job.yaml` from the"
+        " files of the control, name a positioning test of each axis in it (its slope corrects the"
+        " scale), add the lines{file:if| with the file of each direction for FILE|}, then"
+        " `compwright run job.yaml`."
+    ),
+    "circle.least_squares": "least-squares circle, {base} µm from nominal",
+    "circle.magnified": "{setting}\nMagnification {magnification} : 1, rings in µm",
+    "circle.next": "What to do next",
+    "circle.no_table": "No table corrects these causes. Repeat the test after the work.",
+    "circle.nominal": "nominal circle",
+    "circle.parameter": (
+        "{name:choose|G=Circular deviation, minimum zone|G_lsc=by the least-squares"
+        " circle|F_max=Radial deviation, largest|F_min=Radial deviation,"
+        " smallest|F_max_lsc=largest, least-squares centre|F_min_lsc=smallest, least-squares"
+        " centre|H=Circular hysteresis|D=Mean radial deviation}"
+    ),
+    "circle.ranked": "Causes, the largest effect first",
+    "circle.run": "{sense}: G {G}, F{centre} {highest} / {lowest} µm",
+    "circle.sense": "{sense:choose|ccw=ccw|cw=cw|both=both}",
+    "circle.setting": (
+        "R {radius} mm{feed:if|, {feed:.5g} mm/min|}{extent:if|, arc {extent:.4g}° from"
+        " {start:.4g}°|}"
+    ),
+    "circle.share": "Share",
+    "circle.shares": "Causes, share of all\npale: less than twice its standard error",
+    "circle.software": "Software of the instrument",
+    "circle.start": "start of {sense}",
+    "circle.step": (
+        "{kind:choose|squareness=Mechanic: check level and alignment of the guideways. Table: a job"
+        " with `apply` corrects it where the control can.|scale_mismatch=Check the temperature of"
+        " both axes. Table: measure {first} and {second} with a laser and run a job with both"
+        " tests.|servo_mismatch=Servo: give {first} and {second} the same position loop gain (Kv)"
+        " and feedforward.|radius_change=Measurement: repeat both directions with the same feed;"
+        " check the seat of the bar.|backlash=Mechanic: check nut, support bearing and coupling of"
+        " the {axis} screw. Then correct the control's backlash compensation of"
+        " {axis}.|lateral_play=Mechanic: check preload and gibs of the {axis}"
+        " guideway.|reversal_spike=Servo: adjust the friction compensation of {axis} at reversal."
+        " Mechanic: check its lubrication and wipers.|cyclic=Mechanic: check screw, its bearing"
+        " and the encoder mount of {axis}. Table: at least three points in each period correct"
+        " what is left.|straightness=Mechanic: check the alignment of the {axis} guideway. Table:"
+        " a table between the axes corrects it where the control has one"
+        " (cross).|offset_change=Measurement: check the centre mount and the magnet cups; then"
+        " repeat.|spiral=Measurement: let machine and bar reach a stable temperature; then"
+        " repeat.|vibration=Look for the source by its frequency: pump, fan, motor. Servo: lower"
+        " the gain for a trial.|stick_slip=Mechanic: check lubrication, wipers and preload of the"
+        " {axis} guideway.|master_slave=Servo: check the interpolation parameters of {first} and"
+        " {second}.}"
+    ),
+    "circle.symbol": (
+        "{letter}{sense:if| {sense:choose|ccw=ccw|cw=cw|bidirectional=both}|}"
+        "{centre:if|, {centre:choose|G=least-squares circle|F=least-squares centre}|}"
+    ),
+    "circle.to_do": "{cause} ({share:.0f} % of all effects). {step}",
+    "circle.unexplained": "What the causes below leave unexplained: {rms} µm rms.",
+    "circle.value_error": "Value ± standard error",
+    "circle.zone": (
+        "minimum zone{sense:choose|both= of both|ccw=, ccw|cw=, cw}: G {G} µm{D:if|; D {D} µm|}"
+    ),
     "decision.accept": "✓ accept",
     "decision.no_limit": "no limit",
     "decision.reject": "✗ reject",
@@ -85,12 +211,15 @@ SENTENCES: Final[dict[str, str]] = {
     "head.assumed_value": "Assumed value",
     "head.axis": "Axis",
     "head.before": "Before",
+    "head.cause": "Cause",
+    "head.causes": "Causes",
     "head.clause": "Clause",
     "head.contribution": "Contribution u",
     "head.correction": "Correction{sign:if| {sign}}",
     "head.coverage_factor": "Coverage factor k",
     "head.decision": "Decision",
     "head.distribution": "Distribution",
+    "head.entry": "Entry",
     "head.evidence": "Evidence",
     "head.expanded_uncertainty": "Expanded uncertainty U",
     "head.extreme": "Extreme",
@@ -101,11 +230,15 @@ SENTENCES: Final[dict[str, str]] = {
     "head.limit_on": "Limit on",
     "head.loading": "Loading",
     "head.mean": "mean {sign}",
+    "head.new": "New",
+    "head.old": "Old",
     "head.parameter": "Parameter",
+    "head.period": "Period",
     "head.position": "Position",
     "head.predicted": "Predicted",
     "head.predicted_new": "Predicted, new targets",
     "head.predicted_same": "Predicted, same targets",
+    "head.probability": "Probability",
     "head.quantity": "Quantity",
     "head.remark": "Remark",
     "head.residual": "Residual",
@@ -161,6 +294,7 @@ SENTENCES: Final[dict[str, str]] = {
     "label.after": "after",
     "label.before": "before",
     "label.circular_test": "circular test",
+    "label.coded": "{code}: {text}",
     "label.conformity": "Statement of conformity: {statement}",
     "label.control": "control",
     "label.decision_rule": "Decision rule: {rule}",
@@ -180,11 +314,49 @@ SENTENCES: Final[dict[str, str]] = {
     "label.test_title": "Axis {axis}, {name:if|{name}|test}{label:if|, {label}}",
     "label.traverses": "{count} in {sign}",
     "label.unconfirmed": "! unconfirmed",
+    "label.value_error": "{value} ± {error}",
     "label.with_range": "{unit}; median, 5–95 %",
     "label.with_uncertainty": "{unit}; ± U, k = {k}",
     "label.with_unit": "{value} {unit}",
-    "mark.loaded": "✓ loaded",
-    "mark.measurement": "? fault of measurement",
+    "limits.all": "all together",
+    "limits.cause": (
+        "{cause:choose|noise=readings scatter: the same position does not come back the same"
+        " (repeatability)|single outliers=single outliers|shifts between traverses=whole traverses"
+        " that are shifted|drift=drift: the axis changes while it is measured|temperature within"
+        " its uncertainty=temperature: a slope within what the job declares uncertain|error that"
+        " the test leaves open=error that the test did not show: between targets, and hidden in the"
+        " scatter|steps that the control never applies=steps of the correction (reversal) that the"
+        " control never applies, because of its acceleration and servo period|no table is"
+        " written=error that was measured, and that no table takes away|spacing too wide for the"
+        " period=periodic error: the points are too far apart for it|spacing of the points=what"
+        " bends between the points of the table|number of points=what bends between the points: the"
+        " control has too few of them|one table for both directions=reversal that changes along the"
+        " travel: one table and one reversal value cannot hold it|no backlash value=reversal: the"
+        " control has no value for it|quantum=resolution of the table's values|value range=largest"
+        " value that the control takes|backlash range=largest reversal value that the control"
+        " takes|largest increment=largest step from point to point that the control takes|a"
+        " straight line instead of a table=what bends: the control holds a straight line, no"
+        " table|={cause}}"
+    ),
+    "limits.left": "Left by the control",
+    "limits.note": (
+        "Each bar: by how much {parameter} would be smaller without this cause alone, from the same"
+        " draws. The parts do not add up, because {parameter} is a range: what two causes do at"
+        " different places counts once."
+    ),
+    "limits.part": "Part of {parameter}",
+    "limits.summary": (
+        "{parameter} at new targets: {then} {unit} expected, {before} {unit} with what is in the"
+        " control now. Scatter alone, without any error of the axis, would give {least} {unit}: no"
+        " table goes below that."
+    ),
+    "mark.loading": (
+        "{verdict:choose|loaded=✓ loaded|undecided=? undecided|measurement=? fault of measurement"
+        "|not_active=✗ not active|inverted=✗ inverted|scaled=✗ scaled|shifted=✗ shifted"
+        "|mirrored=✗ mirrored|wrong_axis=✗ wrong axis|increment=✗ increment|on_top=✗ on top"
+        "|state=✗ state|one_direction=✗ one direction|backlash=✗ backlash|partial=✗ partial"
+        "|thermal=✗ thermal|=✗ {verdict}}"
+    ),
     "parameter.A": "{term:if|{term}|Bidirectional accuracy}",
     "parameter.A_negative": "{term:if|{term}|Accuracy, approach −}",
     "parameter.A_positive": "{term:if|{term}|Accuracy, approach +}",
@@ -203,6 +375,18 @@ SENTENCES: Final[dict[str, str]] = {
     "parameter.R_positive": "{term:if|{term}|Repeatability, approach +}",
     "parameter.U_max": "{term:if|{term}|Largest reversal error}",
     "parameter.U_mean": "{term:if|{term}|Mean reversal error}",
+    "period.alike": "These targets cannot tell apart: {periods} {unit}.",
+    "period.caption": (
+        "How much more likely the readings are with an error that repeats at each period than with"
+        " none, before it is counted how usual the period is. Dashed: periods that count."
+    ),
+    "period.described": "odds of each period",
+    "period.none": "None is known, and none was found.",
+    "period.over": "period / {unit}",
+    "period.source": (
+        "{source:choose|job=given by the job|found=found in the readings|files=given by the"
+        " control's files|={source}}"
+    ),
     "report.accreditation": (
         "This is a test report, not a calibration certificate of an accredited laboratory. The "
         "traceability of the values rests on the calibration certificates of the measuring "
@@ -251,8 +435,8 @@ SENTENCES: Final[dict[str, str]] = {
         "Evaluated by compwright {version}.{command:if| This command repeats the report:}"
     ),
     "report.readings": "Single readings",
-    "report.readings_measured": "Single readings, as measured",
     "report.readings_air": "Single readings, the effect of the air on the light removed",
+    "report.readings_measured": "Single readings, as measured",
     "report.readings_reduced": "Single readings, reduced to 20 °C",
     "report.results": "Results",
     "report.see_tests": "see the pages of the tests",
@@ -394,4 +578,13 @@ SENTENCES: Final[dict[str, str]] = {
     "verify.shift": "shift in nodes",
     "verify.table_of": "table of axis",
     "verify.within": "within",
+    "worth.caption": (
+        "Predicted {symbol} at new targets over the number of points, median and 5 to 95 %. Filled"
+        " dot: the table that is written{grid:if|, {grid:choose|ring=ring: the grid that is in the"
+        " control|on_it=on the grid that is in the control}|}."
+    ),
+    "worth.described": "{quantity} over the number of points",
+    "worth.over": "points of the table",
+    "worth.points": "{points} points, every {spacing} {place}: {parameter} {unit}",
+    "worth.quantity": "{symbol} in {unit}",
 }

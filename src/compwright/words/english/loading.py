@@ -106,6 +106,13 @@ SENTENCES: Final[dict[str, str]] = {
         " was active as its files say: {likely:if|{likely}|no known cause fits}. They count"
         " as far as they agree."
     ),
+    "headline.active": "Table{tables:plural||s} active. No limits given.",
+    "headline.bad": "Bad: see the {circles:if|circles|axes} below",
+    "headline.good": (
+        "Good: the tables are active and the limits are met"
+        "{without:if| (no limits given for {without})|}"
+    ),
+    "headline.undecided": "Undecided: the tests do not tell",
     "loading.likely": "{verdict} {percent:.0f} %",
     "loading.as_before": "It lies within {left} of what the control did before.",
     "loading.as_predicted": "It lies within {left} of the prediction.",

@@ -16,6 +16,12 @@ SENTENCES: Final[dict[str, str]] = {
     "direct_squareness": (
         "{input} and {output}: squareness {squareness:+.1f} µm/m by the direct measurement"
     ),
+    "doubts.acknowledged": "Acknowledged in the job: {reason}. {message}",
+    "doubts.first": "Check first: the result depends on it",
+    "doubts.step": (
+        "Nothing is decided until this is clear. Correct the test or the job and run again, or give"
+        " the reason why it is right in the job: acknowledged: {{{codes:join|: reason, }: reason}}"
+    ),
     "in_direction": "{value} in {direction}",
     "increments": "{symmetric:if|±{largest}|{least} to {largest}}",
     "listed": "{items:join|; }{more:if|; and {more} more}",

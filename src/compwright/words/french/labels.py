@@ -1,4 +1,4 @@
-"""The French catalogue: labels and fixed sentences of reports. Terms: docs/terms.md."""
+"""Labels and fixed sentences of reports."""
 
 from __future__ import annotations
 
@@ -49,6 +49,140 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "budget.setup": "Montage de l'instrument",
     "budget.title": "Bilan de l'incertitude de mesure, sur {length}",
+    "cause.kind": (
+        "{kind:choose|squareness=Perpendicularité {first}{second}|scale_mismatch=Différence"
+        " d'échelle {first} − {second}|servo_mismatch=Différence d'asservissement {first} −"
+        " {second}|radius_change=Variation du rayon ↺ − ↻|backlash=Jeu à l'inversion"
+        " {axis}|lateral_play=Jeu latéral {axis}|reversal_spike=Pic d'inversion"
+        " {axis}|cyclic=Erreur périodique {axis}|straightness=Rectitude {axis}|scale_error=Erreur"
+        " d'échelle {axis}|backlash_mismatch=Jeu à l'inversion {first} −"
+        " {second}|offset_change=Déplacement du centre {axis}, ↺ − ↻|spiral=Spirale (dérive pendant"
+        " un tour)|master_slave=Changement d'axe maître|vibration=Vibration|stick_slip=Broutage"
+        " {axis}|lobes_2=Deux lobes|lobes_3=Trois lobes|positional_tolerance=Tolérance de position}"
+    ),
+    "cause.part": (
+        "en {axis}{part:choose|at_positive=+|at_negative=−|at_positive_ccw=+ ↺|at_positive_cw=+"
+        " ↻|at_negative_ccw=− ↺|at_negative_cw=− ↻}"
+    ),
+    "cause.whole": "{cause} {part}",
+    "changes.summary": (
+        "{count:plural|{count} entrée change|{count} entrées changent} ; {untouched} lignes des"
+        " fichiers de la commande restent telles quelles. Les valeurs sont celles des fichiers,"
+        " dans les unités de la commande.{more:if| {more} autres changements sont dans"
+        " `changes.csv`.|}"
+    ),
+    "chart.angle": "Angle en °",
+    "chart.correction": "Correction que la commande ajoute à la consigne",
+    "chart.described": (
+        "{what:choose|deviations=écarts de l'axe {name}|reversal=réversibilité de l'axe"
+        " {name}|residual=résidu de l'essai circulaire {name}|correction=correction de l'axe"
+        " {name}|comparison=axe {name}, écarts côte à côte|estimate=erreur estimée de l'axe"
+        " {name}|circle=essai circulaire {name}}"
+    ),
+    "chart.estimate": "estimation ({sign})",
+    "chart.estimated": "Écart estimé avec ± 2 écarts-types",
+    "chart.expected": "moyenne attendue ({sign})",
+    "chart.legend": "(+) et (−) : approche dans le sens positif et dans le sens négatif",
+    "chart.line": "{parts:join|   }{unit:if| {unit}|}",
+    "chart.mean": "moyenne ({sign})",
+    "chart.measured": "moyenne mesurée ({sign})",
+    "chart.position": "Position en {unit}",
+    "chart.quantiles": "{symbol} {median} ({p05} à {p95})",
+    "chart.quantity": (
+        "{quantity:choose|deviation=Écart|reversal=Réversibilité B|correction=Correction} en {unit}"
+    ),
+    "chart.radius": "Rayon en µm",
+    "chart.readings": "mesures ({sign})",
+    "chart.residual": "Mesuré moins ajusté, {sense}",
+    "chart.spread": "moyenne ± {coverage:g} s ({sign})",
+    "chart.table": "table ({sign})",
+    "chart.table_both": "table (+ et −)",
+    "chart.wanted": "souhaitée ({sign})",
+    "circle.about": "{centre:choose|set_up= (centre de montage)|own= (centre propre)}",
+    "circle.agreement": "{how:choose|agrees=concorde|differs=diffère|not_valid=non valable}",
+    "circle.cause": "{cause}  {value} {unit}",
+    "circle.centre": (
+        "{name:choose|common=centre commun des moindres carrés|set-up=centre de montage|ccw=centre"
+        " des moindres carrés ↺|cw=centre des moindres carrés ↻} : {first} {x}, {second} {y}"
+        " µm{H:if| ; H {H} µm|}"
+    ),
+    "circle.compared": "Comparaison",
+    "circle.comparison": (
+        "Logiciel de l'instrument : concorde : à moins de deux erreurs types de notre valeur. Non"
+        " valable, entre parenthèses : le logiciel le dit lui-même. Diffère : son modèle n'est pas"
+        " publié ; le nôtre ajuste toutes les causes à la fois, avec un saut et un pic propres à"
+        " chaque point d'inversion."
+    ),
+    "circle.detail": "– {part}",
+    "circle.effect": "Effet sur le rayon",
+    "circle.effects": "Effet, crête à crête, en µm ; traits : 95 %",
+    "circle.fit": "ajustement : effet de toutes les causes ensemble",
+    "circle.job": (
+        "Ces lignes d'un dossier de travail mettent dans les tables et la compensation de jeu ce"
+        " qu'elles peuvent corriger. Créer le dossier de travail avec `compwright new --from"
+        " FILE... --format ID --out job.yaml` à partir des fichiers de la commande, y nommer un"
+        " essai de positionnement de chaque axe (sa pente corrige l'échelle), ajouter les"
+        " lignes{file:if| avec le fichier de chaque sens pour FILE|}, puis `compwright run"
+        " job.yaml`."
+    ),
+    "circle.least_squares": "cercle des moindres carrés, {base} µm du rayon nominal",
+    "circle.magnified": "{setting}\nGrossissement {magnification} : 1, cercles en µm",
+    "circle.next": "Que faire ensuite",
+    "circle.no_table": "Aucune table ne corrige ces causes. Répéter l'essai après les travaux.",
+    "circle.nominal": "trajectoire nominale",
+    "circle.parameter": (
+        "{name:choose|G=Écart circulaire, zone minimale|G_lsc=selon le cercle des moindres"
+        " carrés|F_max=Écart radial, le plus grand|F_min=Écart radial, le plus petit|F_max_lsc=le"
+        " plus grand, centre des moindres carrés|F_min_lsc=le plus petit, centre des moindres"
+        " carrés|H=Hystérésis circulaire|D=Écart radial moyen}"
+    ),
+    "circle.ranked": "Causes, le plus grand effet d'abord",
+    "circle.run": "{sense} : G {G}, F{centre} {highest} / {lowest} µm",
+    "circle.sense": "{sense:choose|ccw=↺|cw=↻|both=les deux}",
+    "circle.setting": (
+        "R {radius} mm{feed:if|, {feed:.5g} mm/min|}{extent:if|, arc de {extent:.4g}° depuis"
+        " {start:.4g}°|}"
+    ),
+    "circle.share": "Part",
+    "circle.shares": "Causes, part de l'ensemble\npâle : moins de deux erreurs types",
+    "circle.software": "Logiciel de l'instrument",
+    "circle.start": "départ {sense}",
+    "circle.step": (
+        "{kind:choose|squareness=Mécanique : vérifier le nivellement et l'alignement des guidages."
+        " Table : un dossier de travail avec `apply` la corrige là où la commande le"
+        " peut.|scale_mismatch=Vérifier la température des deux axes. Table : mesurer {first} et"
+        " {second} au laser et exécuter un dossier de travail avec les deux"
+        " essais.|servo_mismatch=Asservissement : donner à {first} et {second} le même gain de"
+        " boucle de position (Kv) et la même anticipation.|radius_change=Mesure : répéter les deux"
+        " sens à la même vitesse ; vérifier l'assise de l'instrument.|backlash=Mécanique : vérifier"
+        " l'écrou, le palier et l'accouplement de la vis {axis}. Corriger ensuite la compensation"
+        " de jeu de {axis} dans la commande.|lateral_play=Mécanique : vérifier la précharge et les"
+        " lardons du guidage {axis}.|reversal_spike=Asservissement : régler la compensation de"
+        " frottement de {axis} à l'inversion. Mécanique : vérifier la lubrification et les"
+        " racleurs.|cyclic=Mécanique : vérifier la vis, son palier et la fixation du codeur de"
+        " {axis}. Table : au moins trois points par période corrigent ce qui"
+        " reste.|straightness=Mécanique : vérifier l'alignement du guidage {axis}. Table : une"
+        " table entre les axes la corrige là où la commande en a une (cross).|offset_change=Mesure"
+        " : vérifier le support du centre et les coupelles magnétiques ; puis"
+        " répéter.|spiral=Mesure : laisser la machine et l'instrument atteindre une température"
+        " stable ; puis répéter.|vibration=Chercher la source par sa fréquence : pompe,"
+        " ventilateur, moteur. Asservissement : baisser le gain à titre"
+        " d'essai.|stick_slip=Mécanique : vérifier la lubrification, les racleurs et la précharge"
+        " du guidage {axis}.|master_slave=Asservissement : vérifier les paramètres d'interpolation"
+        " de {first} et {second}.}"
+    ),
+    "circle.symbol": (
+        "{letter}{sense:if| {sense:choose|ccw=↺|cw=↻|bidirectional=les deux}|}{centre:if|,"
+        " {centre:choose|G=cercle des moindres carrés|F=centre des moindres carrés}|}"
+    ),
+    "circle.to_do": "{cause} ({share:.0f} % de tous les effets). {step}",
+    "circle.unexplained": (
+        "Ce que les causes ci-dessous n'expliquent pas : {rms} µm (valeur efficace)."
+    ),
+    "circle.value_error": "Valeur ± erreur type",
+    "circle.zone": (
+        "zone minimale{sense:choose|both= des deux|ccw=, ↺|cw=, ↻} : G {G} µm{D:if| ; D {D} µm|}"
+    ),
     "decision.accept": "✓ accepté",
     "decision.no_limit": "sans limite",
     "decision.reject": "✗ refusé",
@@ -65,8 +199,8 @@ SENTENCES: Final[dict[str, str]] = {
     "given.centre": "centre {places:join|; } mm",
     "given.coefficient": "{value} µm/(m K)",
     "given.estimator": (
-        "s : {spread:choose|std=écart-type, n − 1|range=étendue des lectures} ; limites à"
-        " ± {coverage} s ; sans lissage"
+        "s : {spread:choose|std=écart-type, n − 1|range=étendue des lectures} ; limites à ±"
+        " {coverage} s ; sans lissage"
     ),
     "given.expansion": (
         "appliquée par compwright : lectures ramenées à 20 °C,"
@@ -88,12 +222,15 @@ SENTENCES: Final[dict[str, str]] = {
     "head.assumed_value": "Valeur supposée",
     "head.axis": "Axe",
     "head.before": "Avant",
+    "head.cause": "Cause",
+    "head.causes": "Causes",
     "head.clause": "Paragraphe",
     "head.contribution": "Contribution u",
     "head.correction": "Correction{sign:if| {sign}}",
     "head.coverage_factor": "Facteur conventionnel k",
     "head.decision": "Décision",
     "head.distribution": "Loi",
+    "head.entry": "Entrée",
     "head.evidence": "Preuve",
     "head.expanded_uncertainty": "Incertitude étendue U",
     "head.extreme": "Extremum",
@@ -104,11 +241,15 @@ SENTENCES: Final[dict[str, str]] = {
     "head.limit_on": "Limite sur",
     "head.loading": "Chargement",
     "head.mean": "moyenne {sign}",
+    "head.new": "Nouveau",
+    "head.old": "Ancien",
     "head.parameter": "Paramètre",
+    "head.period": "Période",
     "head.position": "Position",
     "head.predicted": "Prévu",
     "head.predicted_new": "Prévu, nouveaux points visés",
     "head.predicted_same": "Prévu, mêmes points visés",
+    "head.probability": "Probabilité",
     "head.quantity": "Grandeur",
     "head.remark": "Remarque",
     "head.residual": "Résidu",
@@ -166,6 +307,7 @@ SENTENCES: Final[dict[str, str]] = {
     "label.after": "après",
     "label.before": "avant",
     "label.circular_test": "essai de circularité",
+    "label.coded": "{code} : {text}",
     "label.conformity": "Déclaration de conformité : {statement}",
     "label.control": "commande",
     "label.decision_rule": "Règle de décision : {rule}",
@@ -179,17 +321,56 @@ SENTENCES: Final[dict[str, str]] = {
     "label.test_sentence": (
         "{standard}, {cycle:choose|standard=cycle normal|step=cycle en pas}, {targets}"
         " {targets:plural|point visé|points visés}, passages : {counts:if|{counts}|aucun}, limites"
-        " à ± {coverage} s.{extremes:if| Extremums : {extremes:join| ; }.}"
-        "{uncertainty:if|| Pas d'incertitude de mesure : aucune composante n'est indiquée.}"
+        " à ± {coverage} s.{extremes:if| Extremums : {extremes:join| ; }.}{uncertainty:if|| Pas"
+        " d'incertitude de mesure : aucune composante n'est indiquée.}"
     ),
     "label.test_title": "Axe {axis}, {name:if|{name}|essai}{label:if|, {label}}",
     "label.traverses": "{count} en {sign}",
     "label.unconfirmed": "! non confirmé",
+    "label.value_error": "{value} ± {error}",
     "label.with_range": "{unit} ; médiane, 5–95 %",
     "label.with_uncertainty": "{unit} ; ± U, k = {k}",
     "label.with_unit": "{value} {unit}",
-    "mark.loaded": "✓ chargée",
-    "mark.measurement": "? défaut de mesure",
+    "limits.all": "toutes ensemble",
+    "limits.cause": (
+        "{cause:choose|noise=dispersion des mesures : la même position ne revient pas à l'identique"
+        " (répétabilité)|single outliers=valeurs aberrantes isolées|shifts between"
+        " traverses=courses entières décalées|drift=dérive : l'axe change pendant la"
+        " mesure|temperature within its uncertainty=température : une pente dans les limites de ce"
+        " que le dossier de travail déclare incertain|error that the test leaves open=erreur que"
+        " l'essai n'a pas montrée : entre les points visés et cachée dans la dispersion|steps that"
+        " the control never applies=sauts de la correction (inversion) que la commande n'applique"
+        " jamais, à cause de son accélération et de sa période d'asservissement|no table is"
+        " written=erreur mesurée qu'aucune table n'enlève|spacing too wide for the period=erreur"
+        " périodique : les points sont trop espacés pour elle|spacing of the points=courbure entre"
+        " les points de la table|number of points=courbure entre les points : la commande en a trop"
+        " peu|one table for both directions=réversibilité qui varie le long de la course : une"
+        " table et une valeur ne peuvent la contenir|no backlash value=réversibilité : la commande"
+        " n'a pas de valeur pour elle|quantum=résolution des valeurs de la table|value range=plus"
+        " grande valeur que la commande accepte|backlash range=plus grande valeur de jeu que la"
+        " commande accepte|largest increment=plus grand pas d'un point à l'autre que la commande"
+        " accepte|a straight line instead of a table=courbure : la commande a une droite, pas de"
+        " table|={cause}}"
+    ),
+    "limits.left": "Reste dû à la commande",
+    "limits.note": (
+        "Chaque barre : de combien {parameter} serait plus petit sans cette seule cause, d'après"
+        " les mêmes tirages. Les parts ne s'additionnent pas, car {parameter} est une étendue : ce"
+        " que deux causes font à des endroits différents compte une fois."
+    ),
+    "limits.part": "Part de {parameter}",
+    "limits.summary": (
+        "{parameter} à de nouveaux points visés : {then} {unit} attendus, {before} {unit} avec le"
+        " contenu actuel de la commande. La dispersion seule, sans aucune erreur de l'axe,"
+        " donnerait {least} {unit} : aucune table ne descend plus bas."
+    ),
+    "mark.loading": (
+        "{verdict:choose|loaded=✓ chargée|undecided=? non décidé|measurement=? défaut de"
+        " mesure|not_active=✗ non active|inverted=✗ inversée|scaled=✗ mise à l'échelle|shifted=✗"
+        " décalée|mirrored=✗ en miroir|wrong_axis=✗ mauvais axe|increment=✗ changement"
+        " seul|on_top=✗ ajoutée en plus|state=✗ état|one_direction=✗ un seul sens|backlash=✗"
+        " jeu|partial=✗ partielle|thermal=✗ température|=✗ {verdict}}"
+    ),
     "parameter.A": "Exactitude bidirectionnelle de positionnement",
     "parameter.A_negative": "Exactitude unidirectionnelle de positionnement, approche −",
     "parameter.A_positive": "Exactitude unidirectionnelle de positionnement, approche +",
@@ -208,6 +389,19 @@ SENTENCES: Final[dict[str, str]] = {
     "parameter.R_positive": "Répétabilité de positionnement unidirectionnelle, approche +",
     "parameter.U_max": "Réversibilité maximale",
     "parameter.U_mean": "Réversibilité moyenne",
+    "period.alike": "Ces points visés ne distinguent pas : {periods} {unit}.",
+    "period.caption": (
+        "Combien de fois les mesures sont plus vraisemblables avec une erreur qui se répète à"
+        " chaque période que sans, avant de compter si la période est courante. Tirets : périodes"
+        " qui comptent."
+    ),
+    "period.described": "rapport de vraisemblance de chaque période",
+    "period.none": "Aucune n'est connue et aucune n'a été trouvée.",
+    "period.over": "période / {unit}",
+    "period.source": (
+        "{source:choose|job=donnée par le dossier de travail|found=trouvée dans les"
+        " mesures|files=donnée par les fichiers de la commande|={source}}"
+    ),
     "report.accreditation": (
         "Ceci est un rapport d'essai et non un certificat d'étalonnage d'un laboratoire accrédité."
         " La traçabilité des valeurs repose sur les certificats d'étalonnage des instruments de"
@@ -228,8 +422,8 @@ SENTENCES: Final[dict[str, str]] = {
     "report.customer": "Client",
     "report.date": "Date de l'essai",
     "report.extreme": (
-        "moyenne {end:choose|highest=max.|lowest=min.}"
-        "{what:choose|A= {end:choose|highest=+|lowest=−} {coverage} s|E=|M= ±}"
+        "moyenne {end:choose|highest=max.|lowest=min.}{what:choose|A="
+        " {end:choose|highest=+|lowest=−} {coverage} s|E=|M= ±}"
     ),
     "report.extremes": "Extremums : cercles sur la figure",
     "report.findings": "Constats",
@@ -258,8 +452,8 @@ SENTENCES: Final[dict[str, str]] = {
         "Évalué par compwright {version}.{command:if| Cette commande refait le rapport :}"
     ),
     "report.readings": "Lectures",
-    "report.readings_measured": "Lectures telles que mesurées",
     "report.readings_air": "Lectures corrigées de l'effet de l'air sur la lumière",
+    "report.readings_measured": "Lectures telles que mesurées",
     "report.readings_reduced": "Lectures ramenées à 20 °C",
     "report.results": "Résultats",
     "report.see_tests": "voir les pages des essais",
@@ -268,8 +462,8 @@ SENTENCES: Final[dict[str, str]] = {
     "report.sign_place": "Lieu, date",
     "report.signs": (
         "Écart : position mesurée moins point visé. Approche + : dans le sens positif de la"
-        " machine. Erreur de réversibilité à un point visé : moyenne à + moins moyenne"
-        " à − ; B en est la plus grande valeur absolue."
+        " machine. Erreur de réversibilité à un point visé : moyenne à + moins moyenne à − ; B en"
+        " est la plus grande valeur absolue."
     ),
     "report.statistics": (
         "Moyennes, écarts-types et répétabilité en {count} {count:plural|point visé|points visés}"
@@ -286,8 +480,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "rule.guarded_after": (
         "Décision avec bande de garde (ISO 14253-1) : accepté si la valeur plus U est dans la"
-        " limite, refusé si la valeur moins U est au-delà ; U (k = 2) de l'essai après chargement"
-        " : {bands}."
+        " limite, refusé si la valeur moins U est au-delà ; U (k = 2) de l'essai après chargement :"
+        " {bands}."
     ),
     "rule.simple": (
         "Accepté si la valeur à 95 % est dans la limite, refusé si la valeur à 5 % est au-delà ;"
@@ -408,4 +602,13 @@ SENTENCES: Final[dict[str, str]] = {
     "verify.shift": "décalage en nœuds",
     "verify.table_of": "table de l'axe",
     "verify.within": "dans",
+    "worth.caption": (
+        "{symbol} prévu à de nouveaux points visés selon le nombre de points, médiane et 5 à 95 %."
+        " Point plein : la table écrite{grid:if|, {grid:choose|ring=anneau : la grille de la"
+        " commande|on_it=sur la grille de la commande}|}."
+    ),
+    "worth.described": "{quantity} selon le nombre de points",
+    "worth.over": "points de la table",
+    "worth.points": "{points} points, tous les {spacing} {place} : {parameter} {unit}",
+    "worth.quantity": "{symbol} en {unit}",
 }

@@ -1,4 +1,4 @@
-"""The German catalogue: labels and fixed sentences of reports. Terms: docs/terms.md."""
+"""Labels and fixed sentences of reports."""
 
 from __future__ import annotations
 
@@ -49,6 +49,142 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "budget.setup": "Aufbau des Messgeräts",
     "budget.title": "Budget der Messunsicherheit, über {length}",
+    "cause.kind": (
+        "{kind:choose|squareness=Rechtwinkligkeit"
+        " {first}{second}|scale_mismatch=Maßstabsunterschied {first} −"
+        " {second}|servo_mismatch=Unterschied der Lageregelung {first} −"
+        " {second}|radius_change=Radiusänderung ↺ − ↻|backlash=Umkehrspiel"
+        " {axis}|lateral_play=Seitliches Spiel {axis}|reversal_spike=Umkehrspitze"
+        " {axis}|cyclic=Periodische Abweichung {axis}|straightness=Geradheit"
+        " {axis}|scale_error=Maßstabsabweichung {axis}|backlash_mismatch=Umkehrspiel {first} −"
+        " {second}|offset_change=Mittelpunktverschiebung {axis}, ↺ − ↻|spiral=Spirale (Drift"
+        " während einer Runde)|master_slave=Wechsel der"
+        " Führungsachse|vibration=Schwingung|stick_slip=Ruckgleiten {axis}|lobes_2=Zwei"
+        " Wellen|lobes_3=Drei Wellen|positional_tolerance=Positionstoleranz}"
+    ),
+    "cause.part": (
+        "bei {axis}{part:choose|at_positive=+|at_negative=−|at_positive_ccw=+ ↺|at_positive_cw=+"
+        " ↻|at_negative_ccw=− ↺|at_negative_cw=− ↻}"
+    ),
+    "cause.whole": "{cause} {part}",
+    "changes.summary": (
+        "{count:plural|{count} Eintrag ändert sich|{count} Einträge ändern sich}; {untouched}"
+        " Zeilen der Dateien der Steuerung bleiben, wie sie sind. Die Werte sind die der Dateien,"
+        " in den Einheiten der Steuerung.{more:if| {more} weitere Änderungen stehen in"
+        " `changes.csv`.|}"
+    ),
+    "chart.angle": "Winkel in °",
+    "chart.correction": "Korrektur, die die Steuerung zum Sollwert addiert",
+    "chart.described": (
+        "{what:choose|deviations=Abweichungen der Achse {name}|reversal=Umkehrspanne der Achse"
+        " {name}|residual=Rest der Kreisformprüfung {name}|correction=Korrektur der Achse"
+        " {name}|comparison=Achse {name}, Abweichungen nebeneinander|estimate=geschätzter Fehler"
+        " der Achse {name}|circle=Kreisformprüfung {name}}"
+    ),
+    "chart.estimate": "Schätzung ({sign})",
+    "chart.estimated": "Geschätzte Abweichung mit ± 2 Standardabweichungen",
+    "chart.expected": "erwarteter Mittelwert ({sign})",
+    "chart.legend": "(+) und (−): Anfahren in positiver und in negativer Richtung",
+    "chart.line": "{parts:join|   }{unit:if| {unit}|}",
+    "chart.mean": "Mittelwert ({sign})",
+    "chart.measured": "gemessener Mittelwert ({sign})",
+    "chart.position": "Position in {unit}",
+    "chart.quantiles": "{symbol} {median} ({p05} bis {p95})",
+    "chart.quantity": (
+        "{quantity:choose|deviation=Abweichung|reversal=Umkehrspanne B|correction=Korrektur} in"
+        " {unit}"
+    ),
+    "chart.radius": "Radius in µm",
+    "chart.readings": "Messwerte ({sign})",
+    "chart.residual": "Gemessen minus Ausgleich, {sense}",
+    "chart.spread": "Mittelwert ± {coverage:g} s ({sign})",
+    "chart.table": "Tabelle ({sign})",
+    "chart.table_both": "Tabelle (+ und −)",
+    "chart.wanted": "gewünscht ({sign})",
+    "circle.about": "{centre:choose|set_up= (Aufbaumittelpunkt)|own= (eigener Mittelpunkt)}",
+    "circle.agreement": (
+        "{how:choose|agrees=stimmt überein|differs=weicht ab|not_valid=nicht gültig}"
+    ),
+    "circle.cause": "{cause}  {value} {unit}",
+    "circle.centre": (
+        "{name:choose|common=gemeinsamer Mittelpunkt der"
+        " Ausgleichskreise|set-up=Aufbaumittelpunkt|ccw=Mittelpunkt des Ausgleichskreises"
+        " ↺|cw=Mittelpunkt des Ausgleichskreises ↻}: {first} {x}, {second} {y} µm{H:if|; H {H} µm|}"
+    ),
+    "circle.compared": "Vergleich",
+    "circle.comparison": (
+        "Software des Messgeräts: stimmt überein: innerhalb von zwei Standardfehlern unseres Werts."
+        " Nicht gültig, in Klammern: Das sagt die Software selbst. Weicht ab: Ihr Modell ist nicht"
+        " veröffentlicht; unseres gleicht alle Ursachen zugleich aus, mit eigener Stufe und Spitze"
+        " an jedem Umkehrpunkt."
+    ),
+    "circle.detail": "– {part}",
+    "circle.effect": "Wirkung auf den Radius",
+    "circle.effects": "Wirkung, Spitze zu Spitze, in µm; Striche: 95 %",
+    "circle.fit": "Ausgleich: was alle Ursachen zusammen ergeben",
+    "circle.job": (
+        "Diese Zeilen eines Auftrags bringen in Tabellen und Losekompensation, was sie korrigieren"
+        " können. Den Auftrag mit `compwright new --from FILE... --format ID --out job.yaml` aus"
+        " den Dateien der Steuerung anlegen, für jede Achse eine Positionierprüfung nennen (ihre"
+        " Steigung korrigiert den Maßstab), die Zeilen ergänzen{file:if| und für FILE die Datei"
+        " jeder Richtung einsetzen|}, dann `compwright run job.yaml`."
+    ),
+    "circle.least_squares": "Ausgleichskreis, {base} µm vom Sollradius",
+    "circle.magnified": "{setting}\nVergrößerung {magnification} : 1, Kreise in µm",
+    "circle.next": "Was jetzt zu tun ist",
+    "circle.no_table": (
+        "Keine Tabelle korrigiert diese Ursachen. Die Prüfung nach den Arbeiten wiederholen."
+    ),
+    "circle.nominal": "Sollbahn",
+    "circle.parameter": (
+        "{name:choose|G=Kreisformabweichung, kleinste Ringzone|G_lsc=nach dem"
+        " Ausgleichskreis|F_max=Radialabweichung, größte|F_min=Radialabweichung,"
+        " kleinste|F_max_lsc=größte, um den Ausgleichsmittelpunkt|F_min_lsc=kleinste, um den"
+        " Ausgleichsmittelpunkt|H=Kreisumkehrspanne|D=Mittlere Radialabweichung}"
+    ),
+    "circle.ranked": "Ursachen, die größte Wirkung zuerst",
+    "circle.run": "{sense}: G {G}, F{centre} {highest} / {lowest} µm",
+    "circle.sense": "{sense:choose|ccw=↺|cw=↻|both=beide}",
+    "circle.setting": (
+        "R {radius} mm{feed:if|, {feed:.5g} mm/min|}{extent:if|, Bogen {extent:.4g}° ab"
+        " {start:.4g}°|}"
+    ),
+    "circle.share": "Anteil",
+    "circle.shares": "Ursachen, Anteil an allen\nblass: unter dem doppelten Standardfehler",
+    "circle.software": "Software des Messgeräts",
+    "circle.start": "Beginn {sense}",
+    "circle.step": (
+        "{kind:choose|squareness=Mechanik: Ausrichtung und Fluchtung der Führungen prüfen. Tabelle:"
+        " Ein Auftrag mit `apply` korrigiert sie, wo die Steuerung es"
+        " kann.|scale_mismatch=Temperatur beider Achsen prüfen. Tabelle: {first} und {second} mit"
+        " dem Laser messen und einen Auftrag mit beiden Prüfungen rechnen.|servo_mismatch=Regelung:"
+        " {first} und {second} dieselbe Kreisverstärkung der Lageregelung (Kv) und Vorsteuerung"
+        " geben.|radius_change=Messung: beide Richtungen mit demselben Vorschub wiederholen; den"
+        " Sitz des Messgeräts prüfen.|backlash=Mechanik: Mutter, Stützlager und Kupplung der"
+        " Spindel {axis} prüfen. Dann die Losekompensation der Steuerung für {axis}"
+        " korrigieren.|lateral_play=Mechanik: Vorspannung und Leisten der Führung {axis}"
+        " prüfen.|reversal_spike=Regelung: Reibungskompensation von {axis} bei der Umkehr"
+        " einstellen. Mechanik: Schmierung und Abstreifer prüfen.|cyclic=Mechanik: Spindel, ihre"
+        " Lagerung und den Sitz des Gebers von {axis} prüfen. Tabelle: Mindestens drei Punkte je"
+        " Periode korrigieren, was bleibt.|straightness=Mechanik: Ausrichtung der Führung {axis}"
+        " prüfen. Tabelle: Eine Tabelle zwischen den Achsen korrigiert sie, wo die Steuerung eine"
+        " hat (cross).|offset_change=Messung: Mittelpunkthalter und Magnetpfannen prüfen; dann"
+        " wiederholen.|spiral=Messung: Maschine und Messgerät auf eine gleichbleibende Temperatur"
+        " kommen lassen; dann wiederholen.|vibration=Quelle nach ihrer Frequenz suchen: Pumpe,"
+        " Lüfter, Motor. Regelung: Verstärkung probeweise senken.|stick_slip=Mechanik: Schmierung,"
+        " Abstreifer und Vorspannung der Führung {axis} prüfen.|master_slave=Regelung:"
+        " Interpolationsparameter von {first} und {second} prüfen.}"
+    ),
+    "circle.symbol": (
+        "{letter}{sense:if| {sense:choose|ccw=↺|cw=↻|bidirectional=beide}|}{centre:if|,"
+        " {centre:choose|G=Ausgleichskreis|F=Ausgleichsmittelpunkt}|}"
+    ),
+    "circle.to_do": "{cause} ({share:.0f} % aller Wirkungen). {step}",
+    "circle.unexplained": "Was die Ursachen unten nicht erklären: {rms} µm (Effektivwert).",
+    "circle.value_error": "Wert ± Standardfehler",
+    "circle.zone": (
+        "kleinste Ringzone{sense:choose|both= beider|ccw=, ↺|cw=, ↻}: G {G} µm{D:if|; D {D} µm|}"
+    ),
     "decision.accept": "✓ angenommen",
     "decision.no_limit": "kein Grenzwert",
     "decision.reject": "✗ abgelehnt",
@@ -88,12 +224,15 @@ SENTENCES: Final[dict[str, str]] = {
     "head.assumed_value": "Angenommener Wert",
     "head.axis": "Achse",
     "head.before": "Vorher",
+    "head.cause": "Ursache",
+    "head.causes": "Ursachen",
     "head.clause": "Abschnitt",
     "head.contribution": "Beitrag u",
     "head.correction": "Korrektur{sign:if| {sign}}",
     "head.coverage_factor": "Erweiterungsfaktor k",
     "head.decision": "Entscheidung",
     "head.distribution": "Verteilung",
+    "head.entry": "Eintrag",
     "head.evidence": "Nachweis",
     "head.expanded_uncertainty": "Erweiterte Unsicherheit U",
     "head.extreme": "Extremwert",
@@ -104,11 +243,15 @@ SENTENCES: Final[dict[str, str]] = {
     "head.limit_on": "Grenzwert für",
     "head.loading": "Laden",
     "head.mean": "Mittel {sign}",
+    "head.new": "Neu",
+    "head.old": "Alt",
     "head.parameter": "Kennwert",
+    "head.period": "Periode",
     "head.position": "Position",
     "head.predicted": "Vorhersage",
     "head.predicted_new": "Vorhersage, neue Zielpositionen",
     "head.predicted_same": "Vorhersage, gleiche Zielpositionen",
+    "head.probability": "Wahrscheinlichkeit",
     "head.quantity": "Größe",
     "head.remark": "Bemerkung",
     "head.residual": "Restfehler",
@@ -164,6 +307,7 @@ SENTENCES: Final[dict[str, str]] = {
     "label.after": "nachher",
     "label.before": "vorher",
     "label.circular_test": "Kreisformprüfung",
+    "label.coded": "{code}: {text}",
     "label.conformity": "Konformitätserklärung: {statement}",
     "label.control": "Steuerung",
     "label.decision_rule": "Entscheidungsregel: {rule}",
@@ -177,17 +321,56 @@ SENTENCES: Final[dict[str, str]] = {
     "label.test_sentence": (
         "{standard}, {cycle:choose|standard=Standardzyklus|step=Schrittzyklus}, {targets}"
         " {targets:plural|Zielposition|Zielpositionen}, Messreihen: {counts:if|{counts}|keine},"
-        " Grenzen bei ± {coverage} s.{extremes:if| Extremwerte: {extremes:join|; }.}"
-        "{uncertainty:if|| Keine Messunsicherheit: Es sind keine Beiträge angegeben.}"
+        " Grenzen bei ± {coverage} s.{extremes:if| Extremwerte: {extremes:join|;"
+        " }.}{uncertainty:if|| Keine Messunsicherheit: Es sind keine Beiträge angegeben.}"
     ),
     "label.test_title": "Achse {axis}, {name:if|{name}|Prüfung}{label:if|, {label}}",
     "label.traverses": "{count} in {sign}",
     "label.unconfirmed": "! unbestätigt",
+    "label.value_error": "{value} ± {error}",
     "label.with_range": "{unit}; Median, 5–95 %",
     "label.with_uncertainty": "{unit}; ± U, k = {k}",
     "label.with_unit": "{value} {unit}",
-    "mark.loaded": "✓ geladen",
-    "mark.measurement": "? Fehler der Messung",
+    "limits.all": "alle zusammen",
+    "limits.cause": (
+        "{cause:choose|noise=Messwerte streuen: Dieselbe Position kommt nicht gleich wieder"
+        " (Wiederholpräzision)|single outliers=einzelne Ausreißer|shifts between traverses=ganze"
+        " Durchläufe, die verschoben sind|drift=Drift: Die Achse ändert sich während der"
+        " Messung|temperature within its uncertainty=Temperatur: eine Steigung innerhalb dessen,"
+        " was der Auftrag als unsicher angibt|error that the test leaves open=Fehler, den die"
+        " Prüfung nicht zeigte: zwischen den Zielpositionen und in der Streuung verborgen|steps"
+        " that the control never applies=Stufen der Korrektur (Umkehr), die die Steuerung wegen"
+        " ihrer Beschleunigung und ihres Regeltakts nie ausführt|no table is written=gemessener"
+        " Fehler, den keine Tabelle wegnimmt|spacing too wide for the period=periodische"
+        " Abweichung: Die Punkte liegen für sie zu weit auseinander|spacing of the points=Krümmung"
+        " zwischen den Punkten der Tabelle|number of points=Krümmung zwischen den Punkten: Die"
+        " Steuerung hat zu wenige|one table for both directions=Umkehrspanne, die sich über den"
+        " Verfahrweg ändert: Eine Tabelle und ein Wert können sie nicht aufnehmen|no backlash"
+        " value=Umkehrspanne: Die Steuerung hat keinen Wert dafür|quantum=Auflösung der"
+        " Tabellenwerte|value range=größter Wert, den die Steuerung annimmt|backlash range=größter"
+        " Losewert, den die Steuerung annimmt|largest increment=größter Schritt von Punkt zu Punkt,"
+        " den die Steuerung annimmt|a straight line instead of a table=Krümmung: Die Steuerung hat"
+        " eine Gerade, keine Tabelle|={cause}}"
+    ),
+    "limits.left": "Rest der Steuerung",
+    "limits.note": (
+        "Jeder Balken: um wie viel {parameter} ohne diese Ursache allein kleiner wäre, aus"
+        " denselben Ziehungen. Die Teile ergeben nicht die Summe, denn {parameter} ist eine Spanne:"
+        " Was zwei Ursachen an verschiedenen Stellen bewirken, zählt einmal."
+    ),
+    "limits.part": "Teil von {parameter}",
+    "limits.summary": (
+        "{parameter} an neuen Zielpositionen: {then} {unit} erwartet, {before} {unit} mit dem, was"
+        " jetzt in der Steuerung ist. Die Streuung allein, ohne jeden Fehler der Achse, ergäbe"
+        " {least} {unit}: Darunter kommt keine Tabelle."
+    ),
+    "mark.loading": (
+        "{verdict:choose|loaded=✓ geladen|undecided=? offen|measurement=? Fehler der"
+        " Messung|not_active=✗ nicht aktiv|inverted=✗ umgekehrt|scaled=✗ skaliert|shifted=✗"
+        " verschoben|mirrored=✗ gespiegelt|wrong_axis=✗ falsche Achse|increment=✗ nur"
+        " Änderung|on_top=✗ zusätzlich|state=✗ Zustand|one_direction=✗ eine Richtung|backlash=✗"
+        " Lose|partial=✗ teilweise|thermal=✗ Temperatur|=✗ {verdict}}"
+    ),
     "parameter.A": "Genauigkeit der Positionierung, zweiseitig",
     "parameter.A_negative": "Genauigkeit der Positionierung, Anfahrrichtung −",
     "parameter.A_positive": "Genauigkeit der Positionierung, Anfahrrichtung +",
@@ -206,6 +389,19 @@ SENTENCES: Final[dict[str, str]] = {
     "parameter.R_positive": "Wiederholpräzision der Positionierung, einseitig, Anfahrrichtung +",
     "parameter.U_max": "Größte Umkehrspanne",
     "parameter.U_mean": "Mittlere Umkehrspanne",
+    "period.alike": "Diese Zielpositionen unterscheiden nicht: {periods} {unit}.",
+    "period.caption": (
+        "Wie viel wahrscheinlicher die Messwerte mit einem Fehler sind, der sich mit der jeweiligen"
+        " Periode wiederholt, als ohne; wie üblich die Periode ist, zählt hier noch nicht."
+        " Gestrichelt: Perioden, die zählen."
+    ),
+    "period.described": "Wahrscheinlichkeitsverhältnis jeder Periode",
+    "period.none": "Keine ist bekannt, und keine wurde gefunden.",
+    "period.over": "Periode / {unit}",
+    "period.source": (
+        "{source:choose|job=im Auftrag angegeben|found=in den Messwerten gefunden|files=in den"
+        " Dateien der Steuerung angegeben|={source}}"
+    ),
     "report.accreditation": (
         "Dies ist ein Prüfbericht, kein Kalibrierschein eines akkreditierten Laboratoriums. Die"
         " Rückführung der Werte beruht auf den Kalibrierscheinen der genannten Messgeräte."
@@ -226,8 +422,8 @@ SENTENCES: Final[dict[str, str]] = {
     "report.customer": "Kunde",
     "report.date": "Prüfdatum",
     "report.extreme": (
-        "{end:choose|highest=größtes|lowest=kleinstes} Mittel"
-        "{what:choose|A= {end:choose|highest=+|lowest=−} {coverage} s|E=|M= ±}"
+        "{end:choose|highest=größtes|lowest=kleinstes} Mittel{what:choose|A="
+        " {end:choose|highest=+|lowest=−} {coverage} s|E=|M= ±}"
     ),
     "report.extremes": "Extremwerte: Ringe im Bild",
     "report.findings": "Befunde",
@@ -252,12 +448,12 @@ SENTENCES: Final[dict[str, str]] = {
     "report.parameters": "Kennwerte",
     "report.place": "Ort",
     "report.provenance": (
-        "Ausgewertet mit compwright {version}."
-        "{command:if| Dieser Befehl erzeugt den Bericht erneut:}"
+        "Ausgewertet mit compwright {version}.{command:if| Dieser Befehl erzeugt den Bericht"
+        " erneut:}"
     ),
     "report.readings": "Einzelwerte",
-    "report.readings_measured": "Einzelwerte, wie gemessen",
     "report.readings_air": "Einzelwerte, Einfluss der Luft auf das Licht herausgerechnet",
+    "report.readings_measured": "Einzelwerte, wie gemessen",
     "report.readings_reduced": "Einzelwerte, auf 20 °C umgerechnet",
     "report.results": "Ergebnisse",
     "report.see_tests": "siehe Seiten der Prüfungen",
@@ -266,8 +462,8 @@ SENTENCES: Final[dict[str, str]] = {
     "report.sign_place": "Ort, Datum",
     "report.signs": (
         "Abweichung: gemessene Position minus Zielposition. Anfahrrichtung +: in positiver"
-        " Maschinenrichtung. Umkehrspanne an einer Zielposition: Mittel bei + minus Mittel"
-        " bei −; B ist ihr größter Betrag."
+        " Maschinenrichtung. Umkehrspanne an einer Zielposition: Mittel bei + minus Mittel bei −; B"
+        " ist ihr größter Betrag."
     ),
     "report.statistics": (
         "Mittelwerte, Standardabweichungen und Wiederholpräzision an {count}"
@@ -331,21 +527,21 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "run.estimate": "Achse {axis}: geschätzter Fehler",
     "run.estimate_note": (
-        "Was die Tabelle beseitigen soll: die Abweichung über den Verfahrweg in dem Zustand, in"
-        " dem gemessen wurde, mit ihrer Unsicherheit."
+        "Was die Tabelle beseitigen soll: die Abweichung über den Verfahrweg in dem Zustand, in dem"
+        " gemessen wurde, mit ihrer Unsicherheit."
     ),
     "run.files": "Dateien",
     "run.files_written": "Geschriebene Dateien",
     "run.in_english": (
         "Auf Englisch sind: Befunde, Zweifel und Begründungen, Angaben des Auftrags und der"
-        " Dateien, der Name der Steuerung, der Inhalt der Annahmen, die Abschnitte über"
-        " begrenzende Ursachen, den Nutzen der Punkte und Perioden, die Liste der geänderten"
-        " Einträge, die Namen im Nachweis der Anpassung, die Beschriftung der Bilder, die"
-        " Kennwerte der Kreisformprüfungen und die Inbetriebnahmekarte."
+        " Dateien, der Name der Steuerung, der Inhalt der Annahmen, die Abschnitte über begrenzende"
+        " Ursachen, den Nutzen der Punkte und Perioden, die Liste der geänderten Einträge, die"
+        " Namen im Nachweis der Anpassung, die Beschriftung der Bilder, die Kennwerte der"
+        " Kreisformprüfungen und die Inbetriebnahmekarte."
     ),
     "run.legend": (
-        "Grau: vorher. Blau: 5 bis 95 % neuer Prüfungen an den gleichen Zielpositionen,"
-        " senkrechter Strich: Median. Gestrichelt: Grenzwert."
+        "Grau: vorher. Blau: 5 bis 95 % neuer Prüfungen an den gleichen Zielpositionen, senkrechter"
+        " Strich: Median. Gestrichelt: Grenzwert."
     ),
     "run.limit_missed": "Nach der Vorhersage wird mindestens ein Grenzwert nicht eingehalten",
     "run.limit_open": "Bei mindestens einem Grenzwert ist offen, ob er eingehalten wird",
@@ -412,4 +608,13 @@ SENTENCES: Final[dict[str, str]] = {
     "verify.shift": "Verschiebung in Stützpunkten",
     "verify.table_of": "Tabelle der Achse",
     "verify.within": "innerhalb",
+    "worth.caption": (
+        "Vorhergesagtes {symbol} an neuen Zielpositionen über der Anzahl der Punkte, Median und 5"
+        " bis 95 %. Voller Punkt: die geschriebene Tabelle{grid:if|, {grid:choose|ring=Ring: das"
+        " Raster in der Steuerung|on_it=auf dem Raster in der Steuerung}|}."
+    ),
+    "worth.described": "{quantity} über der Anzahl der Punkte",
+    "worth.over": "Punkte der Tabelle",
+    "worth.points": "{points} Punkte, alle {spacing} {place}: {parameter} {unit}",
+    "worth.quantity": "{symbol} in {unit}",
 }

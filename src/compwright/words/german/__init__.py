@@ -1,0 +1,31 @@
+"""The German catalogue. Terms: docs/terms.md."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from compwright.words.german import (
+    estimates,
+    jobs,
+    labels,
+    loading,
+    measurements,
+    parts,
+    plans,
+    states,
+    tables,
+    tests,
+)
+
+SENTENCES: Final[dict[str, str]] = {
+    **estimates.SENTENCES,
+    **jobs.SENTENCES,
+    **labels.SENTENCES,
+    **loading.SENTENCES,
+    **measurements.SENTENCES,
+    **parts.SENTENCES,
+    **plans.SENTENCES,
+    **states.SENTENCES,
+    **tables.SENTENCES,
+    **tests.SENTENCES,
+}

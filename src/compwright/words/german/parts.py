@@ -1,0 +1,50 @@
+"""Sentences and parts of sentences of several findings."""
+
+from __future__ import annotations
+
+from typing import Final
+
+SENTENCES: Final[dict[str, str]] = {
+    "as_written": "{text}",
+    "backlash_compensation_larger": (
+        "{finding} Die Losekompensation in den Dateien der Steuerung ist größer als das"
+        " Umkehrspiel."
+    ),
+    "better_targets": "Zielpositionen, die sie zeigen würden: {targets:g} {unit}",
+    "between.deviation": "die gemessene Abweichung von {output} über {input} ({slope:+.1f} µm/m)",
+    "between.squareness": "Rechtwinkligkeit von {output} zu {input} ({slope:+.1f} µm/m)",
+    "compared_not_removed": "{parameters:join|; }. Nicht entfernt.",
+    "direct_squareness": (
+        "{input} und {output}: Rechtwinkligkeit {squareness:+.1f} µm/m nach der direkten Messung"
+    ),
+    "doubts.acknowledged": "Im Auftrag bestätigt: {reason}. {message}",
+    "doubts.first": "Zuerst prüfen: Das Ergebnis hängt davon ab",
+    "doubts.step": (
+        "Es wird nichts entschieden, bis das klar ist. Die Prüfung oder den Auftrag berichtigen und"
+        " neu rechnen, oder im Auftrag den Grund angeben, warum es so richtig ist: acknowledged:"
+        " {{{codes:join|: Grund, }: Grund}}"
+    ),
+    "in_direction": "{value} in {direction}",
+    "increments": "{symmetric:if|±{largest}|{least} bis {largest}}",
+    "listed": "{items:join|; }{more:if|; und {more} weitere}",
+    "listed_places": "{items}{more:if| und {more} weitere}",
+    "odds.1_to": "Chancen 1 zu {odds:2sig}",
+    "odds.above_1000": "Chancen über 1000 zu 1",
+    "odds.over_1000": "Chancen über 1000 zu 1",
+    "odds.to_1": "Chancen {odds:2sig} zu 1",
+    "of_axis": "Achse {axis}: {finding}",
+    "of_circle": "Kreis {circle}: {finding}",
+    "of_test": "Achse {axis}, Prüfung {test}: {finding}",
+    "paragraph": "{sentences:join| }",
+    "parameter": "{parameter} {value}",
+    "range": "{low} bis {high}",
+    "read_back": (
+        "Zurückgelesen, nicht unabhängig beurteilt: Nur Ihre eigene Definition von {definition}"
+        " sagt, was ihre Dateien tun"
+    ),
+    "reading_off": "{traverse} bei {target} (Abweichung {off})",
+    "scale_by": "{axis}: Maßstab {scale} nach {tests:join|; }",
+    "traverse": "Lauf {run} in {direction}",
+    "value_with_error": "{value:+.1f} ± {error:.1f} {unit}",
+    "with_and_without": "{parameter} {value} mit, {without} ohne",
+}
