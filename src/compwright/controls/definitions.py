@@ -107,10 +107,9 @@ def files_of_definition(texts: Texts) -> dict[str, bytes]:
         if not is_path(name):  # one that ships
             break
         if PureWindowsPath(name).anchor or ".." in PureWindowsPath(name).parts:
-            message = "extends a definition outside of its folder, which no copy can"
             raise InputError(
                 Fault(
-                    message=message,
+                    message="extends a definition outside of its folder, which no copy can",
                     file=file,
                     place=EXTENDS,
                     found=name,
@@ -128,10 +127,9 @@ def definitions_at(session: Session, path: Path) -> list[tuple[str, bytes, Find]
     Raises InputError for what cannot be read, and for a base that was named alone.
     """
     if is_base(path):
-        message = "is only extended by others, and no control by itself"
         raise InputError(
             Fault(
-                message=message,
+                message="is only extended by others, and no control by itself",
                 file=str(path),
                 expected="what extends it",
                 hint="give the path of the definition that extends it",

@@ -171,8 +171,7 @@ def _viewed(
     try:
         return decode(control, files, address=address).state, ()
     except CompwrightError as error:
-        reading = control.format.listing.shown(control.format)
-        state = reading.read(files, address=address)
+        state = control.format.listing.shown(control.format).read(files, address=address)
         why = "; ".join(str(fault) for fault in error.faults[:1])
         return state, (Finding.of("CW-S081", "warning", files=name, why=why),)
 

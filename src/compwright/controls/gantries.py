@@ -161,10 +161,9 @@ def check_partners(axes: Sequence[tuple[Axis, FittedTable]], loaded: DecodedStat
             where = table_positions(own.positions, axis.travel)
         off = difference(meant, back)
         if any(float(np.max(np.abs(off(where, side)))) > SAME for side in Direction):
-            message = f"axis {axis.gantry} reads otherwise than it was written"
             faults.append(
                 Fault(
-                    message=message,
+                    message=f"axis {axis.gantry} reads otherwise than it was written",
                     place=f"axis {axis.name}",
                     hint=(
                         "load nothing of this run, and report this line with the job and its files"

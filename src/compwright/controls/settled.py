@@ -304,8 +304,7 @@ def length_unit(definition: Definition) -> tuple[OptionRule, str] | None:
         return None
     statement = definition.statements[definition.bindings["length_unit"].statement]
     key = statement.form.partition("{")[0].rstrip(" =")
-    one = len(definition.texts) == 1
-    file = "a file" if one else f"the whole {statement.text.upper()} file"
+    file = "a file" if len(definition.texts) == 1 else f"the whole {statement.text.upper()} file"
     return rule, f"{file} with {key} among the files"
 
 

@@ -160,5 +160,4 @@ def table_positions(nodes: FloatArray, travel: tuple[float, float]) -> FloatArra
     """
     ends = np.concatenate([nodes, travel])
     where = probe_positions(nodes)
-    inside = (where >= ends.min()) & (where <= ends.max())
-    return np.concatenate([where[inside], travel])
+    return np.concatenate([where[(where >= ends.min()) & (where <= ends.max())], travel])

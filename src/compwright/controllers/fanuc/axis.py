@@ -139,8 +139,7 @@ class AxisLoader:
         3625.
         """
         bit = self.memory.bit(1006, 0, axis)
-        address = str(axis)
-        requested = by_address(self.request.kinds, address)
+        requested = by_address(self.request.kinds, str(axis))
         if bit is not None:
             if requested is not None and bit != (requested is AxisKind.ROTARY):
                 self.note(
@@ -256,20 +255,18 @@ class AxisLoader:
             return grid
         last = start + grid.highest - grid.lowest
         if last > self.memory.series.highest_point:
-            limit = f"last number up to {self.memory.series.highest_point}"
             self.fault(
                 grid.axis,
                 f"points for travel towards - of axis {grid.axis}",
-                limit,
+                f"last number up to {self.memory.series.highest_point}",
                 f"{start} to {last}",
             )
         elif start <= grid.highest and last >= grid.lowest:
-            found = f"{grid.lowest} to {grid.highest} and {start} to {last}"
             self.fault(
                 grid.axis,
                 f"the two sets of axis {grid.axis} overlap",
                 "3626 clear of 3621 to 3622",
-                found,
+                f"{grid.lowest} to {grid.highest} and {start} to {last}",
             )
         return replace(grid, negative_from=start, offset=offset)
 
@@ -308,8 +305,7 @@ class AxisLoader:
                 f"records N{names}",
             )
         for number in grid.numbers():
-            value = self.memory.increments.get(number, 0)
-            if not options.lowest <= value <= options.highest:
+            if not options.lowest <= self.memory.increments.get(number, 0) <= options.highest:
                 self.memory.faults.append(
                     self.memory.points[number].fault(
                         f"increment of point {number} of axis {grid.axis}",

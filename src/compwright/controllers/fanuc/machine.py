@@ -108,8 +108,7 @@ class Machine:
     def take(self, owner: Owner, entry: MachineEntry) -> None:
         """Keep a value; another one for the same owner contradicts it."""
         kept = self.entries[entry.number].setdefault(owner, entry)
-        letters = {kept.letter, entry.letter}
-        if _numeral(kept.text) != _numeral(entry.text) or letters == {"M", "I"}:
+        if _numeral(kept.text) != _numeral(entry.text) or {kept.letter, entry.letter} == {"M", "I"}:
             whose = " of {}{}".format(*owner) if owner[0] else ""
             fault = entry.fault(
                 f"{entry.number}{whose} contradicts {kept.file}, line {kept.line}", kept.text

@@ -63,12 +63,11 @@ def read_options(
 
     limit = finite_number(given.get("increment_limit", series.increment_limit))
     if limit is None or limit != int(limit) or not 1 <= limit <= BYTE[1]:
-        found = repr(given.get("increment_limit"))
         faults.append(
             Fault(
                 message=f"option increment_limit of axis {address}",
                 expected=f"a whole number 1 to {BYTE[1]}",
-                found=found,
+                found=repr(given.get("increment_limit")),
                 hint="give a number in this range for `increment_limit`",
             )
         )
@@ -96,12 +95,11 @@ def _detection_unit(given: Mapping[str, object], address: str, faults: list[Faul
         return None
     unit = finite_number(given["detection_unit"])
     if unit is None or unit <= 0.0:
-        found = repr(given["detection_unit"])
         faults.append(
             Fault(
                 message=f"option detection_unit of axis {address}",
                 expected="mm or deg per pulse, above 0",
-                found=found,
+                found=repr(given["detection_unit"]),
                 hint=("give the detection unit of this control: `--option detection_unit=0.001`"),
             )
         )

@@ -163,8 +163,7 @@ class _TapeReader:
         line = _COMMENT.sub(" ", raw).strip()
         if line.startswith("%"):
             self.marks += 1
-            rest = line[1:].strip()
-            if _NUMBERED.search(rest):
+            if _NUMBERED.search(line[1:].strip()):
                 self._wrong(number, raw, "a block behind % is not read", "% on a line of its own")
             return
         if not line:

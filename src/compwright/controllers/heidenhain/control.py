@@ -156,11 +156,10 @@ def _control(
     loader = Loader(generation, request, sheets, contents)
     axes = loader.axes()
     if not axes and not loader.faults:
-        names = ", ".join(file.name for file in files)
         loader.faults.append(
             Fault(
                 message="no compensation data found",
-                file=names,
+                file=", ".join(file.name for file in files),
                 expected="an entry sheet, .COM or parameters",
                 hint="give the files that contain the compensation of this control",
             )

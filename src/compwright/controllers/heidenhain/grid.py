@@ -153,8 +153,7 @@ def read_grid(block: TableBlock) -> CellGrid:
         if names.count(name) > 1
     ]
     starts = [start for _, (start, _) in heading]
-    whole = [*(name for name, _ in heading)]
-    fixed = starts if description.cells(whole, starts) else None
+    fixed = starts if description.cells([*(name for name, _ in heading)], starts) else None
     rows: list[tuple[str | None, ...]] = []
     for wanted, (place, line) in enumerate(filled[1:]):
         row = _row(line, [span for _, span in heading], place, wanted, fixed)

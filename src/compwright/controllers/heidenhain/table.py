@@ -122,9 +122,8 @@ def _read_outside(
     """
     read = read_parameters(lines, generation)
     if read.parameters and generation.name != ITNC530.name:
-        at = read.parameters[0].place
         read.faults.append(
-            at.fault(
+            read.parameters[0].place.fault(
                 "MP710, MP720, MP730 are not of this control",
                 expected=", ".join(generation.parameters),
             )
@@ -190,10 +189,9 @@ def _values(grid: CellGrid, columns: dict[str, str], faults: list[Fault]) -> Flo
         cells = grid.column(name)
         table[:, index] = numbers(cells, grid.places, f"column {name}", faults)
         if any(cells):
-            blank = [grid.places[end] for end in (0, -1) if cells[end] is None]
             faults += [
                 place.fault(f"column {name} is blank at an end of the table", expected="a value")
-                for place in blank
+                for place in (grid.places[end] for end in (0, -1) if cells[end] is None)
             ]
     return table
 

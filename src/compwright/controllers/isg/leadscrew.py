@@ -143,8 +143,7 @@ def _positions(axis: AxisLists, entries: Entries, count: int) -> FloatArray | No
     setpoints = entries["setpoint"]
     listed = None
     if setpoints or interval == 0.0:
-        name = f"{SECTION}table[i].setpoint"
-        listed = column(axis, setpoints, count, name, LARGEST)
+        listed = column(axis, setpoints, count, f"{SECTION}table[i].setpoint", LARGEST)
     if interval == 0.0:
         if listed is not None:
             ascending(axis, listed, setpoints)
@@ -323,8 +322,11 @@ def read_backlash(
 
 def _other_gears(axis: AxisLists, first: int | None, chosen: int | None) -> None:
     for name, statement in axis.section("getriebe[").items():
-        if name.endswith("].lose") and not name.startswith("0]") and chosen != 0:
-            value = statement.number()
-            if value not in (0.0, first):
-                message = f"{statement.name} of axis {axis.address}: the active gear is unknown"
-                axis.fault(statement, message, "the value of getriebe[0].lose, or 0")
+        if (
+            name.endswith("].lose")
+            and not name.startswith("0]")
+            and chosen != 0
+            and statement.number() not in (0.0, first)
+        ):
+            message = f"{statement.name} of axis {axis.address}: the active gear is unknown"
+            axis.fault(statement, message, "the value of getriebe[0].lose, or 0")

@@ -178,12 +178,11 @@ def _statements(file: ControlFile, lists: ControlLists) -> Iterable[ListStatemen
     text = text.replace("\r\n", "\n").replace("\r", "\n")
     for mark in _REMARK.finditer(text):
         if mark.group() == "/*":
-            place = f"line {text.count(chr(10), 0, mark.start()) + 1}"
             lists.faults.append(
                 Fault(
                     message="a comment has no end",
                     file=file.name,
-                    place=place,
+                    place=f"line {text.count(chr(10), 0, mark.start()) + 1}",
                     hint="close the comment, or export the list from the control again",
                 )
             )
@@ -207,8 +206,7 @@ def _statements(file: ControlFile, lists: ControlLists) -> Iterable[ListStatemen
 
 def _named(match: re.Match[str]) -> str:
     """Return a statement's name without blanks and leading zeros of its indices."""
-    bare = re.sub(r"\s+", "", match.group(1)).lower()
-    return re.sub(r"\[0*(\d+)\]", r"[\1]", bare)
+    return re.sub(r"\[0*(\d+)\]", r"[\1]", re.sub(r"\s+", "", match.group(1)).lower())
 
 
 def _value(statement: ListStatement) -> float | str:

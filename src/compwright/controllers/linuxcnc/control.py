@@ -192,11 +192,10 @@ class _JointLoader:
         found = {number: self._from_ini(number) for number in numbers}
         found |= {number: self._from_orphan(number, name) for number, name in orphans.items()}
         if not found and not self.faults:
-            given = ", ".join([ini.name for ini in self.inis] + list(self.tables))
             self.faults.append(
                 Fault(
                     message="no joint found",
-                    file=given,
+                    file=", ".join([ini.name for ini in self.inis] + list(self.tables)),
                     expected="an INI with a section [JOINT_N], or a table joint_N.comp",
                     hint="give the INI of the machine",
                 )

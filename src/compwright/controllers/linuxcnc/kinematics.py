@@ -51,9 +51,9 @@ def letters_of_joints(ini: IniFile) -> str:
     if given is not None:
         return given.group(1).upper()
     axes = values["COORDINATES"].upper().replace(" ", "").replace("\t", "")
-    module = values["KINEMATICS"].lower().split()[:1]
     return (
         axes
-        if module not in ([], ["trivkins"]) and values["JOINTS"].strip() == str(len(axes))
+        if values["KINEMATICS"].lower().split()[:1] not in ([], ["trivkins"])
+        and values["JOINTS"].strip() == str(len(axes))
         else _LETTERS
     )

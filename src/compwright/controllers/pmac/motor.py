@@ -197,8 +197,7 @@ class Judged:
             return None
         value = setting.value
         if value is None or value != value // 1 or not 0.0 <= value <= LARGEST:
-            expected = f"a whole number, 0 to {LARGEST}"
-            self._wrong(number // 100, setting, f"I{number}", expected)
+            self._wrong(number // 100, setting, f"I{number}", f"a whole number, 0 to {LARGEST}")
             return None
         return value
 

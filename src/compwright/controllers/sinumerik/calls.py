@@ -126,8 +126,7 @@ class ProgramCalls:
             by, line = self._sites[placed.block.title][0]
             reason = self._before(by.block, line)
             if reason is not None or {id(by.block)} & {*behind, *self._started}:
-                own = Doubt(line.number, " ".join(line.words))
-                return by.content.name, reason or own
+                return by.content.name, reason or Doubt(line.number, " ".join(line.words))
             placed = by
         return None
 

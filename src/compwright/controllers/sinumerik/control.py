@@ -147,11 +147,11 @@ class SinumerikControl:
             (pair for pair in crossing if (pair[0].casefold(), pair[1].casefold()) == wanted), None
         )
         if pair is None:
-            known = " or ".join(f"{base} on {corrected}" for base, corrected in crossing)
             raise UsageError(
                 Fault(
                     message=f"no table by which {input} corrects {output}",
-                    expected=known or "cross tables in the files",
+                    expected=" or ".join(f"{base} on {corrected}" for base, corrected in crossing)
+                    or "cross tables in the files",
                     hint=("correct the entry `cross` of the job, or give the file with this table"),
                 )
             )
@@ -159,8 +159,7 @@ class SinumerikControl:
 
     def _axis(self, address: str) -> tuple[str, _SinumerikAxis]:
         """Return an axis by its name in the files."""
-        known = {name: name for name in self.axes}
-        name = by_address(known, self.names.name(address))
+        name = by_address({name: name for name in self.axes}, self.names.name(address))
         if name is None:
             raise unknown_axis(address, self.addresses())
         return name, self.axes[name]
@@ -198,11 +197,10 @@ def sinumerik_control(
     assignments = loaded.assignments(names)
     faults += loaded.unanswered(names)
     if not assignments and not faults and request.active is not False:
-        given = ", ".join(file.name for file in files)
         faults.append(
             Fault(
                 message="no compensation data found",
-                file=given,
+                file=", ".join(file.name for file in files),
                 expected="$AA_ENC_COMP, $AN_CEC or $MA_BACKLASH",
                 hint="give the files with the compensation data of this control",
             )

@@ -135,8 +135,7 @@ def _inevitable(
     hit = [min(group & set(among), default=0) for group in groups]
 
     def reached(closed: set[int]) -> int:
-        ways = [0 if place in closed else bits for place, bits in enumerate(follow)]
-        return _behind(ways)[0] | 1
+        return _behind([0 if place in closed else bits for place, bits in enumerate(follow)])[0] | 1
 
     every = {place for place, line in enumerate(short) if line.given and hit[place]}
     open_places = reached(every)

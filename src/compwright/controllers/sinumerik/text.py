@@ -155,10 +155,9 @@ class VariableAssignment(OfLine):
     @property
     def variable(self) -> str:
         """The variable as a control writes it, such as ``$AA_ENC_COMP[0,1,AX1]``."""
-        kinds = READ[self.name]
         indices = [
             "" if kind == "axis" else str(self.point if kind == "point" else self.number)
-            for kind in kinds
+            for kind in READ[self.name]
         ]
         return f"${self.name}[{','.join(index or self.axis for index in indices)}]"
 

@@ -148,8 +148,7 @@ def _statements(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
         if statement.text not in definition.texts:
             yield (*path, "text"), f"no kind of text is called {statement.text}"
         for form in (statement.form, *statement.also_read):
-            found = field_names(form)
-            if sorted(found) != sorted(statement.fields):
+            if sorted(field_names(form)) != sorted(statement.fields):
                 yield (*path, "form"), f"the fields of {form} are not those under fields"
         if statement.within is not None:
             kind = definition.texts.get(statement.text)

@@ -70,8 +70,7 @@ def _or_mapping(other: Any, whole: Any) -> cs.CoreSchema:
 
 def _or_option(other: cs.CoreSchema) -> cs.CoreSchema:
     """Return the schema of a value that may come from an option."""
-    option = mapping({"option": _TEXT}, lambda values: OptionValue(**values))
-    return _or_mapping(other, option)
+    return _or_mapping(other, mapping({"option": _TEXT}, lambda values: OptionValue(**values)))
 
 
 def _range(bounds: Any) -> tuple[float, float]:

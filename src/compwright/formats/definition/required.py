@@ -29,10 +29,9 @@ class Required(dict[str, _T]):
 
     def __missing__(self, name: str) -> _T:
         """Raise InputError."""
-        message = "the definition lacks an entry that files of this shape need"
         raise InputError(
             Fault(
-                message=message,
+                message="the definition lacks an entry that files of this shape need",
                 file=self._file,
                 place=f"{self._section}.{name}",
                 expected="an entry",

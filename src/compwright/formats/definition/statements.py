@@ -246,10 +246,9 @@ def _form_pattern(form: str, kinds: Mapping[str, FieldType], dialect: Dialect) -
             continue
         kind = "mark" if piece["mark"] else "word"
         if previous:
-            both_words = previous == kind == "word"
             gap = (
                 (r"[ \t]+" if blank else "")
-                if both_words and not dialect.blanks_anywhere
+                if previous == kind == "word" and not dialect.blanks_anywhere
                 else r"[ \t]*"
             )
             pattern += "" if "label" in (label, kinds.get(piece["field"] or "")) else gap

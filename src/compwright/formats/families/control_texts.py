@@ -101,8 +101,7 @@ def _texts_of(
     read = [text for text in texts if text is not None]
     if len(read) < len(texts):  # unreadable files are reported by their reader
         return (*packed, *loose), tuple(faults)
-    names = axis_names(definition, read)
-    over = _Over(definition, names, read[len(packed) :])
+    over = _Over(definition, axis_names(definition, read), read[len(packed) :])
     blank = [over.blanked(file, text) for file, text in zip(packed, read, strict=False)]
     return (*blank, *loose), tuple(faults)
 

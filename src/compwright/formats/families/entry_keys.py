@@ -38,5 +38,4 @@ def value_of(occurrence: Occurrence) -> str:
 
 def quantities_of(definition: Definition, statement: str) -> list[str]:
     """Return the quantities that a statement holds."""
-    bindings = definition.bindings.items()
-    return [name for name, binding in bindings if binding.statement == statement]
+    return [name for name, binding in definition.bindings.items() if binding.statement == statement]

@@ -115,11 +115,10 @@ def turn(capacity: Capacity, compensation: AxisCompensation, label: str) -> list
         or abs(compensation.period - period) > SAME_TURN
         or abs(span - period) > SAME_TURN
     ):
-        expected = f"a table that repeats, from end to end {period:g}"
         faults.append(
             Fault(
                 message=f"{label}: the axis is endless, but its table is not",
-                expected=expected,
+                expected=f"a table that repeats, from end to end {period:g}",
                 found=f"{span:g}",
                 hint="make the table span one turn, or remove `modulo` of the axis from the job",
             )
@@ -140,8 +139,7 @@ def turn(capacity: Capacity, compensation: AxisCompensation, label: str) -> list
 
 def endless(definition: Definition, axis: Axis, label: str) -> list[Fault]:
     """Return a fault for the table of an endless axis on a control whose tables do not repeat."""
-    no_limit = definition.limit("no_endless_axis") is None
-    if axis.modulo is None or axis.counts_turns or no_limit:
+    if axis.modulo is None or axis.counts_turns or definition.limit("no_endless_axis") is None:
         return []
     why = f"{label}: the control's table does not repeat, so an endless axis cannot have one"
     return [
@@ -203,10 +201,9 @@ def kind(axis: Axis, compensation: AxisCompensation, label: str) -> list[Fault]:
     """Return a fault for a table in mm on an axis in degrees, or the reverse."""
     if compensation.kind is axis.kind:
         return []
-    message = f"{label}: the table and the axis differ in kind"
     return [
         Fault(
-            message=message,
+            message=f"{label}: the table and the axis differ in kind",
             expected=axis.kind,
             found=compensation.kind,
             hint="correct `kind` of the axis in the job",

@@ -162,8 +162,7 @@ def _round_trip(definition: Definition) -> Iterator[Fault]:
         compensation for compensation in state.axes.values() if compensation.positions.size >= 2
     ]
     axes = [_axis_of(state, compensation) for compensation in compensations]
-    only_own = definition.limit("only_patching") is not None
-    own = _files(definition.sample_files) if only_own else []
+    own = _files(definition.sample_files) if definition.limit("only_patching") is not None else []
     files = control.write(compensations, axes, own)
     if files != control.write(compensations, axes, own):
         yield definition.text.fault(("sample",), "writing the sample twice gives different bytes")
@@ -181,8 +180,7 @@ def _round_trip(definition: Definition) -> Iterator[Fault]:
             check_at=compensation.positions,
             files=files,
         )
-        values = control.card(request).values
-        for step in card_steps(definition, axis, values):
+        for step in card_steps(definition, axis, control.card(request).values):
             if UNKNOWN in step.text:
                 message = f"the step {step.title!r} uses a field that does not exist"
                 yield definition.text.fault(("card",), message, found=step.text)

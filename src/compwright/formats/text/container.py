@@ -142,8 +142,7 @@ def opened(file: ControlFile) -> tuple[Container | None, tuple[Fault, ...]]:
             faults.append(_fault(file, member.start - _BLOCK, what, expected=expected))
             continue
         one = ControlFile(f"{file.name}: {member.name}", content)
-        first = state.setdefault(member.name.upper(), one)
-        if first.content != content:
+        if state.setdefault(member.name.upper(), one).content != content:
             faults.append(
                 _fault(
                     file,
@@ -188,8 +187,7 @@ def _members(file: ControlFile, faults: list[Fault]) -> Iterator[Member]:
         )
         if member.start + member.size > len(content):
             message = f"ends inside {member.path}: it was cut short"
-            expected = f"{member.size} bytes from there"
-            faults.append(_fault(file, place, message, expected=expected))
+            faults.append(_fault(file, place, message, expected=f"{member.size} bytes from there"))
             return
         if _text(header, _KIND) not in (_FILE, _MARK) or (place and not member.name):
             message = f"holds a member of a kind that is not known: {member.path or 'no name'}"

@@ -164,8 +164,7 @@ def _label(statement: Statement, occurrence: Occurrence, field: str, row: int) -
         statement.form, {name: marked.get(name, "") for name in (*statement.fields, *marked)}
     )
     label = re.sub(r'(?:(?<![A-Za-z])[PMI]|[=( "])+$', "", text.split("\0")[0])
-    kind = statement.fields.get(field)
-    if kind == "bit":
+    if statement.fields.get(field) == "bit":
         return f"{label} bit {field[1:]}"
     several = sum(name not in _IDENTITY and name != "key" for name in statement.fields) > 1
     if several:

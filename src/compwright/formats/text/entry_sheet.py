@@ -164,15 +164,13 @@ class _SheetReader:
             self.rows[point] = SheetRow(point, position, value, unit, number)
 
     def sheet(self) -> EntrySheet | None:
-        clean = len(self.faults) == self.known
-        if clean and not self.rows:
+        if len(self.faults) == self.known and not self.rows:
             self.fault("the sheet holds no rows: this is contradictory, not an empty table", 1)
         meaning = self.comments.get("value", "")
         if meaning not in VALUES:
-            place = self.lines.get("value", 1)
             self.fault(
                 "the sheet must say what its values are",
-                place,
+                self.lines.get("value", 1),
                 "# value: error or # value: correction",
                 meaning,
             )

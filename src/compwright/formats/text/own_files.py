@@ -115,8 +115,7 @@ class OwnFiles(Patches):
         self.replace(number, *set_field(occurrence, field, styled(old, text)))
 
     def _add(self, anchor: FoundValue, lines: Sequence[str]) -> None:
-        some = next(iter(anchor.occurrence.tokens.values()))
-        self.add_lines(anchor.number, some.start, lines)
+        self.add_lines(anchor.number, next(iter(anchor.occurrence.tokens.values())).start, lines)
 
     def _row(self, anchor: FoundValue, places: TablePlaces, index: int, text: str) -> str:
         """Return the line of a new value: the neighbouring row with other index and value, without

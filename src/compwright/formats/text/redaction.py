@@ -198,8 +198,7 @@ class _Redactor:
 def _path(text: str) -> tuple[str, str, str]:
     """Return the folder, the stem and the ending of what may be the name of a file."""
     place = max(text.rfind("/"), text.rfind("\\")) + 1
-    name = text[place:]
-    match = re.fullmatch(r"(?P<stem>.*?)(?P<ending>\.[A-Za-z0-9]{1,4})?", name)
+    match = re.fullmatch(r"(?P<stem>.*?)(?P<ending>\.[A-Za-z0-9]{1,4})?", text[place:])
     assert match is not None  # noqa: S101 - every text has this form
     return text[:place], match["stem"], match["ending"] or ""
 
@@ -247,8 +246,7 @@ _SHEET_CELL: Final = re.compile(
 
 def redacted_sheet(content: bytes, cuts: Cuts) -> bytes:
     """Return a typed-entry sheet without private data. The sheet is UTF-8 text."""
-    text = content.decode("utf-8")
-    lines = re.split(r"(\r\n|\r|\n)", text)
+    lines = re.split(r"(\r\n|\r|\n)", content.decode("utf-8"))
     return "".join(
         line if place % 2 else _sheet_line(line, cuts) for place, line in enumerate(lines)
     ).encode()

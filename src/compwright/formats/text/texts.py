@@ -131,8 +131,7 @@ class TextReader:
             )
             return None
         lines = self.lines(file.content.decode("latin-1"))
-        kind = self._kind(lines)
-        return _KindReader(self, kind, file.name, faults).read(lines)
+        return _KindReader(self, self._kind(lines), file.name, faults).read(lines)
 
     def lines(self, text: str) -> list[TextLine]:
         """Return the lines of a text; a last line without an end counts when it is not empty."""
@@ -305,8 +304,7 @@ class _KindReader:
 
     def _ours(self, piece: str) -> bool:
         """Return whether a piece of a line would be a statement if it were alone."""
-        known = line_number(piece) in self.kind.claims_at_start
-        return known or any(
+        return line_number(piece) in self.kind.claims_at_start or any(
             form.fullmatch(piece) for matcher in self.matchers for form in matcher.forms
         )
 

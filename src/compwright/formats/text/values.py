@@ -79,13 +79,11 @@ class Values:
             return None
         word = self.known_word(binding, found.text)
         if word is None:
-            message = f"{self.name(quantity)} has a value that is not known"
-            expected = f"one of {', '.join(binding.values)}"
             self.notes.refuse(
                 self.label,
-                message,
+                f"{self.name(quantity)} has a value that is not known",
                 found,
-                expected=expected,
+                expected=f"one of {', '.join(binding.values)}",
                 found=found.text[:40],
                 hint=CORRECT_VALUE,
             )

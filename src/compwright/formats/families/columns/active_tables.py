@@ -41,13 +41,12 @@ def activate(
         if address is None:
             continue
         if address in sources.tables:
-            other = sources.tables[address].file
             faults.append(
                 Fault(
                     message=f"two tables for axis {address}",
                     file=table.file,
                     expected="one",
-                    found=other,
+                    found=sources.tables[address].file,
                     hint="give only the one that was active during the test",
                 )
             )
@@ -126,11 +125,10 @@ def _assigned(sources: Sources, values: Sequence[UserTable], faults: list[Fault]
         exact = [table for table in values if bare_name(table.file) == wanted]
         fitting = exact or [table for table in values if bare_name(table.name) == wanted]
         if len(fitting) > 1:
-            names = ", ".join(table.file for table in fitting)
             faults.append(
                 Fault(
                     message=f"axis {address}: several tables are called {cell.text}",
-                    file=names,
+                    file=", ".join(table.file for table in fitting),
                     expected="one",
                     hint="give only one table of this name",
                 )

@@ -162,10 +162,9 @@ class ColumnAxisReader:
             values.append(float(value) + 0.0)
         most = self.definition.limit_number("max_points")
         if most is not None and len(values) > most:
-            place = f"line {self.points[most].line}"
             self.values.fault(
                 sheet.name,
-                place,
+                f"line {self.points[most].line}",
                 f"{self.label}: more points than the control takes",
                 f"at most {most}",
                 str(len(values)),
@@ -254,9 +253,9 @@ class ColumnAxisReader:
             return found is not None and found.text == "1"
         if found is None and self.points:
             active = self.activity.stated is not False
-            evidence = "a sheet is what was typed in"
             self._assume_switch(
-                f"{int(active)}: its table {'active' if active else 'sleeps'}", evidence
+                f"{int(active)}: its table {'active' if active else 'sleeps'}",
+                "a sheet is what was typed in",
             )
             return active
         if not (np.any(self.curves[1]) or np.any(self.curves[2]) or self._others_act()):
@@ -368,13 +367,11 @@ class ColumnAxisReader:
         value = scale.read(quantity, found.text)
         if not in_range(self.definition.measure(quantity), scale, value):
             low, high = self.definition.measure(quantity).range
-            message = f"{self.parameters.name(quantity)} is outside what the control takes"
-            expected = f"{low:g} .. {high:g} {scale.unit(quantity)}"
             self.notes.refuse(
                 self.label,
-                message,
+                f"{self.parameters.name(quantity)} is outside what the control takes",
                 found,
-                expected=expected,
+                expected=f"{low:g} .. {high:g} {scale.unit(quantity)}",
                 found=found.text[:60],
                 hint=CORRECT_VALUE,
             )

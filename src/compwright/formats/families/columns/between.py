@@ -146,8 +146,7 @@ def _by_line(family: Family, request: BetweenRequest, entry: PlannedCross) -> st
 
 def _parameter(family: Family, quantity: str) -> str:
     """Return the control's name of a parameter; empty if it has none."""
-    known = quantity in family.definition.bindings
-    return name_of(family.definition, quantity) if known else ""
+    return name_of(family.definition, quantity) if quantity in family.definition.bindings else ""
 
 
 def _rows(entry: PlannedCross, form: str) -> list[tuple[float, float]]:

@@ -178,11 +178,10 @@ def _line_faults(
         )
     if capacity.line is None and compensation.slope:
         message = f"{label}: with a table the linear parameter has no effect"
-        found = f"{compensation.slope * 1000:g} mm/m"
         yield Fault(
             message=message,
             expected="0 mm/m",
-            found=found,
+            found=f"{compensation.slope * 1000:g} mm/m",
             hint=("set the line to 0; for a line set `method: line` in the options of this axis"),
         )
     if capacity.line is not None and compensation.slope and compensation.origin != axis.reference:
@@ -213,11 +212,10 @@ def _steep_faults(
 def _grid_faults(label: str, unit: str, steps: np.ndarray, capacity: Capacity) -> Iterator[Fault]:
     slack = EXACTNESS * capacity.position_quantum
     if capacity.spacing == "equidistant" and np.ptp(steps) > slack:
-        found = f"{np.min(steps):.10g} to {np.max(steps):.10g} {unit}"
         yield Fault(
             message=f"{label}: the points are not equally spaced",
             expected="one spacing (the table's own rows too: even them out, and measure again)",
-            found=found,
+            found=f"{np.min(steps):.10g} to {np.max(steps):.10g} {unit}",
             hint=(
                 "correct the rows so that they are equally spaced, measure again, then run "
                 "the job again"

@@ -116,8 +116,7 @@ class CrossFiller(Patches):
             if cell is not None and is_number(cell.text) and Decimal(cell.text) == Decimal(text):
                 continue
             line = self.files[number].content[row.start : row.end].decode("latin-1")
-            cells = {column: signed(table, text, column)}
-            changes += cell_changes(table, row, line, cells)
+            changes += cell_changes(table, row, line, {column: signed(table, text, column)})
         self.replace(number, *changes)
 
 
@@ -135,8 +134,7 @@ def _on_rows(added: CrossCompensation, rows: FloatArray, file: str) -> FloatArra
             f" {added.positions[0]:g} to {added.positions[-1]:g}"
         )
     slopes = np.diff(added.positive) / np.diff(added.positions)
-    origin = added.positions[0]
-    straight = added.positive[0] + slopes[0] * (rows - origin)
+    straight = added.positive[0] + slopes[0] * (rows - added.positions[0])
     if np.allclose(np.interp(added.positions, rows, straight), added.positive, rtol=0, atol=1e-9):
         return np.asarray(straight, dtype=float)
     apart = [float(np.min(np.abs(rows - position))) for position in added.positions]

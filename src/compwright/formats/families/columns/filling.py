@@ -47,8 +47,7 @@ class TableFiller:
         self.column = values.sources.column_of(address)
         self.address = address
         self.entry = entry
-        names = [file.name for file in patches.files]
-        self.number = names.index(self.table.file)
+        self.number = [file.name for file in patches.files].index(self.table.file)
 
     def fill(self) -> None:
         """Record all changes. Raises NotHeld and CapacityError for what the table cannot take."""

@@ -155,11 +155,10 @@ class _ColumnStateReader:
                 )
         cross = self._cross()
         if not compensations and not cross and not sources.idle and not self.notes.faults:
-            names = ", ".join(file.name for file in self.files)
             self.notes.faults.append(
                 Fault(
                     message="the files contain no compensation of any axis",
-                    file=names,
+                    file=", ".join(file.name for file in self.files),
                     hint=(
                         "add the files with tables and compensation parameters, or use the state "
                         "`none`"
@@ -183,8 +182,7 @@ class _ColumnStateReader:
         found = []
         layout = self.values.definition.layout
         for moving, table in self.sources.tables.items():
-            own = self.sources.column_of(moving)
-            for name in table.others(own, POSITION, SECOND):
+            for name in table.others(self.sources.column_of(moving), POSITION, SECOND):
                 positions = self.values.positions(table, moving)
                 output = self.sources.axis_of(name)
                 values = (

@@ -53,14 +53,12 @@ def _address(sources: Sources, sheet: EntrySheet, faults: list[Fault]) -> str | 
         return None
     if address not in sources.sheets:
         return address
-    message = f"axis {address} has two entry sheets"
-    other = sources.sheets[address].name
     faults.append(
         Fault(
-            message=message,
+            message=f"axis {address} has two entry sheets",
             file=sheet.name,
             expected="one",
-            found=other,
+            found=sources.sheets[address].name,
             hint="keep one of the two files",
         )
     )

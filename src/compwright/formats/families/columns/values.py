@@ -215,8 +215,7 @@ class TableValues:
         if not any(cells):
             return None
         known = len(self.notes.faults)
-        kind = self.kind(output)
-        scale = self.scale(moving, kind)
+        scale = self.scale(moving, self.kind(output))
         ends = (table.rows[0], table.rows[-1])
         numbers: list[float] = []
         for row, cell in zip(table.rows, cells, strict=True):
@@ -278,13 +277,12 @@ class TableValues:
                     f"axis {address}: of a rotary axis only 0 to 360 degrees are used; what"
                     " lies outside would be dropped without a word"
                 )
-                found = f"{positions[0]:g} to {positions[-1]:g}"
                 self.notes.faults.append(
                     Fault(
                         message=message,
                         file=file,
                         expected="0 to 360 degrees",
-                        found=found,
+                        found=f"{positions[0]:g} to {positions[-1]:g}",
                         hint=(
                             "correct the positions in a copy of this file, or `kind` of "
                             "the axis in "
@@ -293,8 +291,7 @@ class TableValues:
                     )
                 )
             return positions, values, None
-        inside = positions[(positions > 0) & (positions < TURN)]
-        nodes = np.concatenate([[0.0], inside, [TURN]])
+        nodes = np.concatenate([[0.0], positions[(positions > 0) & (positions < TURN)], [TURN]])
         curve = np.interp(nodes, positions, values)
         if curve[0] != curve[-1]:
             self.notes.find("CW-S017", "warning", axis=address, file=file)

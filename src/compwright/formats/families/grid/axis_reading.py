@@ -377,16 +377,14 @@ class GridAxisReader:
         if scale.sign("backlash") == "lost_motion":
             return float(value * self._backlash_factor()) + 0.0, 0.0
         if has_table and value != 0:
-            what = f"{self.values.name('backlash')} = {text}"
-            self.notes.ignored(self.label, what, "table")
+            self.notes.ignored(self.label, f"{self.values.name('backlash')} = {text}", "table")
         return 0.0, 0.0 if has_table else float(value) / 2.0
 
     def _backlash_factor(self) -> Decimal:
         """Return the factor on the backlash of the first parameter set; 1 if the files hold
         none.
         """
-        places = first_set(self.values.places("backlash_factor"))
-        found = self.values.one("backlash_factor", places)
+        found = self.values.one("backlash_factor", first_set(self.values.places("backlash_factor")))
         return Decimal(1) if found is None else Decimal(found.text)
 
     def _constant(self, half: float) -> GridTable:

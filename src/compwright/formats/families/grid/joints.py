@@ -75,5 +75,4 @@ def sure_joints(kinematics: str, order: str, count: str) -> str:
     if letters or name != _TRIVIAL:
         return letters
     row = _LETTERS[: int(count)] if count.strip().isdigit() else _LETTERS
-    axes = "".join(order.split()).upper()
-    return row if set(axes) <= set(row) else ""
+    return row if set("".join(order.split()).upper()) <= set(row) else ""

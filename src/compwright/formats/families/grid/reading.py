@@ -308,12 +308,11 @@ class GridReader:
             if not (message or opened) and BINARY.search(file.content):
                 message = no_text(file.content)
             if message:
-                expected = self.export_instead
                 self.notes.faults.append(
                     Fault(
                         message=message,
                         file=file.name,
-                        expected=expected,
+                        expected=self.export_instead,
                         hint="give the file as the control exports it",
                     )
                 )

@@ -173,10 +173,9 @@ class GridWriter:
             try:
                 singles["backlash"] = scale.write("backlash", work.compensation.backlash)
             except NotHeld as error:
-                message = f"axis {work.compensation.address}, backlash: {error}"
                 work.faults.append(
                     Fault(
-                        message=message,
+                        message=f"axis {work.compensation.address}, backlash: {error}",
                         hint="set `table: {mode: single}` for this axis, or leave `mode` out",
                     )
                 )

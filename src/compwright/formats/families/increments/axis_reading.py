@@ -221,12 +221,11 @@ class IncrementReader:
         for row, count in zip(rows, counts, strict=True):
             if abs(count) > limit:
                 message = "an increment that the control cannot hold (option increment_limit)"
-                held = f"-{limit} .. {limit}"
                 notes.refuse(
                     label,
                     message,
                     row,
-                    expected=held,
+                    expected=f"-{limit} .. {limit}",
                     found=str(count),
                     hint=(
                         "if the control accepts it, set the option `increment_limit` to `127`;"
@@ -259,8 +258,7 @@ class IncrementReader:
         )
         magnified = self.options.get("offset_magnified") == "yes"
         magnification = sections.magnification if magnified else 1
-        shift = float((count or 0) * magnification * self._unit(kind))
-        return shift * self._sign("offset_sign")
+        return float((count or 0) * magnification * self._unit(kind)) * self._sign("offset_sign")
 
     def _endless(
         self, kind: AxisKind, sections: IncrementSections, counts: FloatArray, backlash: float

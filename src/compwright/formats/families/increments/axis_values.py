@@ -112,12 +112,11 @@ class IncrementAxisValues(Values):
         if self.axis is not None:
             if word is not None and word != self.axis.kind and not quiet:
                 message = "the job and the control's files disagree about its kind (1006#0)"
-                expected = self.axis.kind.value
                 self.notes.refuse(
                     self.label,
                     message,
                     place,
-                    expected=expected,
+                    expected=self.axis.kind.value,
                     found=word,
                     hint=f"set `kind: {word}` for the axis in the job, if the control is right",
                 )

@@ -131,8 +131,7 @@ class IncrementLimits:
         if self.axis.kind is not AxisKind.ROTARY or not has:
             return None
         step = float(length_step(self.scale, self.facts))
-        unit = self.scale.quantum("value")
-        return Wave(unit=unit, increment=limit, room=gap, step=step)
+        return Wave(unit=self.scale.quantum("value"), increment=limit, room=gap, step=step)
 
     def _may_incline(self) -> bool:
         """Return whether a line of inclination compensation may be written: the control has it, and

@@ -50,8 +50,7 @@ def _mastered(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coup
     hold.
     """
     for value in parameters.of(known.MASTERS):
-        own_number = value.whole in (0, value.index)
-        if value.owner != "A" or not value.nonzero or own_number:
+        if value.owner != "A" or not value.nonzero or value.whole in (0, value.index):
             continue
         leads = _masters(parameters, value, addresses)
         own = AxisParameters(parameters, str(value.index))
@@ -110,8 +109,7 @@ def _tandem(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coupli
 def _flexible(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coupling]:
     """Yield the pairs of 5660 to 5667: master and slave, which moves in a ratio to it."""
     unlike = "flexible synchronous control moves it in a ratio with another axis"
-    pairs = zip(known.FLEXIBLE[::2], known.FLEXIBLE[1::2], strict=True)
-    for master_number, slave_number in pairs:
+    for master_number, slave_number in zip(known.FLEXIBLE[::2], known.FLEXIBLE[1::2], strict=True):
         for whose, slave in parameters.held(slave_number).items():
             master = parameters.held(master_number).get(whose)
             if master is None or not (master.nonzero and slave.nonzero):

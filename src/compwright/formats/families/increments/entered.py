@@ -101,8 +101,7 @@ def _of_text(definition: Definition, file: ControlFile) -> Mapping[str, Entered]
     """
     known = _known(definition)
     found: dict[str, Entered] = {}
-    lines = re.split(r"[\r\n]+", file.content.decode("latin-1"))
-    for number, line in enumerate(lines, start=1):
+    for number, line in enumerate(re.split(r"[\r\n]+", file.content.decode("latin-1")), start=1):
         match = _LINE.match(line)
         if match is not None:
             found.update(_values(match, file.name, number, known))

@@ -263,8 +263,7 @@ class _WholeNumbers:
             section = self._length(float(other.positions[1] - other.positions[0]))
             interval = length_text(section, whole=thousandths(self.definition))
             highest = self.definition.limit_number("max_number") or 0
-            taken = [*used, *self.facts.claimed]
-            second = second_table(counts, interval, taken, start, highest)
+            second = second_table(counts, interval, [*used, *self.facts.claimed], start, highest)
             parameters |= second.parameters
             points |= second.points
         return InclinationAndCyclic(parameters, points)

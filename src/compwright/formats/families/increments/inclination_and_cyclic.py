@@ -59,15 +59,14 @@ def second_table(
     first = first_free(totals.size, used, start, highest)
     if first is None:
         raise NotHeld(f"the second table needs {totals.size} point numbers in a row that are free")
-    last = first + totals.size - 1
-    increments = np.diff(totals).astype(np.int64)
     return InclinationAndCyclic(
         parameters={
             known.CYCLIC_FIRST: str(first),
-            known.CYCLIC_LAST: str(last),
+            known.CYCLIC_LAST: str(first + totals.size - 1),
             known.CYCLIC_INTERVAL: interval,
         },
-        points={first: 0} | {first + 1 + k: int(value) for k, value in enumerate(increments)},
+        points={first: 0}
+        | {first + 1 + k: int(value) for k, value in enumerate(np.diff(totals).astype(np.int64))},
     )
 
 

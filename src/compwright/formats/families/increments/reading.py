@@ -194,14 +194,13 @@ class StateReader:
 
     def _values(self, address: str, notes: Notes) -> IncrementAxisValues:
         own = AxisParameters(self.parameters, address)
-        axis = self.wanted.get(address)
         return IncrementAxisValues(
             self.family.definition,
             own.label,
             notes,
             self.gathered,
             own=own,
-            axis=axis,
+            axis=self.wanted.get(address),
             known_kind=known_kind(self.family.options, address),
         )
 
@@ -364,8 +363,7 @@ def read_texts(
     for number, file in enumerate(files):
         source = file
         if is_entry_sheet(file):
-            lines = parameter_lines(file, definition.id, faults)
-            source = ControlFile(file.name, lines)
+            source = ControlFile(file.name, parameter_lines(file, definition.id, faults))
         text = reader.read(source, faults, number)
         if text is not None:
             texts.append(text)

@@ -51,12 +51,11 @@ def increment_sheets(family: Family, own: Sequence[AxisTable]) -> tuple[ControlF
             "a program has no letter for the unit, and the intervals in mm are not whole on an inch"
             " machine (1001#0)"
         )
-        expected = "none: load the files or type in the sheet"
         raise UsageError(
             Fault(
                 message=message,
                 place="program",
-                expected=expected,
+                expected="none: load the files or type in the sheet",
                 found="g10",
                 hint="leave the option `program` out; the card contains the values to enter",
             )

@@ -220,8 +220,7 @@ def _file(
     # Each axis' program has a number of its own: of two with one number the control keeps one.
     number = f"91{int(entry.address):02d}"
     named = {"axis": entry.address, "name": entry.axis.name, "program": number}
-    name = print_form(file.name, named)
-    return fresh_file(definition, file, name, named, lines).patched([0])[0]
+    return fresh_file(definition, file, print_form(file.name, named), named, lines).patched([0])[0]
 
 
 def _lines(definition: Definition, entry: Entries) -> Iterator[str]:

@@ -56,12 +56,11 @@ def _sign(family: Family, request: BetweenRequest, entry: PlannedCross) -> int:
             f"{label(entry)}: the meaning of the values of kw.crosscomp"
             " is not documented; test it as docs/controllers/isg-kernel.md describes"
         )
-        expected = "error or correction"
         raise UsageError(
             Fault(
                 message=message,
                 place=CROSS_VALUES,
-                expected=expected,
+                expected="error or correction",
                 found="nothing",
                 hint=(
                     "find the sign as docs/controllers/isg-kernel.md describes, then give "

@@ -50,14 +50,12 @@ def _own_limits(
     values = (*compensation.positive, *compensation.negative)
     if all(low <= value <= high for value in values):
         return faults
-    message = f"axis {axis.name}: a value does not fit the type of the list"
-    found = f"{max(values, key=abs):g}"
     return [
         *faults,
         Fault(
-            message=message,
+            message=f"axis {axis.name}: a value does not fit the type of the list",
             expected=f"{low:g} to {high:g}",
-            found=found,
+            found=f"{max(values, key=abs):g}",
             hint="reduce the value to this range",
         ),
     ]

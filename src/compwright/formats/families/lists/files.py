@@ -141,8 +141,7 @@ class _Sorter:
         """Return the entries of the start-up list; two that differ are a fault."""
         entries: dict[int, FoundValue] = {}
         for found in self.lists.start_up.get(statement, ()):
-            index = int(found.occurrence.tokens["index"].text)
-            first = entries.setdefault(index, found)
+            first = entries.setdefault(int(found.occurrence.tokens["index"].text), found)
             if not same_value(first.text.casefold(), found.text.casefold()):
                 name = self.lists.name(statement)
                 message = f"{name} contradicts {first.where}"
@@ -196,13 +195,11 @@ class _Sorter:
             )
         elif not numbers and own:
             message = "nothing says to which axis it belongs"
-            place = FoundValue(own[0].statement, own[0], text.number)
-            expected = f"a line {self.lists.name(AXIS_NUMBER)} <number>"
             self.notes.refuse(
                 "this list",
                 message,
-                place,
-                expected=expected,
+                FoundValue(own[0].statement, own[0], text.number),
+                expected=f"a line {self.lists.name(AXIS_NUMBER)} <number>",
                 found="none",
                 hint=(
                     f"add the line `{self.lists.name(AXIS_NUMBER)} <number>` to the list; or add"

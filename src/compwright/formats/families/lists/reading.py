@@ -120,10 +120,9 @@ class _ListStateReader:
             for place in lists.places(address, "cross_master")
         }
         if not wanted:
-            message = "no list of an axis is among the files"
             raise InputError(
                 Fault(
-                    message=message,
+                    message="no list of an axis is among the files",
                     file=", ".join(f.name for f in files),
                     hint="give the axis lists of this control, or correct `format`",
                 )

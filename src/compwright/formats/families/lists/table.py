@@ -196,10 +196,9 @@ class TableReader:
         low, high = self.of.definition.measure("node_position").range
         for value in (result[0], result[-1]) if result else ():
             if not low <= value <= high:
-                message = "a position is beyond the range of the control"
                 self.of.notes.refuse(
                     self.of.label,
-                    message,
+                    "a position is beyond the range of the control",
                     place,
                     expected="32 bits",
                     found=str(value),
@@ -264,13 +263,11 @@ class TableReader:
         most = VALUE_TYPES.get(kind)
         number = Decimal(found.text)
         if most is not None and (abs(number) > most or number != int(number)):
-            message = f"a value does not fit the type {kind} (option value_type)"
-            expected = f"a whole number, {-most} to {most}"
             self.of.notes.refuse(
                 self.of.label,
-                message,
+                f"a value does not fit the type {kind} (option value_type)",
                 found,
-                expected=expected,
+                expected=f"a whole number, {-most} to {most}",
                 hint="set the option `value_type` to the type of the values in the control",
             )
 

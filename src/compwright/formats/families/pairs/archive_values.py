@@ -93,7 +93,6 @@ def compared(gathered: Gathered, address: str, system: str, unit: str) -> str:
 
 
 def _single(gathered: Gathered, found: FoundValue, index: str, unit: str) -> str:
-    statement = gathered.definition.statements[found.occurrence.statement]
-    name = statement.form.partition("[")[0]
+    name = gathered.definition.statements[found.occurrence.statement].form.partition("[")[0]
     counted = "" if "ENABLE" in name else f" {unit}"
     return f"{name}{index} = {found.text}{counted}"

@@ -33,8 +33,7 @@ class PairLimits(GridLimits):
         written.
         """
         label, kinds = f"axis {self.axis.name}", [self.axis.kind]
-        unknown = unit_unknown(self.control, label, self.address, kinds)
-        raise_all(CapacityError, list(unknown))
+        raise_all(CapacityError, list(unit_unknown(self.control, label, self.address, kinds)))
         alone = super().capacity()
         addresses = [self.address]
         if self.axis.gantry is not None:

@@ -104,9 +104,9 @@ def _beyond_sum(writer: CecWriter, entry: CrossCompensation) -> list[Fault]:
     facts = state.facts_of(output).pairs
     if facts.max_sum is None:
         return []
-    active = [other for other in state.cross if other.output == output]
     reach = facts.odd_sum + sum(
-        float(np.max(np.abs([one.positive, one.negative]))) for one in (entry, *active)
+        float(np.max(np.abs([one.positive, one.negative])))
+        for one in (entry, *(other for other in state.cross if other.output == output))
     )
     if reach <= facts.max_sum:
         return []

@@ -319,8 +319,7 @@ class PairsFamily(GridFamily):
                 scale = self.scale_of(axis)
                 values |= table_values(self.definition, scale, compensation, "cross_start")
             which = f"the tables {' and '.join(map(str, own))}"
-            points = int(compensation.positions.size)
-            values["room"] = reserving(self.definition, points, which)
+            values["room"] = reserving(self.definition, int(compensation.positions.size), which)
             names = ("table_positive", "table_negative")
             values |= dict(zip(names, map(str, own), strict=True))
         return AxisCard(values)

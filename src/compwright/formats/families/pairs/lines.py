@@ -126,10 +126,9 @@ class TableLines(SingleValues):
         """Return whether the files end with both switches of the table on: its own, and that of the
         sum on its output axis. Nothing is noted.
         """
-        output = self.pair[1]
         ends = (
             ("cross_table_enabled", self.places),
-            ("cross_axis_enabled", of_axis(self.gathered, output)),
+            ("cross_axis_enabled", of_axis(self.gathered, self.pair[1])),
         )
         return all(self._ends_on(quantity, last(quantity, places)) for quantity, places in ends)
 
@@ -139,10 +138,9 @@ class TableLines(SingleValues):
 
         If no answer is required, a missing switch counts as on.
         """
-        output = self.pair[1]
         ends = (
             last("cross_table_enabled", self.places),
-            last("cross_axis_enabled", of_axis(self.gathered, output)),
+            last("cross_axis_enabled", of_axis(self.gathered, self.pair[1])),
         )
         stated = all(ends) or self.activity.stated is True or not self.activity.asking
         return stated and self.on()

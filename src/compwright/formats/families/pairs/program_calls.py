@@ -86,11 +86,9 @@ def programs_of(definition: Definition, files: Sequence[ControlFile]) -> tuple[F
     seen = set[str]()
     result = []
     for place, (file, program) in enumerate(found):
-        computed = next(one.computed for name, one in read if name == file)
-        own = () if file in seen else computed
+        own = () if file in seen else next(one.computed for name, one in read if name == file)
         seen.add(file)
-        is_called = program.name in called
-        result.append(Found(file, program, own, starts.get(place), is_called, loaders))
+        result.append(Found(file, program, own, starts.get(place), program.name in called, loaders))
     return tuple(result)
 
 

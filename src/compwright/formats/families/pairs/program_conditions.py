@@ -69,8 +69,7 @@ def condition_of(text: str) -> Condition | None:
     text = re.sub(r"\s+", " ", text.upper().strip())
     text = _bare(re.sub(r" (?=\W)|(?<=\W) ", "", text))
     names = frozenset(_NAME.findall(text)) - _OPERATORS
-    calls = set(_CALL.findall(text)) - _OPERATORS
-    if not names or calls or any(mark in text for mark in '$["'):
+    if not names or set(_CALL.findall(text)) - _OPERATORS or any(mark in text for mark in '$["'):
         return None
     single = _SINGLE.fullmatch(text)
     if single is None or names != {single["name"] or single["flag"]}:

@@ -234,8 +234,7 @@ def scanned(
     text = text_reader(definition).read(file, [])
     if text is None:
         return Scanned((), ())
-    lines = {one.line for one in text.occurrences}
-    codes = dict(_codes(definition, file, lines))
+    codes = dict(_codes(definition, file, {one.line for one in text.occurrences}))
     programs = _programs(definition, codes, text, known, returning)
     return Scanned(programs, _computed(definition, codes, text))
 
@@ -461,8 +460,7 @@ def _codes(
         text = line.text.lstrip("\xef\xbb\xbf") if line.number == 1 else line.text
         place = text.find(";")
         if place >= 0 and '"' in text:
-            masked = _STRING.sub(lambda found: "0" * len(found[0]), text)
-            place = masked.find(";")
+            place = _STRING.sub(lambda found: "0" * len(found[0]), text).find(";")
         yield line.number, text if place < 0 else text[:place]
 
 

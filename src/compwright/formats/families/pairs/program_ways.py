@@ -211,8 +211,7 @@ def _merged(steps: list[Step]) -> list[Step]:
 
     Block numbers to which no jump leads are not kept as names.
     """
-    text = " ".join(step.code.upper() for step in steps if step.code)
-    targets = set(re.findall(r"\bN\d+", text))
+    targets = set(re.findall(r"\bN\d+", " ".join(step.code.upper() for step in steps if step.code)))
     kept: list[Step] = []
     for step in steps:
         one = replace(step, names=tuple(name for name in step.names if _is_used(name, targets)))

@@ -157,8 +157,7 @@ def check_programs(
         notes.once(fault)
     for found in programs:
         program, faults = found.program, list(found.computed)
-        own = any(map(concerns, (*program.values, *program.behind)))
-        if program.calls or own or found.called:
+        if program.calls or any(map(concerns, (*program.values, *program.behind))) or found.called:
             faults += [*_never(found, unit), *_unclear(found)]
             if activity.carried_out and found.doubted:
                 fact = f"{found.file}: the values of the program in {program.span}"
@@ -257,8 +256,7 @@ def _called_late(
     if not any(one.program.calls for one in programs):
         return
 
-    by_name = {one.program.name: one for one in programs if one.program.name}
-    ends = CallEnds(gathered, by_name)
+    ends = CallEnds(gathered, {one.program.name: one for one in programs if one.program.name})
     in_order: dict[Key, tuple[str, Occurrence]] = {}
     written: dict[Key, tuple[str, Occurrence]] = {}
     for one in programs:

@@ -281,8 +281,7 @@ class _CrossTableReader(TableLines):
         weight = self._one("cross_weight")
         values = table.positive if weight is None else float(weight.text) * table.positive + 0.0
         period = self._period(table, stated.get("cross_repeats"), quiet=not active)
-        positions = table.positions
-        return CecTable(self.index, *self.pair, directions, positions, values, period, active)
+        return CecTable(self.index, *self.pair, directions, table.positions, values, period, active)
 
     def _one(self, quantity: str) -> FoundValue | None:
         return self.values(self.label).one(quantity, self.places.get(quantity, ()))
@@ -321,8 +320,7 @@ class _CrossTableReader(TableLines):
         for name in ("cross_input", "cross_output"):
             if not self.gathered.names.known(self.gathered.axis(stated[name].text)):
                 message = f"{self.values(self.label).name(name)} is no machine axis"
-                expected = "a name of MD10000, or AX1 and so on"
-                self._wrong(message, stated[name], expected=expected)
+                self._wrong(message, stated[name], expected="a name of MD10000, or AX1 and so on")
 
     def _unknown_keys(self) -> None:
         for found in self.places.get("cross_other", ()):
@@ -361,8 +359,7 @@ class _CrossTableReader(TableLines):
         fixed = self.definition.limit_number("cross_points")
         if fixed is not None and table.positions.size > fixed:
             message = f"more points than the {fixed} of such a table"
-            place = self.places["cross_value"][fixed]
-            self._wrong(message, place, found=str(table.positions.size))
+            self._wrong(message, self.places["cross_value"][fixed], found=str(table.positions.size))
         reserved = self._one("cross_max_points")
         if reserved is not None and 0 < int(reserved.text) < table.positions.size:
             message = "the control has not reserved so many points"

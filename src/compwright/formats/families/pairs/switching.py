@@ -88,8 +88,7 @@ class Switches:
         every = [self.tables.table_places(index) for index in sorted(indices)]
         rows = [row for places in every for group in places.rows.values() for row in group]
         for number in early:
-            held = TablePlaces({0: rows}, {}, "cross_value", named)
-            own.put_behind(held, number, quantity, "1")
+            own.put_behind(TablePlaces({0: rows}, {}, "cross_value", named), number, quantity, "1")
 
     def _check_unsaid(self, output: str, others: Sequence[int], faults: list[Fault]) -> None:
         if not others:

@@ -66,8 +66,7 @@ class CecWriter:
         free = free_tables(self.tables.allowed, self.tables.in_use, address)
         indices = self._by_direction([one for one in free if one not in self.tables.kept])[:2]
         if len(indices) < 2:
-            allowed = self.tables.allowed
-            faults.append(too_few(name, self.definition.id, 2, len(indices), allowed))
+            faults.append(too_few(name, self.definition.id, 2, len(indices), self.tables.allowed))
             return []
         curves = []
         for direction in Direction:

@@ -103,12 +103,10 @@ class _WrappedStateReader:
         facts: dict[str, AxisFacts] = {}
         named, between = self._named(), self._between()
         if not self.wanted and not named and not between:
-            names = ", ".join(file.name for file in self.files)
-            message = "the scripts say nothing about the compensation of a motor"
             self.notes.faults.append(
                 Fault(
-                    message=message,
-                    file=names,
+                    message="the scripts say nothing about the compensation of a motor",
+                    file=", ".join(file.name for file in self.files),
                     hint=(
                         "give the scripts with the compensation tables of this control, or correct "
                         "`format`"
@@ -337,8 +335,7 @@ class _WrappedStateReader:
             return ()
         needed, length = tables[0].needed, tables[0].counts * counts.count
         begin, _ = around(axis, self._zero(axis), length / needed)
-        nodes = begin + np.arange(needed + 1) * length / needed
-        return tuple(float(node) for node in nodes)
+        return tuple(float(node) for node in begin + np.arange(needed + 1) * length / needed)
 
     def _zero(self, axis: Axis | None) -> float:
         return axis.reference if axis is not None else float(str(self.options[REFERENCE]))
@@ -348,13 +345,11 @@ class _WrappedStateReader:
         if turn is None or abs(turn / period - max(1, round(turn / period))) * period <= SAME_TURN:
             return
         message = f"motor {motor}: the turn of the endless axis is no whole multiple of the length"
-        found = f"a table that repeats after {period:.10g}"
-        expected = f"{turn:g} or a part of it"
         self.notes.faults.append(
             Fault(
                 message=message,
-                expected=expected,
-                found=found,
+                expected=f"{turn:g} or a part of it",
+                found=f"a table that repeats after {period:.10g}",
                 hint="correct this in the control and save its script again",
             )
         )
@@ -391,8 +386,7 @@ class _WrappedStateReader:
             return False
         name, place = f"I{motor}85", self.script.setting("take_up_rate", motor)
         if place is not None:
-            rate = self._ranged(place, name)
-            if rate != 0:
+            if self._ranged(place, name) != 0:
                 return True
             if not self.activity.stated:
                 self.notes.switched_off(label, f"{name} = 0 switches its backlash off")
@@ -402,13 +396,11 @@ class _WrappedStateReader:
             self.notes.assume(f"{name}: backlash is taken up", answer, "the job's answer (active)")
             return self.activity.stated
         message = f"{label} has backlash, and no script says whether it is taken up ({name})"
-        expected = f"{name} as it is in the control (0 switches backlash off)"
-        files = ", ".join(file.name for file in self.files)
         self.notes.faults.append(
             Fault(
                 message=message,
-                file=files,
-                expected=expected,
+                file=", ".join(file.name for file in self.files),
+                expected=f"{name} as it is in the control (0 switches backlash off)",
                 found="nothing",
                 hint="add the file that contains it to the state",
             )

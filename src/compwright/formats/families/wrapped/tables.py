@@ -100,8 +100,7 @@ def motor_table(
     if nodes is None:
         faults.extend(wrong)
         return None
-    size = nodes.high - nodes.low + 1
-    length = nodes.step * size * abs(counts.per_unit)
+    length = nodes.step * (nodes.high - nodes.low + 1) * abs(counts.per_unit)
     if abs(length - round(length)) > EXACTNESS:
         message = "the length of the table is no whole number of counts; a spacing of whole counts"
         faults.append(

@@ -151,8 +151,7 @@ class _Patcher:
 
     def _remove(self, before: Word, word: Word) -> None:
         """Remove an entry, with the comma before it."""
-        content = self.patches.files[word.number].content
-        between = content[before.end : word.start]
+        between = self.patches.files[word.number].content[before.end : word.start]
         start = before.end + between.rfind(b",") if b"," in between else word.start
         if b"," in between and between[start - before.end + 1 :].strip():
             start = word.start
@@ -162,8 +161,7 @@ class _Patcher:
         if len(place.values) < 2:
             return False
         first, second = place.values[:2]
-        content = self.patches.files[first.number].content
-        return b"," in content[first.end : second.start]
+        return b"," in self.patches.files[first.number].content[first.end : second.start]
 
     def _number(self, word: Word, value: int) -> None:
         if number_of(word) != value:
@@ -222,8 +220,7 @@ class _Patcher:
         if re.fullmatch(rb"[ \t]*((;|//).*)?", content[word.end : line.end], re.DOTALL):
             self.patches.add_lines(word.number, word.start, [*lines, *again])
         else:
-            text = "\n".join(["", *lines, *again, ""])
-            self.patches.insert(word.number, word.end, text)
+            self.patches.insert(word.number, word.end, "\n".join(["", *lines, *again, ""]))
 
     def _addressed(self, word: Word) -> int:
         return next(one.motor for one in self.script.tables.values() if word in one.values)
