@@ -16,8 +16,8 @@ from hypothesis import strategies as st
 
 from compwright.controllers.request import Request
 from compwright.controllers.sinumerik.control import (
+    ROOM_828D,
     SinumerikControl,
-    sinumerik_828d_control,
     sinumerik_control,
 )
 from compwright.foundations.errors import InputError, UsageError
@@ -663,8 +663,10 @@ class TestAControlOfFixedSize:
 
     def test_index_and_points(self) -> None:
         def load_828d(text: str) -> SinumerikControl:
-            return sinumerik_828d_control(
-                [ControlFile("a.ini", text.encode())], Request(options={"cec_sign": "correction"})
+            return sinumerik_control(
+                [ControlFile("a.ini", text.encode())],
+                Request(options={"cec_sign": "correction"}),
+                room=ROOM_828D,
             )
 
         two = (0.0, 100.0, 100.0)

@@ -3,21 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from typing import Protocol
 
-from compwright.controllers.fanuc.control import (
-    fanuc_0i_16i_control,
-    fanuc_0i_d_control,
-    fanuc_0i_f_control,
-    fanuc_15i_control,
-    fanuc_30i_control,
-)
-from compwright.controllers.heidenhain.control import itnc530_control, nck_control
+from compwright.controllers.fanuc import series
+from compwright.controllers.fanuc.control import fanuc_control
+from compwright.controllers.heidenhain import words as heidenhain
+from compwright.controllers.heidenhain.control import heidenhain_control
 from compwright.controllers.isg.control import isg_control
 from compwright.controllers.linuxcnc.control import linuxcnc_control
 from compwright.controllers.pmac.control import pmac_control
 from compwright.controllers.request import Request
-from compwright.controllers.sinumerik.control import sinumerik_828d_control, sinumerik_control
+from compwright.controllers.sinumerik.control import ROOM_828D, sinumerik_control
 from compwright.foundations.errors import Fault, InputError, UsageError
 from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.correction import Assumption, ControlFile
@@ -79,17 +76,17 @@ class VirtualControl(Protocol):
 
 
 _MAKERS: Mapping[str, Callable[[Sequence[ControlFile], Request], VirtualControl]] = {
-    "fanuc-0i-16i": fanuc_0i_16i_control,
-    "fanuc-0i-d": fanuc_0i_d_control,
-    "fanuc-0i-f": fanuc_0i_f_control,
-    "fanuc-15i": fanuc_15i_control,
-    "fanuc-30i": fanuc_30i_control,
-    "heidenhain-itnc530": itnc530_control,
-    "heidenhain-nck": nck_control,
+    "fanuc-0i-16i": partial(fanuc_control, series=series.SERIES_0I_16I),
+    "fanuc-0i-d": partial(fanuc_control, series=series.SERIES_0I_D),
+    "fanuc-0i-f": partial(fanuc_control, series=series.SERIES_0I_F),
+    "fanuc-15i": partial(fanuc_control, series=series.SERIES_15I),
+    "fanuc-30i": partial(fanuc_control, series=series.SERIES_30I),
+    "heidenhain-itnc530": partial(heidenhain_control, generation=heidenhain.ITNC530),
+    "heidenhain-nck": partial(heidenhain_control, generation=heidenhain.NCK),
     "isg-kernel": isg_control,
     "linuxcnc": linuxcnc_control,
     "pmac": pmac_control,
-    "siemens-828d": sinumerik_828d_control,
+    "siemens-828d": partial(sinumerik_control, room=ROOM_828D),
     "siemens-840d-pl": sinumerik_control,
     "siemens-840d-sl": sinumerik_control,
     "siemens-one": sinumerik_control,

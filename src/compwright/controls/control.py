@@ -238,7 +238,9 @@ def _definition(
     """
     if not origin.carried:
         found = definition_named(session, name, origin.folder)
-        return found, () if found.id == name or is_path(name) else (_taken_for(name, found),)
+        return found, () if found.id == name or is_path(name) else (
+            Finding.of("CW-S062", "info", name=name, definition=found.id, title=found.title),
+        )
     carried = carried_definition(session, origin.carried)
     if name == carried.id:
         return carried, ()
@@ -254,12 +256,6 @@ def _definition(
         return definition_named(session, name, origin.folder), ()
     same = [text for _, text in found.own] == [text for _, text in carried.own]
     return carried, () if same else (_not_as_planned(carried, f"{name} has changed since the run"),)
-
-
-def _taken_for(name: str, definition: Definition) -> Finding:
-    return Finding.of(
-        "CW-S062", "info", name=name, definition=definition.id, title=definition.title
-    )
 
 
 def _not_as_planned(carried: Definition, what: str) -> Finding:
@@ -398,7 +394,9 @@ def decode(
     """
     if not files:
         return DecodedState(files=(), state=ControlState(format=control.id, axes={}), judge=None)
-    if active is False and not _leaves_activity_open(control.definition):
+    definition = control.definition
+    selects = RULES[definition.layout.shape].columns or "enabled" in definition.bindings
+    if active is False and not selects:
         raise UsageError(
             Fault(
                 message=(
@@ -466,13 +464,6 @@ def decode(
     )
     raise_all(CompwrightError if written else InputError, disagreements(state, judge))
     return DecodedState(files=files, state=state, judge=judge)
-
-
-def _leaves_activity_open(definition: Definition) -> bool:
-    """Return whether the control's files can say, or leave open, that a table does not act: a
-    selection of tables may be missing among them.
-    """
-    return RULES[definition.layout.shape].columns or "enabled" in definition.bindings
 
 
 def _judged_at(definition: Definition, axis: Axis) -> Mapping[str, str]:

@@ -22,9 +22,9 @@ from compwright.formats.families.shapes import RULES
 from compwright.formats.text.container import is_container, opened, unknown_container
 from compwright.formats.text.entry_sheet import is_entry_sheet, parse_sheet
 from compwright.formats.text.redaction import (
+    TextRedactor,
     definition_words,
     redacted_sheet,
-    redacted_text,
     same_statements,
 )
 from compwright.formats.text.texts import ReadText, text_reader
@@ -123,7 +123,7 @@ def _copy(file: ControlFile, likely: Sequence[Definition], cuts: Cuts) -> Contro
         raise _unknown(file)
     definition, read = _as_read(file, likely)
     reader = text_reader(definition)
-    made = redacted_text(reader, file, read, RULES[definition.layout.shape].kept, cuts)
+    made = TextRedactor(reader, file, read, RULES[definition.layout.shape].kept, cuts).copy()
     again = _read(made.file, definition)
     if isinstance(again, tuple):
         raise not_the_same(file.name, again[0].message)

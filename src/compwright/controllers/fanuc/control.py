@@ -37,11 +37,6 @@ from compwright.controllers.fanuc.machine import FINEST_CONFIRMED, read_machine
 from compwright.controllers.fanuc.memory import Memory, number_list
 from compwright.controllers.fanuc.options import Options, read_options
 from compwright.controllers.fanuc.series import (
-    SERIES_0I_16I,
-    SERIES_0I_D,
-    SERIES_0I_F,
-    SERIES_15I,
-    SERIES_30I,
     ControlSeries,
 )
 from compwright.controllers.fanuc.sheet import is_sheet, read_sheet
@@ -158,33 +153,11 @@ class FanucControl:
         return axis
 
 
-def fanuc_30i_control(files: Sequence[ControlFile], request: Request) -> FanucControl:
-    """Return a 30i, 31i or 32i with ``files`` loaded. See `_control`."""
-    return _control(files, request, SERIES_30I)
-
-
-def fanuc_0i_16i_control(files: Sequence[ControlFile], request: Request) -> FanucControl:
-    """Return a 0i-A to C, 16i, 18i or 21i with ``files`` loaded. See `_control`."""
-    return _control(files, request, SERIES_0I_16I)
-
-
-def fanuc_0i_d_control(files: Sequence[ControlFile], request: Request) -> FanucControl:
-    """Return a 0i-D with ``files`` loaded. See `_control`."""
-    return _control(files, request, SERIES_0I_D)
-
-
-def fanuc_0i_f_control(files: Sequence[ControlFile], request: Request) -> FanucControl:
-    """Return a 0i-F with ``files`` loaded. See `_control`."""
-    return _control(files, request, SERIES_0I_F)
-
-
-def fanuc_15i_control(files: Sequence[ControlFile], request: Request) -> FanucControl:
-    """Return a 15i with ``files`` loaded. See `_control`."""
-    return _control(files, request, SERIES_15I)
-
-
-def _control(files: Sequence[ControlFile], request: Request, series: ControlSeries) -> FanucControl:
-    """Return the control with its files loaded, in any order: parameters, pitch data, entry sheets.
+def fanuc_control(
+    files: Sequence[ControlFile], request: Request, *, series: ControlSeries
+) -> FanucControl:
+    """Return a control of a series with its files loaded, in any order: parameters, pitch data,
+    entry sheets.
 
     Options: ``detection_unit`` (mm or deg per pulse, required where the files do not state it),
     ``output`` (step, ramp), ``motion`` (feed, rapid), ``increment_limit``, ``pitch_sign``,
@@ -209,15 +182,30 @@ def _control(files: Sequence[ControlFile], request: Request, series: ControlSeri
         with loader.stopping_nothing(axis):
             axes[str(axis)] = _axis(loader, axis, grid, options[axis])
     bent = tuple(bending_of(loader, grids, options))
-    raise_all(InputError, [_spoken(series, fault) for fault in dict.fromkeys(memory.faults)])
+    raise_all(
+        InputError,
+        [
+            replace(
+                fault,
+                message=series.with_own_numbers(fault.message),
+                expected=series.with_own_numbers(fault.expected),
+                found=series.with_own_numbers(fault.found),
+            )
+            for fault in dict.fromkeys(memory.faults)
+        ],
+    )
     return FanucControl(
         axes=axes,
         bent=bent,
         assumed=tuple(
-            replace(entry, fact=series.spoken(entry.fact), evidence=series.spoken(entry.evidence))
+            replace(
+                entry,
+                fact=series.with_own_numbers(entry.fact),
+                evidence=series.with_own_numbers(entry.evidence),
+            )
             for entry in dict.fromkeys(memory.assumed)
         ),
-        notes=tuple(series.spoken(note) for note in dict.fromkeys(memory.notes)),
+        notes=tuple(series.with_own_numbers(note) for note in dict.fromkeys(memory.notes)),
     )
 
 
@@ -243,16 +231,6 @@ def _memory(files: Sequence[ControlFile], request: Request, series: ControlSerie
             )
         )
     return memory
-
-
-def _spoken(series: ControlSeries, fault: Fault) -> Fault:
-    """Return a fault that names the parameters this control has."""
-    return replace(
-        fault,
-        message=series.spoken(fault.message),
-        expected=series.spoken(fault.expected),
-        found=series.spoken(fault.found),
-    )
 
 
 def _options(request: Request, memory: Memory, series: ControlSeries) -> dict[int, Options]:

@@ -53,7 +53,7 @@ class ControlSeries:
             return number
         return self.own.get(number)
 
-    def spoken(self, text: str) -> str:
+    def with_own_numbers(self, text: str) -> str:
         """Return a sentence that names the parameters this control has."""
         if not self.own:
             return text

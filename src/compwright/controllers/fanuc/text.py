@@ -179,7 +179,7 @@ class _TapeReader:
             self.programmed = False
         elif match is None:
             self._other(line, raw, number)
-        elif self._matters(int(match[1])):
+        elif self.series.known_as(int(match[1])) in WATCHED or int(match[1]) >= POINT_BASE:
             self.last_block = number
             try:
                 self._place(number)
@@ -234,9 +234,6 @@ class _TapeReader:
                 ),
             )
         )
-
-    def _matters(self, number: int) -> bool:
-        return self.series.known_as(number) in WATCHED or number >= POINT_BASE
 
     def _place(self, number: int) -> None:
         """Add a fault for a block outside ``%`` .. ``%``, which the control does not read.

@@ -31,7 +31,7 @@ from compwright.controllers.heidenhain.curve import CorrectionCurve, HeidenhainA
 from compwright.controllers.heidenhain.loading import Loader
 from compwright.controllers.heidenhain.sheet import JudgedSheet, is_sheet, read_sheet
 from compwright.controllers.heidenhain.table import Content, read_text
-from compwright.controllers.heidenhain.words import ITNC530, NCK, Generation
+from compwright.controllers.heidenhain.words import Generation
 from compwright.controllers.request import Request, unknown_axis
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.records.axis import Direction, FloatArray
@@ -108,30 +108,17 @@ class HeidenhainControl:
         return axis
 
 
-def itnc530_control(files: Sequence[ControlFile], request: Request) -> HeidenhainControl:
-    """Return an iTNC 530 with its files loaded, in any order: entry sheets, .COM, .CMA and lines of
-    machine parameters.
+def heidenhain_control(
+    files: Sequence[ControlFile], request: Request, *, generation: Generation
+) -> HeidenhainControl:
+    """Return a control of a generation with its files loaded, in any order: entry sheets, .COM,
+    .CMA and, for an iTNC 530, lines of machine parameters.
 
     Options: ``table_values`` (``error``, ``correction``) of exported tables, ``spacing_rule``
-    (``free``, ``power_of_two``). Raises InputError for anything the control would not take or that
-    is contradictory, every fault with file and line; UsageError for a wrong option or a turn other
-    than 360 deg.
+    (``free``, ``power_of_two``; iTNC 530), ``backlash_column`` (``second_curve``, ``absent``; NCK).
+    Raises InputError for anything the control would not take or that is contradictory, every fault
+    with file and line; UsageError for a wrong option or a turn other than 360 deg.
     """
-    return _control(files, request, ITNC530)
-
-
-def nck_control(files: Sequence[ControlFile], request: Request) -> HeidenhainControl:
-    """Return an NCK control with its files loaded, in any order: entry sheets, .COM and .CMA.
-
-    Options: ``table_values`` (``error``, ``correction``) of exported tables, ``backlash_column``
-    (``second_curve``, ``absent``). Raises InputError and UsageError as ``itnc530_control`` does.
-    """
-    return _control(files, request, NCK)
-
-
-def _control(
-    files: Sequence[ControlFile], request: Request, generation: Generation
-) -> HeidenhainControl:
     numbers = {
         int(one[2:]): one for one in request.axes_under_work if re.fullmatch(r"AX[1-9][0-9]?", one)
     }

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from compwright.controllers.heidenhain.sheet import JudgedSheet
-from compwright.controllers.heidenhain.table import Cma, Com, Content
+from compwright.controllers.heidenhain.table import Cma, Com
 from compwright.controllers.heidenhain.words import Generation, Parameter
 from compwright.controllers.request import Request, by_address
 from compwright.foundations.errors import Fault, UsageError
@@ -74,25 +74,6 @@ class Given:
                 )
             )
         return str(value)
-
-
-def given_in(
-    generation: Generation,
-    request: Request,
-    sheets: Sequence[JudgedSheet],
-    contents: Sequence[Content],
-) -> Given:
-    """Return the contents of a control's sheets and text files together."""
-    return Given(
-        generation=generation,
-        request=request,
-        sheets=sheets,
-        coms=[com for content in contents for com in content.coms],
-        cmas=[cma for content in contents for cma in content.cmas],
-        parameters=[p for content in contents for p in content.parameters]
-        + [p for s in sheets for p in s.parameters],
-        notes=[note for content in contents for note in content.notes],
-    )
 
 
 def filled(com: Com) -> tuple[str, ...]:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from compwright.controllers.heidenhain.assignment import AxisAssignment
 from compwright.controllers.heidenhain.curve import CorrectionCurve, HeidenhainAxis
-from compwright.controllers.heidenhain.given import filled, given_in
+from compwright.controllers.heidenhain.given import Given, filled
 from compwright.controllers.heidenhain.sheet import JudgedSheet
 from compwright.controllers.heidenhain.table import Content
 from compwright.controllers.heidenhain.tables import OwnTableLoader
@@ -27,7 +27,16 @@ class Loader:
         sheets: Sequence[JudgedSheet],
         contents: Sequence[Content],
     ) -> None:
-        self.given = given_in(generation, request, sheets, contents)
+        self.given = Given(
+            generation=generation,
+            request=request,
+            sheets=sheets,
+            coms=[com for content in contents for com in content.coms],
+            cmas=[cma for content in contents for cma in content.cmas],
+            parameters=[p for content in contents for p in content.parameters]
+            + [p for s in sheets for p in s.parameters],
+            notes=[note for content in contents for note in content.notes],
+        )
         self.tables = OwnTableLoader(self.given)
 
     @property

@@ -97,7 +97,7 @@ def read_table(
         negative=negative * scale,
         period=_period(axis, request, where, positive, negative, units[0]) if wraps else None,
         bilateral=bilateral,
-        active=_leadscrew_active(axis, request, assumed),
+        active=switched(axis, request, "lr_param.ssfk", SECTION, assumed),
     )
     return None if axis.faults else table
 
@@ -272,10 +272,6 @@ def switched(
     if called or on is None:
         assumed.append(Assumption(f"{parameter} of axis {axis.address}", str(int(active)), why))
     return active
-
-
-def _leadscrew_active(axis: AxisLists, request: Request, assumed: list[Assumption]) -> bool:
-    return switched(axis, request, "lr_param.ssfk", SECTION, assumed)
 
 
 def read_backlash(

@@ -214,17 +214,15 @@ def _value(statement: ListStatement) -> float | str:
     return statement.text if number is None else number
 
 
-def _of_start_up(statement: ListStatement) -> bool:
-    return statement.name.startswith(("achs_kw", "zahl_kw"))
-
-
 def _start_up(statements: Iterable[ListStatement], lists: ControlLists) -> dict[str, str] | None:
     """Return the axis of each compensation list that a start-up list loads, by bare file name;
     None without a start-up list.
     """
     found: dict[str, ListStatement] = {}
     for one in statements:
-        if _of_start_up(one) and _value(found.setdefault(one.name, one)) != _value(one):
+        if not one.name.startswith(("achs_kw", "zahl_kw")):
+            continue
+        if _value(found.setdefault(one.name, one)) != _value(one):
             expected = f"{found[one.name].text!r} as before"
             lists.faults.append(
                 one.fault(f"{one.name} stands twice and differs", expected=expected)

@@ -49,8 +49,9 @@ from compwright.records.correction import Assumption, ControlFile
 _PREFIX = "AA_ENC_COMP"
 #: No position, value or factor of a machine is larger; what is would overflow in a product.
 _LARGEST = 1e9
-#: Sag tables of an 828D, and points of each.
-_ROOM_828D = (8, 200)
+#: Sag tables of an 828D, and points of each, whatever machine data say (Function Manual 03/2013,
+#: p. 264).
+ROOM_828D = (8, 200)
 
 
 @dataclass(frozen=True, slots=True)
@@ -163,13 +164,6 @@ class SinumerikControl:
         if name is None:
             raise unknown_axis(address, self.addresses())
         return name, self.axes[name]
-
-
-def sinumerik_828d_control(files: Sequence[ControlFile], request: Request) -> SinumerikControl:
-    """Return an 828D with ``files`` loaded: it has 8 sag tables of 200 points, whatever machine
-    data say (Function Manual 03/2013, p. 264). All else as ``sinumerik_control``.
-    """
-    return sinumerik_control(files, request, room=_ROOM_828D)
 
 
 def sinumerik_control(

@@ -55,18 +55,12 @@ class RedactedText:
     words: set[str] = field(default_factory=set)
 
 
-def redacted_text(
-    reader: TextReader, file: ControlFile, read: ReadText, kept: KeptLines, cuts: Cuts
-) -> RedactedText:
-    """Return a copy of a control's text without private data.
+class TextRedactor:
+    """Copies a control's text without private data; file names in it lose their folders.
 
-    ``read``: the statements in it; ``kept``: other lines that may stay. File names in it lose their
-    folders.
+    ``read``: the statements in it; ``kept``: other lines that may stay.
     """
-    return _Redactor(reader, file, read, kept, cuts).copy()
 
-
-class _Redactor:
     def __init__(
         self,
         reader: TextReader,
@@ -84,28 +78,29 @@ class _Redactor:
         self.result = RedactedText(file)
 
     def copy(self) -> RedactedText:
+        """Return the copy, the new names in it and its words."""
         text = self.file.content.decode("latin-1")
         made, end = [], 0
         for line in self.reader.lines(text):
-            made += [text[end : line.start], self.line(line)]
+            made += [text[end : line.start], self._line(line)]
             end = line.start + len(line.text)
         made.append(text[end:])
         content = "".join(made).encode("latin-1", errors="replace")
         self.result.file = ControlFile(self.file.name, content)
         return self.result
 
-    def line(self, line: TextLine) -> str:
+    def _line(self, line: TextLine) -> str:
         statements = self.by_line.get(line.number)
         marked = statements and mark_before_statement(self.kind, line.text)
         end = len(line.text) if marked else comment_start(self.kind, line.text)
         code = line.text[:end]
         if statements:
-            code = self.statement(line, code, statements)
+            code = self._statement(line, code, statements)
         elif code.strip():
-            code = self.other(code)
-        return code + self.remark(line.text[end:])
+            code = self._other(code)
+        return code + self._remark(line.text[end:])
 
-    def remark(self, text: str) -> str:
+    def _remark(self, text: str) -> str:
         """Return the replacement of a remark with its mark. Text after its end is removed too."""
         mark = next((mark for mark in self.kind.comment_marks if text.startswith(mark)), "")
         if mark != OPEN:
@@ -115,7 +110,7 @@ class _Redactor:
             inside, behind = text[1:], ""
         return f"({self.cuts.remark(inside)}){behind}"
 
-    def statement(self, line: TextLine, code: str, statements: Sequence[Occurrence]) -> str:
+    def _statement(self, line: TextLine, code: str, statements: Sequence[Occurrence]) -> str:
         """Return a line with statements; names in it that may be private are replaced."""
         tokens = sorted(self._tokens(line, code, statements), key=lambda one: one[0].start)
         made, end = [], 0
@@ -124,7 +119,7 @@ class _Redactor:
             if start < end:
                 continue
             stop = token.end - line.start
-            made += [self.literal(code[end:start]), self.token(code[start:stop], kind)]
+            made += [self._literal(code[end:start]), self._token(code[start:stop], kind)]
             end = stop
         behind = code[end:]
         if _BEHIND.fullmatch(behind) is None:
@@ -142,20 +137,20 @@ class _Redactor:
                 if line.start <= token.start and token.end <= end:
                     yield token, kinds.get(name, "name")
 
-    def literal(self, text: str) -> str:
+    def _literal(self, text: str) -> str:
         self.result.words.update(word.lower() for word in _LETTERS.findall(text))
         return text
 
-    def token(self, text: str, kind: str) -> str:
+    def _token(self, text: str, kind: str) -> str:
         if kind not in _TEXTS or _HARMLESS.fullmatch(text):
-            return self.literal(text)
+            return self._literal(text)
         folder, stem, ending = _path(text)
         if folder:
             self.cuts.remark(folder, "path")
         if (stem and _HARMLESS.fullmatch(stem)) or re.fullmatch(
             r"(?:joint|axis)_?[0-9A-Za-z]", stem
         ):
-            new = self.literal(stem + ending)
+            new = self._literal(stem + ending)
         else:
             new = self.cuts.name(stem) + ending
         if kind == "label":
@@ -163,13 +158,13 @@ class _Redactor:
         self.result.renamed[text] = new
         return new
 
-    def other(self, code: str) -> str:
+    def _other(self, code: str) -> str:
         """Return a line without known statements."""
         bare = code.strip()
         if self._stays(bare):
-            return self.literal(code)
+            return self._literal(code)
         if self.kept.holds_names(bare):
-            return _NAME.sub(lambda found: self.token(found[0], "name"), code)
+            return _NAME.sub(lambda found: self._token(found[0], "name"), code)
         sections = self.reader.matchers.get(self.kind.sections or "")
         section = None if sections is None else sections.forms[0].fullmatch(bare)
         if section is not None and section.end("section") == len(bare) - 1:
@@ -177,10 +172,10 @@ class _Redactor:
         if '"' in bare:
             empty = _QUOTED.sub('""', code)
             if self._stays(empty.strip()):
-                self.literal(empty)
+                self._literal(empty)
                 return _QUOTED.sub(self._quoted, code)
         for address in _ADDRESS.findall(bare):  # its words occur in other addresses too
-            self.literal(address)
+            self._literal(address)
         remark = self.cuts.remark(bare, LINE)
         return f"({remark})" if self.mark == OPEN else f"{self.mark} {remark}".strip()
 

@@ -80,7 +80,7 @@ class CrossFiller(Patches):
         table = self.sources.tables.get(added.input)
         if table is None:
             raise NotHeld(f"no table (.COM) that is active for {added.input} is among the files")
-        if self._asleep(added.output):
+        if any(bit.text == "0" for bit in self.sources.given.get((added.output, "enabled"), [])):
             bits = name_of(self.family.definition, "enabled")
             raise NotHeld(f"the bit of {added.output} in {bits} is 0: no table is active on it")
         column = self.sources.column_of(added.output)
@@ -96,9 +96,6 @@ class CrossFiller(Patches):
                 f"{table.file} is active for the motion of several axes: {', '.join(moving)}"
             )
         return table, column
-
-    def _asleep(self, address: str) -> bool:
-        return any(bit.text == "0" for bit in self.sources.given.get((address, "enabled"), []))
 
     def _gentle(self, table: UserTable, rows: FloatArray, total: FloatArray) -> None:
         """Raise NotHeld if neighbouring values would differ by more than the control allows."""

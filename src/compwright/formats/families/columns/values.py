@@ -49,11 +49,6 @@ MOST_DOUBLINGS = 23
 _LETTERS = frozenset("XYZUVWABC")
 
 
-def kind_by_letter(address: str) -> AxisKind:
-    """Return the usual kind of an axis of this name: A, B and C are rotary."""
-    return AxisKind.ROTARY if address.upper() in ("A", "B", "C") else AxisKind.LINEAR
-
-
 def column_scale(
     definition: Definition, kind: AxisKind, options: Mapping[str, object]
 ) -> NumberScale:
@@ -115,7 +110,8 @@ class TableValues:
         if known is None:
             known = known_kind(self.control.options, address)
         if known is None:
-            known = kind_by_letter(address)
+            rotary = address.upper() in ("A", "B", "C")
+            known = AxisKind.ROTARY if rotary else AxisKind.LINEAR
             self.notes.assume(f"axis {address}: kind", known, "inferred from the name of the axis")
         return known
 

@@ -183,7 +183,11 @@ class _OwnTables(Patches):
             f"{table.file} ({address} over {moving})"
             for moving, table in self.sources.tables.items()
             if moving != address
-            and any(_not_zero(row.cells[column].text) for row in table.rows if column in row.cells)
+            and any(
+                not is_number(row.cells[column].text) or Decimal(row.cells[column].text) != 0
+                for row in table.rows
+                if column in row.cells
+            )
         ]
         if others:
             name = name_of(self.control.definition, "enabled")
@@ -192,7 +196,3 @@ class _OwnTables(Patches):
                 f"the bit of {address} in {name} has to become {int(awake)}, which {what} in"
                 f" {', '.join(others)}; empty that column first, or set the bit and measure again"
             )
-
-
-def _not_zero(text: str) -> bool:
-    return not is_number(text) or Decimal(text) != 0

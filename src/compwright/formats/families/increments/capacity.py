@@ -65,7 +65,7 @@ class IncrementLimits:
             backlash_quantum=scale.quantum("backlash"),
             backlash_range=scale.range("backlash"),
             min_points=definition.limit_number("min_points") or 2,
-            max_points=self._most_points(gap),
+            max_points=max(2, self._nodes(gap), 0 if self.shares else len(self.there)),
             shared_points=self._shared_numbers(),
             own_points=self._own_points(),
             lattice=Lattice(
@@ -90,12 +90,6 @@ class IncrementLimits:
             above=definition.layout.above,
             assumed=tuple(self.assumed),
         )
-
-    def _most_points(self, gap: int) -> int:
-        """Return how many nodes a table may have in ``gap`` numbers; at least those of the existing
-        table.
-        """
-        return max(2, self._nodes(gap), 0 if self.shares else len(self.there))
 
     def _nodes(self, numbers: int) -> int:
         """Return the number of nodes for ``numbers`` in a row: sections have numbers, and a table

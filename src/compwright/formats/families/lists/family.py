@@ -21,7 +21,7 @@ from compwright.formats.families.card_words import (
 )
 from compwright.formats.families.family import Family, checked, in_patched_files
 from compwright.formats.families.lists.between import lists_between
-from compwright.formats.families.lists.reading import read_state
+from compwright.formats.families.lists.reading import ListStateReader
 from compwright.formats.families.lists.table import COUNTS, TENTH, VALUE_TYPES, counted
 from compwright.formats.families.lists.writing import ListsWriter
 from compwright.formats.text.scale import NumberScale
@@ -80,7 +80,7 @@ class ListsFamily(Family):
         activity: Activity = Activity(),  # noqa: B008 - frozen
     ) -> ControlState:
         """See `Family.read`."""
-        return read_state(self, files, axes, address, activity)
+        return ListStateReader(self, axes, address, activity).read(files)
 
     def unit_of(self, axis: Axis) -> str:
         """Return the unit of an axis' list (a word); new lists count in tenths."""

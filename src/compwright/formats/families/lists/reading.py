@@ -76,18 +76,9 @@ def read_axis(of: AxisStatements) -> AxisList:
     return AxisList(compensation, active, idle)
 
 
-def read_state(
-    family: Family,
-    files: Sequence[ControlFile],
-    axes: Sequence[Axis],
-    address: str | None,
-    activity: Activity,
-) -> ControlState:
-    """Return the state of a control with ``files``; arguments and errors as `Family.read`."""
-    return _ListStateReader(family, axes, address, activity).read(files)
+class ListStateReader:
+    """Reads the state of a control from its lists; arguments and errors as `Family.read`."""
 
-
-class _ListStateReader:
     def __init__(
         self, family: Family, axes: Sequence[Axis], address: str | None, activity: Activity
     ) -> None:
@@ -111,6 +102,7 @@ class _ListStateReader:
         self.cross: list[CrossCompensation] = []
 
     def read(self, files: Sequence[ControlFile]) -> ControlState:
+        """Return the state of a control with ``files``."""
         lists = read_lists(self.definition, files, self.notes)
         raise_all(InputError, self.notes.faults)
         wanted = self.wanted or dict.fromkeys(lists.statements)

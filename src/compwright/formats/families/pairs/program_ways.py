@@ -24,6 +24,8 @@ _FIRST = re.compile(r"[A-Z]+", re.IGNORECASE)
 END = re.compile(r"(?:\bM\s*=?\s*(?:17|30|0*2)(?!\s*[-+*/.\d=])|\bRET\b)", re.IGNORECASE)
 #: The end of a subprogram behind which the program that calls it goes on: M17 and M30 are the same
 #: there (programming manual Job Planning, subprogram return).
+#: Actions in the background, and blocks that may be skipped: their end is not that of the run.
+_SYNCHRONOUS = re.compile(r"(?:/|WHEN|WHENEVER|EVERY|FROM|IDS?|DO)\b", re.IGNORECASE)
 _RETURN = re.compile(r"M(?:17|30)|RET", re.IGNORECASE)
 _DEFAULT = re.compile(r"\bDEFAULT\b", re.IGNORECASE)
 #: Motions, speeds and switching functions: the program goes on behind them. M0, M1 and M6 may stop
@@ -214,17 +216,20 @@ def _merged(steps: list[Step]) -> list[Step]:
     targets = set(re.findall(r"\bN\d+", " ".join(step.code.upper() for step in steps if step.code)))
     kept: list[Step] = []
     for step in steps:
-        one = replace(step, names=tuple(name for name in step.names if _is_used(name, targets)))
+        one = replace(
+            step,
+            names=tuple(
+                name
+                for name in step.names
+                if not re.fullmatch(r"N\d+", name.upper()) or name.upper() in targets
+            ),
+        )
         plain = one.marked and not (one.names or one.code or one.skipped)
         if plain and kept and kept[-1].marked and not (kept[-1].code or kept[-1].skipped):
             kept[-1] = replace(kept[-1], until=one.line, sets=kept[-1].sets | one.sets)
         else:
             kept.append(one)
     return kept
-
-
-def _is_used(name: str, targets: Collection[str]) -> bool:
-    return not re.fullmatch(r"N\d+", name.upper()) or name.upper() in targets
 
 
 def _word(step: Step) -> str:
@@ -290,13 +295,9 @@ def _following(
         return {after}
     if word == "AGAIN":
         return {after, stop}.union(*_destinations(step.code, place, places))
-    if END.search(step.code) and _first_word_ends(step.code):
+    if END.search(step.code) and not _SYNCHRONOUS.match(step.code):
         return {end} if _RETURN.fullmatch(step.code.strip()) else {stop}
     return {after, stop}
-
-
-def _first_word_ends(code: str) -> bool:
-    return re.match(r"(?:/|WHEN|WHENEVER|EVERY|FROM|IDS?|DO)\b", code, re.IGNORECASE) is None
 
 
 def _destinations(

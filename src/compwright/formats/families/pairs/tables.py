@@ -57,11 +57,6 @@ class OddTable:
         """Input and output axis."""
         return self.input, self.output
 
-    @property
-    def made_of(self) -> tuple[int, ...]:
-        """The tables on which its values depend."""
-        return (self.index,) if self.times is None else (self.index, self.times)
-
 
 @dataclass(frozen=True, slots=True)
 class Cec:
@@ -132,8 +127,8 @@ class Cec:
         )
 
     def _print(self, table: CecTable | OddTable) -> str:
-        parts = table.made_of if isinstance(table, OddTable) else (table.index,)
-        return ", ".join(self.prints.get(index, "-") for index in parts)
+        parts = (table.index, table.times if isinstance(table, OddTable) else None)
+        return ", ".join(self.prints.get(index, "-") for index in parts if index is not None)
 
     def _untold(self, address: str, *, sign_known: bool) -> str:
         """Return the active tables from other axes on one axis that cannot be counted, in words

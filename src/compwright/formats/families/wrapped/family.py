@@ -28,7 +28,7 @@ from compwright.formats.families.wrapped.counts import (
     counts_of,
     counts_question,
 )
-from compwright.formats.families.wrapped.reading import read_wrapped
+from compwright.formats.families.wrapped.reading import WrappedStateReader
 from compwright.formats.families.wrapped.tables import MotorTable, motor_table, over_travel
 from compwright.formats.families.wrapped.writing import TAKE_UP, fresh_script, patched_scripts
 from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
@@ -124,7 +124,9 @@ class WrappedFamily(Family):
         activity: Activity = Activity(),  # noqa: B008 - frozen
     ) -> ControlState:
         """See `Family.read`."""
-        return read_wrapped(self.definition, self.options, files, axes, address, activity)
+        return WrappedStateReader(
+            self.definition, self.options, files, axes, address, activity
+        ).read()
 
     def questions(self, axis: Axis, *, files: bool, given: Collection[str] = ()) -> Iterator[Fault]:
         """See `Family.questions`: also the counts of the motor, which no file states."""

@@ -47,19 +47,9 @@ from compwright.records.facts import AxisFacts
 from compwright.records.options import REFERENCE, REFERENCE_RETURN
 
 
-def read_wrapped(
-    definition: Definition,
-    options: Mapping[str, object],
-    files: Sequence[ControlFile],
-    axes: Sequence[Axis],
-    address: str | None,
-    activity: Activity,
-) -> ControlState:
-    """Return the state of a control with ``files``; arguments and errors as `Family.read`."""
-    return _WrappedStateReader(definition, options, files, axes, address, activity).read()
+class WrappedStateReader:
+    """Reads the state of a control from its scripts; arguments and errors as `Family.read`."""
 
-
-class _WrappedStateReader:
     def __init__(
         self,
         definition: Definition,
@@ -94,7 +84,7 @@ class _WrappedStateReader:
         self.notes.faults.extend(left_to_the_order(self.script))
 
     def read(self) -> ControlState:
-        """Return the state; raises as `read_wrapped`."""
+        """Return the state."""
         raise_all(InputError, self.notes.faults)
         self._ask_for_blocks()
         self._check_tables()
