@@ -161,7 +161,8 @@ def counted(house: House) -> dict[str, float]:
         "classes": len(house.classes()),
         "class names used more than once": sum(n > 1 for n in house.classes().values()),
         "methods of Family": house.methods_of("formats.families.family", "Family"),
-        "methods of Bound": house.methods_of("formats.families.bound", "Bound"),
+        "methods of Bound": house.methods_of("formats.families.bound", "Bound")
+        + house.methods_of("formats.families.resolved_definition", "ResolvedDefinition"),
         "imports past controls": sum(map(len, door.values())),
         "modules that import past controls": len(door),
         "rooms of workflow": len({room for pair in arrows for room in pair}),

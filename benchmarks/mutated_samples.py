@@ -31,7 +31,7 @@ from compwright.documents.plan import read_plan
 from compwright.documents.record import read_record
 from compwright.formats.definition.extends import BASE_ENDING, found_in
 from compwright.formats.definitions import definition_of, load_definition
-from compwright.formats.gate.gate import check_definition
+from compwright.formats.gate import check_definition
 from compwright.foundations.errors import (
     CapacityError,
     Fault,

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from compwright.formats.families.card_words import AxisCard, CardRequest
+from compwright.formats.families.card_texts import AxisCard, CardRequest
 from compwright.formats.families.family import Family
 from compwright.records.axis import Axis, FloatArray
 from compwright.records.correction import AxisCompensation, ControlFile, no_compensation

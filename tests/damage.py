@@ -11,7 +11,7 @@ from functools import cache
 import numpy as np
 
 from compwright.controls.control import Control, decode, open_control
-from compwright.controls.decoded import DecodedState
+from compwright.controls.decoded_state import DecodedState
 from compwright.foundations.errors import InputError, UsageError
 from compwright.foundations.session import Session
 from compwright.records.axis import Direction

@@ -8,8 +8,8 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from compwright.formats.control_format import control_format
 from compwright.formats.definitions import definitions_from
+from compwright.formats.families.shapes import control_format
 from compwright.foundations.session import Session
 from compwright.foundations.storage import definition_files
 from compwright.records.axis import Axis, AxisKind, Direction, Encoder

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from compwright.controllers.virtual import virtual_control
 from compwright.controls.control import open_control
 from compwright.fitting.fit import fit_table
-from compwright.formats.control_format import control_format
+from compwright.formats.families.shapes import control_format
 from compwright.foundations.errors import CapacityError
 from compwright.foundations.session import Session
 from compwright.records.axis import Axis, AxisKind, Direction, Encoder

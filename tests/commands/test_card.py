@@ -19,8 +19,8 @@ import pytest
 from card_files import card_values
 from compwright.cli import run as compwright
 from compwright.formats.card import card_steps, card_steps_of_all
-from compwright.formats.control_format import control_format
-from compwright.formats.text.loading_order import loading_order
+from compwright.formats.families.card_texts import loading_order
+from compwright.formats.families.shapes import control_format
 from compwright.planning.quick_check import check_positions
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.correction import ControlFile

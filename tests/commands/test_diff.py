@@ -17,9 +17,9 @@ from typing import Any
 import pytest
 
 from compwright.cli import run as compwright
-from compwright.formats.control_format import control_format
 from compwright.formats.definition.schema import Definition
-from compwright.formats.text.entered import changes, texts_of
+from compwright.formats.families.shapes import control_format
+from compwright.formats.text.file_values import changes, texts_of
 from compwright.records.correction import ControlFile
 from fanuc_backup import parameters, pitch_data
 from format_samples import DEFINITIONS
@@ -255,7 +255,7 @@ def test_any_changed_value_is_one_entry(
     files = [ControlFile(Path(path).name, (REAL / path).read_bytes()) for path in paths]
     texts = texts_of(files)
     family = control_format(DEFINITIONS[control], {})
-    old = family.listing.entered(family.definition, texts, ())
+    old = family.listing.file_values(family.definition, texts, ())
     for _ in range(count):
         place = rng.choice([k for k, one in enumerate(texts) if len(one.content) > 3000])
         text = texts[place].content.decode("latin-1")
@@ -263,7 +263,7 @@ def test_any_changed_value_is_one_entry(
         new = text[: found.start(1)] + f"{rng.randint(100, 900)}.5" + text[found.end(1) :]
         edited = list(texts)
         edited[place] = ControlFile(texts[place].name, new.encode("latin-1"))
-        (change,) = changes(old, family.listing.entered(family.definition, edited, ()))
+        (change,) = changes(old, family.listing.file_values(family.definition, edited, ()))
         assert change.new is not None
         assert change.new.text.endswith(".5") or " in " in change.new.name
 

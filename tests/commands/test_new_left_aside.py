@@ -12,7 +12,7 @@ import yaml
 from compwright.cli import run as compwright
 from compwright.controls.control import decode, open_control, read_files
 from compwright.controls.definitions import definition_named
-from compwright.formats.text.other_files import says_nothing, without_others
+from compwright.formats.text.other_files import holds_no_data, without_other_files
 from compwright.foundations.errors import InputError
 from compwright.foundations.session import Session
 from compwright.records.correction import ControlFile
@@ -85,7 +85,10 @@ def test_no_command_is_left_out_of_a_folder(tmp_path: Path) -> None:
     (tmp_path / "b.pmc").write_text("#2 DELETE COMP\n")
     files = read_files(Session(), [tmp_path])
     for format_id, left in (("pmac", 2), ("fanuc-30i", 1)):
-        assert len(without_others(definition_named(Session(), format_id, Path()), files)[0]) == left
+        assert (
+            len(without_other_files(definition_named(Session(), format_id, Path()), files)[0])
+            == left
+        )
 
 
 @pytest.mark.parametrize(
@@ -107,10 +110,10 @@ def test_no_command_is_left_out_of_a_folder(tmp_path: Path) -> None:
 )
 def test_only_prose_says_nothing(control: str, text: str, nothing: bool) -> None:
     file = ControlFile("OTHER.TXT", text.encode("latin-1"))
-    assert says_nothing(definition_named(Session(), control, Path()), file) is nothing
+    assert holds_no_data(definition_named(Session(), control, Path()), file) is nothing
 
 
 @pytest.mark.parametrize("encoding", ["utf-16", "utf-16-le"])
 def test_other_characters_are_no_prose(encoding: str) -> None:
     file = ControlFile("PITCH.TXT", pitch_data(highest=20).encode(encoding))
-    assert not says_nothing(definition_named(Session(), "fanuc-30i", Path()), file)
+    assert not holds_no_data(definition_named(Session(), "fanuc-30i", Path()), file)

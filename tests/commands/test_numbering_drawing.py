@@ -14,8 +14,8 @@ import pytest
 
 from card_files import card_of
 from compwright.cli import run as compwright
-from compwright.formats.control_format import control_format
 from compwright.formats.families.increments.increment_facts import IncrementFacts
+from compwright.formats.families.shapes import control_format
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation
 from compwright.records.facts import AxisFacts

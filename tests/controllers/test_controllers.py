@@ -15,7 +15,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from compwright.controllers.linuxcnc.table import load_table, three_numbers
-from compwright.controllers.sinumerik.reach import Line, conflicts
+from compwright.controllers.sinumerik.reachable_lines import Line, conflicts
 from compwright.controllers.virtual import KNOWN, VirtualControl, virtual_control
 from compwright.foundations.errors import CompwrightError, InputError, UsageError
 from compwright.records.axis import AxisKind, Direction

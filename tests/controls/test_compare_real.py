@@ -39,7 +39,7 @@ def planned(
     """Run a job of one axis, measured with what the backup does to it, and return its results."""
     machine = Machine(low=travel[0], high=travel[1])
     given = open_control(Session(), control, {}).format
-    shown = given.listing.shown(given)
+    shown = given.listing.for_display(given)
     axis = shown.read(read_files(Session(), files)).axes[address]
 
     def active(x: Floats, sign: int) -> Floats:

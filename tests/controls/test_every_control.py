@@ -17,10 +17,10 @@ import pytest
 from card_files import wrong_files
 from compwright.cli import run as compwright
 from compwright.controllers.virtual import virtual_control
-from compwright.formats.control_format import control_format
 from compwright.formats.definition.extends import found_in, texts_of
 from compwright.formats.definition.options import resolve_options
 from compwright.formats.definitions import definition_of
+from compwright.formats.families.shapes import control_format
 from compwright.foundations import storage
 from compwright.foundations.errors import CapacityError, CompwrightError
 from compwright.foundations.session import Session

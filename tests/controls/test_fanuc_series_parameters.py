@@ -15,10 +15,10 @@ from test_fanuc_series import LINEAR, TOTALS, one_file, run_15i
 
 from compwright.cli import run as compwright
 from compwright.controllers.virtual import virtual_control
-from compwright.formats.control_format import control_format
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definitions import definition_in
 from compwright.formats.families.increments.increment_facts import increments_of
+from compwright.formats.families.shapes import control_format
 from compwright.foundations.errors import InputError, UsageError
 from compwright.records.axis import AxisKind
 from compwright.records.correction import ControlState

@@ -19,7 +19,7 @@ from test_run_apply import card, folder, measured, run  # noqa: F401 - two fixtu
 from compwright.cli import run as compwright
 from compwright.controllers.virtual import virtual_control
 from compwright.controls import control
-from compwright.formats.control_format import control_format
+from compwright.formats.families.shapes import control_format
 from compwright.foundations.errors import CapacityError, InputError
 from compwright.foundations.session import Session
 from compwright.records.axis import Axis, AxisKind, Direction

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from compwright.controls.control import open_control
-from compwright.controls.settled import keys_with_effect
+from compwright.controls.job_completion import keys_with_effect
 from compwright.foundations.session import Session
 from compwright.jobs.idle_keys import idle_keys
 from compwright.jobs.reading import read_job

@@ -13,7 +13,7 @@ import yaml
 from compwright.cli import run as compwright
 from compwright.controllers.virtual import virtual_control
 from compwright.controls.control import decode, open_control
-from compwright.formats.control_format import control_format
+from compwright.formats.families.shapes import control_format
 from compwright.foundations.errors import InputError
 from compwright.foundations.session import Session
 from compwright.records.correction import ControlFile

@@ -18,7 +18,7 @@ from compwright.cli import run as compwright
 from compwright.controllers.virtual import KNOWN
 from compwright.controls import definitions
 from compwright.controls.control import open_control
-from compwright.controls.read_once import ReadOnce
+from compwright.controls.decoded_state import SingleReader
 from compwright.documents.plan import read_plan
 from compwright.formats.definition.extends import found_in, merged, texts_of
 from compwright.foundations.session import Session
@@ -214,7 +214,7 @@ def test_what_is_read_once_adds_up_over_the_tables_of_a_pair() -> None:
         )
 
     state = ControlState(format="own", axes={}, cross=(table(1), table(2), table(9, "Z")))
-    read = ReadOnce(state)
+    read = SingleReader(state)
     where = np.array([50.0, 100.0])
     np.testing.assert_array_equal(
         read.cross_correction("X", "Y", where, Direction.POSITIVE), [1.5, 3.0]

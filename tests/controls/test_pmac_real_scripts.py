@@ -15,7 +15,7 @@ import pytest
 from compwright.cli import run as compwright
 from compwright.controllers.virtual import virtual_control
 from compwright.controls.control import decode, open_control
-from compwright.formats.control_format import control_format
+from compwright.formats.families.shapes import control_format
 from compwright.foundations.errors import InputError, UsageError
 from compwright.foundations.session import Session
 from compwright.records.axis import Direction

@@ -11,9 +11,9 @@ from typing import Any
 import pytest
 
 from compwright.cli import run as compwright
-from compwright.formats.control_format import control_format
 from compwright.formats.definition.schema import Definition, Statement
 from compwright.formats.families.columns import table_reading as columns_text
+from compwright.formats.families.shapes import control_format
 from compwright.formats.text import entry_sheet, texts
 from compwright.formats.text.texts import text_reader
 from compwright.foundations.errors import Fault

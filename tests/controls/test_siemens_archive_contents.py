@@ -11,9 +11,9 @@ from pathlib import Path
 import pytest
 
 from compwright.cli import run as compwright
-from compwright.controllers.sinumerik.container import active_files
+from compwright.controllers.sinumerik.loading import active_files
 from compwright.controls.control import decode, open_control
-from compwright.formats.families.pairs.archive_values import contradictions
+from compwright.formats.families.pairs.state import contradictions
 from compwright.foundations.errors import InputError
 from compwright.foundations.session import Session
 from compwright.records.correction import ControlFile

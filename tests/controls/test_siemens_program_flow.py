@@ -19,9 +19,9 @@ from compwright.cli import run as compwright
 from compwright.controllers.sinumerik.flow import ProgramBlock
 from compwright.controllers.sinumerik.text import read_file
 from compwright.controllers.virtual import virtual_control
-from compwright.formats.control_format import control_format
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.pairs.program_flow import scanned
+from compwright.formats.families.shapes import control_format
 from compwright.formats.text.container import opened
 from compwright.foundations.errors import InputError, UsageError
 from compwright.records.axis import Direction

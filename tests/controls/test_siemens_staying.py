@@ -18,8 +18,8 @@ import backup_variations_sinumerik as variations
 from backup_cases_sinumerik import Case
 from backup_variations_sinumerik import named
 from compwright.cli import run as compwright
-from compwright.formats.control_format import control_format
 from compwright.formats.families.activity import Activity
+from compwright.formats.families.shapes import control_format
 from compwright.foundations.errors import CapacityError, InputError, UsageError
 from compwright.planning.wanted_correction import without_kept_tables
 from compwright.records.axis import AxisKind, Direction

@@ -16,7 +16,7 @@ from card_files import card_values
 from compwright.cli import run as compwright
 from compwright.controls.control import decode, open_control
 from compwright.formats.card import card_steps
-from compwright.formats.control_format import control_format
+from compwright.formats.families.shapes import control_format
 from compwright.foundations.errors import CapacityError
 from compwright.foundations.findings import DOUBTS_FIRST
 from compwright.foundations.session import Session

@@ -6,7 +6,7 @@ import time
 
 import pytest
 
-from compwright.formats.control_format import control_format
+from compwright.formats.families.shapes import control_format
 from compwright.formats.text import container as text_container
 from compwright.formats.text.container import opened, unknown_container
 from compwright.foundations.errors import InputError

@@ -9,20 +9,20 @@ from __future__ import annotations
 
 import pytest
 
-from compwright.formats.control_format import control_format
-from compwright.formats.text.entered import Entered, changes
+from compwright.formats.families.shapes import control_format
+from compwright.formats.text.file_values import FileValue, changes
 from compwright.records.correction import ControlFile
 from format_samples import DEFINITIONS
 
 FANUC = ("fanuc-30i", "fanuc-0i-d", "fanuc-0i-f", "fanuc-0i-16i", "fanuc-15i")
 
 
-def entered(control: str, *lines: str) -> dict[str, Entered]:
+def entered(control: str, *lines: str) -> dict[str, FileValue]:
     text = "\n".join(("%", *lines, "%", "")).encode()
     family = control_format(DEFINITIONS[control], {})
     return {
         one.name: one
-        for one in family.listing.entered(
+        for one in family.listing.file_values(
             family.definition, [ControlFile("P.TXT", text)], ()
         ).values()
     }

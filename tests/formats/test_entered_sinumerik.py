@@ -10,20 +10,20 @@ from __future__ import annotations
 
 import pytest
 
-from compwright.formats.control_format import control_format
-from compwright.formats.text.entered import Entered, EnteredChange, changes
+from compwright.formats.families.shapes import control_format
+from compwright.formats.text.file_values import FileValue, FileValueChange, changes
 from compwright.records.correction import ControlFile
 from format_samples import SIEMENS
 
 FAMILY = control_format(SIEMENS, {})
 
 
-def entered(**files: str) -> dict[str, Entered]:
+def entered(**files: str) -> dict[str, FileValue]:
     texts = [ControlFile(f"{name}.INI", text.encode()) for name, text in files.items()]
-    return dict(FAMILY.listing.entered(FAMILY.definition, texts, ()))
+    return dict(FAMILY.listing.file_values(FAMILY.definition, texts, ()))
 
 
-def differing(old: dict[str, Entered], new: dict[str, Entered]) -> list[EnteredChange]:
+def differing(old: dict[str, FileValue], new: dict[str, FileValue]) -> list[FileValueChange]:
     return list(changes(old, new))
 
 

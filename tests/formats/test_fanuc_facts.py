@@ -18,14 +18,14 @@ import numpy as np
 import pytest
 
 from backup_files_fanuc import FOLDER, Backup
-from compwright.formats.control_format import control_format
 from compwright.formats.definition.extends import DefinitionText
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definitions import load_definition
 from compwright.formats.families.family import Family
 from compwright.formats.families.increments import parameters as known
 from compwright.formats.families.increments.increment_facts import increments_of
-from compwright.formats.gate.gate import check_definition
+from compwright.formats.families.shapes import control_format
+from compwright.formats.gate import check_definition
 from compwright.foundations.errors import CapacityError, InputError, UsageError
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation, ControlFile

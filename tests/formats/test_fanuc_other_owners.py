@@ -12,7 +12,7 @@ import pytest
 from test_fanuc_backup_honoured import POINTS, Bench, Edits, said
 from test_fanuc_beside import INCLINED, BesideBench, inclination
 
-from compwright.formats.control_format import control_format
+from compwright.formats.families.shapes import control_format
 from compwright.foundations.errors import InputError
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.correction import ControlFile

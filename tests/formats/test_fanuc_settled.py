@@ -14,7 +14,7 @@ import yaml
 
 from backup_files_fanuc import FOLDER, PARAMETERS, PITCH, Backup
 from backup_jobs_fanuc import RUNS, axis_job, csv, dithered
-from compwright.formats.control_format import control_format
+from compwright.formats.families.shapes import control_format
 from compwright.foundations.errors import UsageError
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.correction import ControlFile, ControlState

@@ -16,11 +16,11 @@ import pytest
 
 from compwright.controls.control import Control, decode
 from compwright.controls.cross_tables import CrossOutcome, write_planned
-from compwright.formats.control_format import control_format
 from compwright.formats.families.between import Between, BetweenRequest
 from compwright.formats.families.family import Family
 from compwright.formats.families.increments.increment_facts import IncrementFacts
 from compwright.formats.families.pairs.family import PairsFamily
+from compwright.formats.families.shapes import control_format
 from compwright.foundations.errors import CompwrightError, UsageError
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.correction import (

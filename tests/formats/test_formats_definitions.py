@@ -11,16 +11,15 @@ from typing import Any
 import pytest
 
 from card_files import card_values
-from compwright.formats.card import card_steps
-from compwright.formats.control_format import control_format
+from compwright.formats.card import card_steps, look_at
 from compwright.formats.definition.extends import found_in, merged, texts_of
 from compwright.formats.definition.options import describe_options, resolve_options
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definition.vocabulary import LOOKED_AT
 from compwright.formats.definitions import definition_in, definitions_from, load_definition
-from compwright.formats.families.card_words import UNKNOWN
-from compwright.formats.gate.gate import check_definition
-from compwright.formats.look_at import look_at
+from compwright.formats.families.card_texts import UNKNOWN
+from compwright.formats.families.shapes import control_format
+from compwright.formats.gate import check_definition
 from compwright.formats.text.patching import BytesChange, apply_changes, set_field
 from compwright.formats.text.texts import TextReader
 from compwright.foundations.errors import InputError, UsageError

@@ -17,8 +17,7 @@ import pytest
 
 from compwright.controllers.virtual import virtual_control
 from compwright.controls.control import decode, open_control
-from compwright.controls.decoded import DecodedState
-from compwright.formats.control_format import control_format
+from compwright.controls.decoded_state import DecodedState
 from compwright.formats.definition.extends import found_in
 from compwright.formats.definition.options import resolve_options
 from compwright.formats.definitions import load_definition
@@ -28,6 +27,7 @@ from compwright.formats.families.increments.numbering import (
     find_place,
     longest_gap,
 )
+from compwright.formats.families.shapes import control_format
 from compwright.formats.text.diff import compare_files
 from compwright.foundations.errors import CapacityError, CompwrightError, InputError, UsageError
 from compwright.foundations.session import Session

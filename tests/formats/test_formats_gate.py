@@ -10,12 +10,11 @@ from typing import Any
 
 import pytest
 
+from compwright.formats import gate
 from compwright.formats.definition.extends import found_in
 from compwright.formats.definitions import load_definition
 from compwright.formats.families.family import Family
-from compwright.formats.gate import gate
-from compwright.formats.gate import limits as gate_limits
-from compwright.formats.gate.gate import check_definition
+from compwright.formats.gate import check_definition
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.session import Session
@@ -37,9 +36,11 @@ def test_every_definition_that_ships_passes(name: str, tmp_path: Path) -> None:
 def test_a_writer_that_takes_everything_is_noticed(
     name: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    limits_of = gate.unenforced_limits
+
     def unenforced(control: Family, *table: Any) -> Iterator[Fault]:
         monkeypatch.setattr(control, "write", lambda *_: ())
-        return gate_limits.unenforced_limits(control, *table)
+        return limits_of(control, *table)
 
     monkeypatch.setattr(gate, "unenforced_limits", unenforced)
     faults = check_definition(load_definition(SHIPPED[name], name, found_in(SHIPPED)))

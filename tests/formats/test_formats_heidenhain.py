@@ -21,10 +21,10 @@ from compwright.cli import run as compwright
 from compwright.controllers.virtual import virtual_control
 from compwright.controls.control import decode, open_control
 from compwright.formats.card import card_steps
-from compwright.formats.control_format import control_format
 from compwright.formats.definition.schema import Definition
-from compwright.formats.families.card_words import UNKNOWN, CardRequest
-from compwright.formats.gate.gate import check_definition
+from compwright.formats.families.card_texts import UNKNOWN, CardRequest
+from compwright.formats.families.shapes import control_format
+from compwright.formats.gate import check_definition
 from compwright.foundations.errors import CapacityError, InputError, UsageError
 from compwright.foundations.session import Session
 from compwright.records.axis import Axis, AxisKind, Direction

@@ -7,8 +7,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from compwright.formats.control_format import control_format
 from compwright.formats.definition.options import resolve_options
+from compwright.formats.families.shapes import control_format
 from compwright.formats.text.addresses import normal_address
 from compwright.foundations.errors import CapacityError, InputError, UsageError
 from compwright.records.axis import AxisKind, Direction

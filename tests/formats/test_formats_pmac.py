@@ -20,9 +20,9 @@ from card_files import card_values
 from compwright.cli import run as compwright
 from compwright.controllers.virtual import virtual_control
 from compwright.fitting.fit import fit_table
-from compwright.formats.control_format import control_format
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.family import Family
+from compwright.formats.families.shapes import control_format
 from compwright.formats.text.diff import compare_files
 from compwright.foundations.errors import CapacityError, CompwrightError, InputError, UsageError
 from compwright.records.axis import Axis, AxisKind, Direction

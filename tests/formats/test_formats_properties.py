@@ -9,10 +9,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from compwright.formats.control_format import control_format
 from compwright.formats.definition.extends import found_in
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definitions import load_definition
+from compwright.formats.families.shapes import control_format
 from compwright.foundations.errors import InputError, UsageError
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation, ControlFile

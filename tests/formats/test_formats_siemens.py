@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from compwright.formats.control_format import control_format
 from compwright.formats.definitions import load_definition
+from compwright.formats.families.shapes import control_format
 from compwright.foundations.errors import CapacityError, InputError, UsageError
 from compwright.records.axis import AxisKind, Direction
 from format_samples import CONTENT, SIEMENS, axis_of, codes, correction, files, siemens, table

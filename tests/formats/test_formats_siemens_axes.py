@@ -10,7 +10,7 @@ import pytest
 from card_files import card_values
 from compwright.controls.control import decode, open_control
 from compwright.formats.card import card_steps
-from compwright.formats.control_format import control_format
+from compwright.formats.families.shapes import control_format
 from compwright.foundations.errors import CapacityError, InputError
 from compwright.foundations.session import Session
 from compwright.records.axis import Axis, AxisKind, Direction

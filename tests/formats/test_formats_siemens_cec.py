@@ -15,12 +15,12 @@ from hypothesis import strategies as st
 from card_files import card_values
 from compwright.controls.control import decode, open_control
 from compwright.formats.card import card_steps
-from compwright.formats.control_format import control_format
 from compwright.formats.definition.schema import Definition
-from compwright.formats.families.card_words import UNKNOWN
-from compwright.formats.families.pairs import cross_writing
+from compwright.formats.families.card_texts import UNKNOWN
+from compwright.formats.families.pairs import between as cross_writing
 from compwright.formats.families.pairs.sums import cross_tables
 from compwright.formats.families.pairs.tables import Cec
+from compwright.formats.families.shapes import control_format
 from compwright.foundations.errors import CapacityError, CompwrightError, InputError, UsageError
 from compwright.foundations.session import Session
 from compwright.records.axis import Axis, AxisKind, Direction

@@ -14,7 +14,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from compwright.controls.control import decode, open_control
-from compwright.formats.control_format import control_format
+from compwright.formats.families.shapes import control_format
 from compwright.formats.text.own_files import styled
 from compwright.foundations.errors import CapacityError, InputError, UsageError
 from compwright.foundations.session import Session

@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from compwright.formats.control_format import control_format
+from compwright.formats.families.shapes import control_format
 from compwright.foundations.errors import InputError
 from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile, ControlState

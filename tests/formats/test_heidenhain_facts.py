@@ -15,9 +15,9 @@ from functools import partial
 import numpy as np
 import pytest
 
-from compwright.formats.control_format import control_format
 from compwright.formats.definition.schema import Definition
-from compwright.formats.gate.gate import check_definition
+from compwright.formats.families.shapes import control_format
+from compwright.formats.gate import check_definition
 from compwright.formats.text.texts import text_reader
 from compwright.foundations.errors import CapacityError, CompwrightError, InputError, UsageError
 from compwright.records.axis import Axis, AxisKind, Direction

@@ -12,7 +12,7 @@ import pytest
 
 from compwright.controllers.virtual import virtual_control
 from compwright.controls.control import decode, open_control
-from compwright.controls.decoded import DecodedState
+from compwright.controls.decoded_state import DecodedState
 from compwright.formats.families.increments.increment_facts import IncrementFacts, increments_of
 from compwright.formats.families.increments.numbering import (
     NoRoom,

@@ -16,11 +16,11 @@ import numpy as np
 import pytest
 
 from compwright.formats.card import points_needed
-from compwright.formats.control_format import control_format
 from compwright.formats.definition.extends import DefinitionText
 from compwright.formats.definition.schema import Definition
-from compwright.formats.families.pairs.cross_writing import write_cross
-from compwright.formats.gate.gate import check_definition
+from compwright.formats.families.pairs.between import write_cross
+from compwright.formats.families.shapes import control_format
+from compwright.formats.gate import check_definition
 from compwright.foundations.errors import CompwrightError, InputError
 from compwright.records.axis import Axis, AxisKind, Direction, Encoder
 from compwright.records.correction import (

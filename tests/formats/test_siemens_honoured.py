@@ -14,8 +14,8 @@ from pathlib import Path
 import pytest
 
 from compwright.controls.control import decode, open_control
-from compwright.formats.control_format import control_format
 from compwright.formats.families.activity import Activity
+from compwright.formats.families.shapes import control_format
 from compwright.formats.text.diff import compare_files
 from compwright.foundations.errors import CapacityError, InputError, UsageError
 from compwright.foundations.session import Session
@@ -346,7 +346,7 @@ def test_what_makes_a_table_special_is_never_overlooked(line: str) -> None:
     state = both_readers(eec() + foreign, axis_of("AX1"), cec_sign="error")
     assert "CW-S050" in codes(state)
     assert not state.cross
-    assert "CEC table 0" in state.facts["AX1"].pairs.untold
+    assert "CEC table 0" in state.facts["AX1"].pairs.uncounted
     for value in ("0.1", "0"):
         own = cec(0, ("AX1", "AX1"), value, step=85) + line + "\n"
         if value == "0" and not name.startswith("$SN"):

@@ -13,10 +13,10 @@ import numpy as np
 import pytest
 
 from compwright.formats.card import card_steps
-from compwright.formats.control_format import control_format
-from compwright.formats.families.card_words import CardRequest
+from compwright.formats.families.card_texts import CardRequest
 from compwright.formats.families.family import Family
-from compwright.formats.families.pairs.cross_writing import write_cross
+from compwright.formats.families.pairs.between import write_cross
+from compwright.formats.families.shapes import control_format
 from compwright.foundations.errors import CapacityError, InputError, UsageError
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import ControlFile, ControlState, CrossCompensation
@@ -181,7 +181,7 @@ def test_tables_of_others_in_unknown_units_are_kept_and_not_shown() -> None:
     state = read(with_cec(("AX2", "AX1")), inch(EEC), cec_sign="error")
     assert "CW-S050" in codes(state)
     assert not state.cross
-    assert "CEC table 3" in state.facts["AX1"].pairs.untold
+    assert "CEC table 3" in state.facts["AX1"].pairs.uncounted
 
 
 METRIC_CEC = "$MA_CEC_SCALING_SYSTEM_METRIC[AX1]=1\n$MA_CEC_MAX_SUM[AX1]=0.01\n"

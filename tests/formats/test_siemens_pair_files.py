@@ -7,7 +7,7 @@ from __future__ import annotations
 import pytest
 
 from card_files import named_in_card
-from compwright.formats.control_format import control_format
+from compwright.formats.families.shapes import control_format
 from compwright.records.correction import ControlFile
 from format_samples import SIEMENS, axis_of
 

@@ -18,8 +18,8 @@ import numpy as np
 import pytest
 
 from compwright.controllers.virtual import virtual_control
-from compwright.formats.control_format import control_format
 from compwright.formats.families.activity import Activity
+from compwright.formats.families.shapes import control_format
 from compwright.foundations.errors import InputError, UsageError
 from compwright.records.correction import ControlFile
 from format_samples import SIEMENS, axis_of
@@ -41,7 +41,7 @@ def by_writer(files: list[ControlFile], active: bool | None) -> None:
     """The reader of the room that writes."""
     control = control_format(SIEMENS, {})
     if active is False:
-        files = list(control.listing.carried_out(control.definition, files)[0])
+        files = list(control.listing.executed(control.definition, files)[0])
     if files:
         activity = Activity(stated=active, asking=True, carried_out=active is True)
         control.read(files, [axis_of("AX1")], activity=activity)

@@ -9,8 +9,8 @@ from typing import get_args
 import numpy as np
 import pytest
 
-from compwright.formats.control_format import control_format
-from compwright.formats.families.pairs.cross_writing import write_cross
+from compwright.formats.families.pairs.between import write_cross
+from compwright.formats.families.shapes import control_format
 from compwright.foundations.errors import CapacityError, InputError, UsageError
 from compwright.records.axis import AxisKind
 from compwright.records.correction import CrossCompensation, Evidence

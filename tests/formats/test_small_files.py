@@ -9,9 +9,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from compwright.formats.control_format import control_format
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.family import Family
+from compwright.formats.families.shapes import control_format
 from compwright.foundations.errors import InputError, UsageError
 from compwright.records.axis import Axis, AxisKind, Encoder
 from compwright.records.correction import AxisCompensation, ControlFile

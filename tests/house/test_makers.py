@@ -128,7 +128,7 @@ def test_templates_know_no_controls() -> None:
 
 
 def test_cards_of_several_families_share_no_word_of_one_control() -> None:
-    source = (KNOW_CONTROLS[0] / "card_words.py").read_text(encoding="utf-8")
+    source = (KNOW_CONTROLS[0] / "card_texts.py").read_text(encoding="utf-8")
     assert list(named(source)) == []
     assert [number for _, number in numbered(source)] == []
 
@@ -147,7 +147,7 @@ def test_a_leak_in_a_template_is_found() -> None:
 
 
 def test_shapes_of_tables_are_asked_for_where_families_are_chosen() -> None:
-    may = (*KNOW_CONTROLS, SOURCE / "formats" / "definition", SOURCE / "formats/control_format.py")
+    may = (*KNOW_CONTROLS, SOURCE / "formats" / "definition", SOURCE / "formats/families/shapes.py")
     words = re.compile("values_by_index|rows_by_position|section_increments|user_tables")
     asked = [
         str(path.relative_to(SOURCE))

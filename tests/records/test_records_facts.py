@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from test_formats_siemens_cec import PAIR, RAMP, cec
 
-from compwright.formats.control_format import control_format
+from compwright.formats.families.shapes import control_format
 from compwright.records.axis import AxisKind
 from compwright.records.facts import AxisFacts, Turn
 from format_samples import LINUXCNC, files, siemens

@@ -8,7 +8,7 @@ from typing import Protocol
 
 from compwright.controllers.fanuc import series
 from compwright.controllers.fanuc.control import fanuc_control
-from compwright.controllers.heidenhain import words as heidenhain
+from compwright.controllers.heidenhain import elements as heidenhain
 from compwright.controllers.heidenhain.control import heidenhain_control
 from compwright.controllers.isg.control import isg_control
 from compwright.controllers.linuxcnc.control import linuxcnc_control

@@ -10,9 +10,9 @@ from typing import Any
 
 import numpy as np
 
-from compwright.controls.acting import applied_of
 from compwright.controls.control import Control
-from compwright.controls.decoded import DecodedState
+from compwright.controls.decoded_state import DecodedState
+from compwright.controls.judged_corrections import applied_correction
 from compwright.formats.card import (
     card_steps_of_all,
     gantry_words,
@@ -20,9 +20,8 @@ from compwright.formats.card import (
     typed_backlash,
 )
 from compwright.formats.definition.statements import print_form
-from compwright.formats.families.card_words import AxisCard, CardRequest
+from compwright.formats.families.card_texts import AxisCard, CardRequest, loading_order
 from compwright.formats.text.diff import compare_files
-from compwright.formats.text.loading_order import loading_order
 from compwright.foundations.units import outside_factor, outside_unit, shown_unit
 from compwright.planning.axis_work import AxisWork
 from compwright.planning.quick_check import check_positions, moved_by, quick_check
@@ -69,7 +68,7 @@ def _axis(
     card = _card(control, axis, work, loaded)
     factor = outside_factor(axis.kind.unit)
     table = loaded.state.axes[axis.address]
-    new = applied_of(loaded, axis)
+    new = applied_correction(loaded, axis)
     return {
         "name": axis.name,
         "address": axis.address,
@@ -274,7 +273,7 @@ def _card(control: Control, axis: Axis, work: AxisWork, loaded: DecodedState) ->
             axis=axis,
             table=tables.get(axis.address, tables[leading.address]),
             facts=loaded.state.facts_of(axis.address),
-            check_at=check_positions(work, applied_of(loaded, leading)),
+            check_at=check_positions(work, applied_correction(loaded, leading)),
             files=loaded.files,
         )
     )

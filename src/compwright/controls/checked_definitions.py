@@ -8,12 +8,12 @@ from functools import partial
 from pathlib import Path
 
 from compwright.controllers.virtual import KNOWN, virtual_control
-from compwright.controls.definitions import definitions_at, is_base, taken
+from compwright.controls.definitions import definitions_at, is_base, name_conflicts
 from compwright.formats.definition.extends import Find, found_in
 from compwright.formats.definition.options import resolve_options
 from compwright.formats.definition.schema import Definition, Expectation
-from compwright.formats.definitions import given_twice, load_definition
-from compwright.formats.gate.gate import (
+from compwright.formats.definitions import duplicate_id, load_definition
+from compwright.formats.gate import (
     check_definition,
     disagreements,
     largest_difference,
@@ -56,9 +56,9 @@ def checked_definitions(session: Session, paths: Sequence[Path]) -> Iterator[Che
         if not found and judged:
             found = tuple(_judge(definition))
         if content not in ships:
-            found = (*found, *taken(session, definition))
+            found = (*found, *name_conflicts(session, definition))
         name = definition.id.casefold()  # of folders, on some disks one
-        twice = (given_twice(definition, ids[name]),) if name in ids else ()
+        twice = (duplicate_id(definition, ids[name]),) if name in ids else ()
         ids[name] = file
         yield CheckedDefinition(file, definition, (*found, *twice), judged)
 

@@ -13,23 +13,21 @@ from pathlib import Path
 
 from compwright.controllers.virtual import virtual_control
 from compwright.controls.control_folders import control_entries
-from compwright.controls.decoded import DecodedState
+from compwright.controls.decoded_state import DecodedState, SingleReader
 from compwright.controls.definitions import (
     carried_definition,
     definition_named,
     is_path,
     own_definition,
 )
-from compwright.controls.read_once import ReadOnce
-from compwright.controls.two_readers import disagreements
-from compwright.formats.control_format import control_format
+from compwright.controls.reader_comparison import disagreements
+from compwright.formats.card import look_at
 from compwright.formats.definition.schema import Definition
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.family import Family
-from compwright.formats.families.shapes import RULES
-from compwright.formats.look_at import look_at
+from compwright.formats.families.shapes import RULES, control_format
 from compwright.formats.text.container import is_container
-from compwright.formats.text.other_files import says_nothing, without_others
+from compwright.formats.text.other_files import holds_no_data, without_other_files
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, InputError, UsageError, raise_all
 from compwright.foundations.findings import Finding
@@ -346,7 +344,7 @@ def read_files(session: Session, paths: Sequence[Path]) -> tuple[ControlFile, ..
     return tuple(files)
 
 
-def set_aside(
+def files_for_job(
     session: Session, control: Control, files: Sequence[Path]
 ) -> tuple[list[Path], tuple[str, ...]]:
     """Return the files that a job takes, and what it leaves of folders because nothing in it is
@@ -358,7 +356,7 @@ def set_aside(
     for path in files:
         inside = [one for one in storage.list_files(session, path) if one != path]
         read = read_files(session, [path]) if inside else ()
-        others = {file.name for file in read if says_nothing(control.definition, file)}
+        others = {file.name for file in read if holds_no_data(control.definition, file)}
         left = [one for one in inside if one.name in others]
         whole = not left or len(left) == len(inside)
         taken += [path] if whole else [one for one in inside if one not in left]
@@ -417,12 +415,12 @@ def decode(
     reading = control.format
     if not axes:
         listing = reading.listing
-        shown = listing.drafted or listing.shown if drafting else listing.shown
+        shown = listing.for_draft or listing.for_display if drafting else listing.for_display
         reading = shown(reading)
-    files, beside = without_others(control.definition, files)
+    files, beside = without_other_files(control.definition, files)
     given = files
     if active is False:
-        files, left_out = control.format.listing.carried_out(control.definition, files)
+        files, left_out = control.format.listing.executed(control.definition, files)
         beside += left_out
     state = ControlState(format=control.id, axes={})
     if files:
@@ -434,7 +432,7 @@ def decode(
         (each, axis) for axis in axes for each in (axis.address, axis.gantry) if each is not None
     ]
     if control.definition.judged == "read_back":
-        return DecodedState(files, state, ReadOnce(state))
+        return DecodedState(files, state, SingleReader(state))
     alone = address or (axes[0].address if len(axes) == 1 else None)
     judge = virtual_control(
         control.id,

@@ -10,10 +10,10 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path, PurePath
 from typing import Any
 
-from compwright.controls.acting import judged_cross
 from compwright.controls.control import decode, open_control
-from compwright.controls.decoded import judged
+from compwright.controls.decoded_state import judged_values
 from compwright.controls.definitions import definition_named
+from compwright.controls.judged_corrections import judged_cross
 from compwright.documents.decode import DecodedAxis, decode_document
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definitions import definitions_from
@@ -328,8 +328,8 @@ def _decoded(
         name(address): DecodedAxis(
             kind=entry.kind,
             positions=entry.positions,
-            positive=judged(decoded, address, entry.positions, Direction.POSITIVE),
-            negative=judged(decoded, address, entry.positions, Direction.NEGATIVE),
+            positive=judged_values(decoded, address, entry.positions, Direction.POSITIVE),
+            negative=judged_values(decoded, address, entry.positions, Direction.NEGATIVE),
         )
         for address, entry in decoded.state.axes.items()
     }

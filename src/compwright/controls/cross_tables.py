@@ -8,11 +8,11 @@ from functools import cache
 
 import numpy as np
 
-from compwright.controls.acting import judged_cross
-from compwright.controls.changes import in_place
 from compwright.controls.control import Control, decode
-from compwright.controls.decoded import DecodedState
-from compwright.formats.families.between import BetweenRequest, together
+from compwright.controls.decoded_state import DecodedState
+from compwright.controls.file_replacement import with_new_tables
+from compwright.controls.judged_corrections import judged_cross
+from compwright.formats.families.between import BetweenRequest, merged_files
 from compwright.formats.families.control_texts import texts_of
 from compwright.foundations.errors import CompwrightError, Fault, raise_all
 from compwright.foundations.findings import Finding
@@ -65,7 +65,7 @@ def write_planned(
         return CrossOutcome(files=tables)
     between = {name for entry in planned for name in (entry.input, entry.output)}
     own = texts_of(control.definition, as_found.files, [])  # read before
-    base = in_place(own, tables, [axes[name].address for name in tabled])
+    base = with_new_tables(own, tables, [axes[name].address for name in tabled])
 
     @cache  # the family reads what is compared here
     def read(files: tuple[ControlFile, ...], *, written: bool = False) -> DecodedState:
@@ -97,10 +97,10 @@ def write_planned(
     )
     if answer.files is None:
         return outcome
-    after = read(together(base, answer.files), written=True)
+    after = read(merged_files(base, answer.files), written=True)
     held = tuple(planned) if answer.held is None else answer.held
     raise_all(CompwrightError, _wrong(held, read(base), after, answer.quantum))
-    files, totals = together(tables, answer.files), _totals(held, after, axes)
+    files, totals = merged_files(tables, answer.files), _totals(held, after, axes)
     pairs = {(entry.input, entry.output) for entry in held}
     rest = [entry for entry in outcome.planned if (entry.input, entry.output) not in pairs]
     return replace(

@@ -14,7 +14,7 @@ from compwright.formats.definitions import (
     definitions_from,
     load_definition,
 )
-from compwright.formats.gate.gate import check_definition
+from compwright.formats.gate import check_definition
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.input_sizes import DEFINITION
@@ -57,7 +57,7 @@ def own_definition(session: Session, path: Path) -> Definition:
     definition = load_definition(
         _content(session, path), str(path), _beside(session, path.parent), own=True
     )
-    raise_all(InputError, taken(session, definition))
+    raise_all(InputError, name_conflicts(session, definition))
     return definition
 
 
@@ -68,7 +68,7 @@ def shipped_definitions(session: Session) -> dict[str, Definition]:
     return definitions_from(storage.definition_files(session))
 
 
-def taken(session: Session, definition: Definition) -> tuple[Fault, ...]:
+def name_conflicts(session: Session, definition: Definition) -> tuple[Fault, ...]:
     """Return the fault of a definition under the id of a control that ships, whatever its case."""
     stems = (Path(name).stem for name, _ in storage.definition_files(session))
     shipped = {stem.casefold(): stem for stem in stems}.get(definition.id.casefold())
@@ -89,7 +89,7 @@ def carried_definition(session: Session, texts: Texts) -> Definition:
     """Return the definition that a plan carries. Raises InputError with every fault."""
     raise_all(InputError, _gate(texts))
     definition = definition_of(texts, own=True)
-    raise_all(InputError, taken(session, definition))
+    raise_all(InputError, name_conflicts(session, definition))
     return definition
 
 

@@ -1,23 +1,68 @@
-"""What differs between two sets of a control's files: the corrections that come out, and every
-value that they enter, in the control's words.
+"""Differences between two sets of a control's files: the corrections that come out, and every
+value, by the control's own names. One axis that cannot be read hides no other.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from compwright.controls.control import Control, decode
-from compwright.controls.one_by_one import axis_by_axis
-from compwright.controls.two_readers import EVERYWHERE, probe_positions
+from compwright.controls.reader_comparison import EVERYWHERE, probe_positions
 from compwright.formats.text.container import is_container
-from compwright.formats.text.entered import Entered, EnteredChange, Entries, changes
+from compwright.formats.text.file_values import FileValue, FileValueChange, FileValues, changes
 from compwright.foundations.errors import CompwrightError, Fault, InputError, UsageError
 from compwright.foundations.findings import Finding
 from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
+
+
+@dataclass(frozen=True, slots=True)
+class AxisReadings:
+    """``state``: of all axes that could be read, None where none could; ``refused``: why another
+    one could not, by address.
+    """
+
+    state: ControlState | None
+    refused: Mapping[str, InputError | UsageError]
+
+
+def read_axis_by_axis(
+    control: Control,
+    files: Sequence[ControlFile],
+    read: Callable[[str], ControlState],
+    among: Collection[str] | None = None,
+    caught: type[InputError] | tuple[type[InputError], type[UsageError]] = InputError,
+) -> AxisReadings:
+    """Return the state that ``read`` gives for one address of ``files`` after the other, ``among``
+    these if given; none if the control's axes may not be read alone.
+
+    An axis on which nothing is active, by the others, is skipped. ``caught``: errors that leave an
+    axis out.
+    """
+    refused: dict[str, InputError | UsageError] = {}
+    state: ControlState | None = None
+    listing = control.format.listing
+    for address in listing.readable_alone(control.format, files):
+        idle = state is not None and listing.is_idle(state, address)
+        if idle or (among is not None and address not in among):
+            continue
+        try:
+            one = read(address)
+        except caught as error:
+            refused[address] = error
+        else:
+            state = one if state is None else _together(state, one)
+    return AxisReadings(state, refused)
+
+
+def _together(one: ControlState, other: ControlState) -> ControlState:
+    """Return what two readings of the same files say, each of its own axes."""
+    axes, facts = {**one.axes, **other.axes}, {**one.facts, **other.facts}
+    return replace(one, axes=axes, facts=facts)
+
 
 #: Two corrections are the same below this many mm or deg: far below every quantum of a control.
 SAME = 1e-6
@@ -26,18 +71,18 @@ _MOST_FAULTS = 2
 
 
 @dataclass(frozen=True, slots=True)
-class Side:
+class ComparedSide:
     """One set of files: all its values, and the resulting state (None: it cannot be read;
     ``findings`` give the reason). ``unread``: the axes that could not be read, while others could.
     """
 
     files: tuple[ControlFile, ...]
-    entries: Entries
+    entries: FileValues
     state: ControlState | None
     findings: tuple[Finding, ...] = ()
     unread: frozenset[str] = frozenset()
 
-    def tells(self, address: str) -> bool:
+    def knows(self, address: str) -> bool:
         """Whether it is known what the control makes of an axis."""
         return self.state is not None and address not in self.unread
 
@@ -48,12 +93,12 @@ class Placed:
     of a table.
     """
 
-    change: EnteredChange
+    change: FileValueChange
     axes: tuple[str, ...]
     at: float | None
 
     @property
-    def entry(self) -> Entered:
+    def entry(self) -> FileValue:
         """The entry as it is, or was."""
         return self.change.entry
 
@@ -79,31 +124,31 @@ class CorrectionChange:
 @dataclass(frozen=True, slots=True)
 class Differences:
     """``entries``: every value that differs, those that compensate first. ``corrections`` by
-    address, of axes whose correction changed; ``cross`` by moving and corrected axis; ``told``:
-    both sides could be read completely, so the list is complete; ``untold``: the axes with
+    address, of axes whose correction changed; ``cross`` by moving and corrected axis; ``complete``:
+    both sides could be read completely, so the list is complete; ``uncompared``: the axes with
     different entries whose correction could not be compared.
     """
 
     entries: tuple[Placed, ...]
     corrections: Mapping[str, CorrectionChange] = field(default_factory=dict)
     cross: Mapping[tuple[str, str], CorrectionChange] = field(default_factory=dict)
-    told: bool = False
-    untold: frozenset[str] = frozenset()
+    complete: bool = False
+    uncompared: frozenset[str] = frozenset()
     findings: tuple[Finding, ...] = ()
 
 
-def side(
+def compared_side(
     control: Control,
     files: Sequence[ControlFile],
     name: str,
     naming: Sequence[ControlFile] = (),
-) -> Side:
+) -> ComparedSide:
     """Return one set of files, read as far as it can be. ``name``: what it is called in findings;
     ``naming``: the other set, which may say what the axes are called.
 
     Raises InputError where the files enter nothing at all, or cannot be opened.
     """
-    entries = control.format.listing.entered(control.definition, files, naming)
+    entries = control.format.listing.file_values(control.definition, files, naming)
     if not entries:
         raise InputError(*_nothing(control, files))
     files, idle = _with_data(control, files, entries)
@@ -111,11 +156,13 @@ def side(
     try:
         state, findings = _viewed(control, files, name)
     except (InputError, UsageError) as error:
-        return _in_part(control, Side(files, entries, None, left), name, error)
-    return Side(files, entries, state, (*left, *findings))
+        return _in_part(control, ComparedSide(files, entries, None, left), name, error)
+    return ComparedSide(files, entries, state, (*left, *findings))
 
 
-def _in_part(control: Control, unread: Side, name: str, error: InputError | UsageError) -> Side:
+def _in_part(
+    control: Control, unread: ComparedSide, name: str, error: InputError | UsageError
+) -> ComparedSide:
     """Return a set of files of which the whole cannot be read, as far as single axes can be."""
     named = {entry.axis for entry in unread.entries.values() if entry.relevant}
     seen: list[Finding] = []
@@ -125,15 +172,19 @@ def _in_part(control: Control, unread: Side, name: str, error: InputError | Usag
         seen.extend(findings)
         return state
 
-    found = axis_by_axis(control, unread.files, view, named, (InputError, UsageError))
+    found = read_axis_by_axis(control, unread.files, view, named, (InputError, UsageError))
     if found.state is None:
-        return replace(unread, findings=(*unread.findings, _untold(name, "these files", error)))
-    told = [_untold(name, f"axis {each}", why) for each, why in found.refused.items()]
-    findings = tuple(dict.fromkeys((*unread.findings, *seen, *told)))
+        return replace(
+            unread, findings=(*unread.findings, _unread_finding(name, "these files", error))
+        )
+    unread_axes = [
+        _unread_finding(name, f"axis {each}", why) for each, why in found.refused.items()
+    ]
+    findings = tuple(dict.fromkeys((*unread.findings, *seen, *unread_axes)))
     return replace(unread, state=found.state, findings=findings, unread=frozenset(found.refused))
 
 
-def _untold(name: str, what: str, error: InputError | UsageError) -> Finding:
+def _unread_finding(name: str, what: str, error: InputError | UsageError) -> Finding:
     faults = "; ".join(str(fault) for fault in error.faults[:_MOST_FAULTS])
     more = len(error.faults) - _MOST_FAULTS
     faults += f"; and {more} more" if more > 0 else ""
@@ -141,7 +192,7 @@ def _untold(name: str, what: str, error: InputError | UsageError) -> Finding:
 
 
 def _with_data(
-    control: Control, files: Sequence[ControlFile], entries: Entries
+    control: Control, files: Sequence[ControlFile], entries: FileValues
 ) -> tuple[tuple[ControlFile, ...], str]:
     """Return the files that hold compensation, and the names of those that enter nothing at all: a
     folder holds notes too. What a file enters may stand in a later one again.
@@ -154,7 +205,7 @@ def _with_data(
         if file.name in acting or is_container(file):
             kept.append(file)
             continue
-        own = control.format.listing.entered(control.definition, [file], ())
+        own = control.format.listing.file_values(control.definition, [file], ())
         if any(one.relevant for one in own.values()):
             kept.append(file)
         elif file.name not in used and not own:
@@ -171,7 +222,7 @@ def _viewed(
     try:
         return decode(control, files, address=address).state, ()
     except CompwrightError as error:
-        state = control.format.listing.shown(control.format).read(files, address=address)
+        state = control.format.listing.for_display(control.format).read(files, address=address)
         why = "; ".join(str(fault) for fault in error.faults[:1])
         return state, (Finding.of("CW-S081", "warning", files=name, why=why),)
 
@@ -187,7 +238,7 @@ def _nothing(control: Control, files: Sequence[ControlFile]) -> list[Fault]:
     ]
 
 
-def differences(control: Control, old: Side, new: Side) -> Differences:
+def differences(control: Control, old: ComparedSide, new: ComparedSide) -> Differences:
     """Return what differs between two sets of files."""
     placed = [_placed(control, change, old, new) for change in changes(old.entries, new.entries)]
     placed.sort(key=lambda one: not one.entry.relevant)
@@ -198,16 +249,18 @@ def differences(control: Control, old: Side, new: Side) -> Differences:
         cross = _cross(old.state, new.state)
     findings = (*old.findings, *new.findings)
     named = {address for one in placed for address in one.axes}
-    untold = frozenset(one for one in named if not (old.tells(one) and new.tells(one)))
-    told = not (untold or old.unread or new.unread or None in (old.state, new.state))
-    return Differences(tuple(placed), corrections, cross, told, untold, findings)
+    uncompared = frozenset(one for one in named if not (old.knows(one) and new.knows(one)))
+    complete = not (uncompared or old.unread or new.unread or None in (old.state, new.state))
+    return Differences(tuple(placed), corrections, cross, complete, uncompared, findings)
 
 
-def _placed(control: Control, change: EnteredChange, old: Side, new: Side) -> Placed:
+def _placed(
+    control: Control, change: FileValueChange, old: ComparedSide, new: ComparedSide
+) -> Placed:
     axes: tuple[str, ...] = ()
     at = None
     for one in (old, new):
-        named, position = control.format.listing.whereabouts(
+        named, position = control.format.listing.value_location(
             control.definition, change.entry, one.entries, one.state
         )
         axes = tuple(dict.fromkeys((*axes, *named)))
@@ -216,7 +269,7 @@ def _placed(control: Control, change: EnteredChange, old: Side, new: Side) -> Pl
 
 
 def _corrections(
-    before: Side, after: Side, old: ControlState, new: ControlState
+    before: ComparedSide, after: ComparedSide, old: ControlState, new: ControlState
 ) -> dict[str, CorrectionChange]:
     """Return what changed of axes of which both sides say something: missing is not zero."""
     stated = [
@@ -229,7 +282,7 @@ def _corrections(
         known = now or was
         if known is None or not all(address in axes for axes in stated):
             continue
-        if not (before.tells(address) and after.tells(address)):
+        if not (before.knows(address) and after.knows(address)):
             continue
         sides = [probe_positions(one.positions) for one in (was, now) if one is not None]
         where = np.unique(np.concatenate(sides))

@@ -7,11 +7,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from compwright.controls.acting import correction_of
 from compwright.controls.control import Control
-from compwright.controls.decoded import DecodedState
-from compwright.controls.two_readers import probe_positions, table_positions
-from compwright.formats.families.gantry import SAME_TABLE
+from compwright.controls.decoded_state import DecodedState
+from compwright.controls.judged_corrections import judged_correction
+from compwright.controls.reader_comparison import probe_positions, table_positions
+from compwright.formats.families.coupled_axes import SAME_TABLE
 from compwright.foundations.errors import CapacityError, CompwrightError, Fault, raise_all
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
@@ -152,9 +152,9 @@ def check_partners(axes: Sequence[tuple[Axis, FittedTable]], loaded: DecodedStat
         if axis.gantry is None:
             continue
         own = tables.get(axis.gantry)
-        back = correction_of(loaded, partner_of(axis, axis.gantry))
+        back = judged_correction(loaded, partner_of(axis, axis.gantry))
         if own is None:
-            meant = correction_of(loaded, axis)
+            meant = judged_correction(loaded, axis)
             where = probe_positions(table.compensation.positions)
         else:
             meant = own.at
@@ -225,8 +225,8 @@ def _skew(axis: Axis, state: DecodedState, where: FloatArray) -> list[FloatArray
     direction.
     """
     own, leading = (
-        correction_of(state, partner_of(axis, str(axis.gantry))),
-        correction_of(state, axis),
+        judged_correction(state, partner_of(axis, str(axis.gantry))),
+        judged_correction(state, axis),
     )
     return [own(where, side) - leading(where, side) for side in Direction]
 

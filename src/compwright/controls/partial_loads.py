@@ -7,11 +7,11 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from compwright.controls.acting import correction_of
-from compwright.controls.changes import in_place
 from compwright.controls.control import Control, decode
+from compwright.controls.file_replacement import with_new_tables
+from compwright.controls.judged_corrections import judged_correction
 from compwright.evaluation.standards import evaluate
-from compwright.formats.text.entered import Entries, same_text
+from compwright.formats.text.file_values import FileValues, same_text
 from compwright.foundations.errors import CompwrightError
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.axis_work import AxisWork
@@ -51,13 +51,13 @@ def harmful_parts(
     found = []
     for part in changed:
         try:
-            state = decode(control, in_place(own, [part], addresses), axes)
+            state = decode(control, with_new_tables(own, [part], addresses), axes)
         except CompwrightError:
             continue  # the values contradict each other: nobody knows what the control does
         stated = [
             words
             for work in works.values()
-            if (words := _worse(work, correction_of(state, work.planned.axis)))
+            if (words := _worse(work, judged_correction(state, work.planned.axis)))
         ]
         if stated:
             found.append(f"With {part.name} alone {', '.join(stated)}.")
@@ -83,7 +83,7 @@ def _worse(work: AxisWork, new: Correction) -> str:
     return f"axis {axis.name} has {name} {becomes:.0f} {unit} (now {was:.0f} {unit})"
 
 
-def partial_load(before: Entries, planned: Entries, back: Entries) -> PartialLoad | None:
+def partial_load(before: FileValues, planned: FileValues, back: FileValues) -> PartialLoad | None:
     """Return which files of a plan were loaded and which were not, where each was as a whole: by
     what the control's files held ``before``, what is ``planned`` and what was read ``back``. None:
     all were, none was, or something else is wrong.

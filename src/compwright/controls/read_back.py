@@ -10,15 +10,15 @@ from pathlib import Path
 
 from compwright.controls.control import Control
 from compwright.controls.differences import (
+    ComparedSide,
     CorrectionChange,
     Differences,
     Placed,
-    Side,
     differences,
 )
 from compwright.documents.compare import Difference, Others
 from compwright.documents.diff import EntryDifference
-from compwright.formats.text.entered import same_text
+from compwright.formats.text.file_values import same_text
 from compwright.foundations import storage
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, outside_unit
@@ -42,7 +42,7 @@ def not_read_back(plan_file: Path, loaded: Sequence[Path]) -> Iterator[Finding]:
 
 
 def read_back_differences(
-    control: Control, expected: Side, found: Side, names: Mapping[str, str]
+    control: Control, expected: ComparedSide, found: ComparedSide, names: Mapping[str, str]
 ) -> ReadBackDifferences:
     """Compare what was read back with the expected contents. ``names``: the axes of the plan by
     address, gantry partners too.

@@ -1,19 +1,23 @@
-"""Steps of the commissioning card that load a table into the control, with their evidence."""
+"""Steps of the commissioning card that load a table into the control, and checks for a table
+without the planned effect: sentences of the definition with their evidence.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from compwright.formats.definition.schema import Definition, Measure
+from compwright.formats.definition.schema import Definition, LookRule, Measure
 from compwright.formats.definition.statements import field_names, print_form
-from compwright.formats.families.bound import Bound
-from compwright.formats.families.card_words import CURVES, REFERENCING, UNKNOWN, numbered_files
+from compwright.formats.families.card_texts import CURVES, REFERENCING, UNKNOWN, numbered_files
+from compwright.formats.families.family import Family
+from compwright.formats.families.resolved_definition import ResolvedDefinition
 from compwright.formats.text.addresses import normal_address
 from compwright.records.axis import Axis
 from compwright.records.correction import AxisCompensation, Evidence
+from compwright.records.verification import LoadingName
 
 #: A field with a longer value is a sentence and keeps its place in the text.
 _LONGEST_CELL = 48
@@ -146,7 +150,7 @@ def gantry_words(axis: Axis) -> str:
     )
 
 
-def points_needed(control: Bound, table: AxisCompensation) -> int | None:
+def points_needed(control: ResolvedDefinition, table: AxisCompensation) -> int | None:
     """Return how many points the control must have reserved.
 
     None if it reserves none, or if its files show that it has them.
@@ -159,3 +163,31 @@ def points_needed(control: Bound, table: AxisCompensation) -> int | None:
     one_curve = np.array_equal(table.positive, table.negative)
     there = one_curve and isinstance(room, int) and room >= needed
     return needed if reserves and not there else None
+
+
+def look_at(
+    control: Family, axis: Axis, compensation: AxisCompensation
+) -> Mapping[LoadingName, tuple[str, ...]]:
+    """Return, by verdict of loading, what to check on a control for an axis; empty if its
+    definition does not state it.
+
+    ``compensation``: the table that was to be loaded, which decides between texts for one and for
+    two curves. A sentence that no manual confirms says so. ``loaded``: the check that the planned
+    table is active, if the test would show the same with another one.
+    """
+    values = axis_values(control.definition, axis)
+    pair = not np.array_equal(compensation.positive, compensation.negative)
+    return {
+        verdict: tuple(_sentences(rules, values, pair=pair))
+        for verdict, rules in control.definition.look_at.items()
+    }
+
+
+def _sentences(
+    rules: tuple[LookRule, ...], values: Mapping[str, str], *, pair: bool
+) -> Iterator[str]:
+    for rule in rules:
+        form = rule.two_curves if pair else rule.text
+        text = print_form(form, {name: values[name] for name in field_names(form)})
+        state = rule.evidence.state
+        yield text if state == "confirmed" else f"{text} ({state})"

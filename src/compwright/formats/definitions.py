@@ -21,7 +21,7 @@ from compwright.formats.definition.extends import (
     texts_of,
 )
 from compwright.formats.definition.forms import definition_validator
-from compwright.formats.definition.required import Required
+from compwright.formats.definition.options import Required
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definition.vocabulary import SCHEMA_VERSION
 from compwright.formats.families.shapes import RULES
@@ -93,13 +93,13 @@ def definitions_from(files: Iterable[tuple[str, bytes]]) -> dict[str, Definition
             errors.append(error)
             continue
         if definition.id in found:
-            errors.append(InputError(given_twice(definition, found[definition.id].file)))
+            errors.append(InputError(duplicate_id(definition, found[definition.id].file)))
         found[definition.id] = definition
     raise_all(InputError, collect(errors))
     return found
 
 
-def given_twice(definition: Definition, first: str) -> Fault:
+def duplicate_id(definition: Definition, first: str) -> Fault:
     """Return the fault of a second definition of one id."""
     found = f"{definition.id} in {first}"
     return definition.text.fault(("id",), "the id is given twice", found=found)

@@ -22,7 +22,7 @@ from compwright.records.axis import Direction, FloatArray
 if TYPE_CHECKING:  # for names alone: the library starts without the estimation and the formats
     from numpy.typing import ArrayLike
 
-    from compwright.controls.decoded import DecodedState
+    from compwright.controls.decoded_state import DecodedState
     from compwright.estimation.axis import AxisPosterior
     from compwright.records.job import Job
     from compwright.workflow.commands.run import PlannedJob
@@ -375,10 +375,10 @@ class AxisCorrection:
 
     def __call__(self, positions: ArrayLike, approach: Approach) -> FloatArray:
         """Return the correction at ``positions`` (k,), mm or deg, arriving in ``approach``."""
-        from compwright.controls.decoded import judged
+        from compwright.controls.decoded_state import judged_values
 
         where = np.atleast_1d(np.asarray(positions, dtype=np.float64))
         correction: FloatArray = (
-            judged(self._state, self.address, where, Direction(approach)) * self._factor
+            judged_values(self._state, self.address, where, Direction(approach)) * self._factor
         )
         return correction

@@ -30,8 +30,8 @@ class PairFacts:
     ``own``: the indices of its own two tables, + first. ``max_sum``: the control's limit of the sum
     of all corrections on it, mm or deg; None: unknown. ``metric``: their values are in mm, not in
     inch; None: no file states it. ``odd_sum``: the largest sum that tables which cannot be read as
-    curves add to it, mm or deg. ``untold``: the active tables from other axes that cannot be
-    counted, in words that change with their values; ``untold_help``: what would allow them to be
+    curves add to it, mm or deg. ``uncounted``: the active tables from other axes that cannot be
+    counted, in words that change with their values; ``uncounted_help``: what would allow them to be
     counted.
     """
 
@@ -39,8 +39,8 @@ class PairFacts:
     max_sum: float | None = None
     metric: bool | None = None
     odd_sum: float = 0.0
-    untold: str = ""
-    untold_help: str = ""
+    uncounted: str = ""
+    uncounted_help: str = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

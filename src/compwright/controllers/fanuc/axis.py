@@ -12,10 +12,10 @@ from contextlib import contextmanager
 from dataclasses import replace
 
 from compwright.controllers.fanuc.additional_functions import left_out
-from compwright.controllers.fanuc.checks import inclined_without_grid, not_used, stopping
-from compwright.controllers.fanuc.grid import IncrementGrid
+from compwright.controllers.fanuc.axis_checks import inclined_without_grid, not_used, stopping
 from compwright.controllers.fanuc.memory import Memory, number_list
 from compwright.controllers.fanuc.options import Options
+from compwright.controllers.fanuc.table import IncrementGrid
 from compwright.controllers.request import Request, by_address, finite_number
 from compwright.foundations.errors import Fault
 from compwright.records.axis import AxisKind

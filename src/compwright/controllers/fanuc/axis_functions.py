@@ -15,10 +15,9 @@ from compwright.controllers.fanuc.additional_functions import (
     inclination,
 )
 from compwright.controllers.fanuc.axis import AxisLoader
-from compwright.controllers.fanuc.grid import IncrementGrid
 from compwright.controllers.fanuc.memory import number_list
 from compwright.controllers.fanuc.options import Options
-from compwright.controllers.fanuc.table import PitchTable, totals
+from compwright.controllers.fanuc.table import IncrementGrid, PitchTable, totals
 from compwright.controllers.fanuc.text import POINT_BASE
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.correction import Assumption

@@ -13,8 +13,8 @@ import numpy as np
 
 from compwright.controllers.fanuc.additional_functions import Bend, bends
 from compwright.controllers.fanuc.axis import AxisLoader
-from compwright.controllers.fanuc.grid import IncrementGrid
 from compwright.controllers.fanuc.options import Options
+from compwright.controllers.fanuc.table import IncrementGrid
 from compwright.records.axis import FloatArray
 from compwright.records.correction import Assumption
 

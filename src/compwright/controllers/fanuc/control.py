@@ -32,7 +32,6 @@ from compwright.controllers.fanuc.additional_functions import Cycle, cyclic_numb
 from compwright.controllers.fanuc.axis import AxisLoader
 from compwright.controllers.fanuc.axis_functions import backlash, cycle, pitch_table
 from compwright.controllers.fanuc.bending import Bending, bending_of
-from compwright.controllers.fanuc.grid import IncrementGrid
 from compwright.controllers.fanuc.machine import FINEST_CONFIRMED, read_machine
 from compwright.controllers.fanuc.memory import Memory, number_list
 from compwright.controllers.fanuc.options import Options, read_options
@@ -40,7 +39,7 @@ from compwright.controllers.fanuc.series import (
     ControlSeries,
 )
 from compwright.controllers.fanuc.sheet import is_sheet, read_sheet
-from compwright.controllers.fanuc.table import PitchTable
+from compwright.controllers.fanuc.table import IncrementGrid, PitchTable
 from compwright.controllers.fanuc.text import POINT_BASE, read_file
 from compwright.controllers.request import Request, by_address, unknown_axis
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all

@@ -27,11 +27,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from compwright.controllers.heidenhain.curve import CorrectionCurve, HeidenhainAxis
+from compwright.controllers.heidenhain.elements import Generation
 from compwright.controllers.heidenhain.loading import Loader
 from compwright.controllers.heidenhain.sheet import JudgedSheet, is_sheet, read_sheet
 from compwright.controllers.heidenhain.table import Content, read_text
-from compwright.controllers.heidenhain.words import Generation
+from compwright.controllers.heidenhain.tables import CorrectionCurve, HeidenhainAxis
 from compwright.controllers.request import Request, unknown_axis
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.records.axis import Direction, FloatArray

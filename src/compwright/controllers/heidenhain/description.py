@@ -12,7 +12,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from compwright.controllers.heidenhain.words import LinePlace
+from compwright.controllers.heidenhain.elements import LinePlace
 from compwright.foundations.errors import InputError
 
 Line = tuple[LinePlace, str]

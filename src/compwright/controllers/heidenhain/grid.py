@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from compwright.controllers.heidenhain.description import described
-from compwright.controllers.heidenhain.words import LinePlace, number
+from compwright.controllers.heidenhain.elements import LinePlace, number
 from compwright.foundations.errors import Fault, InputError
 from compwright.records.axis import FloatArray
 

@@ -4,13 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from compwright.controllers.heidenhain.assignment import AxisAssignment
-from compwright.controllers.heidenhain.curve import CorrectionCurve, HeidenhainAxis
-from compwright.controllers.heidenhain.given import Given, filled
+from compwright.controllers.heidenhain.elements import ITNC530, Generation, Parameter, Quantity
+from compwright.controllers.heidenhain.loaded_contents import AxisAssignment, LoadedContents, filled
 from compwright.controllers.heidenhain.sheet import JudgedSheet
 from compwright.controllers.heidenhain.table import Content
-from compwright.controllers.heidenhain.tables import OwnTableLoader
-from compwright.controllers.heidenhain.words import ITNC530, Generation, Parameter, Quantity
+from compwright.controllers.heidenhain.tables import CorrectionCurve, HeidenhainAxis, OwnTableLoader
 from compwright.controllers.request import Request
 from compwright.foundations.errors import Fault
 from compwright.records.axis import AxisKind
@@ -27,7 +25,7 @@ class Loader:
         sheets: Sequence[JudgedSheet],
         contents: Sequence[Content],
     ) -> None:
-        self.given = Given(
+        self.given = LoadedContents(
             generation=generation,
             request=request,
             sheets=sheets,

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from compwright.controllers.heidenhain.words import (
+from compwright.controllers.heidenhain.elements import (
     Generation,
     LinePlace,
     Parameter,

@@ -11,15 +11,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from compwright.controllers.heidenhain.grid import (
-    CellGrid,
-    TableBlock,
-    numbers,
-    read_grid,
-    split_tables,
-)
-from compwright.controllers.heidenhain.parameters import read_parameters
-from compwright.controllers.heidenhain.words import (
+from compwright.controllers.heidenhain.elements import (
     ITNC530,
     MOST_AXES,
     Generation,
@@ -28,6 +20,14 @@ from compwright.controllers.heidenhain.words import (
     binary_fault,
     lines_of,
     number,
+    read_parameters,
+)
+from compwright.controllers.heidenhain.grid import (
+    CellGrid,
+    TableBlock,
+    numbers,
+    read_grid,
+    split_tables,
 )
 from compwright.foundations.errors import Fault, InputError
 from compwright.records.axis import FloatArray

@@ -24,8 +24,15 @@ from dataclasses import dataclass
 import numpy as np
 
 from compwright.controllers.linuxcnc.hal import run_time_pins
-from compwright.controllers.linuxcnc.ini import IniFile, IniValue, bare_name, read_inis
-from compwright.controllers.linuxcnc.kinematics import MIXING, joint_number, letters_of_joints
+from compwright.controllers.linuxcnc.ini import (
+    MIXING,
+    IniFile,
+    IniValue,
+    bare_name,
+    joint_number,
+    letters_of_joints,
+    read_inis,
+)
 from compwright.controllers.linuxcnc.table import CompTable, leading_number, load_table
 from compwright.controllers.request import Request, by_address, unknown_axis
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all

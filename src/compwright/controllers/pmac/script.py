@@ -14,9 +14,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from compwright.controllers.places import OfLine
-from compwright.controllers.pmac.sending import (
+from compwright.controllers.pmac.preprocessing import (
     Block,
-    Sending,
+    Preprocessor,
     apart,
     calculated,
     expression,
@@ -124,7 +124,7 @@ class Card:
 
 def run_scripts(files: Sequence[ControlFile]) -> Card:
     """Return the card after executing all ``files`` in their order; nothing is raised."""
-    card, sending = Card(), Sending()
+    card, sending = Card(), Preprocessor()
     for file in files:
         text = file.content.decode("latin-1").removeprefix("\xef\xbb\xbf").upper()
         text = text.removesuffix("\x1a")  # the end of a file of DOS
@@ -150,7 +150,7 @@ def run_scripts(files: Sequence[ControlFile]) -> Card:
 class _Script:
     """Executes one script: which motor is addressed, which table waits for entries."""
 
-    def __init__(self, card: Card, sending: Sending) -> None:
+    def __init__(self, card: Card, sending: Preprocessor) -> None:
         self.card = card
         self.sending = sending
         self.done: dict[tuple[str, int], list[tuple[list[Block], ScriptPlace]]] = {}

@@ -8,8 +8,8 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field, replace
 
 from compwright.controllers.sinumerik.flow import ProgramBlock
-from compwright.controllers.sinumerik.linked import EVERYTHING
-from compwright.controllers.sinumerik.reach import Doubt, Line, comes_back, inevitable
+from compwright.controllers.sinumerik.linked_conditions import EVERYTHING
+from compwright.controllers.sinumerik.reachable_lines import Doubt, Line, always_returns, inevitable
 from compwright.controllers.sinumerik.text import ProgramContent, VariableAssignment
 
 #: Variables that correct an axis where their value is not 0.
@@ -186,5 +186,5 @@ class ProgramCalls:
         if name not in self._back:
             self._back[name] = False  # one that calls itself
             placed = self._titles.get(name, [])
-            self._back[name] = len(placed) == 1 and comes_back(self.trail(placed[0].block))
+            self._back[name] = len(placed) == 1 and always_returns(self.trail(placed[0].block))
         return self._back[name]

@@ -15,8 +15,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 
-from compwright.controllers.sinumerik.linked import EVERYTHING
-from compwright.controllers.sinumerik.reach import Doubt, Line, ends_here
+from compwright.controllers.sinumerik.linked_conditions import EVERYTHING
+from compwright.controllers.sinumerik.reachable_lines import Doubt, Line, ends_here
 
 #: Words with which a statement begins that leaves the order of the blocks alone.
 _QUIET = frozenset({"CHANDATA", "METRIC", "INCH", "NEWCONF", "STOPRE", "MSG", "DEF", "EXTERN"})

@@ -4,19 +4,30 @@ first, small files over it.
 A file loaded over an archive replaces single variables: the last value of a variable counts, and a
 variable that no small file names keeps the archive's value. Text files have no order among each
 other: if they differ, that is a contradiction.
+
+The container of an archive (``@@MMCIBN.nnn``) is stated from two real archives, every member of
+both: a row of members, each a header of 512 bytes, then its data, then NUL bytes up to the next
+multiple of 512. Fields of a header are text ended by NUL: the shown name at 50, the kind at 108
+(``7`` holds data), the size in bytes at 124, the check sum at 148 (sum of the 512 bytes, those of
+the check sum itself counted as NUL), the folder at 384; numbers are decimal. The data of the first
+member are the list of all others, one path a line.
+
+The active data are in the folder of `_ACTIVE`. Everything else is programs, definitions and drive
+data: a program assigns compensation data only when it is run.
 """
 
 from __future__ import annotations
 
+import re
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from functools import lru_cache
 
 from compwright.controllers.sinumerik.axes import MachineAxisNames
-from compwright.controllers.sinumerik.container import active_files, is_container
 from compwright.controllers.sinumerik.tables import last_value
 from compwright.controllers.sinumerik.text import ProgramContent, VariableAssignment, read_file
-from compwright.foundations.errors import Fault
+from compwright.foundations.errors import Fault, InputError
 from compwright.records.correction import ControlFile
 
 
@@ -109,3 +120,185 @@ def _within_new_ends(
 def _table(entry: VariableAssignment) -> tuple[str, int, str]:
     prefix = "AA_ENC_COMP" if entry.name.startswith("AA_ENC_COMP") else "AN_CEC"
     return prefix, entry.number, entry.axis.upper()
+
+
+_BLOCK = 512
+#: Archives of which the members are kept: the states of a job, and one that was read back.
+_KEPT = 4
+_SUM = slice(148, 156)
+_BEGIN = re.compile(rb"@@MMCIBN\.[0-9]{3}\x00")
+_ACTIVE = "\\_NC_ACT.DIR\\"
+_DATA = "7"
+_DATUM = re.compile(
+    rb"\s*(?:N\d+\s+)?\$(?P<name>\w+)\s*(?P<index>\[[^\]]*\])?\s*=(?P<value>[^;]*?)(?:\s+'\w{4})?\s*(?:;.*)?$"
+)
+
+
+@dataclass(frozen=True, slots=True)
+class _Member:
+    start: int
+    name: str
+    kind: str
+    folder: str
+    content: bytes
+
+
+@dataclass(slots=True)
+class Opened:
+    """``files``: the active members as text files, each named ``ARCHIVE: MEMBER``; ``faults``: of
+    the container.
+    """
+
+    files: list[ControlFile] = field(default_factory=list)
+    faults: list[Fault] = field(default_factory=list)
+
+
+def is_container(content: bytes) -> bool:
+    """Return whether a file is such an archive, by its first bytes."""
+    return _BEGIN.match(content) is not None
+
+
+@lru_cache(maxsize=_KEPT)
+def active_files(file: ControlFile) -> Opened:
+    """Return the members that are the control's state, in their order; equal repetitions count
+    once.
+
+    Nothing is raised: a container that is cut short or has wrong sizes, and two members of one name
+    that differ, are faults. The result is cached by content: do not change it.
+    """
+    opened = Opened()
+    seen: dict[str, bytes] = {}
+    listed: list[str] = []
+    try:
+        for member in _members(file):
+            if member.start == 0:
+                listed = _listed(member.content)
+                continue
+            if member.kind != _DATA or member.folder.upper() != _ACTIVE:
+                continue
+            before = seen.setdefault(member.name.upper(), member.content)
+            if before != member.content:
+                message = (
+                    f"the archive holds two members {member.name} that differ: which one counts is"
+                    " not known"
+                )
+                opened.faults.append(
+                    Fault(
+                        message=message,
+                        file=file.name,
+                        place=member.name,
+                        hint="export the archive from the control again",
+                    )
+                )
+            elif before is member.content:
+                opened.files.append(ControlFile(f"{file.name}: {member.name}", member.content))
+    except InputError as error:
+        opened.faults.extend(error.faults)
+        return opened
+    opened.faults += _contradictions(opened.files)
+    opened.faults += [
+        Fault(
+            message=f"the archive is cut short: its list names {name}, which is not in it",
+            file=file.name,
+            place=name,
+            expected="an archive as the control wrote it",
+            hint="export the archive from the control again",
+        )
+        for name in dict.fromkeys(listed)
+        if name.upper() not in seen
+    ]
+    return opened
+
+
+def _contradictions(files: list[ControlFile]) -> Iterator[Fault]:
+    """Yield a fault for each variable that two members end with different values.
+
+    A control writes its machine data into INITIAL.INI and, in parts, into the CFG members; MD11200
+    alone is a command and may differ.
+    """
+    ends: dict[bytes, tuple[bytes, ControlFile, int]] = {}
+    for file in files:
+        own: dict[bytes, tuple[bytes, ControlFile, int]] = {}
+        for number, line in enumerate(file.content.splitlines(), start=1):
+            match = _DATUM.match(line)
+            if match is not None and match["name"].upper() != b"MN_INIT_MD":
+                key = (match["name"] + (match["index"] or b"")).replace(b" ", b"").upper()
+                own[key] = match["value"].strip(), file, number
+        for key, (value, _, number) in own.items():
+            other, where, at = ends.setdefault(key, (value, file, number))
+            if other != value and _as_number(other) != _as_number(value):
+                yield Fault(
+                    message=(
+                        f"${key.decode('latin-1')} contradicts {where.name}, line {at}: "
+                        "one of the two members was changed"
+                    ),
+                    file=file.name,
+                    place=f"line {number}",
+                    expected=f"{other.decode('latin-1')}",
+                    found=value.decode("latin-1"),
+                    hint="export the archive from the control again",
+                )
+
+
+def _as_number(text: bytes) -> float | bytes:
+    try:
+        return float(text)
+    except ValueError:
+        return text.upper()
+
+
+def _listed(content: bytes) -> list[str]:
+    """Return the names of the active members in the list of contents, without marks."""
+    lines = content.decode("latin-1").splitlines()
+    names = [line[len(_ACTIVE) :] for line in lines if line.upper().startswith(_ACTIVE)]
+    return [name for name in names if not name.startswith("@@")]
+
+
+def _members(file: ControlFile) -> Iterator[_Member]:
+    """Yield the members in order.
+
+    Raises InputError where no header follows the end of a member, or the data end early.
+    """
+    content, start, before = file.content, 0, "the first member"
+    while start < len(content):
+        header = content[start : start + _BLOCK]
+        name, size = _field(header, 50) or _field(header, 0), _size(header)
+        if size is None:
+            raise InputError(
+                Fault(
+                    message=f"the size of {before} is wrong: no member begins where it ends",
+                    file=file.name,
+                    place=f"byte {start}",
+                    expected="an archive as the control wrote it",
+                    hint="export the archive from the control again",
+                )
+            )
+        data = content[start + _BLOCK : start + _BLOCK + size]
+        if len(data) < size:
+            raise InputError(
+                Fault(
+                    message=f"the archive is cut short in the member {name}",
+                    file=file.name,
+                    place=f"byte {start}",
+                    expected=f"{size} bytes",
+                    found=f"{len(data)} bytes",
+                    hint="export the archive from the control again",
+                )
+            )
+        yield _Member(start, name, _field(header, 108), _field(header, 384), data)
+        start += _BLOCK + -(-size // _BLOCK) * _BLOCK
+        before = f"the member {name}"
+
+
+def _size(header: bytes) -> int | None:
+    """Return the size that a header states, None where these bytes are no header."""
+    size, check_sum = _field(header, 124), _field(header, 148)
+    whole = len(header) == _BLOCK and size.isdecimal() and check_sum.isdecimal()
+    if not whole or sum(header) - sum(header[_SUM]) != int(check_sum):
+        return None
+    return int(size)
+
+
+def _field(header: bytes, start: int) -> str:
+    """Return the text that begins at ``start`` and ends with NUL."""
+    return header[start:].split(b"\x00", 1)[0].decode("latin-1").strip()

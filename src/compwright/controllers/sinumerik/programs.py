@@ -11,7 +11,7 @@ from compwright.controllers.request import Request
 from compwright.controllers.sinumerik.axes import MachineAxisNames
 from compwright.controllers.sinumerik.calls import PlacedBlock, ProgramCalls
 from compwright.controllers.sinumerik.flow import ProgramBlock
-from compwright.controllers.sinumerik.reach import Doubt, conflicts, unclear_jumps
+from compwright.controllers.sinumerik.reachable_lines import Doubt, conflicts, unclear_jumps
 from compwright.controllers.sinumerik.text import ProgramContent, VariableAssignment
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 

@@ -1,19 +1,51 @@
 """Options of a control: defaults, values from a job or the command line, and values in the
-control's own files.
+control's own files; sections whose missing entries are faults of the definition.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
+from typing import TypeVar
 
-from compwright.formats.definition.required import Required
 from compwright.formats.definition.schema import Definition, OptionRule
-from compwright.foundations.errors import Fault, UsageError, raise_all
+from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.key_faults import nearest
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.correction import ControlState
 from compwright.records.options import KIND, REFERENCE, REFERENCE_RETURN
+
+_T = TypeVar("_T")
+
+
+class Required(dict[str, _T]):
+    """A section by name. Reading a missing entry raises InputError with its key path; ``get`` and
+    ``in`` do not.
+    """
+
+    def __init__(
+        self,
+        entries: Mapping[str, _T] | Iterable[tuple[str, _T]] = (),
+        *,
+        section: str = "",
+        file: str = "",
+    ) -> None:
+        super().__init__(entries)
+        self._section, self._file = section, file
+
+    def __missing__(self, name: str) -> _T:
+        """Raise InputError."""
+        raise InputError(
+            Fault(
+                message="the definition lacks an entry that files of this shape need",
+                file=self._file,
+                place=f"{self._section}.{name}",
+                expected="an entry",
+                found="none",
+                hint=f"add `{name}` to the section `{self._section}` of the definition",
+            )
+        )
+
 
 #: Least and largest number that an option may hold, apart from 0: every length, count and feed of a
 #: machine tool lies within, and products of two such numbers stay finite.

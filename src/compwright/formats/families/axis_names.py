@@ -12,8 +12,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definition.statements import Occurrence
-from compwright.formats.text.addresses import normal_text
-from compwright.formats.text.axis_names import AxisNames
+from compwright.formats.text.addresses import AxisNames, normal_text
 from compwright.formats.text.texts import ReadText
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 

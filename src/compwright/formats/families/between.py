@@ -65,7 +65,7 @@ class Between:
     quantum: float = 0.0
 
 
-def label(entry: PlannedCross) -> Sentence:
+def error_label(entry: PlannedCross) -> Sentence:
     """Return a name for the corrected error: a squareness, or the slope of the measured deviation.
 
     For an angle above 90° the output axis deviates towards -.
@@ -76,12 +76,14 @@ def label(entry: PlannedCross) -> Sentence:
     return say("between.deviation", output=entry.output, input=entry.input, slope=-squareness)
 
 
-def together(first: Sequence[ControlFile], then: Sequence[ControlFile]) -> tuple[ControlFile, ...]:
+def merged_files(
+    first: Sequence[ControlFile], then: Sequence[ControlFile]
+) -> tuple[ControlFile, ...]:
     """Return the files of both; those of ``then`` replace others of the same name."""
     return tuple({file.name: file for file in (*first, *then)}.values())
 
 
-def in_turn(answers: Iterable[Between]) -> Between:
+def combined_answer(answers: Iterable[Between]) -> Between:
     """Return several answers without files as one."""
     every = list(answers)
     return Between(
@@ -91,7 +93,9 @@ def in_turn(answers: Iterable[Between]) -> Between:
     )
 
 
-def typed_in(entry: PlannedCross, sheet: ControlFile, sentence: Sentence, text: str) -> Between:
+def entry_sheet_answer(
+    entry: PlannedCross, sheet: ControlFile, sentence: Sentence, text: str
+) -> Between:
     """Return the answer of a control into which ``sheet`` is typed: form and sign are
     unconfirmed.
     """
@@ -103,16 +107,16 @@ def typed_in(entry: PlannedCross, sheet: ControlFile, sentence: Sentence, text: 
     )
 
 
-def not_held(entry: PlannedCross, why: str) -> Between:
+def cannot_hold(entry: PlannedCross, why: str) -> Between:
     """Return the answer of a control that cannot hold a correction; ``why``, or what would help."""
-    title = f"Not corrected: {label(entry)}"
+    title = f"Not corrected: {error_label(entry)}"
     return Between(
-        remarks=(("error", say("CW-P113.not_held", what=label(entry), why=why)),),
+        remarks=(("error", say("CW-P113.not_held", what=error_label(entry), why=why)),),
         steps=({"title": title, "text": f"{why}.", "evidence": "inferred"},),
     )
 
 
-def instead(definition: Definition, planned: Iterable[PlannedCross]) -> Between:
+def alternative_answer(definition: Definition, planned: Iterable[PlannedCross]) -> Between:
     """Return the answer of a control without tables between axes: the alternative in its
     definition.
 
@@ -120,8 +124,8 @@ def instead(definition: Definition, planned: Iterable[PlannedCross]) -> Between:
     (``{input}`` and ``{output}``, lower case), and the shift this also causes (``{shift}``): the
     line of the angle runs through machine zero, the correction is zero at the reference.
     """
-    return in_turn(
-        not_held(entry, print_form(definition.between_axes.instead, _named(entry)))
+    return combined_answer(
+        cannot_hold(entry, print_form(definition.between_axes.instead, _named(entry)))
         for entry in planned
     )
 

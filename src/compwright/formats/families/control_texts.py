@@ -12,8 +12,7 @@ from itertools import takewhile
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definition.statements import Occurrence
 from compwright.formats.families.axis_names import axis_names
-from compwright.formats.families.entry_keys import NAMES, Key, entry_key, quantities_of
-from compwright.formats.text.axis_names import AxisNames
+from compwright.formats.text.addresses import NAMES, AxisNames, Key, entry_key, quantities_of
 from compwright.formats.text.container import is_container, unpacked
 from compwright.formats.text.entry_sheet import is_entry_sheet
 from compwright.formats.text.gathering import Gathered, gather

@@ -18,14 +18,14 @@ import numpy as np
 from compwright.formats.definition.schema import Definition
 from compwright.formats.families import limits
 from compwright.formats.families.activity import Activity
-from compwright.formats.families.axis_tables import AxisTable, paired, with_partners
 from compwright.formats.families.between import Between, BetweenRequest
-from compwright.formats.families.bound import Bound
-from compwright.formats.families.card_words import AxisCard, CardRequest
-from compwright.formats.text.entered import Entered, Entries, by_statements
-from compwright.foundations.errors import CapacityError, Fault, UsageError
+from compwright.formats.families.card_texts import AxisCard, CardRequest
+from compwright.formats.families.resolved_definition import ResolvedDefinition
+from compwright.formats.text.addresses import normal_text
+from compwright.formats.text.file_values import FileValue, FileValues, by_statements
+from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
 from compwright.foundations.findings import Finding
-from compwright.records.axis import Axis
+from compwright.records.axis import Axis, partner_of
 from compwright.records.capacity import Capacity
 from compwright.records.correction import (
     AxisCompensation,
@@ -35,9 +35,70 @@ from compwright.records.correction import (
 from compwright.records.delivery import Delivery
 from compwright.records.options import LeftOpen
 
+#: Address, axis and table: what is written for one axis.
+AxisTable = tuple[str, Axis, AxisCompensation]
+
+
+def tables_with_axes(
+    definition: Definition,
+    compensations: Sequence[AxisCompensation],
+    axes: Sequence[tuple[str, Axis]],
+) -> list[AxisTable]:
+    """Return the tables with their axes (address in the files, axis), in the order of the tables.
+
+    Raises UsageError for every table without an axis, and for two of one axis.
+    """
+    by_address = dict(axes)
+    faults = []
+    pairs: dict[str, AxisTable] = {}
+    for compensation in compensations:
+        named = compensation.address
+        address = next(
+            (address for address, axis in axes if axis.address == named),
+            None,
+        ) or normal_text(definition, named)
+        if address not in by_address:
+            faults.append(
+                Fault(
+                    message=f"no axis has the address {named}",
+                    expected=", ".join(by_address),
+                    hint="use one of these addresses, or add the axis to the job",
+                )
+            )
+        elif address in pairs:
+            faults.append(
+                Fault(message=f"axis {address} has two tables", hint="remove one of the two tables")
+            )
+        else:
+            pairs[address] = (address, by_address[address], compensation)
+    raise_all(UsageError, faults)
+    return list(pairs.values())
+
+
+def with_partners(definition: Definition, pairs: Sequence[AxisTable]) -> list[AxisTable]:
+    """Return the tables with equal ones for gantry partners: a table on one axis alone racks the
+    bridge.
+    """
+    result = {address: (address, axis, compensation) for address, axis, compensation in pairs}
+    for _, axis, compensation in pairs:
+        if axis.gantry is not None:
+            partner = normal_text(definition, axis.gantry)
+            table = replace(compensation, address=partner)
+            result.setdefault(partner, (partner, partner_of(axis, partner), table))
+    return list(result.values())
+
+
+def writable_tables(tables: Sequence[AxisTable]) -> list[AxisTable]:
+    """Return the tables that can be written: two points or more, finite, ascending."""
+    return [
+        each
+        for each in tables
+        if each[2].positions.size >= 2 and not limits.invalid_values(each[2])
+    ]
+
 
 def _own_axis(
-    _: Definition, entry: Entered, __: Entries, ___: ControlState | None
+    _: Definition, entry: FileValue, __: FileValues, ___: ControlState | None
 ) -> tuple[tuple[str, ...], float | None]:
     return ((entry.axis,) if entry.axis else ()), None
 
@@ -51,39 +112,39 @@ OwnLimits = Callable[[Axis, AxisCompensation, Capacity, str], Sequence[Fault]]
 class Listing:
     """Information in a control's files that does not need a state to be built.
 
-    ``entered`` (files, and further ones of the machine that may name its axes): every value in the
-    files, active or not, by a unique key; raises InputError. ``whereabouts`` (one of the entries,
-    all of them, the state if it could be read): the addresses of the axes that it belongs to, and
-    the position of a table value in the files' coordinates. ``names``: for each axis name, the
-    axis' address and its evidence; raises InputError. ``alone``: the addresses that can be read
-    alone if one faulty axis spoils the whole. ``idle``: whether the readings of other axes show
-    that nothing is active on the axis at an address. ``carried_out``: files without the programs
-    that were not executed by the job's answer (``active: no``), and findings that name these;
-    raises InputError if that is impossible. ``shown``: the control for files that are only
-    displayed: what no measurement depends on may be assumed, and is reported. ``drafted``: the
-    control for the draft of a job: doubts that cannot affect a measurement exclude no axis; None:
-    as ``shown``.
+    ``file_values`` (files, and further ones of the machine that may name its axes): every value in
+    the files, active or not, by a unique key; raises InputError. ``value_location`` (one of the
+    entries, all of them, the state if it could be read): the addresses of the axes that it belongs
+    to, and the position of a table value in the files' coordinates. ``names``: for each axis name,
+    the axis' address and its evidence; raises InputError. ``readable_alone``: the addresses that
+    can be read alone if one faulty axis spoils the whole. ``is_idle``: whether the readings of
+    other axes show that nothing is active on the axis at an address. ``executed``: files without
+    the programs that were not executed by the job's answer (``active: no``), and findings that name
+    these; raises InputError if that is impossible. ``for_display``: the control for files that are
+    only displayed: what no measurement depends on may be assumed, and is reported. ``for_draft``:
+    the control for the draft of a job: doubts that cannot affect a measurement exclude no axis;
+    None: as ``for_display``.
     """
 
-    entered: Callable[[Definition, Sequence[ControlFile], Sequence[ControlFile]], Entries] = (
-        lambda definition, files, _: by_statements(definition, files)
-    )
-    whereabouts: Callable[
-        [Definition, Entered, Entries, ControlState | None],
+    file_values: Callable[
+        [Definition, Sequence[ControlFile], Sequence[ControlFile]], FileValues
+    ] = lambda definition, files, _: by_statements(definition, files)
+    value_location: Callable[
+        [Definition, FileValue, FileValues, ControlState | None],
         tuple[tuple[str, ...], float | None],
     ] = _own_axis
     names: Callable[[Family, Sequence[ControlFile]], AddressesByName] = lambda _, __: {}
-    alone: Callable[[Family, Sequence[ControlFile]], Sequence[str]] = lambda _, __: ()
-    idle: Callable[[ControlState, str], bool] = lambda _, __: False
-    carried_out: Callable[
+    readable_alone: Callable[[Family, Sequence[ControlFile]], Sequence[str]] = lambda _, __: ()
+    is_idle: Callable[[ControlState, str], bool] = lambda _, __: False
+    executed: Callable[
         [Definition, Sequence[ControlFile]],
         tuple[tuple[ControlFile, ...], tuple[Finding, ...]],
     ] = lambda _, files: (tuple(files), ())
-    shown: Callable[[Family], Family] = lambda control: control
-    drafted: Callable[[Family], Family] | None = None
+    for_display: Callable[[Family], Family] = lambda control: control
+    for_draft: Callable[[Family], Family] | None = None
 
 
-class Family(Bound, ABC):
+class Family(ResolvedDefinition, ABC):
     """The compensation of one control."""
 
     listing: ClassVar[Listing] = Listing()
@@ -148,7 +209,7 @@ class Family(Bound, ABC):
         ``axes`` holds the axis of every compensation. ``files``: the control's own, to be patched.
         Same input, same bytes: no dates, no random order. Raises UsageError for a compensation
         without an axis, CapacityError with everything that the control cannot hold exactly: all
-        limits are checked here again (`checked`), even if they were checked before.
+        limits are checked here again (`check_tables`), even if they were checked before.
         """
 
     @abstractmethod
@@ -209,7 +270,7 @@ def _paired(
     control: Family, compensations: Sequence[AxisCompensation], axes: Sequence[Axis]
 ) -> list[AxisTable]:
     named = [(control.address(axis)[0], axis) for axis in axes]
-    return paired(control.definition, compensations, named)
+    return tables_with_axes(control.definition, compensations, named)
 
 
 def no_limits(_: Axis, __: AxisCompensation, ___: Capacity, ____: str) -> Sequence[Fault]:
@@ -233,7 +294,7 @@ def require_files(files: Sequence[ControlFile]) -> None:
         )
 
 
-def checked(
+def check_tables(
     control: Family,
     compensations: Sequence[AxisCompensation],
     axes: Sequence[Axis],
@@ -260,7 +321,7 @@ def _broken(
     Each names the limit, the excess and what would help.
     """
     label = f"axis {axis.name} ({compensation.address})"
-    unsound = limits.unsound(compensation)
+    unsound = limits.invalid_values(compensation)
     if unsound:
         return (Fault(message=f"{label}: {unsound}", hint="run the job again"),)
     try:

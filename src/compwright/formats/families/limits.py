@@ -18,7 +18,7 @@ from compwright.records.correction import AxisCompensation
 SAME_TURN = 1e-6
 
 
-def unsound(compensation: AxisCompensation) -> str:
+def invalid_values(compensation: AxisCompensation) -> str:
     """Return why a table is invalid, in words; empty for a valid one."""
     positions = compensation.positions
     if (

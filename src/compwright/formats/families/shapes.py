@@ -1,4 +1,6 @@
-"""List of the families, by the shape of their tables: a new one is entered here."""
+"""List of the families, by the shape of their tables: a new one is entered here; and the entry to a
+control's format.
+"""
 
 from __future__ import annotations
 
@@ -10,11 +12,12 @@ from compwright.formats.definition.shape_rules import ShapeRules
 from compwright.formats.families.columns import family as columns
 from compwright.formats.families.family import Family
 from compwright.formats.families.grid.family import GridFamily
-from compwright.formats.families.grid.shapes import SHAPES as GRIDS
+from compwright.formats.families.grid.table_shapes import SHAPES as GRIDS
 from compwright.formats.families.increments import family as increments
 from compwright.formats.families.lists import family as lists
 from compwright.formats.families.pairs.family import PairsFamily
 from compwright.formats.families.wrapped import family as wrapped
+from compwright.records.correction import ControlState
 
 _FAMILIES: Mapping[str, type[Family]] = {
     **dict.fromkeys(GRIDS, GridFamily),
@@ -38,3 +41,20 @@ def family_of(definition: Definition) -> type[Family]:
     them.
     """
     return PairsFamily if has_cross(definition) else _FAMILIES[definition.layout.shape]
+
+
+def control_format(
+    definition: Definition,
+    given: Mapping[str, object],
+    state: ControlState | None = None,
+    *,
+    strict: bool = False,
+) -> Family:
+    """Return the control of a definition with its options resolved.
+
+    ``given`` may hold text from the command line; with a ``state``, an option that the control's
+    own files answer takes that answer. ``strict``: every option of ``given`` was given by the user.
+    Raises UsageError with every fault: unknown option, wrong type, contradiction to the control's
+    files.
+    """
+    return family_of(definition)(definition, given, state, strict=strict)

@@ -9,8 +9,7 @@ from decimal import Decimal, InvalidOperation
 from compwright.formats.definition.consistency import curves
 from compwright.formats.definition.schema import Binding, Definition
 from compwright.formats.definition.statements import Occurrence
-from compwright.formats.text.addresses import normal_text
-from compwright.formats.text.axis_names import AxisNames
+from compwright.formats.text.addresses import AxisNames, normal_text
 from compwright.formats.text.texts import ReadText
 
 #: Address and measuring system (as counted in the text); None: the text has none of it.

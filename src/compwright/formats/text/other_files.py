@@ -18,7 +18,7 @@ _DATA = re.compile(
 )
 
 
-def says_nothing(definition: Definition, file: ControlFile) -> bool:
+def holds_no_data(definition: Definition, file: ControlFile) -> bool:
     """Return whether a file is a text without any statement of the control, or line that looks like
     data.
 
@@ -44,7 +44,7 @@ def _numbered(definition: Definition) -> bool:
     return all(each.form.startswith("N") for each in definition.statements.values())
 
 
-def without_others(
+def without_other_files(
     definition: Definition, files: Sequence[ControlFile]
 ) -> tuple[tuple[ControlFile, ...], tuple[Finding, ...]]:
     """Return ``files`` without those of a folder that are no data of the control, and the finding
@@ -55,7 +55,7 @@ def without_others(
     """
     if not _numbered(definition):
         return tuple(files), ()
-    others = [file for file in files if file.folder and says_nothing(definition, file)]
+    others = [file for file in files if file.folder and holds_no_data(definition, file)]
     kept = tuple(file for file in files if file not in others)
     if not others or not kept:
         return tuple(files), ()

@@ -10,8 +10,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Final
 
-from compwright.formats.definition.kept_lines import AXIS, KeptLines
 from compwright.formats.definition.schema import Definition, TextKind
+from compwright.formats.definition.shape_rules import AXIS, KeptLines
 from compwright.formats.definition.statements import Occurrence, Token
 from compwright.formats.text.texts import (
     OPEN,

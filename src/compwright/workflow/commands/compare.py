@@ -11,8 +11,6 @@ from typing import Any
 
 import numpy as np
 
-from compwright.controls.acting import correction_of
-from compwright.controls.changes import in_place
 from compwright.controls.control import (
     Control,
     decode,
@@ -22,12 +20,13 @@ from compwright.controls.control import (
     read_files,
 )
 from compwright.controls.cross_tables import write_planned
-from compwright.controls.decoded import DecodedState
-from compwright.controls.delivered import deliver
-from compwright.controls.differences import Side, side
+from compwright.controls.decoded_state import DecodedState
+from compwright.controls.differences import ComparedSide, compared_side
+from compwright.controls.file_replacement import loadable_files, with_new_tables
+from compwright.controls.judged_corrections import judged_correction
 from compwright.controls.partial_loads import PartialLoad, partial_load
 from compwright.controls.read_back import not_read_back, read_back_differences
-from compwright.controls.two_readers import probe_positions
+from compwright.controls.reader_comparison import probe_positions
 from compwright.documents.compare import ComparedAxis, Difference, compare_document
 from compwright.documents.plan import read_plan
 from compwright.foundations import storage
@@ -84,9 +83,9 @@ def compare_plan(session: Session, plan_file: Path, loaded: Sequence[Path]) -> C
         for address in (axis.address, axis.gantry)
         if address is not None
     }
-    back = side(control, given, "read back", files)
-    planned_side = side(control, files, "the plan", given)
-    before = control.format.listing.entered(control.definition, as_found.files, files)
+    back = compared_side(control, given, "read back", files)
+    planned_side = compared_side(control, files, "the plan", given)
+    before = control.format.listing.file_values(control.definition, as_found.files, files)
     partly = partial_load(before, planned_side.entries, back.entries)
     read_back = read_back_differences(control, planned_side, back, names)
     differs = read_back.own or read_back.others.differences
@@ -119,7 +118,7 @@ def _found(
     try:
         found = decode(control, files, axes)
     except InputError as error:
-        singly = control.format.listing.alone(control.format, files)
+        singly = control.format.listing.readable_alone(control.format, files)
         alone = all(axis.address in singly for axis in axes)
         return {
             axis.address: _found_alone(control, files, axis) if alone else error for axis in axes
@@ -137,9 +136,9 @@ def _found_alone(
         return error
 
 
-def _speak_of(control: Control, back: Side, axes: Sequence[Axis]) -> bool:
+def _speak_of(control: Control, back: ComparedSide, axes: Sequence[Axis]) -> bool:
     """Whether the files that were read back contain data of every axis."""
-    whereabouts = control.format.listing.whereabouts
+    whereabouts = control.format.listing.value_location
     named = {
         address
         for entry in back.entries.values()
@@ -165,9 +164,9 @@ def _written(
     files = write_planned(control, cross, files, as_found, axes, tabled).files
     if holds_archive(as_found.files):
         # it stays one: small files lie over it, and are no contradiction
-        files = deliver(control, files, as_found, [axis for axis, _ in fitted], None).files
+        files = loadable_files(control, files, as_found, [axis for axis, _ in fitted], None).files
     addresses = [axes[name].address for name in tabled]
-    return in_place(as_found.files, files, addresses), wish
+    return with_new_tables(as_found.files, files, addresses), wish
 
 
 def _compared(
@@ -189,9 +188,9 @@ def _compared(
         why = f"{_partly(partly)}; {found}" if partly else str(found)
         return ComparedAxis(axis.address, axis.kind, why, tuple(own.get(axis.name, ())))
     read_back = judge_read_back(
-        correction_of(wish, axis),
-        correction_of(found, axis),
-        correction_of(as_found, axis),
+        judged_correction(wish, axis),
+        judged_correction(found, axis),
+        judged_correction(as_found, axis),
         *_nodes(entry),
     )
     look_at = _look_at(control, entry, read_back.verdict)
@@ -259,8 +258,8 @@ def _values(
         positions = np.array(axis.travel)
     for direction in Direction:
         mine, theirs = (
-            correction_of(wish, axis)(positions, direction),
-            correction_of(found, axis)(positions, direction),
+            judged_correction(wish, axis)(positions, direction),
+            judged_correction(found, axis)(positions, direction),
         )
         for position, planned, loaded in zip(positions, mine, theirs, strict=True):
             if abs(planned - loaded) > SAME:

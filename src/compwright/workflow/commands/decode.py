@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from compwright.controls.acting import judged_cross
-from compwright.controls.decoded import DecodedState, judged
+from compwright.controls.decoded_state import DecodedState, judged_values
+from compwright.controls.judged_corrections import judged_cross
 from compwright.documents.decode import DecodedAxis, decode_document
 from compwright.foundations.errors import Fault, UsageError
 from compwright.foundations.session import Session
@@ -45,8 +45,8 @@ def decoded_files(
         answer[address] = DecodedAxis(
             kind=None if address in kinds.unknown else entry.kind,
             positions=where,
-            positive=judged(decoded, address, where, Direction.POSITIVE),
-            negative=judged(decoded, address, where, Direction.NEGATIVE),
+            positive=judged_values(decoded, address, where, Direction.POSITIVE),
+            negative=judged_values(decoded, address, where, Direction.NEGATIVE),
         )
     assumed = (*control.assumed(decoded.state), *decoded.state.assumed, *kinds.assumed)
     findings = (*control.findings, *kinds.findings, *decoded.state.findings)

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from compwright.controls.control import open_control, read_files
-from compwright.controls.differences import CorrectionChange, Placed, differences, side
+from compwright.controls.differences import CorrectionChange, Placed, compared_side, differences
 from compwright.documents.diff import Changed, EntryDifference, diff_document
 from compwright.foundations.session import Session
 
@@ -34,8 +34,8 @@ def diff_files(
     """
     control = open_control(session, format_id, options)
     files = read_files(session, old), read_files(session, new)
-    before = side(control, files[0], "OLD", files[1])
-    after = side(control, files[1], "NEW", files[0])
+    before = compared_side(control, files[0], "OLD", files[1])
+    after = compared_side(control, files[1], "NEW", files[0])
     found = differences(control, before, after)
     names = {
         address: facts.name
@@ -51,8 +51,8 @@ def diff_files(
         {address: _changed(one) for address, one in found.corrections.items()},
         {pair: _changed(one) for pair, one in found.cross.items()},
         (*control.findings, *found.findings),
-        known=found.told,
-        unknown=found.untold,
+        known=found.complete,
+        unknown=found.uncompared,
     )
     return DiffOutcome(0 if document["same"] else 1, document)
 

@@ -14,9 +14,9 @@ from compwright.controls.control import (
     read_files,
 )
 from compwright.controls.cross_tables import write_planned
-from compwright.controls.decoded import DecodedState
-from compwright.controls.delivered import deliver
-from compwright.controls.settled import settled_axis
+from compwright.controls.decoded_state import DecodedState
+from compwright.controls.file_replacement import loadable_files
+from compwright.controls.job_completion import completed_axis
 from compwright.documents.plan import read_plan
 from compwright.foundations import storage
 from compwright.foundations.errors import (
@@ -90,7 +90,9 @@ def export_plan(
     moved, taken = _axes_here(plan, control, addresses, options)
     state = _state(session, plan, control, list(moved.values()), states, str(path), active=active)
     refuse_added_again(plan, path, state)
-    moved = {name: settled_axis(axis, [state.state], control.given) for name, axis in moved.items()}
+    moved = {
+        name: completed_axis(axis, [state.state], control.given) for name, axis in moved.items()
+    }
     control = control.in_state(state.state)
     fitted = _refitted(plan, control, moved)
     if not fitted and not plan.cross:
@@ -110,7 +112,7 @@ def export_plan(
         control, [_addressed(entry, moved) for entry in plan.cross], files, state, moved, tabled
     )
     axes = [axis for axis, _ in fitted]
-    delivery = deliver(control, cross.files, state, axes, None if cross.written else image)
+    delivery = loadable_files(control, cross.files, state, axes, None if cross.written else image)
     written = write_listed(
         session,
         out,

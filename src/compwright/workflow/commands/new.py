@@ -6,9 +6,15 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from compwright.controls.control import Control, decode, open_control, read_files, set_aside
+from compwright.controls.control import (
+    Control,
+    decode,
+    files_for_job,
+    open_control,
+    read_files,
+)
 from compwright.controls.definitions import is_path
-from compwright.controls.one_by_one import axis_by_axis
+from compwright.controls.differences import read_axis_by_axis
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError
 from compwright.foundations.session import Session
@@ -55,7 +61,7 @@ def new_job(
     control = open_control(session, format_id, options)
     unknown = _unknown_option(control)
     assumed_value = False
-    files, aside = set_aside(session, control, files)
+    files, aside = files_for_job(session, control, files)
     own = read_files(session, files)
     try:
         state, left_out = _read(control, own, active=active)
@@ -131,7 +137,7 @@ def _read(
     try:
         return decode(control, files, active=active, drafting=True).state, ()
     except InputError:
-        found = axis_by_axis(
+        found = read_axis_by_axis(
             control,
             files,
             lambda address: (

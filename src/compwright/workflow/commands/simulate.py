@@ -7,13 +7,13 @@ from pathlib import Path
 
 import numpy as np
 
-from compwright.controls.acting import acting
 from compwright.controls.control import (
     Origin,
     decode,
     open_control,
     read_files,
 )
+from compwright.controls.judged_corrections import active_corrections
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.input_sizes import MACHINE
@@ -181,4 +181,4 @@ def _loaded(
             for address in unknown
         ],
     )
-    return acting(decoded, axes)
+    return active_corrections(decoded, axes)

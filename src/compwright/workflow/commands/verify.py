@@ -16,9 +16,9 @@ from compwright.controls.control import (
     plan_origin,
     read_files,
 )
-from compwright.controls.decoded import DecodedState
+from compwright.controls.decoded_state import DecodedState
+from compwright.controls.job_completion import completed_by_files, named_axes, with_counted_turns
 from compwright.controls.read_back import not_read_back
-from compwright.controls.settled import named_axes, settled_by_files, with_counted_turns
 from compwright.documents.json_text import to_json
 from compwright.documents.plan import read_plan
 from compwright.documents.record import RECORD
@@ -315,7 +315,7 @@ def _planned(
         name: decode(control, files, known, active=plan.active.get(name))
         for name, files in plan.states.items()
     }
-    job = settled_by_files(job, states, AS_FOUND)
+    job = completed_by_files(job, states, AS_FOUND)
     job, _ = with_counted_turns(job, control, {name: one.tests for name, one in plan.axes.items()})
     faults = stale_plan(
         job, plan, str(file), options=named.options, read=partial(read_again, session, job)

@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from compwright.controls.control import Control, decode, open_control, read_files
-from compwright.controls.decoded import DecodedState
+from compwright.controls.decoded_state import DecodedState
 from compwright.documents.plan import read_plan
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, UsageError

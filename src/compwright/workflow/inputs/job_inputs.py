@@ -7,9 +7,9 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from compwright.controls.control import Control, decode, read_files
-from compwright.controls.decoded import DecodedState
+from compwright.controls.decoded_state import DecodedState
 from compwright.controls.gantries import partner_questions
-from compwright.controls.settled import length_unit, other_joints
+from compwright.controls.job_completion import length_unit, other_joints
 from compwright.evaluation.environment_reduction import reduce_by_record
 from compwright.evaluation.expansion import remove_differential_expansion
 from compwright.evaluation.temperatures import temperatures_of, with_temperatures
@@ -302,9 +302,9 @@ def _other_tables_between(job: Job, states: Mapping[str, DecodedState]) -> Itera
             if now is None:
                 continue
             pairs = [one.state.facts_of(entry.axis.address).pairs for one in (now, states[state])]
-            tables = [facts.untold or "none" for facts in pairs]
+            tables = [facts.uncounted or "none" for facts in pairs]
             if tables[0] != tables[1]:
-                (help_, *_) = (facts.untold_help for facts in pairs if facts.untold)
+                (help_, *_) = (facts.uncounted_help for facts in pairs if facts.uncounted)
                 yield Fault(
                     message=(
                         f"tables from other axes are active on axis {name} and differ "

@@ -14,8 +14,8 @@ from pathlib import Path
 
 import numpy as np
 
-from compwright.controls.decoded import DecodedState, judged
-from compwright.controls.two_readers import table_positions
+from compwright.controls.decoded_state import DecodedState, judged_values
+from compwright.controls.reader_comparison import table_positions
 from compwright.documents.plan import read_plan
 from compwright.evaluation.rounded_copies import is_coarse, is_rounded_copy, last_digit
 from compwright.foundations import storage
@@ -261,7 +261,7 @@ def _is_own_table(
         else np.linspace(*planned.axis.travel, 11)
     )
     gaps = [
-        judged(state, axis.address, where, direction) - new.at(where, direction)
+        judged_values(state, axis.address, where, direction) - new.at(where, direction)
         for direction in Direction
     ]
     change = _change(planned, test, state, axis)
@@ -292,7 +292,7 @@ def _change(
     if before is None:
         return [np.zeros_like(targets)]
     return [
-        judged(state, axis.address, targets, direction) - then
+        judged_values(state, axis.address, targets, direction) - then
         for direction, then in zip(Direction, before, strict=True)
     ]
 

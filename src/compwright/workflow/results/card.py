@@ -17,7 +17,7 @@ from compwright.controls.card import (
     unconfirmed_diameters,
 )
 from compwright.controls.control import Control
-from compwright.controls.decoded import DecodedState
+from compwright.controls.decoded_state import DecodedState
 from compwright.documents.decode import assumed_documents
 from compwright.foundations.utf8 import encoded, visible_lines
 from compwright.planning.axis_work import AxisWork

@@ -9,7 +9,7 @@ from typing import Any
 
 from compwright import __version__
 from compwright.controls.control import Control
-from compwright.controls.decoded import DecodedState
+from compwright.controls.decoded_state import DecodedState
 from compwright.documents.circular import circular_document
 from compwright.documents.evaluation import evaluation_document
 from compwright.documents.findings import finding_documents

@@ -6,16 +6,16 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from compwright.controls.acting import acting
 from compwright.controls.control import Control, open_control, origin_of, read_files
-from compwright.controls.decoded import DecodedState
-from compwright.controls.settled import (
+from compwright.controls.decoded_state import DecodedState
+from compwright.controls.job_completion import (
+    completed_by_files,
     keys_with_effect,
     named_axes,
-    settled_by_files,
     unknown_zeros,
     with_counted_turns,
 )
+from compwright.controls.judged_corrections import active_corrections
 from compwright.evaluation.duplicate_measurements import NamedTest
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
@@ -79,7 +79,7 @@ def measured(session: Session, job: Job, folder: Path, out: Path) -> Measured:
     )
     idle = idle_keys(job, **keys_with_effect(control.definition))
     inputs, circles = _inputs(session, job, control, folder)
-    job = settled_by_files(job, inputs.states, AS_FOUND)
+    job = completed_by_files(job, inputs.states, AS_FOUND)
     job, turns = with_counted_turns(job, control, inputs.tests)
     now = inputs.states.get(AS_FOUND)
     raise_all(UsageError, list(unknown_zeros(job, control, None if now is None else now.state)))
@@ -93,7 +93,7 @@ def measured(session: Session, job: Job, folder: Path, out: Path) -> Measured:
         control=control,
         inputs=inputs,
         circles=circles,
-        active={name: acting(decoded, axes) for name, decoded in inputs.states.items()},
+        active={name: active_corrections(decoded, axes) for name, decoded in inputs.states.items()},
         named=(*named, *turns),
         findings=(*control.findings, *idle),
     )

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from compwright.controls.acting import acting, applied_of
-from compwright.controls.decoded import DecodedState
+from compwright.controls.decoded_state import DecodedState
 from compwright.controls.gantries import skew_findings
+from compwright.controls.judged_corrections import active_corrections, applied_correction
 from compwright.foundations.findings import Finding
 from compwright.foundations.side_by_side import Each, in_turn
 from compwright.planning import axis_tasks
@@ -75,7 +75,11 @@ def after_loading(work: AxisWork, loaded: DecodedState | None) -> Correction:
     """Return the correction of an axis after loading: its table as read back, or the present
     correction.
     """
-    return work.as_found if work.planned.fitted is None else applied_of(loaded, work.planned.axis)
+    return (
+        work.as_found
+        if work.planned.fitted is None
+        else applied_correction(loaded, work.planned.axis)
+    )
 
 
 def _circle(work: CircleWork, measured: Measured, then: ActiveCorrections) -> CirclePrediction:
@@ -90,10 +94,10 @@ def _active_after(measured: Measured, fitted: Fitted, written: Written) -> Activ
     """Return the active corrections after loading, on the axes and between them."""
     now, after = measured.active.get(AS_FOUND, NO_CORRECTIONS), written.cross.after
     along = {
-        axis.name: applied_of(written.loaded, axis)
+        axis.name: applied_correction(written.loaded, axis)
         for axis, _ in tables_of(written.works, fitted.scales)
     }
     return ActiveCorrections(
         {**now.along, **along},
-        now.across if after is None else acting(after, measured.axes).across,
+        now.across if after is None else active_corrections(after, measured.axes).across,
     )

@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from compwright.controls.acting import applied_of
+from compwright.controls.judged_corrections import applied_correction
 from compwright.evaluation.same_error import same_error_findings
 from compwright.foundations.findings import Finding
 from compwright.foundations.side_by_side import Each, in_turn
@@ -48,7 +48,7 @@ def wanted(measured: Measured, each: Each = in_turn) -> Wanted:
         [(job, entry, tests[name], measured.states) for name, entry in entries.items()],
     )
     works = {
-        name: replace(work, as_found=applied_of(measured.as_found, work.planned.axis))
+        name: replace(work, as_found=applied_correction(measured.as_found, work.planned.axis))
         for name, work in zip(entries, started, strict=True)
     }
     works, old_tables = with_old_tables(measured, works, each)

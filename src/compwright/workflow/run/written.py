@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from compwright.controls.acting import applied_of
-from compwright.controls.changes import changed_neighbours
 from compwright.controls.control import Control, decode
 from compwright.controls.cross_tables import CrossOutcome, write_planned
-from compwright.controls.decoded import DecodedState
-from compwright.controls.delivered import deliver
+from compwright.controls.decoded_state import DecodedState
+from compwright.controls.file_replacement import changed_neighbours, loadable_files
 from compwright.controls.gantries import check_partners, with_partners
+from compwright.controls.judged_corrections import applied_correction
 from compwright.foundations.errors import CompwrightError, UsageError, raise_all
 from compwright.foundations.findings import Finding
 from compwright.foundations.side_by_side import Each, in_turn
@@ -80,7 +79,7 @@ def written(
     axes = [axis for axis, _ in kept]
     if cross.written:
         loaded = decode(control, cross.files, axes, carried_out=True)
-    delivery = deliver(control, cross.files, as_found, axes, loaded)
+    delivery = loadable_files(control, cross.files, as_found, axes, loaded)
     return Written(
         works=works,
         tables=delivery.files,
@@ -111,7 +110,7 @@ def _improving(
     itself where all would.
     """
     tasks = {
-        name: (work, applied_of(loaded, work.planned.axis))
+        name: (work, applied_correction(loaded, work.planned.axis))
         for name, work in works.items()
         if work.planned.fitted is not None
     }

@@ -13,8 +13,8 @@ from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 from typing import Any, Final
 
-from compwright.controls.changes import in_the_control
 from compwright.controls.control import Control, decode
+from compwright.controls.file_replacement import contents_after_loading
 from compwright.documents.next_round import UpdatedAxis, next_document
 from compwright.documents.record import RECORD, copied_by_record
 from compwright.documents.verification import VerifiedAxis, VerifiedCircle
@@ -246,7 +246,7 @@ def _looped(found: Verified, well: Sequence[AfterTest]) -> Looped:
         for axis in circle.test.axes
         if axis in found.job.axes
     }
-    files = in_the_control(found.plan.states.get(AS_FOUND, ()), found.read_back)
+    files = contents_after_loading(found.plan.states.get(AS_FOUND, ()), found.read_back)
     return Looped(
         axes=axes,
         files=files,

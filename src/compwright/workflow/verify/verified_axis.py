@@ -7,11 +7,11 @@ from typing import Any
 
 import numpy as np
 
-from compwright.controls.acting import applied_of, correction_of
 from compwright.controls.control import Control
-from compwright.controls.decoded import DecodedState
+from compwright.controls.decoded_state import DecodedState
 from compwright.controls.gantries import with_partners
-from compwright.controls.two_readers import SINGLE_PRECISION, table_positions
+from compwright.controls.judged_corrections import applied_correction, judged_correction
+from compwright.controls.reader_comparison import SINGLE_PRECISION, table_positions
 from compwright.documents.verification import ExpectedMeans, VerifiedAxis
 from compwright.estimation.cells import alias_findings
 from compwright.foundations.findings import Finding
@@ -117,7 +117,7 @@ def _change(planned: PlannedAxis, as_found: DecodedState, repeated: PlannedTest)
         if planned.fitted is None
         else applied_compensation(planned.fitted.compensation, planned.axis).at
     )
-    wanted = table or applied_of(as_found, planned.axis)
+    wanted = table or applied_correction(as_found, planned.axis)
     return difference(with_motion(wanted, planned.axis, repeated.backlash_more), active)
 
 
@@ -274,7 +274,7 @@ def _tables(planned: PlannedAxis) -> list[tuple[Axis, FittedTable]]:
 
 def _compared(axis: Axis, table: AxisCompensation, read_back: DecodedState) -> Finding:
     where = table_positions(table.positions, axis.travel)
-    off = difference(table.at, correction_of(read_back, axis))
+    off = difference(table.at, judged_correction(read_back, axis))
     worst = max(float(np.max(np.abs(off(where, direction)))) for direction in Direction)
     largest = max(float(np.max(np.abs(table.at(where, direction)))) for direction in Direction)
     factor = outside_factor(axis.kind.unit)

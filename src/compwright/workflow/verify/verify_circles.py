@@ -10,8 +10,8 @@ from pathlib import Path
 
 import numpy as np
 
-from compwright.controls.acting import acting
-from compwright.controls.decoded import DecodedState
+from compwright.controls.decoded_state import DecodedState
+from compwright.controls.judged_corrections import active_corrections
 from compwright.documents.verification import SquarenessCheck, VerifiedCircle
 from compwright.evaluation.decision import Decision
 from compwright.foundations import storage
@@ -144,7 +144,7 @@ def verify_circles(
             test = in_job_names(
                 read_circle(session, list(paths), name), plan.circles[name].test.axes
             )
-            during = acting(states.get(plan.circles[name].measured_in), axes)
+            during = active_corrections(states.get(plan.circles[name].measured_in), axes)
             verified[name] = _verified(job, plan, plan.circles[name], test, during, then)
         except InputError as error:
             errors.append(error)
@@ -249,7 +249,7 @@ def squareness_decisions(circles: Mapping[str, VerifiedCircle]) -> list[Decision
 
 def _planned(plan: Plan, as_found: DecodedState, axes: Mapping[str, Axis]) -> ActiveCorrections:
     """Return what the control does once the plan's tables are loaded."""
-    now = acting(as_found, axes)
+    now = active_corrections(as_found, axes)
     along = {
         name: entry.fitted.compensation.at
         for name, entry in plan.axes.items()

@@ -14,11 +14,11 @@ from dataclasses import replace
 from compwright.formats.families.between import (
     Between,
     BetweenRequest,
-    in_turn,
-    label,
-    not_held,
-    together,
-    typed_in,
+    cannot_hold,
+    combined_answer,
+    entry_sheet_answer,
+    error_label,
+    merged_files,
 )
 from compwright.formats.families.columns.crossing import CrossFiller, Filled, values_quantum
 from compwright.formats.families.family import Family
@@ -46,7 +46,7 @@ def columns_between(family: Family, request: BetweenRequest) -> Between:
     for entry in request.planned:
         why = _by_line(family, request, entry)
         if why:
-            answers.append(not_held(entry, why))
+            answers.append(cannot_hold(entry, why))
             continue
         filler = CrossFiller(family, request.axes, files)
         try:
@@ -58,12 +58,12 @@ def columns_between(family: Family, request: BetweenRequest) -> Between:
             held.append(filled.entry)
             answers.append(_in_the_table(family, request, filled))
     if not held:
-        return in_turn(answers)
+        return combined_answer(answers)
     changed = tuple(after for before, after in zip(own, files, strict=True) if after != before)
     if not request.tables:  # the set that the control loads is complete, whoever changes it
-        changed = together(request.base, changed)
+        changed = merged_files(request.base, changed)
     return replace(
-        in_turn(answers), files=changed, held=tuple(held), quantum=values_quantum(family)
+        combined_answer(answers), files=changed, held=tuple(held), quantum=values_quantum(family)
     )
 
 
@@ -73,12 +73,14 @@ def _in_the_table(family: Family, request: BetweenRequest, filled: Filled) -> Be
     rows = _rows(entry, form)
     where = f"{filled.file}, column {filled.column}"
     text = (
-        f"{label(entry)} is in {where}, added to what was there: {_shown(entry, rows)} (values"
-        f" are {form}s). Load that file; no other column of it changes."
+        f"{error_label(entry)} is in {where}, added to what was there: {_shown(entry, rows)}"
+        f" (values are {form}s). Load that file; no other column of it changes."
         f" {_selected(family, entry)}{_CHECK}"
     )
     return Between(
-        remarks=(("info", say("CW-P113.column", what=label(entry), where=where, values=form)),),
+        remarks=(
+            ("info", say("CW-P113.column", what=error_label(entry), where=where, values=form)),
+        ),
         steps=(
             {
                 "title": f"{entry.output} over {entry.input}: {where}",
@@ -96,17 +98,17 @@ def _typed(family: Family, request: BetweenRequest, entry: PlannedCross, why: st
     where = f"the table (.COM) of {entry.input}, column of {entry.output}"
     sentence = say(
         "CW-P113.typed",
-        what=label(entry),
+        what=error_label(entry),
         why=why,
         where=where,
         rows=_shown(entry, rows),
         values=form,
     )
     text = (
-        f"{label(entry)}. Add to the values in {where}, on a straight line between:"
+        f"{error_label(entry)}. Add to the values in {where}, on a straight line between:"
         f" {_shown(entry, rows)} (values are {form}s). {_selected(family, entry)}{_CHECK}"
     )
-    return typed_in(entry, _sheet(entry, form, rows), sentence, text)
+    return entry_sheet_answer(entry, _sheet(entry, form, rows), sentence, text)
 
 
 def _form(family: Family, request: BetweenRequest, entry: PlannedCross) -> str:

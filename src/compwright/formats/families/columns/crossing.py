@@ -12,7 +12,7 @@ from decimal import Decimal
 import numpy as np
 
 from compwright.formats.families.columns.filling import signed
-from compwright.formats.families.columns.finding import find_sources
+from compwright.formats.families.columns.source_files import find_sources
 from compwright.formats.families.columns.table import UserTable, cell_changes, is_number
 from compwright.formats.families.columns.values import TableValues
 from compwright.formats.families.family import Family

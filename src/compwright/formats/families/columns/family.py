@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Final
 
-from compwright.formats.definition.kept_lines import AXIS, NUMBER, KeptLines
-from compwright.formats.definition.shape_rules import ShapeRules
+from compwright.formats.definition.shape_rules import AXIS, NUMBER, KeptLines, ShapeRules
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.between import Between, BetweenRequest
-from compwright.formats.families.card_words import (
+from compwright.formats.families.card_texts import (
     AxisCard,
     CardRequest,
     named_files,
@@ -22,10 +21,10 @@ from compwright.formats.families.columns.capacity import (
     card_values,
     columns_capacity,
 )
-from compwright.formats.families.columns.entered import entered, whereabouts
+from compwright.formats.families.columns.file_values import file_values, value_location
 from compwright.formats.families.columns.reading import read_columns
 from compwright.formats.families.columns.writing import write_columns
-from compwright.formats.families.family import Family, Listing, checked, in_patched_files
+from compwright.formats.families.family import Family, Listing, check_tables, in_patched_files
 from compwright.formats.text.entry_sheet import is_entry_sheet, read_sheet
 from compwright.foundations.errors import CapacityError, raise_all
 from compwright.records.axis import Axis
@@ -75,7 +74,7 @@ RULES = ShapeRules(
 class ColumnsFamily(Family):
     """Columns in the user's own tables."""
 
-    listing = Listing(entered=entered, whereabouts=whereabouts)
+    listing = Listing(file_values=file_values, value_location=value_location)
 
     def read(
         self,
@@ -101,7 +100,7 @@ class ColumnsFamily(Family):
     ) -> tuple[ControlFile, ...]:
         """See `Family.write`."""
         bound = in_patched_files(self, compensations, axes, files)
-        tables, faults = checked(
+        tables, faults = check_tables(
             bound,
             compensations,
             axes,

@@ -17,7 +17,7 @@ import numpy as np
 
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.columns.axis_reading import ColumnAxisReader
-from compwright.formats.families.columns.finding import find_sources
+from compwright.formats.families.columns.source_files import find_sources
 from compwright.formats.families.columns.sources import PARAMETERS, AxisNumbers
 from compwright.formats.families.columns.table import POSITION, SECOND
 from compwright.formats.families.columns.values import TableValues

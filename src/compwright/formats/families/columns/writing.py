@@ -12,14 +12,11 @@ from collections.abc import Mapping, Sequence
 from decimal import Decimal
 
 from compwright.formats.definition.statements import print_form
-from compwright.formats.families.axis_tables import AxisTable
-from compwright.formats.families.columns.entry import ColumnEntry
-from compwright.formats.families.columns.filling import TableFiller
-from compwright.formats.families.columns.finding import find_sources
-from compwright.formats.families.columns.parameters import ambiguous, mask_of
+from compwright.formats.families.columns.filling import ColumnEntry, TableFiller
+from compwright.formats.families.columns.source_files import ambiguous, find_sources, mask_of
 from compwright.formats.families.columns.table import is_number, with_sign
 from compwright.formats.families.columns.values import TableValues
-from compwright.formats.families.family import Family
+from compwright.formats.families.family import AxisTable, Family
 from compwright.formats.text.entry_sheet import SheetRow, is_entry_sheet, write_sheet
 from compwright.formats.text.gathering import FoundValue
 from compwright.formats.text.notes import Notes

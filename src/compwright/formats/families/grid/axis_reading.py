@@ -12,14 +12,12 @@ from compwright.formats.definition.options import known_kind
 from compwright.formats.definition.schema import Choice
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.family import Family
-from compwright.formats.families.grid.axis_values import GridAxisValues
-from compwright.formats.families.grid.basic_system import SAYING
-from compwright.formats.families.grid.joint_motion import homing_of, unapplied_steps
-from compwright.formats.families.grid.joints import joint_letters
-from compwright.formats.families.grid.shapes import shape_of
+from compwright.formats.families.grid.axis_values import SAYING, GridAxisValues
+from compwright.formats.families.grid.joints import homing_of, joint_letters, unapplied_steps
+from compwright.formats.families.grid.modulo_range import check_modulo, period_of
 from compwright.formats.families.grid.systems import SystemChoice
+from compwright.formats.families.grid.table_shapes import shape_of
 from compwright.formats.families.grid.tables import GridTable, TableSource, value_fields
-from compwright.formats.families.grid.turn_checks import check_modulo, period_of
 from compwright.formats.text.gathering import FoundValue, Gathered, first_set
 from compwright.formats.text.notes import Notes
 from compwright.formats.text.scale import NumberScale, in_range

@@ -1,11 +1,19 @@
-"""Single values of one axis in the files."""
+"""Single values of one axis in the files, and the unit of all lengths of linear axes in them (basic
+system, inch or metric).
+
+A number (SINUMERIK's MD10240, LinuxCNC's LINEAR_UNITS) states the unit, or a word on a line of its
+own. If the files hold both, they must agree.
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from decimal import Decimal
 
+from compwright.formats.definition.schema import Choice
 from compwright.formats.text.gathering import FoundValue, Gathered
-from compwright.formats.text.values import Values
+from compwright.formats.text.notes import CORRECT_VALUE, KEEP_ONE, NOT_COUNTED, Notes
+from compwright.formats.text.values import Values, bit_mask
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,3 +49,62 @@ class GridAxisValues(Values):
         if self.single(quantity, quiet=False) is not None:
             return self.stated_word(quantity)
         return self.absent(quantity, quantity.replace("_", " "))
+
+
+#: What says it: by number, by word.
+SAYING = ("length_unit", "unit_word")
+_INCH = Decimal("25.4")
+#: Linear and angular positions, and their compensation values, among the units of the user's own.
+_USERS_LENGTHS = 1 << 0 | 1 << 1 | 1 << 11 | 1 << 12
+
+
+def basic_system(gathered: Gathered, notes: Notes) -> str | None:
+    """Return mm or inch by the files; None if they do not state it.
+
+    Contradicting files are refused, and an inch of another length.
+    """
+    by_word = _places(gathered)
+    if "unit_word" in gathered.definition.bindings and {"mm", "inch"} <= by_word.keys():
+        notes.refuse(
+            "basic system",
+            f"one place says inch, {by_word['mm'].where} says metric (MD10240, METRIC, INCH)",
+            by_word["inch"],
+            expected="one basic system",
+            hint=KEEP_ONE,
+        )
+    lengths = gathered.singles.get((None, None), {}).get("inch_length", [])
+    if "inch" in by_word and lengths and Decimal(lengths[-1].text) != _INCH:
+        notes.refuse(
+            "basic system",
+            "the control works in inch, and its inch has another length (MD10250"
+            " $MN_SCALING_VALUE_INCH)",
+            lengths[-1],
+            expected=f"{_INCH} mm",
+            hint=CORRECT_VALUE,
+        )
+    masks = gathered.singles.get((None, None), {}).get("unit_mask", [])
+    if masks and ((bits := bit_mask(masks[-1].text)) is None or bits & _USERS_LENGTHS):
+        notes.refuse(
+            "basic system",
+            "positions or compensation values are in a unit of the user's own (MD10220"
+            " $MN_SCALING_USER_DEF_MASK)",
+            masks[-1],
+            expected="a mask without the bits 0, 1, 11 and 12",
+            hint=NOT_COUNTED,
+        )
+    return next(iter(by_word), None)
+
+
+def _places(gathered: Gathered) -> dict[str, FoundValue]:
+    """Return the first place that states each basic system."""
+    definition = gathered.definition
+    places: dict[str, FoundValue] = {}
+    values = Values(definition, "basic system", Notes())
+    for quantity in SAYING:
+        binding = definition.bindings.get(quantity)
+        if isinstance(binding, Choice):
+            for found in gathered.singles.get((None, None), {}).get(quantity, ()):
+                word = values.known_word(binding, found.text)
+                if word is not None:
+                    places.setdefault(word, found)
+    return places

@@ -7,13 +7,13 @@ from __future__ import annotations
 from compwright.formats.definition.consistency import curves
 from compwright.formats.definition.options import resolved_number
 from compwright.formats.families.family import Family
-from compwright.formats.families.grid.axis_wide import MODULO_START
-from compwright.formats.families.grid.shapes import shape_of
-from compwright.formats.families.grid.turns import (
+from compwright.formats.families.grid.axis_settings import MODULO_START
+from compwright.formats.families.grid.modulo_range import (
     RANGE_QUANTITY,
     most_points_of_turn,
     spacings_from,
 )
+from compwright.formats.families.grid.table_shapes import shape_of
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.capacity import Capacity
 from compwright.records.correction import Assumption

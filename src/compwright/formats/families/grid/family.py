@@ -14,21 +14,20 @@ from typing import ClassVar
 from compwright.formats.definition.schema import Definition
 from compwright.formats.families import limits
 from compwright.formats.families.activity import Activity
-from compwright.formats.families.axis_tables import sound
-from compwright.formats.families.between import Between, BetweenRequest, instead
-from compwright.formats.families.card_words import (
+from compwright.formats.families.between import Between, BetweenRequest, alternative_answer
+from compwright.formats.families.card_texts import (
     AxisCard,
     CardRequest,
     named_files,
     table_values,
 )
-from compwright.formats.families.family import Family, Listing, checked
+from compwright.formats.families.family import Family, Listing, check_tables, writable_tables
 from compwright.formats.families.grid.capacity import GridLimits
 from compwright.formats.families.grid.joints import sure_joints
 from compwright.formats.families.grid.reading import GridReader
-from compwright.formats.families.grid.shapes import shape_of
+from compwright.formats.families.grid.table_shapes import shape_of
 from compwright.formats.families.grid.writing import GridWriter
-from compwright.formats.text.entered import Entered, by_statements
+from compwright.formats.text.file_values import FileValue, by_statements
 from compwright.formats.text.texts import text_reader
 from compwright.formats.text.values import name_of
 from compwright.foundations.errors import CapacityError, Fault, raise_all
@@ -43,9 +42,9 @@ _CORRECTING = re.compile(
 )
 
 
-def entered(
+def file_values(
     definition: Definition, files: Sequence[ControlFile], _: Sequence[ControlFile] = ()
-) -> dict[str, Entered]:
+) -> dict[str, FileValue]:
     """Return every value of the files."""
     return {
         key: replace(
@@ -84,7 +83,7 @@ class GridFamily(Family):
 
     reader: type[GridReader] = GridReader
     writer: type[GridWriter] = GridWriter
-    listing: ClassVar[Listing] = Listing(entered=entered, names=_names)
+    listing: ClassVar[Listing] = Listing(file_values=file_values, names=_names)
 
     def read(
         self,
@@ -104,7 +103,7 @@ class GridFamily(Family):
 
     def between(self, request: BetweenRequest) -> Between:
         """See `Family.between`: no such table."""
-        return instead(self.definition, request.planned)
+        return alternative_answer(self.definition, request.planned)
 
     def _own_limits(
         self, axis: Axis, compensation: AxisCompensation, capacity: Capacity, label: str
@@ -121,8 +120,8 @@ class GridFamily(Family):
         files: Sequence[ControlFile] = (),
     ) -> tuple[ControlFile, ...]:
         """See `Family.write`."""
-        tables, faults = checked(self, compensations, axes, self._own_limits)
-        whole = sound(tables)
+        tables, faults = check_tables(self, compensations, axes, self._own_limits)
+        whole = writable_tables(tables)
         written = self.writer(self, files, [address for address, _, _ in whole]).written(
             whole, faults
         )

@@ -15,20 +15,19 @@ from compwright.formats.definition.consistency import curves
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.axis_names import axis_names
 from compwright.formats.families.control_texts import is_listing, texts_of
-from compwright.formats.families.coupled_axes import Coupling, check_couplings
+from compwright.formats.families.coupled_axes import Coupling, check_couplings, find_partners
 from compwright.formats.families.family import Family, require_files
-from compwright.formats.families.gantry import find_partners
 from compwright.formats.families.grid.axis_reading import AxisReading, AxisSource, GridAxisReader
-from compwright.formats.families.grid.axis_wide import AxisWideReader
-from compwright.formats.families.grid.basic_system import basic_system
+from compwright.formats.families.grid.axis_settings import AxisSettingsReader
+from compwright.formats.families.grid.axis_values import basic_system
 from compwright.formats.families.grid.joints import joined_joints
+from compwright.formats.families.grid.modulo_range import check_turn
 from compwright.formats.families.grid.table_files import (
     TableFiles,
     changed_at_run_time,
-    never_loaded,
     offset_at_run_time,
+    unused_table_files,
 )
-from compwright.formats.families.grid.turn_checks import check_turn
 from compwright.formats.families.travel_limits import check_limits
 from compwright.formats.text.addresses import normal_text
 from compwright.formats.text.container import (
@@ -202,7 +201,7 @@ class GridReader:
             elsewhere=self.elsewhere(address),
         )
         own = GridAxisReader(self.control, self.gathered, source, self.activity, self.notes).read()
-        facts = AxisWideReader(self.gathered, address, self.notes).facts(
+        facts = AxisSettingsReader(self.gathered, address, self.notes).facts(
             own.facts, axis, self.partners
         )
         if axis is not None and address not in self.partners.values():
@@ -288,7 +287,7 @@ class GridReader:
 
     def _loaded(self, files: Sequence[ControlFile]) -> list[ControlFile]:
         """Return the files without those that the control never opens; these are reported."""
-        aside = never_loaded(self.definition, files)
+        aside = unused_table_files(self.definition, files)
         if "table_file" in self.definition.bindings:
             self.notes.faults.extend(changed_at_run_time(files))
             self.notes.faults.extend(offset_at_run_time(files, [one.name for one in self.axes]))

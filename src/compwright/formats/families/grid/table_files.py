@@ -145,7 +145,7 @@ class TableFiles:
                 self.notes.idle_file(say("CW-S012.no_axis", file=text.file))
 
 
-def never_loaded(definition: Definition, files: Sequence[ControlFile]) -> list[str]:
+def unused_table_files(definition: Definition, files: Sequence[ControlFile]) -> list[str]:
     """Return the names of files other than tables that the control never opens: the files that
     state what it loads name none of these.
 

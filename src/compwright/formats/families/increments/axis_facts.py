@@ -1,30 +1,32 @@
-"""Facts of one axis of a control with increments by section, as records."""
+"""Facts of one axis of a control with increments by section, as records; the lead of its screw,
+suggested by its reference counter.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from decimal import Decimal
 
 from compwright.formats.families.increments import parameters as known
 from compwright.formats.families.increments.axis_values import INCH, IncrementAxisValues
+from compwright.formats.families.increments.backlash import first_stage
 from compwright.formats.families.increments.detection_unit import detection_unit
 from compwright.formats.families.increments.increment_facts import IncrementFacts, increments_of
 from compwright.formats.families.increments.neighbour_functions import (
     OPTION_OF,
-    across,
     functions,
-    hung,
+    functions_on_points,
     left_alone,
+    straightness_functions,
 )
 from compwright.formats.families.increments.parameters import AxisParameters
-from compwright.formats.families.increments.screw_lead import screw_lead
 from compwright.formats.families.increments.sections import idle_nodes
-from compwright.formats.families.increments.smooth import first_stage
 from compwright.formats.text.notes import Notes
 from compwright.records.axis import AxisKind
 from compwright.records.facts import AxisFacts
 from compwright.records.options import DETECTION_UNIT
+from compwright.words.sentences import say
 
 #: What `new` says of the limits of an axis in diameter programming.
 _HALVED = (
@@ -36,7 +38,7 @@ _GRID = (3620, 3621, 3622, 3623, 3624)
 
 
 #: What would let straightness compensation be counted with.
-_UNTOLD_HELP = "straightness: available in the options of the controller"
+_UNCOUNTED_HELP = "straightness: available in the options of the controller"
 
 
 def facts_of(values: IncrementAxisValues) -> AxisFacts:
@@ -102,7 +104,7 @@ def with_neighbours(
     by_option = {OPTION_OF.get(each.words): each.description for each in every}
     increments = replace(
         increments_of(facts),
-        hung=hung(own, every),
+        hung=functions_on_points(own, every),
         foreign=tuple(numbers for _, numbers in own.all.second_tables),
         first_stage=first_stage(own),
         inclined=by_option.get("inclination", ""),
@@ -115,7 +117,9 @@ def with_neighbours(
             *(increments.magnification, increments.interval),
         )
         words += [f"{number} = {value}" for number, value in zip(_GRID, grid, strict=True)]
-    pairs = replace(facts.pairs, untold=across(own, alone), untold_help=_UNTOLD_HELP)
+    pairs = replace(
+        facts.pairs, uncounted=straightness_functions(own, alone), uncounted_help=_UNCOUNTED_HELP
+    )
     return replace(facts, other_functions="; ".join(words), of_family=increments, pairs=pairs)
 
 
@@ -161,3 +165,57 @@ def _coordinate(values: IncrementAxisValues, quantity: str, kind: AxisKind) -> f
     if found is None or "." not in found.text:
         return None
     return float(values.length(quantity, kind) or 0)
+
+
+#: Lengths are the same within this part: what a job says in few digits.
+_SAME_LENGTH = 1e-3
+
+
+@dataclass(frozen=True, slots=True)
+class Lead:
+    """Travel of one turn of the motor, mm or deg, and the parameters that suggest it, in words."""
+
+    size: float
+    evidence: str
+
+
+def screw_lead(own: AxisParameters, kind: AxisKind) -> Lead | None:
+    """Return the travel between two marks of the encoder on the motor; None if the files do not
+    state it.
+
+    1821 counts detection units from one mark to the next: a turn of the motor, on a screw its lead
+    (B-63943EN-1/02 page 109). With a separate detector (1815#1 = 1, from memory) it is the distance
+    of the marks of a scale, and unrelated to a screw.
+    """
+    unit, counter = detection_unit(own, kind), own.get(known.REFERENCE_COUNTER)
+    if unit is None or counter is None or own.bit(known.ENCODER, 1) is not False:
+        return None
+    size = round(counter.whole * unit.size, 9)
+    if size <= 0 or (kind is AxisKind.ROTARY and size >= 360.0):
+        return None
+    evidence = (
+        f"1821 = {counter.text} detection units of {unit.size:g} {kind.unit} between two marks,"
+        " encoder on the motor (1815#1 = 0); inferred"
+    )
+    return Lead(size, evidence)
+
+
+def note_lead(values: IncrementAxisValues, kind: AxisKind) -> None:
+    """Note the suggested lead if the job names no period, or another one."""
+    lead = screw_lead(values.own, kind)
+    if values.axis is None or lead is None:
+        return
+    named = values.axis.screw_pitch
+    if any(abs(period - lead.size) <= _SAME_LENGTH * lead.size for period in named):
+        return
+    suggested = say(
+        "CW-S049.suggested",
+        label=values.label,
+        lead=lead.size,
+        unit=kind.unit,
+        evidence=lead.evidence,
+    )
+    if named:
+        values.notes.find("CW-S049.other", "warning", suggested=suggested, periods=named)
+        return
+    values.notes.find("CW-S049.none", "info", suggested=suggested, lead=lead.size)

@@ -9,26 +9,25 @@ from decimal import Decimal
 import numpy as np
 
 from compwright.formats.families.increments import parameter_checks
-from compwright.formats.families.increments.against_job import (
+from compwright.formats.families.increments.axis_facts import note_lead
+from compwright.formats.families.increments.axis_values import IncrementAxisValues
+from compwright.formats.families.increments.backlash import active_backlash, smooth_backlash
+from compwright.formats.families.increments.detection_unit import detection_unit, two_systems
+from compwright.formats.families.increments.inclination_and_cyclic import counted
+from compwright.formats.families.increments.job_checks import (
     check_diameter,
     check_reference,
     check_return,
     check_travel_limits,
     check_wrapping,
 )
-from compwright.formats.families.increments.axis_values import IncrementAxisValues
-from compwright.formats.families.increments.backlash import active_backlash
-from compwright.formats.families.increments.counted import counted
-from compwright.formats.families.increments.detection_unit import detection_unit, two_systems
 from compwright.formats.families.increments.neighbour_functions import functions, left_alone, stays
 from compwright.formats.families.increments.points import POINTS_FROM
-from compwright.formats.families.increments.screw_lead import tell_lead
 from compwright.formats.families.increments.sections import (
     IncrementSections,
     read_sections,
     repeats,
 )
-from compwright.formats.families.increments.smooth import smooth_backlash
 from compwright.formats.text.gathering import FoundValue
 from compwright.formats.text.notes import ADD_FILE, CORRECT_VALUE, NOT_COUNTED
 from compwright.formats.text.scale import NumberScale
@@ -58,7 +57,7 @@ class IncrementReader:
         check_wrapping(values, kind)
         if self.checks_travel:
             check_travel_limits(values, kind)
-        tell_lead(values, kind)
+        note_lead(values, kind)
         backlash = self._backlash(kind)
         sections = read_sections(values, kind)
         unanswered = sections is not None and self.options.get("points_from") != "reference"

@@ -1,4 +1,6 @@
-"""Single values of one axis of a control with increments by section."""
+"""Single values of one axis of a control with increments by section, and lengths in the form of its
+files.
+"""
 
 from __future__ import annotations
 
@@ -177,3 +179,15 @@ class IncrementAxisValues(Values):
         named = message if name in f"{message} {expected}" else f"{message} (parameter {name})"
         place = self.found(quantity)
         self.notes.refuse(self.label, named, place, expected=expected, found=found, hint=hint)
+
+
+def length_text(value: Decimal, *, inch: bool = False, whole: bool = False) -> str:
+    """Return a length, mm or deg, in the form of the control's own files: with a decimal point and
+    at least one decimal (``50.0``), or ``whole`` in thousandths, of an inch in ten thousandths.
+    """
+    if inch:
+        value /= INCH
+    if whole:
+        return str(int(value / Decimal("0.0001" if inch else "0.001")))
+    text = f"{value.normalize():f}"
+    return text if "." in text else f"{text}.0"

@@ -16,11 +16,11 @@ import numpy as np
 from compwright.formats.families.between import (
     Between,
     BetweenRequest,
-    in_turn,
-    instead,
-    label,
-    not_held,
-    typed_in,
+    alternative_answer,
+    cannot_hold,
+    combined_answer,
+    entry_sheet_answer,
+    error_label,
 )
 from compwright.formats.families.family import Family
 from compwright.formats.families.increments.increment_facts import increments_of
@@ -36,7 +36,7 @@ from compwright.words.sentences import say
 def straightness_between(family: Family, request: BetweenRequest) -> Between:
     """Return the parameters of one straight line, if the job states that the control has them."""
     if family.options.get("straightness") != "available":
-        return instead(family.definition, request.planned)
+        return alternative_answer(family.definition, request.planned)
     (entry, *others) = request.planned
     filled = None if others else _filled(family, request, entry)
     if filled is not None:
@@ -45,13 +45,13 @@ def straightness_between(family: Family, request: BetweenRequest) -> Between:
     rows = None if others else _rows(family, request, entry, state)
     if rows is None:
         why = "straightness compensation is known for one straight line over a table only"
-        return in_turn(not_held(each, why) for each in request.planned)
+        return combined_answer(cannot_hold(each, why) for each in request.planned)
     sheet = _sheet(entry, rows)
-    sentence = say("CW-P113.sheet", what=label(entry), sheet=sheet.name)
+    sentence = say("CW-P113.sheet", what=error_label(entry), sheet=sheet.name)
     text = (
         f"{sentence} Prove the sign with a square or a dial gauge, on and off, before production."
     )
-    return typed_in(entry, sheet, sentence, text)
+    return entry_sheet_answer(entry, sheet, sentence, text)
 
 
 def _filled(family: Family, request: BetweenRequest, entry: PlannedCross) -> Between | None:
@@ -79,7 +79,7 @@ def _filled(family: Family, request: BetweenRequest, entry: PlannedCross) -> Bet
     texts = [added.input, added.output, *points, *amounts]
     named = {places[place].number: text for place, text in enumerate(texts)}
     values = [f"{number} = {text}" for number, text in named.items()]
-    sentence = say("CW-P113.straightness", what=label(entry), values=values)
+    sentence = say("CW-P113.straightness", what=error_label(entry), values=values)
     text = (
         f"{sentence} Its numbers and its sign are unconfirmed: prove them with a square or a dial"
         " gauge, on and off, before production."

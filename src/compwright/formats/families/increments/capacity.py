@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from compwright.formats.families.family import Family
-from compwright.formats.families.increments.against_job import points_question
 from compwright.formats.families.increments.axis_reading import increment_limit
 from compwright.formats.families.increments.entries import (
     OFFSETS,
@@ -12,6 +11,7 @@ from compwright.formats.families.increments.entries import (
     magnifications,
 )
 from compwright.formats.families.increments.increment_facts import increments_of
+from compwright.formats.families.increments.job_checks import points_question
 from compwright.formats.families.increments.numbering import longest_gap, used_numbers
 from compwright.foundations.errors import Fault, UsageError, raise_all
 from compwright.records.axis import Axis, AxisKind

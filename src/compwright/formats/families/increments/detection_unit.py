@@ -9,8 +9,8 @@ from fractions import Fraction
 
 from compwright.formats.definition.options import axis_options
 from compwright.formats.families.increments import parameters as known
-from compwright.formats.families.increments.against_job import check_diameter
 from compwright.formats.families.increments.axis_values import IncrementAxisValues
+from compwright.formats.families.increments.job_checks import check_diameter
 from compwright.formats.families.increments.parameters import AxisParameters, ParameterValue
 from compwright.foundations.errors import UsageError
 from compwright.records.axis import AxisKind

@@ -11,11 +11,10 @@ from decimal import Decimal
 import numpy as np
 
 from compwright.formats.definition.schema import Definition
-from compwright.formats.families.axis_tables import AxisTable
-from compwright.formats.families.family import Family
+from compwright.formats.families.family import AxisTable, Family
 from compwright.formats.families.increments.axis_reading import increment_limit
-from compwright.formats.families.increments.axis_values import INCH, thousandths
-from compwright.formats.families.increments.backlash import both_backlashes
+from compwright.formats.families.increments.axis_values import INCH, length_text, thousandths
+from compwright.formats.families.increments.backlash import both_backlashes, covers
 from compwright.formats.families.increments.inclination_and_cyclic import (
     InclinationAndCyclic,
     line_parameters,
@@ -27,8 +26,7 @@ from compwright.formats.families.increments.increment_facts import (
     PointNumber,
     increments_of,
 )
-from compwright.formats.families.increments.lengths import length_text
-from compwright.formats.families.increments.moving import check_sets, moved_numbers
+from compwright.formats.families.increments.moved_grid import check_sets, moved_numbers
 from compwright.formats.families.increments.numbering import (
     NoRoom,
     NumberPlace,
@@ -36,7 +34,6 @@ from compwright.formats.families.increments.numbering import (
     kept_place,
     used_numbers,
 )
-from compwright.formats.families.increments.smooth import covers
 from compwright.formats.text.addresses import normal_text
 from compwright.formats.text.scale import NotHeld, NumberScale
 from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all

@@ -4,30 +4,26 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 
-from compwright.formats.definition.kept_lines import NUMBER, KeptLines
-from compwright.formats.definition.shape_rules import ShapeRules
+from compwright.formats.definition.shape_rules import NUMBER, KeptLines, ShapeRules
 from compwright.formats.families.activity import Activity
-from compwright.formats.families.axis_tables import sound
 from compwright.formats.families.between import Between, BetweenRequest
-from compwright.formats.families.card_words import (
+from compwright.formats.families.card_texts import (
     AxisCard,
     CardRequest,
     named_files,
     sign_check,
 )
-from compwright.formats.families.family import Family, Listing, checked
-from compwright.formats.families.increments.against_job import points_question
+from compwright.formats.families.family import Family, Listing, check_tables, writable_tables
 from compwright.formats.families.increments.between import straightness_between
 from compwright.formats.families.increments.capacity import IncrementLimits
-from compwright.formats.families.increments.card import increment_values
-from compwright.formats.families.increments.entered import entered, whereabouts
+from compwright.formats.families.increments.card import increment_values, numbered_sections
 from compwright.formats.families.increments.entries import free_numbers_question
+from compwright.formats.families.increments.file_values import file_values, value_location
 from compwright.formats.families.increments.increment_facts import increments_of
-from compwright.formats.families.increments.numbered import numbered_sections
+from compwright.formats.families.increments.job_checks import points_question
 from compwright.formats.families.increments.parameters import NAMES
 from compwright.formats.families.increments.reading import StateReader
-from compwright.formats.families.increments.sheets import increment_sheets
-from compwright.formats.families.increments.writing import write_increments
+from compwright.formats.families.increments.writing import increment_sheets, write_increments
 from compwright.foundations.errors import CapacityError, Fault, raise_all
 from compwright.records.axis import Axis
 from compwright.records.capacity import Capacity
@@ -83,13 +79,13 @@ class IncrementsFamily(Family):
     """Whole steps by section."""
 
     listing = Listing(
-        entered=entered,
-        whereabouts=whereabouts,
+        file_values=file_values,
+        value_location=value_location,
         names=_names,
         # axes have numbers, and each its own part of the points
-        alone=lambda _, __: [str(number) for number in range(1, _MOST_AXES + 1)],
-        idle=_idle,
-        shown=_shown,
+        readable_alone=lambda _, __: [str(number) for number in range(1, _MOST_AXES + 1)],
+        is_idle=_idle,
+        for_display=_shown,
     )
     left_open = LeftOpen(
         DETECTION_UNIT, "mm or deg per pulse, such as 0.001", stand_in=0.001, lengths=False
@@ -128,9 +124,9 @@ class IncrementsFamily(Family):
         files: Sequence[ControlFile] = (),
     ) -> tuple[ControlFile, ...]:
         """See `Family.write`."""
-        tables, faults = checked(self, compensations, axes)
+        tables, faults = check_tables(self, compensations, axes)
         raise_all(CapacityError, faults)
-        return write_increments(self, sound(tables), files)
+        return write_increments(self, writable_tables(tables), files)
 
     def card(self, request: CardRequest) -> AxisCard:
         """See `Family.card`."""

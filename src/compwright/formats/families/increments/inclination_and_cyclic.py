@@ -1,24 +1,170 @@
-"""Functions that compwright writes in addition to a table of whole increments: a straight line
-(inclination compensation) and a table with a short period (second cyclic table).
+"""Functions in addition to the table that an option makes counted: inclination and the second
+(cyclic) table.
 
-The line has two points and two amounts, given twice because there is room for three lines (FANUC
-B-63522EN/02 page 222). The second table's first number is its reference point and holds 0, those
-behind it own the sections of one period (A-78868E page 6). Unconfirmed: the sign of both, assumed
-to be that of the pitch data.
+Inclination: three straight lines through four point numbers, in detection units, put out at the
+points and added to the pitch data (FANUC B-63522EN/02 page 222); zero at the reference, held
+outside. Second table: the number 14985 is its reference point, those behind it up to 14986 own the
+sections of one period, increments as in the main table, whose sum is 0 (A-78868E pages 3 and 6).
+Unconfirmed: that the sign is that of the pitch data, that 3623 does not multiply them, and that the
+period starts at the reference position.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from decimal import Decimal
+from itertools import pairwise
 
 import numpy as np
 
 from compwright.formats.families.increments import parameters as known
+from compwright.formats.families.increments.axis_values import INCH, IncrementAxisValues
+from compwright.formats.families.increments.neighbour_functions import (
+    OPTION_OF,
+    Function,
+    functions,
+)
 from compwright.formats.families.increments.numbering import first_free
+from compwright.formats.families.increments.parameters import ParameterValue
+from compwright.formats.families.increments.sections import IncrementSections
 from compwright.formats.text.scale import NotHeld
-from compwright.records.axis import FloatArray
+from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.correction import AxisCompensation
+
+#: Nodes and totals there, both (k,) mm or deg, and the period after which they repeat; None: never.
+Curve = tuple[FloatArray, FloatArray, float | None]
+#: Returns the increments (k,) of some numbers; None where one is missing.
+Increments = Callable[[range], FloatArray | None]
+
+_EVIDENCE = {
+    "inclination": "unconfirmed: sign of the pitch data, detection units, not multiplied by 3623",
+    "cyclic": "unconfirmed: sign of the pitch data, not multiplied by 3623, its period starts at"
+    " the reference position",
+}
+
+
+class _NotCountedError(Exception):
+    """A parameter for which a function cannot be counted: its state, and what would help."""
+
+    def __init__(self, value: ParameterValue, how: str, expected: str) -> None:
+        super().__init__(how)
+        self.value = value
+        self.how = how
+        self.expected = expected
+
+
+def counted(
+    values: IncrementAxisValues,
+    kind: AxisKind,
+    options: Mapping[str, object],
+    increments: Increments,
+) -> Counted:
+    """Return the functions of an axis that its options make counted."""
+    wanted = [
+        (OPTION_OF[each.words], each)
+        for each in functions(values.own)
+        if OPTION_OF.get(each.words) in _EVIDENCE and options[OPTION_OF[each.words]] == "available"
+    ]
+    for name, function in wanted:
+        fact = f"{values.label}: {function.words}"
+        values.notes.assume(fact, f"counted as {function.description}", _EVIDENCE[name])
+    return Counted(values, kind, dict(wanted), increments)
+
+
+class Counted:
+    """The functions of one axis that are counted."""
+
+    def __init__(
+        self,
+        values: IncrementAxisValues,
+        kind: AxisKind,
+        functions: Mapping[str, Function],
+        increments: Increments,
+    ) -> None:
+        self.values = values
+        self.kind = kind
+        self.functions = functions
+        self.increments = increments
+
+    def curves(
+        self, sections: IncrementSections | None, nodes: FloatArray, zero: float, scale: float
+    ) -> Iterator[Curve]:
+        """Yield the corrections by these functions, in the sign of the pitch data.
+
+        ``nodes``: those of the table, mm or deg; ``zero``: the reference position; ``scale``: mm or
+        deg per detection unit, with that sign. A function that cannot be counted is a fault.
+        """
+        try:
+            if "inclination" in self.functions:
+                function = self.functions["inclination"]
+                yield nodes, self._inclination(function, sections, nodes, zero) * scale, None
+            if "cyclic" in self.functions:
+                interval, sums = self._cyclic(self.functions["cyclic"])
+                places = np.round(zero + interval * np.arange(sums.size), 9)
+                yield places, sums * scale, interval * (sums.size - 1)
+        except _NotCountedError as error:
+            message = (
+                f"{self.values.label}: {error.value.label} cannot be counted: it is {error.how}"
+            )
+            self.values.notes.once(error.value.fault(message, error.expected))
+
+    def _inclination(
+        self, function: Function, sections: IncrementSections | None, nodes: FloatArray, zero: float
+    ) -> FloatArray:
+        """Return the lines at the nodes, detection units."""
+        own = self.values.own
+        points, amounts = (
+            [own.get(number) for number in numbers]
+            for numbers in (known.INCLINATION_POINTS, known.INCLINATION_AMOUNTS)
+        )
+        if sections is None:
+            raise _NotCountedError(function.values[0], "without a grid", "3620 to 3624")
+        if any(value is None for value in (*points, *amounts)):
+            raise _NotCountedError(
+                function.values[0], "not given whole", "5861 to 5864, 5871 to 5874"
+            )
+        at, levels = (
+            [value.whole for value in values if value is not None] for values in (points, amounts)
+        )
+        pairs = pairwise(zip(at, levels, strict=True))
+        if any(one[0] > two[0] or (one[0] == two[0] and one != two) for one, two in pairs):
+            raise _NotCountedError(function.values[0], "not in order", "numbers that ascend")
+        numbers = sections.reference + np.round((nodes - zero) / sections.interval)
+        keep = np.concatenate([[True], np.diff(at) > 0])
+        line = np.interp(
+            np.append(numbers, sections.reference), np.compress(keep, at), np.compress(keep, levels)
+        )
+        return np.asarray(line[:-1] - line[-1])
+
+    def _cyclic(self, function: Function) -> tuple[float, FloatArray]:
+        """Return the interval, mm or deg, and the sums (k,) at the ends of the sections of one
+        period, detection units.
+        """
+        own, first = self.values.own, function.values[0]
+        ends = [own.get(number) for number in (known.CYCLIC_FIRST, known.CYCLIC_LAST)]
+        low, high = (0 if value is None else value.whole for value in ends)
+        interval = self._interval(own.get(known.CYCLIC_INTERVAL))
+        factor = own.get(known.CYCLIC_FACTOR)
+        if high <= low or interval is None:
+            raise _NotCountedError(first, "not given whole", "14985 < 14986, 14987 above 0")
+        if factor is not None and factor.whole not in (0, 1):
+            raise _NotCountedError(factor, "multiplied, which is not known well", "0 or 1")
+        counts = self.increments(range(low + 1, high + 1))
+        if counts is None:
+            raise _NotCountedError(first, "without its pitch data", "the whole pitch data")
+        if np.sum(counts) != 0:
+            raise _NotCountedError(
+                first, f"adding up to {np.sum(counts):g} in one period", "a sum of 0"
+            )
+        return interval, np.concatenate([[0.0], np.cumsum(counts)])
+
+    def _interval(self, value: ParameterValue | None) -> float | None:
+        if value is None or not value.nonzero:
+            return None
+        inch = self.values.in_inches(value.key, self.kind)
+        return float(Decimal(value.text) * (INCH if inch else 1))
+
 
 #: Amounts are 16-bit numbers.
 AMOUNTS = (-32767, 32767)

@@ -25,7 +25,7 @@ class PointNumber:
 
 
 @dataclass(frozen=True, slots=True)
-class Hung:
+class FunctionOnPoints:
     """A function that is active in addition to a table and depends on the numbers of its sections;
     ``points``: which, None if unknown.
     """
@@ -65,7 +65,7 @@ class IncrementFacts:
     rapid_feed: float | None = None
     unread: frozenset[int] = frozenset()
     interval: float | None = None
-    hung: tuple[Hung, ...] = ()
+    hung: tuple[FunctionOnPoints, ...] = ()
     first_stage: int = 0
     inclined: str = ""
     waved: str = ""

@@ -14,7 +14,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from compwright.formats.families.increments import parameters as known
-from compwright.formats.families.increments.increment_facts import Hung, PointNumber
+from compwright.formats.families.increments.increment_facts import FunctionOnPoints, PointNumber
 from compwright.formats.families.increments.parameters import AxisParameters, ParameterValue
 
 #: Parameter groups that may compensate by the grid on a series where their meaning is unknown.
@@ -75,26 +75,28 @@ def left_alone(every: Iterable[Function], options: Mapping[str, object]) -> list
     ]
 
 
-def hung(own: AxisParameters, every: Iterable[Function]) -> tuple[Hung, ...]:
+def functions_on_points(
+    own: AxisParameters, every: Iterable[Function]
+) -> tuple[FunctionOnPoints, ...]:
     """Return the functions that depend on the numbers of the axis' sections, counted or not, for
     code that moves these numbers. ``every``: the axis' functions.
     """
     return tuple(
-        Hung(
+        FunctionOnPoints(
             label=f"{function.words}, {function.values[0].place}",
             points=None if function.points is None else tuple(map(_point, function.points)),
         )
         for function in every
         if function.points is None or function.points
     ) + tuple(
-        Hung(label=f"perhaps further compensation, {value.place}", points=None)
+        FunctionOnPoints(label=f"perhaps further compensation, {value.place}", points=None)
         for value in own.all.unknown
         if known.NAMES[value.number] in _MAY_COMPENSATE
         and (value.owner != "A" or value.index == own.index)
     )
 
 
-def across(own: AxisParameters, alone: Sequence[Function]) -> str:
+def straightness_functions(own: AxisParameters, alone: Sequence[Function]) -> str:
     """Return the functions, left ``alone``, that correct the axis by the positions of others, in
     words that change with their values; empty without any.
     """

@@ -33,8 +33,8 @@ from compwright.formats.families.increments.parameter_checks import pointed_numb
 from compwright.formats.families.increments.parameters import AxisParameters, Parameters
 from compwright.formats.families.increments.points import points_by_number
 from compwright.formats.families.increments.sections import GRID, read_sections
+from compwright.formats.families.increments.sheet_lines import parameter_lines
 from compwright.formats.families.increments.straightness import straightness_pairs
-from compwright.formats.families.increments.typed_sheet import parameter_lines
 from compwright.formats.text.addresses import normal_text
 from compwright.formats.text.entry_sheet import is_entry_sheet
 from compwright.formats.text.gathering import gather

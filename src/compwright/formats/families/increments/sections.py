@@ -6,8 +6,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from compwright.formats.families.increments.against_job import SAME_PLACE
 from compwright.formats.families.increments.axis_values import IncrementAxisValues
+from compwright.formats.families.increments.job_checks import SAME_PLACE
 from compwright.formats.text.notes import ADD_FILE, Notes
 from compwright.records.axis import AxisKind, FloatArray
 
@@ -59,7 +59,7 @@ class IncrementSections:
 def read_sections(values: IncrementAxisValues, kind: AxisKind) -> IncrementSections | None:
     """Return the sections of the table; None without one, or with faults in the notes."""
     if values.yes("compensation_off"):
-        _tell_off(values)
+        _note_switched_off(values)
         return None
     present = {name: values.found(name) for name in GRID}
     if not any(present.values()):
@@ -85,7 +85,7 @@ def read_sections(values: IncrementAxisValues, kind: AxisKind) -> IncrementSecti
     return _checked(values, kind)
 
 
-def _tell_off(values: IncrementAxisValues) -> None:
+def _note_switched_off(values: IncrementAxisValues) -> None:
     """Note that stored pitch error compensation is off as a whole: no table of an axis under work
     can be active.
     """

@@ -14,19 +14,18 @@ from decimal import Decimal
 
 from compwright.formats.definition.schema import Choice, Definition, WrittenFile
 from compwright.formats.definition.statements import print_form
-from compwright.formats.families.axis_tables import AxisTable
-from compwright.formats.families.family import Family
-from compwright.formats.families.increments.axis_values import thousandths
+from compwright.formats.families.family import AxisTable, Family, with_partners
+from compwright.formats.families.increments.axis_values import length_text, thousandths
 from compwright.formats.families.increments.entries import Entries, all_entries
-from compwright.formats.families.increments.lengths import length_text
+from compwright.formats.families.increments.increment_facts import increments_of
 from compwright.formats.families.increments.parameters import AxisParameters, Parameters
 from compwright.formats.families.increments.points import POINTS_FROM, point_number, point_rows
 from compwright.formats.families.increments.reading import read_texts
-from compwright.formats.text.entry_sheet import SheetRow, is_entry_sheet
+from compwright.formats.text.entry_sheet import SheetRow, is_entry_sheet, write_sheet
 from compwright.formats.text.gathering import FoundValue, gather
 from compwright.formats.text.patching import BytesChange, Patches, fresh_file, set_field
 from compwright.formats.text.values import name_of
-from compwright.foundations.errors import CapacityError, Fault, InputError, raise_all
+from compwright.foundations.errors import CapacityError, Fault, InputError, UsageError, raise_all
 from compwright.records.axis import AxisKind
 from compwright.records.correction import ControlFile
 
@@ -307,3 +306,53 @@ def sheet_rows(definition: Definition, entry: Entries) -> Iterator[SheetRow]:
             step = point - own.start + place.first - place.reference
             position = f"{entry.axis.reference + step * entry.interval:.10g}"
         yield SheetRow(str(POINTS_FROM + point), position, str(increment), "pulse")
+
+
+_PULSE = (
+    "whole detection units, before the magnification 3623; position: upper end of the point's"
+    " section"
+)
+
+
+def increment_sheets(family: Family, own: Sequence[AxisTable]) -> tuple[ControlFile, ...]:
+    """Return the entry sheets, and programs if the options require them.
+
+    ``own``: the tables of leading axes; those of gantry partners are derived from them.
+    """
+    definition = family.definition
+    names = {address: axis.name for address, axis, _ in own}
+    names |= {
+        axis.gantry: f"{axis.name}_{axis.gantry}" for _, axis, _ in own if axis.gantry is not None
+    }
+    entries = all_entries(family, with_partners(family.definition, own))
+    sheets = [
+        write_sheet(
+            f"entry_{names[entry.address]}.csv",
+            (
+                ("axis", entry.axis.name),
+                ("address", entry.address),
+                ("format", definition.id),
+                ("value", "correction"),
+                ("unit pulse", _PULSE),
+            ),
+            tuple(sheet_rows(definition, entry)),
+        )
+        for entry in entries
+    ]
+    if family.options.get("program") != "g10":
+        return tuple(sheets)
+    if any(increments_of(facts).inch for facts in family.state.facts.values()):
+        message = (
+            "a program has no letter for the unit, and the intervals in mm are not whole on an inch"
+            " machine (1001#0)"
+        )
+        raise UsageError(
+            Fault(
+                message=message,
+                place="program",
+                expected="none: load the files or type in the sheet",
+                found="g10",
+                hint="leave the option `program` out; the card contains the values to enter",
+            )
+        )
+    return (*sheets, *write_programs(definition, entries))

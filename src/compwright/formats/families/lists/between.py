@@ -6,7 +6,13 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from compwright.formats.families.between import Between, BetweenRequest, in_turn, label, not_held
+from compwright.formats.families.between import (
+    Between,
+    BetweenRequest,
+    cannot_hold,
+    combined_answer,
+    error_label,
+)
 from compwright.formats.families.family import Family
 from compwright.formats.families.lists.cross import CROSS_ROOM, CROSS_VALUES
 from compwright.formats.families.lists.table import TENTH
@@ -33,7 +39,7 @@ def lists_between(family: Family, request: BetweenRequest) -> Between:
             _write(writer, entry, signs[entry.output], before, request.planned)
     except CapacityError as error:
         why = "; ".join(str(fault) for fault in error.faults)
-        return in_turn(not_held(entry, why) for entry in request.planned)
+        return combined_answer(cannot_hold(entry, why) for entry in request.planned)
     known = {file.name: file.content for file in request.base}
     written = writer.files_of([entry.added.output for entry in request.planned])
     changed = tuple(file for file in written if known.get(file.name) != file.content)
@@ -53,7 +59,7 @@ def _sign(family: Family, request: BetweenRequest, entry: PlannedCross) -> int:
     meaning = _values(family, request, entry)
     if meaning is None:
         message = (
-            f"{label(entry)}: the meaning of the values of kw.crosscomp"
+            f"{error_label(entry)}: the meaning of the values of kw.crosscomp"
             " is not documented; test it as docs/controllers/isg-kernel.md describes"
         )
         raise UsageError(
@@ -157,8 +163,8 @@ def _steps(entry: PlannedCross, files: Sequence[ControlFile], meaning: str) -> l
     texts = {
         "check the sign": _checking(entry, meaning),
         "load": (
-            f"Load {named}: {label(entry)} is in the list of axis {added.output}, whose master is"
-            f" axis {added.input}. lr_param.crosscomp 1 in the parameter list of axis"
+            f"Load {named}: {error_label(entry)} is in the list of axis {added.output}, whose"
+            f" master is axis {added.input}. lr_param.crosscomp 1 in the parameter list of axis"
             f" {added.output}; restart or reload, and reference both axes: no "
             "compensation is active before that"
             f" {entry.input} is referenced. Outside the table its end values should stay; no page"

@@ -6,20 +6,23 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from compwright.formats.definition.kept_lines import NUMBER, KeptLines
-from compwright.formats.definition.shape_rules import ShapeRules
+from compwright.formats.definition.shape_rules import NUMBER, KeptLines, ShapeRules
 from compwright.formats.families import limits
 from compwright.formats.families.activity import Activity
-from compwright.formats.families.axis_tables import sound
 from compwright.formats.families.between import Between, BetweenRequest
-from compwright.formats.families.card_words import (
+from compwright.formats.families.card_texts import (
     AxisCard,
     CardRequest,
     named_files,
     sign_check,
-    typed,
+    typed_number,
 )
-from compwright.formats.families.family import Family, checked, in_patched_files
+from compwright.formats.families.family import (
+    Family,
+    check_tables,
+    in_patched_files,
+    writable_tables,
+)
 from compwright.formats.families.lists.between import lists_between
 from compwright.formats.families.lists.reading import ListStateReader
 from compwright.formats.families.lists.table import COUNTS, TENTH, VALUE_TYPES, counted
@@ -151,8 +154,8 @@ class ListsFamily(Family):
     ) -> tuple[ControlFile, ...]:
         """See `Family.write`."""
         bound = in_patched_files(self, compensations, axes, files)
-        tables, faults = checked(bound, compensations, axes, _own_limits)
-        whole = sound(tables)
+        tables, faults = check_tables(bound, compensations, axes, _own_limits)
+        whole = writable_tables(tables)
         writer = ListsWriter(self.definition, files)
         for address, axis, compensation in whole:
             writer.put_table(address, compensation, bound.scale_of(axis), faults)
@@ -172,8 +175,8 @@ class ListsFamily(Family):
             **sign_check(request.table, request.check_at),
         }
         if positions.size:
-            values["start"] = typed(round(float(positions[0]) / count))
-            values["end"] = typed(round(float(positions[-1]) / count))
+            values["start"] = typed_number(round(float(positions[0]) / count))
+            values["end"] = typed_number(round(float(positions[-1]) / count))
         return AxisCard(values | named_files(self, axis, request.files))
 
     def between(self, request: BetweenRequest) -> Between:

@@ -12,9 +12,14 @@ import numpy as np
 
 from compwright.formats.definition.options import axis_options, known_kind
 from compwright.formats.families.activity import Activity
-from compwright.formats.families.coupled_axes import check_couplings, followers, leader
+from compwright.formats.families.coupled_axes import (
+    check_couplings,
+    compare_partners,
+    followers,
+    leader,
+    note_twin,
+)
 from compwright.formats.families.family import Family
-from compwright.formats.families.gantry import compare_partners, note_twin
 from compwright.formats.families.lists.backlash import backlash_of, check_others
 from compwright.formats.families.lists.coupling import couplings_of
 from compwright.formats.families.lists.cross import left_out, read_cross

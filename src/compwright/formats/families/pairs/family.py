@@ -14,10 +14,11 @@ import numpy as np
 from compwright.formats.definition.statements import Occurrence
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.between import Between, BetweenRequest
-from compwright.formats.families.card_words import (
+from compwright.formats.families.card_texts import (
     CURVES,
     AxisCard,
     CardRequest,
+    loading_order,
     named_files,
     numbered_files,
     table_values,
@@ -27,7 +28,7 @@ from compwright.formats.families.family import Family, Listing
 from compwright.formats.families.grid.family import GridFamily
 from compwright.formats.families.pairs.between import pairs_between
 from compwright.formats.families.pairs.capacity import PairLimits
-from compwright.formats.families.pairs.entered import entered, whereabouts
+from compwright.formats.families.pairs.file_values import file_values, value_location
 from compwright.formats.families.pairs.options import (
     allowed_tables,
     available,
@@ -37,9 +38,8 @@ from compwright.formats.families.pairs.program_flow import scanned
 from compwright.formats.families.pairs.programs import not_carried_out
 from compwright.formats.families.pairs.small_files import SmallFiles
 from compwright.formats.families.pairs.state import PairsReader
-from compwright.formats.families.pairs.state_writing import PairsWriter
+from compwright.formats.families.pairs.writing import PairsWriter
 from compwright.formats.text.container import is_container
-from compwright.formats.text.loading_order import loading_order
 from compwright.formats.text.texts import text_reader
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.findings import Finding
@@ -108,12 +108,12 @@ class PairsFamily(GridFamily):
     reader = PairsReader
     writer = PairsWriter
     listing: ClassVar[Listing] = Listing(
-        entered=entered,
-        whereabouts=whereabouts,
-        alone=_alone,
-        carried_out=not_carried_out,
-        shown=_shown,
-        drafted=_drafted,
+        file_values=file_values,
+        value_location=value_location,
+        readable_alone=_alone,
+        executed=not_carried_out,
+        for_display=_shown,
+        for_draft=_drafted,
     )
     sign_assumed = False
 

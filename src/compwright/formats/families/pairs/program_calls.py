@@ -10,7 +10,6 @@ from dataclasses import dataclass, field, replace
 
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definition.statements import Occurrence
-from compwright.formats.families.entry_keys import Key, entry_key
 from compwright.formats.families.pairs.program_flow import (
     Call,
     FlowLine,
@@ -18,7 +17,8 @@ from compwright.formats.families.pairs.program_flow import (
     Scanned,
     scanned,
 )
-from compwright.formats.families.pairs.program_ways import ProgramWays
+from compwright.formats.families.pairs.program_runs import ProgramRuns
+from compwright.formats.text.addresses import Key, entry_key
 from compwright.formats.text.gathering import Gathered
 from compwright.foundations.errors import Fault
 from compwright.records.correction import ControlFile
@@ -50,7 +50,7 @@ class Found:
     loaders: frozenset[str] = frozenset()
 
     @property
-    def ways(self) -> ProgramWays:
+    def ways(self) -> ProgramRuns:
         """The possible runs through it."""
         return self.program.ways(self.loaders)
 

@@ -15,9 +15,9 @@ from functools import lru_cache
 
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definition.statements import Occurrence
-from compwright.formats.families.entry_keys import NAMES, Key, quantities_of
 from compwright.formats.families.pairs.program_conditions import ANY, number_of
-from compwright.formats.families.pairs.program_ways import END, ProgramWays, Step, ways_through
+from compwright.formats.families.pairs.program_runs import END, ProgramRuns, Step, possible_runs
+from compwright.formats.text.addresses import NAMES, Key, quantities_of
 from compwright.formats.text.texts import KEPT_TEXTS, ReadText, text_reader
 from compwright.foundations.errors import Fault
 from compwright.records.correction import ControlFile
@@ -177,9 +177,9 @@ class ProgramFlow:
     calls: list[Call] = field(default_factory=list)
     followed: frozenset[str] = frozenset()
 
-    def ways(self, loaders: frozenset[str]) -> ProgramWays:
+    def ways(self, loaders: frozenset[str]) -> ProgramRuns:
         """Return the runs through it to its values and to the calls of ``loaders``."""
-        return ways_through(
+        return possible_runs(
             _step(number, code, self.followed, marked=value or not loaders.isdisjoint(calls))
             for number, code, value, calls in self.lines
         )

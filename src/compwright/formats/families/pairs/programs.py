@@ -7,9 +7,9 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definition.statements import Occurrence
 from compwright.formats.families.activity import Activity
-from compwright.formats.families.entry_keys import Key, entry_key, quantities_of, value_of
 from compwright.formats.families.pairs.program_calls import CallEnds, Found, programs_of
 from compwright.formats.families.pairs.program_flow import EXPORTED, ProgramFlow
+from compwright.formats.text.addresses import Key, entry_key, quantities_of, value_of
 from compwright.formats.text.gathering import Gathered
 from compwright.formats.text.notes import Notes
 from compwright.formats.text.texts import text_reader

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from decimal import Decimal
 
 from compwright.formats.families.activity import Activity
-from compwright.formats.families.grid.shapes import shape_of
+from compwright.formats.families.grid.table_shapes import shape_of
 from compwright.formats.families.grid.tables import GridTable, TableSource
 from compwright.formats.families.pairs.lines import SingleValues, TableLines, Units
 from compwright.formats.families.pairs.places import (

@@ -15,18 +15,18 @@ from dataclasses import dataclass, replace
 from compwright.formats.definition.statements import Occurrence, print_form
 from compwright.formats.definition.vocabulary import When
 from compwright.formats.families.axis_names import axis_names
-from compwright.formats.families.between import together
-from compwright.formats.families.entry_keys import (
+from compwright.formats.families.between import merged_files
+from compwright.formats.families.family import Family
+from compwright.formats.text.addresses import (
     NAMES,
+    AxisNames,
     Key,
     entry_key,
+    normal_text,
     quantities_of,
     value_of,
     which_fields,
 )
-from compwright.formats.families.family import Family
-from compwright.formats.text.addresses import normal_text
-from compwright.formats.text.axis_names import AxisNames
 from compwright.formats.text.gathering import same_value
 from compwright.formats.text.texts import AS_IT_IS, BY_HAND, text_reader
 from compwright.foundations.errors import Fault, InputError, raise_all
@@ -64,7 +64,7 @@ class _Plan:
     footer: tuple[str, ...]
     enters: tuple[Key, ...]
     by_hand: tuple[Key, ...] = ()
-    tells: tuple[Key, ...] = ()
+    as_it_is: tuple[Key, ...] = ()
 
 
 class SmallFiles:
@@ -93,7 +93,7 @@ class SmallFiles:
                     self.systems.setdefault(address, str(axis.encoder.system - 1))
         self.own = tuple(own)
         self.old = self._side(own)
-        self.new = self._side(together(own, patched))
+        self.new = self._side(merged_files(own, patched))
         self.plans = [plan for plan in self._plans() if plan.enters or plan.by_hand]
 
     def files(self) -> tuple[ControlFile, ...]:
@@ -102,7 +102,7 @@ class SmallFiles:
 
     def back(self) -> tuple[ControlFile, ...]:
         """Return the files that enter the old values in the same places."""
-        plans = [replace(plan, name=BACK + plan.name, tells=()) for plan in self.plans]
+        plans = [replace(plan, name=BACK + plan.name, as_it_is=()) for plan in self.plans]
         return tuple(self._file(plan, self._old_text) for plan in plans)
 
     # -- reading
@@ -174,7 +174,7 @@ class SmallFiles:
             enters = [
                 key for key in (*remaining, *switches) if key not in hands and self._is_entered(key)
             ]
-            tells = [
+            as_it_is = [
                 *machine_wide,
                 *self._naming(address, [pairs[table] for table in (*written, *others)]),
                 *(key for key in own if key not in enters_own),
@@ -182,7 +182,9 @@ class SmallFiles:
                 *(key for table in others for key in tables[table]),
                 *(key for key in switches if key not in (*enters, *hands)),
             ]
-            yield self._plan("one_curve", address, enters, by_hand=hands, tells=tells, rows=False)
+            yield self._plan(
+                "one_curve", address, enters, by_hand=hands, as_it_is=as_it_is, rows=False
+            )
         for address in dict.fromkeys(corrected for _, corrected in pairs.values()):
             yield self._cross(address, tables, pairs, machine_wide)
 
@@ -218,14 +220,14 @@ class SmallFiles:
         sums = [key for key in facts if key[1] == address and self._is(key, _HANDS[:1])]
         hands = [*sums, *(key for key in written if self._is_switch(key))]
         enters = ordered([key for key in written if key not in hands])
-        tells = (
+        as_it_is = (
             *machine_wide,
             *self._naming(address, [pairs[table] for table in mine]),
             *(key for key in facts if self._is(key, ("rotary", "cross_metric", "cross_max_sum"))),
         )
         if not mine:
-            hands, tells = [], ()
-        return self._plan("cross", address, enters, by_hand=hands, tells=tells, rows=True)
+            hands, as_it_is = [], ()
+        return self._plan("cross", address, enters, by_hand=hands, as_it_is=as_it_is, rows=True)
 
     def _plan(
         self,
@@ -235,7 +237,7 @@ class SmallFiles:
         *,
         rows: bool,
         by_hand: Sequence[Key] = (),
-        tells: Sequence[Key] = (),
+        as_it_is: Sequence[Key] = (),
     ) -> _Plan:
         file = next(
             file
@@ -244,7 +246,7 @@ class SmallFiles:
         )
         name = print_form(file.name, {"axis": self.new.names.of_machine(address)})
         header = (*file.header[:-1], *self._unit_word(), *file.header[-1:])
-        return _Plan(name, header, file.footer[-1:], tuple(enters), tuple(by_hand), tuple(tells))
+        return _Plan(name, header, file.footer[-1:], tuple(enters), tuple(by_hand), tuple(as_it_is))
 
     def _unit_word(self) -> Iterator[str]:
         """Yield the line that sets the unit, if the control's own files have one."""
@@ -340,7 +342,7 @@ class SmallFiles:
         header = [print_form(line, {}) for line in plan.header]
         lines = [
             *self._marked(header),
-            *self._lines(plan.tells, text, comment + AS_IT_IS),
+            *self._lines(plan.as_it_is, text, comment + AS_IT_IS),
             *self._lines(plan.enters, text, ""),
             *self._lines(plan.by_hand, text, comment + BY_HAND),
             *(print_form(line, {}) for line in plan.footer),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
 
-from compwright.formats.families.pairs.own_tables import OwnTables
+from compwright.formats.families.pairs.existing_tables import ExistingTables
 from compwright.formats.families.pairs.places import ADDED
 from compwright.formats.text.gathering import FoundValue, same_value
 from compwright.formats.text.own_files import OwnFiles, TablePlaces
@@ -14,7 +14,7 @@ from compwright.foundations.errors import Fault
 class Switches:
     """The switches of ``tables``: one of each table, one of all on an axis."""
 
-    def __init__(self, tables: OwnTables) -> None:
+    def __init__(self, tables: ExistingTables) -> None:
         self.tables = tables
         self.own = tables.own
 

@@ -111,8 +111,8 @@ class Cec:
             max_sum=self.max_sum.get(address),
             metric=self.metric.get(address),
             odd_sum=sum(table.largest for table in self.odd if table.output == address),
-            untold=self._untold(address, sign_known=sign_known),
-            untold_help="cec_sign in controller.options (tables that are curves)",
+            uncounted=self._uncounted_tables(address, sign_known=sign_known),
+            uncounted_help="cec_sign in controller.options (tables that are curves)",
         )
 
     def uncounted(self, address: str) -> str:
@@ -130,7 +130,7 @@ class Cec:
         parts = (table.index, table.times if isinstance(table, OddTable) else None)
         return ", ".join(self.prints.get(index, "-") for index in parts if index is not None)
 
-    def _untold(self, address: str, *, sign_known: bool) -> str:
+    def _uncounted_tables(self, address: str, *, sign_known: bool) -> str:
         """Return the active tables from other axes on one axis that cannot be counted, in words
         that change with their values.
         """

@@ -6,23 +6,25 @@ axis' own pair: tables of the machine's builder stay as they are.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from compwright.formats.definition.statements import print_form
 from compwright.formats.definition.vocabulary import When
 from compwright.formats.families.family import Family
-from compwright.formats.families.grid.shapes import shape_of
-from compwright.formats.families.grid.tables import TableText
-from compwright.formats.families.grid.writing import AxisToWrite
+from compwright.formats.families.grid.table_shapes import shape_of
+from compwright.formats.families.grid.tables import TableText, WrittenTable
+from compwright.formats.families.grid.writing import AxisText, AxisToWrite, GridWriter
+from compwright.formats.families.pairs.existing_tables import ExistingTables
 from compwright.formats.families.pairs.options import (
+    allowed_tables,
     free_tables,
+    holds_two_curves,
     scale_of_pairs,
     sign_known,
     sign_question,
     too_few,
 )
-from compwright.formats.families.pairs.own_tables import OwnTables
 from compwright.formats.families.pairs.places import AS_TABLE, BETWEEN, Pair
 from compwright.formats.families.pairs.switching import Switches
 from compwright.formats.text.gathering import same_value
@@ -54,7 +56,7 @@ class CecWriter:
         self.control = control
         self.definition = control.definition
         self.own = own
-        self.tables = OwnTables(control, own)
+        self.tables = ExistingTables(control, own)
         self.switches = Switches(self.tables)
 
     def own_pair(self, work: AxisToWrite) -> list[PairEntry]:
@@ -284,3 +286,59 @@ class CecWriter:
         binding = self.definition.bindings[quantity]
         form = self.definition.statements[binding.statement].form
         return print_form(form, {"table": str(table), binding.field: text, **more})
+
+
+class PairsWriter(GridWriter):
+    """Writes a pair of tables instead of one table and backlash if there are two curves."""
+
+    def __init__(
+        self, control: Family, files: Sequence[ControlFile], addresses: Iterable[str]
+    ) -> None:
+        super().__init__(control, files, addresses)
+        self.cec = CecWriter(control, self.own)
+
+    def axis(self, work: AxisToWrite) -> list[ControlFile]:
+        """See `GridWriter.axis`."""
+        self.cec.tables.allowed = allowed_tables(self.definition, work.options)
+        if not holds_two_curves(work.options, work.compensation):
+            return super().axis(work)
+        text = self.text(work, self.control.scale_of(work.axis), WrittenTable((), {}))
+        off = self.definition.choice("enabled").text("no")  # so that no correction is active twice
+        text = replace(text, singles={**text.singles, "enabled": off})
+        left = self.cec.own_pair(work)
+        fresh = [self.cec.new_file("two_curves", work.address, left)] if left else []
+        self.make_room(work)
+        files = [file for file in self.files_for("two_curves") if file.rows is None]
+        made = self.new_files(files, text, self._put_pair(text), self.cec.unsaid(left), work)
+        return [*fresh, *made]  # what switches tables on is loaded last
+
+    def make_room(self, work: AxisToWrite) -> None:
+        """See `GridWriter.make_room`."""
+        self.cec.empty_own(work)
+
+    def _put_pair(self, text: AxisText) -> set[str]:
+        """Put the single values of a pair into the control's own files where they have a place
+        there; return these quantities.
+        """
+        placed = self.put_backlash(text)
+        if self.own is None:
+            return placed
+        if self.own_values(text, whole=True).get("cross_axis_enabled"):
+            placed.add("cross_axis_enabled")
+        if self.own.put(
+            "enabled", self.own_values(text).get("enabled", ()), text.singles["enabled"]
+        ):
+            placed.add("enabled")
+        return placed
+
+    def speaking(self, addresses: Collection[str]) -> set[int]:
+        """See `GridWriter.speaking`."""
+        tables = self.cec.tables
+        pairs = {(address, address) for address in addresses}
+        return super().speaking(addresses) | {
+            place.number
+            for index, places in tables.places.items()
+            if index in tables.kept or tables.in_use.get(index) in pairs
+            for found in places.values()
+            for place in found
+        }

@@ -1,7 +1,10 @@
-"""State of a card after scripts: tables, settings, and every number with its place."""
+"""State of a card after scripts: tables, settings, and every number with its place; the order in
+which the card allows tables to be defined and deleted (ERR003), and in which scripts are sent.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
@@ -129,3 +132,101 @@ def over_itself(script: Script, motor: int) -> list[MemoryTable]:
         for table in script.of("COMP")
         if not table.plane and table.source == table.target == motor
     ]
+
+
+#: What must not exist while a table is defined.
+BEHIND = {
+    "COMP": ("TCOMP", "BLCOMP", "TBUF", "ROTARY", "LOOKAHEAD", "GATHER"),
+    "BLCOMP": ("TBUF", "ROTARY", "LOOKAHEAD", "GATHER"),
+    "TCOMP": (),
+}
+_SHORT = {"ROT": "ROTARY", "LOOK": "LOOKAHEAD", "GAT": "GATHER"}
+
+
+class Buffers:
+    """The buffers that scripts have defined so far, by name; for tables the motors."""
+
+    def __init__(self) -> None:
+        self.motors: dict[str, set[int]] = {}
+
+    def define(self, name: str, motor: int = 0) -> None:
+        """Add a buffer."""
+        self.motors.setdefault(long_name(name), set()).add(motor)
+
+    def delete(self, name: str, motor: int) -> None:
+        """Remove a buffer; a missing one is no fault."""
+        found = self.motors.get(long_name(name), set())
+        found -= {motor, 0}
+
+    def refuses(self, kind: str, motor: int) -> str:
+        """Return why the card does not define a table; empty if it does."""
+        mine = self.motors.get(kind, set())
+        if motor in mine:
+            return f"#{motor} has a {kind} already; delete it first"
+        if any(other < motor for other in mine):
+            return f"#{min(mine)}, a lower motor, has a {kind}"
+        there = [name for name in BEHIND[kind] if self.motors.get(name)]
+        return f"{', '.join(there)} was defined before it" if there else ""
+
+    def keeps(self, kind: str, motor: int) -> str:
+        """Return why the card does not delete a table; empty if it does."""
+        mine = self.motors.get(kind, set())
+        if motor in mine and any(other < motor for other in mine):
+            return f"#{min(mine)}, a lower motor, has a {kind}"
+        return ""
+
+
+def long_name(name: str) -> str:
+    """Return the whole name of a buffer."""
+    return _SHORT.get(name.upper(), name.upper())
+
+
+_NAMES = {"enabled": "I51", "take_up_rate": "I{}85", "backlash": "I{}86"}
+
+
+def order_dependent_values(script: Script) -> Iterator[Fault]:
+    """Yield a fault for each value that depends on the order of scripts given by their folder: that
+    order is by name, and scripts are not sent by name.
+    """
+    for (quantity, motor), words in script.settings.items():
+        name = _NAMES[quantity].format(motor)
+        yield from _other_ends(script, name, words, [word.text for word in words])
+    for (kind, motor), commands in _tables(script).items():
+        words, ends = [word for _, word in commands], [done for done, _ in commands]
+        yield from _other_ends(script, f"#{motor} {kind}", words, ends)
+
+
+def _tables(script: Script) -> Mapping[tuple[str, int], list[tuple[str, Word]]]:
+    """Return the commands for each table, by kind and motor.
+
+    Any two deletions are equal; a definition is equal only to the same definition.
+    """
+    found: dict[tuple[str, int], list[tuple[str, Word]]] = {}
+    for number, (command, motor, word) in enumerate(script.commands):
+        done, _, kind = command.partition(" ")
+        if kind in ("COMP", "BLCOMP"):
+            done_to_it = done if done == "DELETE" else f"{done} {number}"
+            found.setdefault((kind, motor), []).append((done_to_it, word))
+    return found
+
+
+def _other_ends(
+    script: Script, name: str, words: Sequence[Word], ends: Sequence[str]
+) -> Iterator[Fault]:
+    """Yield a fault if the last of several ``words`` of ``name`` is the last only by the name of
+    its file; ``ends``: the result of each.
+    """
+    folder = script.files[words[-1].number].folder
+    last_of = {word.number: (word, end) for word, end in zip(words, ends, strict=True)}
+    for number, (word, end) in last_of.items():
+        if folder and script.files[number].folder == folder and end != ends[-1]:
+            yield words[-1].fault(
+                f"{name}: {word.file}, line {word.line}, says {_shown(word)}, and what is sent last"
+                " counts: a folder has no order",
+                expected="the scripts named one by one, in the order in which they are sent",
+                found=_shown(words[-1]),
+            )
+
+
+def _shown(word: Word) -> str:
+    return " ".join(word.text.split())

@@ -7,19 +7,17 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
-from compwright.formats.definition.kept_lines import NUMBER, KeptLines
-from compwright.formats.definition.shape_rules import ShapeRules
+from compwright.formats.definition.shape_rules import NUMBER, KeptLines, ShapeRules
 from compwright.formats.families import limits
 from compwright.formats.families.activity import Activity
-from compwright.formats.families.axis_tables import sound
-from compwright.formats.families.between import Between, BetweenRequest, instead
-from compwright.formats.families.card_words import (
+from compwright.formats.families.between import Between, BetweenRequest, alternative_answer
+from compwright.formats.families.card_texts import (
     AxisCard,
     CardRequest,
     named_files,
     sign_check,
 )
-from compwright.formats.families.family import Family, checked
+from compwright.formats.families.family import Family, check_tables, writable_tables
 from compwright.formats.families.wrapped.card_memory import MOST_MOTORS
 from compwright.formats.families.wrapped.counts import (
     COUNTS,
@@ -194,9 +192,9 @@ class WrappedFamily(Family):
         files: Sequence[ControlFile] = (),
     ) -> tuple[ControlFile, ...]:
         """See `Family.write`: one script, or the user's own ones, all of them in their order."""
-        tables, faults = checked(self, compensations, axes, self._own_limits)
+        tables, faults = check_tables(self, compensations, axes, self._own_limits)
         raise_all(CapacityError, faults)
-        motors = [self._motor_table(axis, table) for _, axis, table in sound(tables)]
+        motors = [self._motor_table(axis, table) for _, axis, table in writable_tables(tables)]
         rates = {
             int(table.address): int(str(self.options_of(axis)[TAKE_UP]))
             for _, axis, table in tables
@@ -233,4 +231,4 @@ class WrappedFamily(Family):
 
     def between(self, request: BetweenRequest) -> Between:
         """See `Family.between`: it needs a table of a third motor, which is left to the user."""
-        return instead(self.definition, request.planned)
+        return alternative_answer(self.definition, request.planned)

@@ -21,6 +21,7 @@ from compwright.formats.families.wrapped.card_memory import (
     MemoryTable,
     Word,
     number_of,
+    order_dependent_values,
     over_itself,
 )
 from compwright.formats.families.wrapped.counts import (
@@ -31,7 +32,6 @@ from compwright.formats.families.wrapped.counts import (
 )
 from compwright.formats.families.wrapped.coupling import couplings_of
 from compwright.formats.families.wrapped.script import read_script
-from compwright.formats.families.wrapped.sending import left_to_the_order
 from compwright.formats.text.addresses import normal_address, normal_text
 from compwright.formats.text.notes import Notes
 from compwright.formats.text.texts import text_reader
@@ -81,7 +81,7 @@ class WrappedStateReader:
         raise_all(InputError, self.notes.faults)  # no text at all
         self.script = read_script(definition, files)
         self.notes.faults.extend(self.script.faults)
-        self.notes.faults.extend(left_to_the_order(self.script))
+        self.notes.faults.extend(order_dependent_values(self.script))
 
     def read(self) -> ControlState:
         """Return the state."""

@@ -14,9 +14,9 @@ from dataclasses import replace
 
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definition.statements import compile_statement
-from compwright.formats.families.wrapped.buffers import Buffers
 from compwright.formats.families.wrapped.card_memory import (
     MOST_MOTORS,
+    Buffers,
     Kind,
     MemoryTable,
     Script,

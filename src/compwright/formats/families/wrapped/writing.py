@@ -12,11 +12,12 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from compwright.formats.definition.schema import Choice, Definition
 from compwright.formats.definition.statements import print_form
-from compwright.formats.families.wrapped.buffers import BEHIND, long_name
 from compwright.formats.families.wrapped.card_memory import (
+    BEHIND,
     MemoryTable,
     Script,
     Word,
+    long_name,
     number_of,
     over_itself,
 )

@@ -1,0 +1,229 @@
+"""Elements of HEIDENHAIN files for the virtual control: numbers, places, parameters, and the
+differences between the two generations.
+
+Lines of machine parameters of an iTNC 530: ``MP710.0 : 0.0040`` (index = axis number from 0) and
+``MP730 : %00011``.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from enum import Enum
+
+from compwright.controllers.places import OfLine
+from compwright.foundations.errors import Fault
+
+# Bounded on purpose: a length beyond 1e9 mm is no length, and nothing overflows later.
+_NUMBER = re.compile(r"[+-]?(?:[0-9]{1,9}(?:\.[0-9]{0,12})?|\.[0-9]{1,12})")
+_LINE_END = re.compile(r"\r\n|\n|\r")
+
+#: Axis numbers in .COM column headers, from 1, as letters. The order is the usual one; higher
+#: numbers have no fixed letter.
+LETTERS = ("X", "Y", "Z", "A", "B", "C")
+
+#: Columns of a .COM that belong to axes are numbered 1 to 18 (iTNC 530 HSCI technical manual p.
+#: 680).
+MOST_AXES = 18
+
+
+class Quantity(Enum):
+    """Meaning of a machine parameter of an axis."""
+
+    BACKLASH = "backlash"
+    LINEAR = "linear error"
+    NONLINEAR = "nonlinear compensation selected"
+
+
+@dataclass(frozen=True, slots=True)
+class Generation:
+    """One of the two generations of controls. ``parameters``: name -> quantity; ``largest``: limit
+    of backlash and linear error, both signs; ``numbers``: axes by the given axis number, from 1.
+    """
+
+    name: str
+    parameters: dict[str, Quantity]
+    ignores_case: bool
+    most_points: int | None
+    largest: float | None
+    numbers: Mapping[int, str] = field(default_factory=dict)
+
+    def axis(self, number: int) -> str:
+        """Return the axis of a column number, from 1: as given, else by the fixed letter order.
+
+        The number itself where no letter is fixed, or the letter was given another number.
+        """
+        letter = LETTERS[number - 1] if number <= len(LETTERS) else str(number)
+        free = str(number) if letter in self.numbers.values() else letter
+        return self.numbers.get(number, free)
+
+    def address(self, text: str) -> str:
+        """Return an axis name in the form used for comparison."""
+        return text.upper() if self.ignores_case else text
+
+    def parameter(self, quantity: Quantity) -> str:
+        """Return the control's name of a quantity; the neutral name where the control has none."""
+        return next(
+            (name for name, held in self.parameters.items() if held is quantity), quantity.value
+        )
+
+
+#: 256 points: TNC 407 technical manual p. 622; ranges: TNC 426/430 p. 366 (MP710), TNC 407 p. 151
+#: (MP720).
+ITNC530 = Generation(
+    name="iTNC 530",
+    parameters={"MP710": Quantity.BACKLASH, "MP720": Quantity.LINEAR, "MP730": Quantity.NONLINEAR},
+    ignores_case=True,
+    most_points=256,
+    largest=1.0,
+)
+#: MANUALplus 620 technical manual p. 707; 256 points: p. 715; no range is known.
+NCK = Generation(
+    name="NCK control",
+    parameters={"backLash": Quantity.BACKLASH, "linearCompValue": Quantity.LINEAR},
+    ignores_case=False,
+    most_points=256,
+    largest=None,
+)
+
+
+@dataclass(frozen=True, slots=True)
+class LinePlace(OfLine):
+    """A line of a file."""
+
+    file: str
+    line: int
+
+    def __str__(self) -> str:
+        """Return file and line in words."""
+        return f"{self.file}, line {self.line}"
+
+
+@dataclass(frozen=True, slots=True)
+class Parameter:
+    """A parameter of one axis: mm or deg (backlash; ``unit`` is empty where the file names none),
+    mm/m (linear error), 0 or 1.
+    """
+
+    quantity: Quantity
+    address: str
+    value: float
+    unit: str
+    place: LinePlace
+
+
+def number(text: str) -> float | None:
+    """Return a decimal number with a point and without exponent, None for anything else."""
+    return float(text) if _NUMBER.fullmatch(text) else None
+
+
+def lines_of(text: str) -> list[str]:
+    """Return the lines of a text, whatever ends them, without a byte order mark."""
+    return _LINE_END.split(text.removeprefix("\ufeff"))
+
+
+def binary_fault(file: str, content: bytes) -> Fault | None:
+    """Return the fault of a file that is no text."""
+    if b"\x00" not in content:
+        return None
+    return Fault(
+        message="is a binary file",
+        file=file,
+        expected="the text form (ASCII) of the table",
+        hint="export the table from the control as text",
+    )
+
+
+_PARAMETER = re.compile(
+    r"MP(710|720|730)(?:\.([0-9]{1,2}))?\s{0,80}:\s{0,80}(\S{1,40})", re.IGNORECASE
+)
+_MINE = re.compile(r"MP\s{0,80}(?:710|720|730)(?![0-9])", re.IGNORECASE)
+_OTHER = re.compile(r"MP[0-9]", re.IGNORECASE)
+_BITS = re.compile(f"%[01]{{1,{MOST_AXES}}}")
+_DECIMAL = re.compile("[0-9]{1,6}")
+
+
+@dataclass(slots=True)
+class ParameterLines:
+    """Parameters in their order, other lines (``stray``), and faults."""
+
+    parameters: list[Parameter] = field(default_factory=list)
+    stray: list[tuple[LinePlace, str]] = field(default_factory=list)
+    faults: list[Fault] = field(default_factory=list)
+
+
+def read_parameters(
+    lines: Sequence[tuple[LinePlace, str]], generation: Generation
+) -> ParameterLines:
+    """Read MP710, MP720 and MP730 of the axes that ``generation`` numbers; skip other parameters
+    and comments (``;``, ``#``, ``*``).
+    """
+    found = ParameterLines()
+    for place, line in lines:
+        code = line.split(";", 1)[0].strip()
+        if _MINE.match(code):
+            _read(code, place, found, generation)
+        elif code and not code.startswith(("#", "*")) and not _OTHER.match(code):
+            found.stray.append((place, code))
+    return found
+
+
+def _read(code: str, place: LinePlace, found: ParameterLines, generation: Generation) -> None:
+    match = _PARAMETER.fullmatch(code)
+    index = None if match is None or match.group(2) is None else int(match.group(2))
+    if match is None or (index is None) != (match.group(1) == "730") or (index or 0) >= MOST_AXES:
+        found.faults.append(
+            place.fault(
+                "parameter cannot be read",
+                expected="MP710.0 : 0.0040 or MP730 : %00000",
+                found=repr(code[:80]),
+            )
+        )
+        return
+    text = match.group(3)
+    if index is None:
+        found.parameters += _mask(text, place, found, generation)
+        return
+    value = number(text)
+    if value is None:
+        found.faults.append(
+            place.fault("value", expected="a number with a decimal point", found=repr(text))
+        )
+        return
+    quantity, unit = (
+        (Quantity.BACKLASH, "") if match.group(1) == "710" else (Quantity.LINEAR, "mm/m")
+    )
+    found.parameters.append(Parameter(quantity, generation.axis(index + 1), value, unit, place))
+
+
+def _mask(
+    text: str, place: LinePlace, found: ParameterLines, generation: Generation
+) -> list[Parameter]:
+    """Return the bits of MP730, bit 0 = first axis: all digits of ``%00011``, all axes of a decimal
+    number.
+    """
+    bits = text[1:][::-1] if _BITS.fullmatch(text) else ""
+    if len(text.lstrip("0")) > 1 and not set(text) - {"0", "1"}:
+        found.faults.append(
+            place.fault(
+                "MP730: bits or a decimal number",
+                expected=f"%{text} or %{int(text):b}",
+                found=repr(text),
+            )
+        )
+        return []
+    if _DECIMAL.fullmatch(text) and int(text) < 1 << MOST_AXES:
+        bits = f"{int(text):0{MOST_AXES}b}"[::-1]
+    if not bits:
+        found.faults.append(
+            place.fault(
+                "MP730",
+                expected=f"%00000 (up to {MOST_AXES} bits) or a whole number",
+                found=repr(text),
+            )
+        )
+    return [
+        Parameter(Quantity.NONLINEAR, generation.axis(index + 1), float(bit), "", place)
+        for index, bit in enumerate(bits)
+    ]

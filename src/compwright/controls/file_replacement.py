@@ -1,0 +1,114 @@
+"""New files in place of the control's own, what the control loads of them, and the check that they
+change only what is intended.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from compwright.controls.control import Control, decode, holds_archive
+from compwright.controls.decoded_state import DecodedState, judged_values
+from compwright.controls.reader_comparison import probe_positions
+from compwright.formats.families.between import merged_files
+from compwright.formats.families.control_texts import all_names
+from compwright.formats.text.diff import compare_files
+from compwright.formats.text.entry_sheet import EntrySheet, is_entry_sheet, read_sheet
+from compwright.foundations.errors import CompwrightError, Fault, UsageError, raise_all
+from compwright.records.axis import Axis, Direction
+from compwright.records.correction import ControlFile
+from compwright.records.delivery import Delivery
+from compwright.records.serial_line import as_on_line
+from compwright.verification.read_back import SAME
+
+
+def changed_neighbours(
+    control: Control, old: Sequence[ControlFile], new: Sequence[ControlFile], axes: Sequence[Axis]
+) -> list[Fault]:
+    """Return a fault for every entry of an axis outside ``axes`` (and their gantry partners) that
+    the new files change.
+    """
+    addresses = [name for axis in axes for name in (axis.address, axis.gantry) if name is not None]
+    mine = all_names(control.definition, old, addresses)
+    return [
+        Fault(
+            message=f"an entry of axis {change.address} would change; please report this",
+            place=change.entry,
+            expected=change.old or "",
+            found=change.new or "nothing",
+            hint=("load nothing of this run, and report this line with the job and its files"),
+        )
+        for change in compare_files(control.definition, old, new).changes
+        if change.old is not None and change.address is not None and change.address not in mine
+    ]
+
+
+def with_new_tables(
+    own: Sequence[ControlFile], tables: Sequence[ControlFile], tabled: Collection[str]
+) -> tuple[ControlFile, ...]:
+    """Return the control's own files with new ``tables`` in their place. Entry sheets that these
+    supersede are left out: of an axis (address) that got a table, or of which a new sheet speaks.
+    """
+    new = {sheet.axis for file in tables if (sheet := _sheet(file)) is not None} | set(tabled)
+    kept = [file for file in own if (sheet := _sheet(file)) is None or sheet.axis not in new]
+    return merged_files(kept, tables)
+
+
+def _sheet(file: ControlFile) -> EntrySheet | None:
+    return read_sheet(file, []) if is_entry_sheet(file) else None
+
+
+def contents_after_loading(
+    before: Sequence[ControlFile], back: tuple[ControlFile, ...]
+) -> tuple[ControlFile, ...]:
+    """Return what is in the control: what was read ``back``, over the archive of ``before`` into
+    which it was loaded where that was not read back again.
+    """
+    if holds_archive(before) and not holds_archive(back):
+        return merged_files(before, back)
+    return back
+
+
+def loadable_files(
+    control: Control,
+    files: tuple[ControlFile, ...],
+    as_found: DecodedState,
+    axes: Sequence[Axis],
+    image: DecodedState | None,
+) -> Delivery:
+    """Return what the control loads of the ``files`` that were written for ``axes``.
+
+    Raises UsageError for a form of files that these have not, and CompwrightError (a fault of our
+    own) where small files do something else than the whole ``image``, which they stand for.
+    """
+    try:
+        delivery = control.format.delivered(files, as_found.files, axes)
+    except UsageError as error:
+        raise control.origin.named(error) from error
+    delivery = replace(delivery, files=as_on_line(delivery.files, as_found.files))
+    if delivery.own or image is None:
+        return delivery
+    small = decode(control, delivery.files, axes, written=True)
+    faults = [
+        Fault(
+            message="the small files do not have the same effect as the archive",
+            place=f"axis {axis.address}, direction {direction.value}",
+            hint=(
+                "set `files: patched` in the options, and report this line with "
+                "the job and its files"
+            ),
+        )
+        for axis in axes
+        for direction in Direction
+        if not _same(small, image, axis.address, direction)
+    ]
+    raise_all(CompwrightError, faults)
+    return delivery
+
+
+def _same(one: DecodedState, other: DecodedState, address: str, direction: Direction) -> bool:
+    where = probe_positions(other.state.axes[address].positions)
+    mine, theirs = (judged_values(state, address, where, direction) for state in (one, other))
+    return bool(np.all(np.abs(mine - theirs) <= SAME))

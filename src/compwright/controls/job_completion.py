@@ -1,0 +1,319 @@
+"""Values that a job leaves to its control: names of axes, and answers in the control's own
+files.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
+
+from compwright.controls.control import Control
+from compwright.controls.decoded_state import DecodedState
+from compwright.formats.definition.schema import Definition, OptionRule
+from compwright.formats.families.shapes import RULES
+from compwright.formats.text.addresses import normal_address, normal_text
+from compwright.formats.text.values import name_of
+from compwright.foundations.errors import Fault, UsageError, raise_all
+from compwright.planning.wanted_correction import LEAST_COVERED, covered_travel
+from compwright.records.axis import Axis, AxisKind, Direction
+from compwright.records.correction import Assumption, ControlState
+from compwright.records.facts import AxisFacts
+from compwright.records.job import AxisJob, Job
+from compwright.records.options import DETECTION_UNIT, TABLE_VALUES
+from compwright.records.plan import PlannedTest
+
+#: Two places are one within this, mm or deg.
+_SAME_PLACE = 1e-6
+_TURN = 360.0
+#: Letters of axes: an axis of the job that bears another name says nothing of the control's own
+#: letters.
+_LETTERS = "XYZABCUVW"
+
+
+def named_axes(
+    job: Job, control: Control, by_name: Callable[[], Mapping[str, tuple[str, str]]]
+) -> tuple[Job, tuple[Assumption, ...]]:
+    """Return the job with control and axes named as the control names them, and what had to be
+    assumed for that.
+
+    ``by_name``: the addresses that the control's own files give to names of axes, and what says so;
+    asked only where a job's address is none that the control can have. Raises UsageError for such
+    an address that they do not tell, and for two axes at one address.
+    """
+    axes: dict[str, AxisJob] = {}
+    assumed: list[Assumption] = []
+    faults: list[Fault] = []
+    for name, entry in job.axes.items():
+        try:
+            address, assumption = _address(control, entry.axis, by_name)
+            gantry = (
+                None
+                if entry.axis.gantry is None
+                else normal_text(control.definition, entry.axis.gantry)
+            )
+        except UsageError as error:
+            faults.extend(
+                fault.within(f"axes.{name}.address").in_file(job.file) for fault in error.faults
+            )
+            continue
+        taken = next((other for other, mine in axes.items() if mine.axis.address == address), None)
+        if taken is not None:
+            faults.append(
+                Fault(
+                    message=f"axes {taken} and {name} have the same address",
+                    file=job.file,
+                    place=f"axes.{name}",
+                    found=address,
+                    hint="give one of them another `address`",
+                )
+            )
+        assumed.extend([assumption] if assumption else [])
+        axes[name] = replace(entry, axis=replace(entry.axis, address=address, gantry=gantry))
+    raise_all(UsageError, faults)
+    return replace(job, format=control.id, axes=axes), tuple(assumed)
+
+
+def _address(
+    control: Control, axis: Axis, by_name: Callable[[], Mapping[str, tuple[str, str]]]
+) -> tuple[str, Assumption | None]:
+    letters, name = control.definition.addresses.letters or "", axis.address.strip().upper()
+    counted = len(name) == 1 and name in letters
+    if not counted:
+        try:
+            return normal_address(control.definition, axis)
+        except UsageError:
+            stated = by_name().get(name)
+            if stated is None:
+                raise
+    else:
+        stated = by_name().get(name)
+        if stated is None and name == letters[:1]:
+            return normal_address(control.definition, axis)
+        if stated is None:
+            raise UsageError(_unsure_number(control, axis, by_name()))
+    address, evidence = stated
+    return address, Assumption(f"address of axis {axis.name}", address, evidence)
+
+
+def _unsure_number(control: Control, axis: Axis, by_name: Mapping[str, tuple[str, str]]) -> Fault:
+    """Return the question for the number of an axis whose letter alone does not say it."""
+    names = ", ".join(f"{letter}: {number}" for letter, (number, _) in by_name.items())
+    quantity = name_of(control.definition, "axis_letters")
+    return Fault(
+        message=(
+            f"the number of axis {axis.name} is uncertain: it was derived "
+            "from the order of the machine's axes"
+        ),
+        expected=f"the number, or the file with {quantity} among those of the state",
+        found=f"files that number {names}" if names else "only the letter",
+        hint=(f"set `axis_number` of the axis, or add the file with {quantity} to the state"),
+    )
+
+
+def completed_by_files(job: Job, states: Mapping[str, DecodedState], as_found: str) -> Job:
+    """Return the job with what it leaves to the control's own files: detection units, what tables
+    mean, measuring systems.
+
+    ``states``: all that were read; ``as_found``: the name of the one that is in the control now.
+    """
+    read = [decoded.state for decoded in states.values()]
+    axes = {
+        name: replace(entry, axis=completed_axis(entry.axis, read, job.options))
+        for name, entry in job.axes.items()
+    }
+    job = replace(job, axes=axes)
+    if as_found not in states:
+        return job
+    return _with_zero_of_homing(_with_systems_in_use(job, states[as_found].state), states[as_found])
+
+
+def completed_axis(axis: Axis, states: Sequence[ControlState], given: Mapping[str, object]) -> Axis:
+    """Return an axis with the options that nobody gave (``given``: the controller's) and that the
+    control's own files say of it.
+    """
+    options = dict(axis.options)
+    for name in (DETECTION_UNIT, TABLE_VALUES):
+        stated = [state.facts_of(axis.address).stated.get(name) for state in states]
+        found = next((one for one in stated if one is not None), None)
+        if found is not None and given.get(name) is None:
+            options.setdefault(name, found)
+    facts = [state.facts_of(axis.address) for state in states]
+    suggested = next((one.lead for one in facts if one.lead is not None), None)
+    steps = next((one.unapplied_steps for one in facts if one.unapplied_steps is not None), None)
+    return replace(axis, options=options, suggested_period=suggested, unapplied_steps=steps)
+
+
+def _with_zero_of_homing(job: Job, as_found: DecodedState) -> Job:
+    """Return the job with the references at which the control's homing counts the correction as
+    zero, where the job gives none. Raises UsageError where the job gives another one.
+    """
+    axes, faults = {}, []
+    for name, entry in job.axes.items():
+        facts, axis = as_found.state.facts_of(entry.axis.address), entry.axis
+        axes[name] = entry
+        if facts.homing == "relative" and facts.reference is not None:
+            home = facts.reference_return or axis.reference_return
+            for key, given, stated in (
+                ("reference", axis.reference, facts.reference),
+                ("reference_return", axis.reference_return.sign, home.sign),
+            ):
+                if key in entry.stated and abs(given - stated) > _SAME_PLACE:
+                    faults.append(_other_zero(job, name, key, axis, facts.reference, home))
+            settled = replace(
+                axis,
+                reference=facts.reference,
+                reference_return=home,
+                zero_at_reference=True,
+            )
+            axes[name] = replace(entry, axis=settled)
+    raise_all(UsageError, faults)
+    return replace(job, axes=axes)
+
+
+def with_counted_turns(
+    job: Job, control: Control, tests: Mapping[str, Sequence[PlannedTest]]
+) -> tuple[Job, tuple[Assumption, ...]]:
+    """Return the job with rotary axes over several turns that were measured over less than half of
+    their travel as axes whose error repeats every turn, where the control's table takes that turn
+    again and again; and what is assumed by that.
+    """
+    axes, assumed = dict(job.axes), []
+    for name, entry in job.axes.items():
+        axis, measured = entry.axis, [planned.test for planned in tests.get(name, ())]
+        low, high = axis.travel
+        if (
+            not RULES[control.definition.layout.shape].repeats_turns
+            or axis.kind is not AxisKind.ROTARY
+            or axis.modulo is not None
+            or high - low <= _TURN
+            or not measured
+            or covered_travel(measured, low, high) >= LEAST_COVERED * (high - low)
+        ):
+            continue
+        axes[name] = replace(entry, axis=replace(axis, modulo=_TURN, counts_turns=True))
+        evidence = "its tests cover less than half of its travel, which is more than a turn"
+        assumed.append(Assumption(f"axis {name}: its error repeats every", "360 deg", evidence))
+    return replace(job, axes=axes), tuple(assumed)
+
+
+def unknown_zeros(job: Job, control: Control, state: ControlState | None) -> Iterator[Fault]:
+    """Yield the axes of fixed positions where only the control's homing tells at which place the
+    correction is zero, and neither files nor job say it.
+    """
+    if "home_offset" not in control.definition.bindings:
+        return
+    keys = ("home_offset", "home_latch_velocity")
+    offset, latch = (name_of(control.definition, key) for key in keys)
+    for name in dict.fromkeys(axis for places in job.fixed_positions.values() for axis in places):
+        entry = job.axes.get(name)
+        if entry is None or "reference" in entry.stated:
+            continue
+        if state is None or not state.facts_of(entry.axis.address).homing:
+            yield Fault(
+                message=(
+                    "is not given, and the files do not show where the axis homes; "
+                    "the fixed positions depend on it"
+                ),
+                file=job.file,
+                place=f"axes.{name}.reference",
+                expected=(
+                    f"the whole INI among the files of the state, or reference: the {offset} of its"
+                    f" joint, and reference_return: the sign of its {latch}"
+                ),
+                hint=(
+                    "add the whole INI to the state, or set `reference` and "
+                    "`reference_return` of the axis as shown"
+                ),
+            )
+
+
+def _other_zero(job: Job, name: str, key: str, axis: Axis, place: float, home: Direction) -> Fault:
+    words = {
+        "reference": (f"{place:g} {axis.kind.unit}", f"{axis.reference:g}"),
+        "reference_return": (f'"{home.value}"', f'"{axis.reference_return.value}"'),
+    }
+    expected, found = words[key]
+    return Fault(
+        message=("is not the position at which the control's homing sets the correction to zero"),
+        file=job.file,
+        place=f"axes.{name}.{key}",
+        expected=f"{expected}, as its files say, or no {key}",
+        found=found,
+        hint=f"set `{key}` to {expected}, or leave it out",
+    )
+
+
+def _with_systems_in_use(job: Job, state: ControlState) -> Job:
+    """Return the job with the measuring system that the control's files show to be in use, where
+    the job names none.
+    """
+    axes = {}
+    for name, entry in job.axes.items():
+        found = state.facts_of(entry.axis.address).encoder_system
+        if entry.axis.encoder.stated or found is None:
+            axes[name] = entry
+        else:
+            axes[name] = replace(
+                entry,
+                axis=replace(
+                    entry.axis, encoder=replace(entry.axis.encoder, system=found, stated=True)
+                ),
+            )
+    return replace(job, axes=axes)
+
+
+def other_joints(axis: Axis, facts: AxisFacts, state: str) -> Iterator[Fault]:
+    """Yield where the files of a state name the joint of an axis by another letter, or drive the
+    axis by a second joint.
+    """
+    letters, letter = facts.letters, facts.name
+    if not letters:
+        return
+    place, stated = f"axes.{axis.name}", f"{letters}: joint {axis.address} is {letter}"
+    if len(axis.name) == 1 and axis.name.upper() in _LETTERS and axis.name.upper() != letter:
+        yield Fault(
+            message=(f"the files of the state {state} give this joint another axis letter"),
+            place=f"{place}.address",
+            expected=f"a joint of {axis.name}",
+            found=stated,
+            hint=f"set `address` to a joint of {axis.name}",
+        )
+        return
+    others = [
+        str(index)
+        for index, other in enumerate(letters)
+        if other == letter and str(index) != axis.address
+    ]
+    if others and axis.gantry not in others:
+        yield Fault(
+            message="a second joint drives this axis: a table on one of them alone racks it",
+            place=f"{place}.gantry",
+            expected=" or ".join(f'gantry: "{other}"' for other in others),
+            found=stated,
+            hint="add `gantry` to the axis, as shown",
+        )
+
+
+def length_unit(definition: Definition) -> tuple[OptionRule, str] | None:
+    """Return the option that says the machine's unit of lengths, and the file that would say it
+    instead; None where the definition itself says the unit.
+    """
+    rules = definition.options.values()
+    rule = next((rule for rule in rules if rule.settled_by == "length_unit"), None)
+    if rule is None:
+        return None
+    statement = definition.statements[definition.bindings["length_unit"].statement]
+    key = statement.form.partition("{")[0].rstrip(" =")
+    file = "a file" if len(definition.texts) == 1 else f"the whole {statement.text.upper()} file"
+    return rule, f"{file} with {key} among the files"
+
+
+def keys_with_effect(definition: Definition) -> dict[str, bool]:
+    """Return, as `idle_keys` takes it, what the control's files count: measuring systems, axes
+    otherwise than by address, backlash at rapid traverse by itself.
+    """
+    return {
+        "systems": "system" in definition.fields,
+        "numbers": "datum" in definition.fields,  # columns on an even grid are named by number
+        "motions": "backlash_rapid" in definition.bindings,
+    }

@@ -1,0 +1,88 @@
+"""Corrections of the axes of a job and between them in a state, by the judge's reading."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from functools import partial
+
+import numpy as np
+
+from compwright.controls.decoded_state import DecodedState, judged_values
+from compwright.prediction.active_corrections import (
+    NO_CORRECTIONS,
+    ActiveCorrections,
+    Correction,
+    no_correction,
+)
+from compwright.prediction.dead_zone import applied_compensation
+from compwright.records.axis import Axis, Direction, FloatArray
+from compwright.records.correction import CrossCompensation
+
+
+def judged_correction(decoded: DecodedState | None, axis: Axis) -> Correction:
+    """Return the correction of an axis by the judge's reading of ``decoded``; zero where there are
+    no files.
+    """
+    return no_correction if decoded is None else partial(judged_values, decoded, axis.address)
+
+
+def applied_correction(decoded: DecodedState | None, axis: Axis) -> Correction:
+    """Return `judged_correction` without the steps that the control never applies."""
+    correction = judged_correction(decoded, axis)
+    held = None if decoded is None else decoded.state.axes.get(axis.address)
+    if held is None or axis.unapplied_steps is None:
+        return correction
+    nodes = held.positions
+    judged_table = replace(
+        held,
+        positive=correction(nodes, Direction.POSITIVE),
+        negative=correction(nodes, Direction.NEGATIVE),
+    )
+    applied = applied_compensation(judged_table, axis)
+    return correction if applied is judged_table else applied.at
+
+
+def active_corrections(decoded: DecodedState | None, axes: Mapping[str, Axis]) -> ActiveCorrections:
+    """Return the judge's correction of the axes of a job and between them in a state; empty if the
+    state is unknown.
+    """
+    if decoded is None or decoded.judge is None:
+        return NO_CORRECTIONS
+    names = {axis.address: name for name, axis in axes.items()}
+    pairs = dict.fromkeys((entry.input, entry.output) for entry in decoded.state.cross)
+    return ActiveCorrections(
+        along={name: applied_correction(decoded, axis) for name, axis in axes.items()},
+        across={
+            (names[pair[0]], names[pair[1]]): _across(decoded, pair)
+            for pair in pairs
+            if pair[0] in names and pair[1] in names
+        },
+    )
+
+
+def _across(decoded: DecodedState, pair: tuple[str, str]) -> Correction:
+    return (
+        no_correction if decoded.judge is None else partial(decoded.judge.cross_correction, *pair)
+    )
+
+
+def judged_cross(
+    decoded: DecodedState, at: FloatArray | None = None
+) -> tuple[CrossCompensation, ...]:
+    """Return the corrections between axes by the judge's reading, by address: at the nodes of the
+    tables or at positions (k,).
+
+    Each pair of axes once, with the sum of all its active tables.
+    """
+    pairs: dict[tuple[str, str], list[CrossCompensation]] = {}
+    for entry in decoded.state.cross:
+        pairs.setdefault((entry.input, entry.output), []).append(entry)
+    found = []
+    for pair, entries in pairs.items():
+        where = (
+            np.unique(np.concatenate([entry.positions for entry in entries])) if at is None else at
+        )
+        positive, negative = (_across(decoded, pair)(where, direction) for direction in Direction)
+        found.append(replace(entries[0], positions=where, positive=positive, negative=negative))
+    return tuple(found)

@@ -1,0 +1,163 @@
+"""Where the two readers of a control's files do not agree."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from functools import partial
+
+import numpy as np
+
+from compwright.controllers.virtual import VirtualControl
+from compwright.controls.decoded_state import judge_knows_axis
+from compwright.foundations.errors import Fault
+from compwright.prediction.active_corrections import Correction
+from compwright.records.axis import Direction, FloatArray
+from compwright.records.correction import ControlState, CrossCompensation
+
+#: Largest difference of the two readers, mm or deg, of values that are nothing ...
+AGREEMENT = 2e-7
+#: ... and for each mm or deg of the largest value: a control may keep values, their differences and
+#: slopes in single precision, each rounded to 2^-24 of itself.
+SINGLE_PRECISION = 4.0 * 2.0**-24
+#: What stands in every result for a definition of one's own, by the id of the control.
+#: Positions of tables of which only one reader knows, mm or deg: every 5 mm of the longest
+#: machines.
+EVERYWHERE = np.linspace(-5000.0, 5000.0, 2001)
+#: The findings of tables that were left out: nobody asked for their axis, they cannot be read,
+#: their sign is not known.
+LEFT_OUT = frozenset({"CW-S011", "CW-S050", "CW-S051"})
+
+
+def disagreements(state: ControlState, judge: VirtualControl) -> list[Fault]:
+    """Return where the judge reads other tables than ``state`` holds."""
+    faults = []
+    unseen = sorted(
+        address for address in state.axes if not judge_knows_axis(judge, address)
+    )  # others: axes that nobody asked for
+    if unseen:
+        faults.append(
+            Fault(
+                message=(
+                    "the files can be read in two ways: the two readers of compwright find"
+                    " different axes in them"
+                ),
+                expected=", ".join(unseen),
+                found=", ".join(sorted(judge.addresses())) or "no axis",
+                hint=(
+                    "report this line with the files; until then give the table as "
+                    "an export of another kind"
+                ),
+            )
+        )
+    alone = "the two readers of compwright do not agree on them"
+    for address in sorted(set(state.axes) - set(unseen)):
+        axis = state.axes[address]
+        faults += _apart(
+            axis.at,
+            partial(judge.correction, address),
+            probe_positions(axis.positions),
+            (
+                f"axis {address}",
+                alone,
+                axis.kind.unit,
+            ),
+        )
+    return [*faults, *_cross_disagreements(state, judge)]
+
+
+def _apart(
+    mine: Correction, theirs: Correction, where: FloatArray, table: tuple[str, str, str]
+) -> Iterator[Fault]:
+    """Yield the direction of arrival in which two readings of one table differ at ``where`` (n,),
+    with the worst place. ``table``: its name, the message, the unit.
+    """
+    name, words, unit = table
+    for direction in Direction:
+        values = mine(where, direction)
+        off = np.abs(values - theirs(where, direction))
+        if not np.all(off <= AGREEMENT + SINGLE_PRECISION * float(np.max(np.abs(values)))):
+            worst = int(np.argmax(off))
+            yield Fault(
+                message=f"the files can be read in two ways: {words}",
+                place=f"{name}, position {where[worst]:g}, direction {direction.value}",
+                found=f"a difference of {off[worst]:.3g} {unit}",
+                hint=(
+                    "report this line with the files; until then give the table as "
+                    "an export of another kind"
+                ),
+            )
+
+
+def _cross_disagreements(state: ControlState, judge: VirtualControl) -> list[Fault]:
+    """Compare the tables between axes of both readers; several of one pair add up."""
+    between = "the readers of compwright do not agree on a table between axes"
+    mine: dict[tuple[str, str], list[CrossCompensation]] = {}
+    for entry in state.cross:
+        mine.setdefault((entry.input, entry.output), []).append(entry)
+    theirs = {
+        (base.casefold(), corrected.casefold()): (base, corrected)
+        for base, corrected in judge.cross()
+    }
+    seen = {(base.casefold(), corrected.casefold()) for base, corrected in mine}
+    faults = [
+        Fault(
+            message=(
+                "the files can be read in two ways: the readers of compwright find different tables"
+                " between axes"
+            ),
+            place=" on ".join(pair),
+            hint=(
+                "report this line with the files; until then give the table as "
+                "an export of another kind"
+            ),
+        )
+        for pair in sorted(seen - set(theirs))
+    ]
+    if not any(
+        finding.code in LEFT_OUT for finding in state.findings
+    ):  # what the judge alone sees must be switched off
+        mine.update({pair: [] for key, pair in theirs.items() if key not in seen})
+    for (base, corrected), entries in mine.items():
+        if (base.casefold(), corrected.casefold()) not in theirs:
+            continue
+        where = np.concatenate(
+            [EVERYWHERE, *(probe_positions(entry.positions) for entry in entries)]
+        )
+        faults += _apart(
+            partial(_total, entries),
+            partial(judge.cross_correction, base, corrected),
+            where,
+            (f"{base} on {corrected}", between, "mm or deg"),
+        )
+    return faults
+
+
+def _total(
+    entries: Sequence[CrossCompensation], where: FloatArray, direction: Direction
+) -> FloatArray:
+    return sum((entry.at(where, direction) for entry in entries), np.zeros(where.size))
+
+
+def probe_positions(nodes: FloatArray) -> FloatArray:
+    """Return positions that show a whole table: its nodes, between them, and outside on both
+    sides.
+    """
+    if nodes.size == 0:
+        return np.array([-1000.0, 0.0, 1000.0])
+    step = float(nodes[-1] - nodes[0]) / max(nodes.size - 1, 1) or 1.0
+    between = nodes[:-1] + 0.3 * np.diff(nodes)
+    outside = np.array(
+        [nodes[0] - 0.7 * step, nodes[0] - 3 * step, nodes[-1] + 0.7 * step, nodes[-1] + 3 * step]
+    )
+    return np.concatenate([nodes, between, outside])
+
+
+def table_positions(nodes: FloatArray, travel: tuple[float, float]) -> FloatArray:
+    """Return positions at which a table of a plan defines the correction: those of
+    `probe_positions` over its nodes and the travel.
+
+    Beyond both a plan's table only holds its ends, whatever the control does there (it may repeat).
+    """
+    ends = np.concatenate([nodes, travel])
+    where = probe_positions(nodes)
+    return np.concatenate([where[(where >= ends.min()) & (where <= ends.max())], travel])

@@ -1,0 +1,158 @@
+"""A grid that moves, and functions that depend on its numbers: the numbers move with it, or the new
+table is refused with the parameter's name.
+"""
+
+from __future__ import annotations
+
+from compwright.formats.families.increments.increment_facts import (
+    FunctionOnPoints,
+    IncrementFacts,
+    PointNumber,
+)
+from compwright.formats.families.increments.numbering import NumberPlace
+from compwright.formats.text.scale import NotHeld
+from compwright.records.axis import Axis
+
+#: Tolerance of a position at a node, in spacings: rounding of floating point.
+_ON_GRID = 1e-6
+_HELP = (
+    "leave out spacing, start and end of the table, so that the grid that is there stays, or take"
+    " it out and measure again"
+)
+
+
+def moved_numbers(
+    axis: Axis, facts: IncrementFacts, place: NumberPlace, interval: float, magnification: int
+) -> tuple[tuple[PointNumber, int], ...]:
+    """Return the numbers by which other functions mean the same positions under the new grid; empty
+    if the new grid is equal to the old one over the travel.
+
+    ``place``, ``interval`` (mm or deg), ``magnification``: those of the new table. Raises NotHeld
+    with the first function that the new grid would change.
+    """
+    for each in facts.hung:
+        _check_kept(each, facts, magnification)
+    if not facts.hung or _stays(axis, facts, place, interval):
+        return ()
+    return tuple(
+        (point, new)
+        for each in facts.hung
+        for point in _known(each, facts, place, interval)
+        if (new := _there(axis, each, point, facts, place, interval)) != point.number
+    )
+
+
+def check_sets(facts: IncrementFacts, *, two: bool) -> None:
+    """Refuse a change between one set of data and two if a function depends on the table.
+
+    Raises NotHeld with the first function: it is not known whether it is active with both kinds.
+    """
+    for each in facts.hung if two is not facts.two_sets else ():
+        mode = "bidirectional" if facts.two_sets else "single"
+        raise NotHeld(
+            f"{each.label}, is active with {_sets(two=facts.two_sets)}; whether it is the same with"
+            f" {_sets(two=two)} is not known: 3605#0 would change from"
+            f" {int(facts.two_sets)} to {int(two)}; table: {{mode: {mode}}} keeps it, or take the"
+            " function out and measure again"
+        )
+
+
+def _sets(*, two: bool) -> str:
+    return "two sets of data" if two else "one set of data"
+
+
+def _stays(axis: Axis, facts: IncrementFacts, place: NumberPlace, interval: float) -> bool:
+    """Return whether every number keeps its position, and both grids end alike, or beyond the
+    travel.
+    """
+    if (facts.reference_number, facts.interval) != (place.reference, interval):
+        return False
+    if axis.modulo is not None:  # a full turn, with or without the reference's own number
+        return True
+    low, high = ((end - axis.reference) / interval for end in axis.travel)
+    old, new = (facts.first_number, facts.last_number), (place.first, place.last)
+    first, last = (
+        [int(number or 0) - place.reference for number in numbers]
+        for numbers in zip(old, new, strict=True)
+    )
+    below = first[0] == first[1] or max(first) - 1 <= low + _ON_GRID
+    above = last[0] == last[1] or min(last) >= high - _ON_GRID
+    return below and above
+
+
+def _check_kept(each: FunctionOnPoints, facts: IncrementFacts, magnification: int) -> None:
+    """Raise NotHeld if a function depends on a table that is off, or the magnification changes: its
+    effect with the new table would be unknown.
+    """
+    if not facts.magnification or facts.first_number == facts.last_number:
+        raise NotHeld(
+            f"{each.label}, is set, but its table is off. A new table may make it active, and"
+            " its effect was not measured. Set it to 0, or switch it on and measure with it"
+        )
+    if magnification != facts.magnification:
+        raise NotHeld(
+            f"{each.label}, is active in addition to a table with 3623 = "
+            f"{facts.magnification}, and whether that"
+            f" multiplies it is not known; the new table needs 3623 = {magnification}"
+        )
+
+
+def _known(
+    each: FunctionOnPoints, facts: IncrementFacts, place: NumberPlace, interval: float
+) -> tuple[PointNumber, ...]:
+    if each.points is None:
+        raise NotHeld(
+            f"{each.label}, is active in addition to the table, and the numbers that it "
+            "depends on are unknown:"
+            f" {_grids(facts, place, interval)}; {_HELP}"
+        )
+    return each.points
+
+
+def _there(
+    axis: Axis,
+    each: FunctionOnPoints,
+    point: PointNumber,
+    facts: IncrementFacts,
+    place: NumberPlace,
+    interval: float,
+) -> int:
+    """Return the number of a point's position in the new grid."""
+    old, first, last = (
+        int(number or 0)
+        for number in (facts.reference_number, facts.first_number, facts.last_number)
+    )
+    steps = (point.number - old) * float(facts.interval or 0.0) / interval
+    new = place.reference + round(steps)
+    on_node = abs(steps - round(steps)) <= _ON_GRID
+    inside = first - 1 <= point.number <= last and place.first - 1 <= new <= place.last
+    if on_node and inside:
+        return new
+    why = "is no node of the new grid" if not on_node else "lies outside the old or the new grid"
+    help_ = _old_ends(axis, facts, interval) if on_node else _HELP
+    raise NotHeld(
+        f"{each.label}, is active in addition to the table: the position of {point.label} {why}"
+        f" ({_grids(facts, place, interval)}); {help_}"
+    )
+
+
+def _old_ends(axis: Axis, facts: IncrementFacts, interval: float) -> str:
+    """Return what would help where the new grid is finer than the old one and ends elsewhere."""
+    old = float(facts.interval or 0.0)
+    ratio = old / interval
+    if axis.modulo is not None or round(ratio) < 1 or abs(ratio - round(ratio)) > _ON_GRID:
+        return _HELP
+    reference, first, last = (
+        int(number or 0)
+        for number in (facts.reference_number, facts.first_number, facts.last_number)
+    )
+    low, high = (axis.reference + (end - reference) * old for end in (first - 1, last))
+    return f"table: {{start: {low:g}, end: {high:g}}}, the old ends, would keep it, or {_HELP}"
+
+
+def _grids(facts: IncrementFacts, place: NumberPlace, interval: float) -> str:
+    return (
+        f"3620 to 3622 are {facts.reference_number}, {facts.first_number}, {facts.last_number} with"
+        f" an interval of {facts.interval:g}, the new grid would be {place.reference},"
+        f" {place.first}, {place.last} with {interval:g}"
+    )

@@ -1,0 +1,173 @@
+"""Tables between axes in the control's own files, for writing in addition to them."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping, Sequence
+
+from compwright.formats.definition.statements import name_in_form
+from compwright.formats.families.family import Family
+from compwright.formats.families.pairs.options import allowed_tables
+from compwright.formats.families.pairs.places import (
+    BETWEEN,
+    DATA,
+    Pair,
+    Places,
+    is_unused,
+    is_zero,
+    of_axis,
+    places_of,
+)
+from compwright.formats.text.addresses import normal_text
+from compwright.formats.text.gathering import FoundValue, same_value
+from compwright.formats.text.own_files import OwnFiles, TablePlaces, rows_by_index
+from compwright.foundations.errors import Fault
+
+
+class ExistingTables:
+    """The tables of one control. ``own``: its files, None if none are patched.
+
+    ``allowed``: indices that may be written; ``in_use``: input and output axis of every existing
+    table; ``kept``: the indices of compwright's own tables; ``stay``: those over an axis itself
+    that stay unchanged.
+    """
+
+    def __init__(self, control: Family, own: OwnFiles | None) -> None:
+        self.definition = control.definition
+        self.own = own
+        self.allowed = allowed_tables(control.definition, control.options)
+        tables = control.state.tables
+        self.reserved = tables.reserved
+        self.stay = tables.stay
+        self.places: Mapping[int, Places] = places_of(own.gathered) if own is not None else {}
+        self.in_use: Mapping[int, Pair] = self._used() if own is not None else tables.used
+        self.kept: set[int] = set()
+
+    def _used(self) -> dict[int, Pair]:
+        """Return input and output axis of every table in the files."""
+        return {
+            index: (self._axis_in(places, "cross_input"), self._axis_in(places, "cross_output"))
+            for index, places in self.places.items()
+            if any(name in places for name in DATA) and not is_unused(places)
+        }
+
+    def _axis_in(self, places: Places, quantity: str) -> str:
+        found = places.get(quantity, ())
+        return self.axis(found[-1].text) if found else ""
+
+    def axis(self, name: str) -> str:
+        """Return the canonical name of an axis."""
+        if self.own is None:
+            return normal_text(self.definition, name)
+        return self.own.gathered.axis(name)
+
+    def spelling(self, address: str) -> str:
+        """Return the name of an axis as the files write it."""
+        return address if self.own is None else self.own.gathered.spelled(address)
+
+    def places_of(self, index: int, quantity: str) -> Sequence[FoundValue]:
+        """Return the places of a quantity of one table."""
+        return self.places.get(index, {}).get(quantity, ())
+
+    def unnamed(self, index: int, quantity: str) -> list[FoundValue]:
+        """Return the places of one table with ``()`` instead of the axis."""
+        statements, bindings = self.definition.statements, self.definition.bindings
+        own = name_in_form(statements[bindings[quantity].statement].form)
+        before = statements[bindings["cross_other"].statement].form.partition("{")[0]
+        return [
+            found
+            for found in self.places_of(index, "cross_other")
+            if found.text == "()"
+            and (before + found.occurrence.tokens["key"].text).upper() == own.upper()
+        ]
+
+    def axis_places(self, output: str, quantity: str) -> Sequence[FoundValue]:
+        """Return the places of a quantity that all tables on one axis share."""
+        return () if self.own is None else of_axis(self.own.gathered, output).get(quantity, ())
+
+    def factors(self, changed: Collection[int]) -> Iterator[Fault]:
+        """Yield where one of these tables, which change, multiplies another one."""
+        for index in self.places:
+            for place in self.places_of(index, "cross_multiplier")[-1:]:
+                if index in changed or int(place.text) - 1 not in changed or self.quiet(index):
+                    continue
+                yield Fault(
+                    message=(
+                        f"CEC table {index} must be written, but it is multiplied by table "
+                        f"{int(place.text) - 1} ($AN_CEC_MULT_BY_TABLE)"
+                    ),
+                    file=place.occurrence.file,
+                    place=place.occurrence.place,
+                    expected="other indices in the option cec_tables",
+                    found=place.text,
+                    hint="give other indices in the option `cec_tables`",
+                )
+
+    def quiet(self, index: int) -> bool:
+        """Return whether a table in the files holds only zeros."""
+        return index in self.places and is_zero(self.places[index])
+
+    def off(self, index: int, output: str = "") -> bool:
+        """Return whether the files end with a table switched off: by SD41300, or by MD32710 of its
+        output axis if that is given.
+        """
+        ends = [self.places_of(index, "cross_table_enabled")]
+        if output:
+            ends.append(self.axis_places(output, "cross_axis_enabled"))
+        return any(places and same_value(places[-1].text, "0") for places in ends)
+
+    def table_places(self, index: int) -> TablePlaces:
+        """Return the places of a table."""
+        places = self.places.get(index, {})
+        singles = {name: places[name] for name in DATA if name in places and name != "cross_value"}
+        unnamed = [found for name in BETWEEN for found in self.unnamed(index, name)]
+        return TablePlaces(
+            rows_by_index(places.get("cross_value", ())),
+            {**singles, "cross_other": unnamed},
+            "cross_value",
+            {"table": str(index)},
+        )
+
+    def first_values(self, indices: Collection[int]) -> dict[int, int]:
+        """Return the line of the first value of these tables, by the index of the file."""
+        first: dict[int, int] = {}
+        for index in indices:
+            for row in self.places_of(index, "cross_value"):
+                line = row.occurrence.line
+                first[row.number] = min(first.get(row.number, line), line)
+        return first
+
+    def check_protected(self, index: int, output: str, faults: list[Fault]) -> None:
+        """Refuse a file that switches a table on before its values: the control would take none of
+        them when it is loaded.
+        """
+        for switches in (
+            self.places_of(index, "cross_table_enabled"),
+            self.axis_places(output, "cross_axis_enabled"),
+        ):
+            for number, line in self.first_values([index]).items():
+                before = [
+                    switch
+                    for switch in switches
+                    if switch.number == number and switch.occurrence.line < line
+                ]
+                if not before or same_value(before[-1].text, "0"):
+                    continue
+                fault = Fault(
+                    message=(
+                        f"CEC table {index}: its switch (SD41300, MD32710) is in this file before "
+                        "its values. Once it is on, the control protects the values and takes none "
+                        "of them"
+                    ),
+                    file=before[-1].occurrence.file,
+                    place=before[-1].occurrence.place,
+                    expected=(
+                        "0 there, or the values before the switch, or in a file of their own, as"
+                        " the control exports them (NC_CEC.INI)"
+                    ),
+                    found=f"{before[-1].text}, and the first value in line {line}",
+                    hint=(
+                        "export the CEC tables into a file of their own (NC_CEC.INI), then give "
+                        "that file"
+                    ),
+                )
+                faults.append(fault)

@@ -1,0 +1,340 @@
+"""Possible runs through a SINUMERIK's program: which values a run can execute, and which it must.
+
+A condition may be true or false, but the same for others of the same variable; an unknown statement
+may end the program. Values play no part here.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+from compwright.formats.families.pairs.program_conditions import (
+    Decision,
+    condition_of,
+    together,
+    without_known_answers,
+)
+
+_GO = re.compile(r"\bGOTO(?P<way>[BFCS]?)\b\s*(?P<target>\$?\w+(?:\s*[\[(<])?)?", re.IGNORECASE)
+_FIRST = re.compile(r"[A-Z]+", re.IGNORECASE)
+#: The end of a program or subprogram, alone or with other words of its line. M2=3 is none: an M
+#: function of spindle 2.
+END = re.compile(r"(?:\bM\s*=?\s*(?:17|30|0*2)(?!\s*[-+*/.\d=])|\bRET\b)", re.IGNORECASE)
+#: The end of a subprogram behind which the program that calls it goes on: M17 and M30 are the same
+#: there (programming manual Job Planning, subprogram return).
+#: Actions in the background, and blocks that may be skipped: their end is not that of the run.
+_SYNCHRONOUS = re.compile(r"(?:/|WHEN|WHENEVER|EVERY|FROM|IDS?|DO)\b", re.IGNORECASE)
+_RETURN = re.compile(r"M(?:17|30)|RET", re.IGNORECASE)
+_DEFAULT = re.compile(r"\bDEFAULT\b", re.IGNORECASE)
+#: Motions, speeds and switching functions: the program goes on behind them. M0, M1 and M6 may stop
+#: it, or call a program.
+_WORDS = re.compile(
+    r"(?:(?:G0*[0-3]|M0*(?:[345789]|19|4[0-5])|[SF]\d*=?[\d.]+|[XYZABCUVW]=?[+-]?[\d.]+)\s*)+",
+    re.IGNORECASE,
+)
+_ASKING = re.compile(r"(?:IF|WHILE|UNTIL)\b(?P<condition>.*?)(?:\bGOTO[BFCS]?\b.*)?", re.IGNORECASE)
+_REPEATED = re.compile(r"REPEATB?\s+(?P<target>\w+)", re.IGNORECASE)
+_CLOSING = {"ENDIF": "IF", "ENDWHILE": "WHILE", "ENDFOR": "FOR", "ENDLOOP": "LOOP"} | {
+    "UNTIL": "REPEAT"
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """A line of a program. ``names``: its label and block number; ``code``: what it does, strings
+    emptied, empty if it does not affect the order of lines; ``marked``: it is one of those in
+    question (a value, a call); ``skipped``: on the control's block skip; ``until``: the last of the
+    lines that certainly follow it; ``sets``: the variables that it assigns, with their numbers.
+    """
+
+    line: int
+    names: tuple[str, ...] = ()
+    code: str = ""
+    marked: bool = False
+    skipped: bool = False
+    until: int = 0
+    sets: dict[str, float | None] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class ProgramRuns:
+    """Steps of one program with the steps that may follow each. After the last one are its end,
+    from where the calling program continues, and the place where everything stops: by M2, an alarm,
+    or an unknown statement.
+
+    ``unclear``: lines of jumps with more than one possible label. ``decisions``: by place, steps
+    with a known condition.
+    """
+
+    steps: Sequence[Step]
+    next: Sequence[frozenset[int]] = field(repr=False)
+    unclear: tuple[int, ...] = ()
+    decisions: Mapping[int, Decision] = field(default_factory=dict)
+
+    def consistent(self) -> Iterator[ProgramRuns]:
+        """Yield the runs for each consistent set of answers to dependent conditions."""
+        setting = {place: step.sets for place, step in enumerate(self.steps) if step.sets}
+
+        def behind(place: int) -> set[int]:
+            return set().union(*(self._reached(one) for one in self.next[place]))
+
+        stop = {len(self.steps) + 1}
+        sure = [
+            found - stop if _WORDS.fullmatch(step.code) else found
+            for step, found in zip(self.steps, self.next, strict=True)
+        ]
+        for goes_on in together(self.decisions, setting, behind):
+            follow = [goes_on.get(place, found) for place, found in enumerate(sure)]
+            yield replace(self, next=tuple(follow), decisions={})
+
+    def left_out(self) -> int | None:
+        """Return the line of a marked step that no run executes together with all others, because
+        of dependent conditions; None if a run can execute all of them.
+        """
+        first: int | None = None
+        for ways in self.consistent():
+            past, pair = next(ways.unreached(), None), ways.exclusive()
+            if past is None and pair is None:
+                return None
+            line = past[0] if past is not None else 0 if pair is None else pair[1]
+            first = line if first is None else first
+        return first
+
+    def unreached(self) -> Iterator[tuple[int, int]]:
+        """Yield the lines of marked steps that no run reaches, each with the line that leads past
+        it.
+        """
+        reached = self._reached()
+        for place, step in enumerate(self.steps):
+            if step.marked and place not in reached:
+                yield step.line, self._passing(place)
+
+    def exclusive(self) -> tuple[int, int] | None:
+        """Return the lines of two marked steps that no run reaches both; None without such."""
+        marked = [place for place, step in enumerate(self.steps) if step.marked]
+        after = {place: self._reached(place) for place in marked}
+        for i, one in enumerate(marked):
+            for other in marked[i + 1 :]:
+                if other not in after[one] and one not in after[other]:
+                    return self.steps[one].line, self.steps[other].line
+        return None
+
+    def unavoidable(self, lines: Collection[int]) -> list[int]:
+        """Return those of ``lines`` of marked steps of which every run that comes to the end
+        executes at least one: a single one that all runs execute, else those that may be the first
+        in a run.
+
+        Empty if a run can skip all of them.
+        """
+        found: list[int] = []
+        for ways in self.consistent():
+            some = ways._unavoidable(lines)  # noqa: SLF001 - of its own class
+            if not some:
+                return []
+            found += some
+        return sorted(set(found))
+
+    def _unavoidable(self, lines: Collection[int]) -> list[int]:
+        among: dict[int, int] = {}
+        for place, step in enumerate(self.steps):
+            for line in range(step.line, max(step.line, step.until) + 1) if step.marked else ():
+                if line in lines:
+                    among.setdefault(place, line)
+        ends, past = {len(self.steps), len(self.steps) + 1}, self._reached(without=among)
+        if ends & past:
+            return []
+        first = [place for place in among if place == 0 or any(place in self.next[i] for i in past)]
+        for place in first:
+            if not ends & self._reached(without={place}):
+                return [among[place]]
+        return [among[place] for place in first]
+
+    def returns(self) -> bool:
+        """Return whether every run comes to the end, or never ends."""
+        return len(self.steps) + 1 not in self._reached()
+
+    def _reached(self, start: int = 0, without: Collection[int] = ()) -> set[int]:
+        seen: set[int] = set()
+        waiting = [start]
+        while waiting:
+            place = waiting.pop()
+            if place in seen or place in without:
+                continue
+            seen.add(place)
+            if place < len(self.steps):
+                waiting += self.next[place]
+        return seen
+
+    def _passing(self, place: int) -> int:
+        """Return the line before ``place`` after which no run continues with the next line."""
+        before = (i for i in range(place - 1, -1, -1) if i + 1 not in self.next[i])
+        return self.steps[next(before, 0)].line
+
+
+def possible_runs(steps: Iterable[Step]) -> ProgramRuns:
+    """Return the possible runs through a program."""
+    kept = _merged(list(steps))
+    places: dict[str, list[int]] = {}
+    for place, step in enumerate(kept):
+        for name in step.names:
+            places.setdefault(name.upper(), []).append(place)
+    blocks = _blocks(kept)
+    follow, unclear, decisions = [], [], {}
+    for place, step in enumerate(kept):
+        found = _following(kept, place, places, blocks) if step.code else {place + 1}
+        follow.append(frozenset(found | ({place + 1} if step.skipped else set())))
+        if any(len(each) > 1 for each in _destinations(step.code, place, places)):
+            unclear.append(step.line)
+        decision = _decision(step, follow[place], place + 1)
+        if decision is not None:
+            decisions[place] = decision
+    known = without_known_answers(follow, decisions, [step.sets for step in kept])
+    open_ones = {place: one for place, one in decisions.items() if known[place] == follow[place]}
+    return ProgramRuns(tuple(kept), tuple(known), tuple(unclear), open_ones)
+
+
+def _decision(step: Step, follow: frozenset[int], after: int) -> Decision | None:
+    """Return where a line with a condition continues; None if that does not depend on its condition
+    alone.
+    """
+    found = _ASKING.fullmatch(step.code)
+    jumps = len(_GO.findall(step.code))
+    condition = None if found is None or step.skipped else condition_of(found["condition"])
+    here, elsewhere = follow & {after}, follow - {after}
+    if condition is None or jumps > 1 or not (here and elsewhere):
+        return None
+    return Decision(condition, *((elsewhere, here) if jumps else (here, elsewhere)))
+
+
+def _merged(steps: list[Step]) -> list[Step]:
+    """Return the steps with consecutive marked ones merged: an export has thousands.
+
+    Block numbers to which no jump leads are not kept as names.
+    """
+    targets = set(re.findall(r"\bN\d+", " ".join(step.code.upper() for step in steps if step.code)))
+    kept: list[Step] = []
+    for step in steps:
+        one = replace(
+            step,
+            names=tuple(
+                name
+                for name in step.names
+                if not re.fullmatch(r"N\d+", name.upper()) or name.upper() in targets
+            ),
+        )
+        plain = one.marked and not (one.names or one.code or one.skipped)
+        if plain and kept and kept[-1].marked and not (kept[-1].code or kept[-1].skipped):
+            kept[-1] = replace(kept[-1], until=one.line, sets=kept[-1].sets | one.sets)
+        else:
+            kept.append(one)
+    return kept
+
+
+def _word(step: Step) -> str:
+    first = _FIRST.match(step.code)
+    word = "" if first is None else first[0].upper()
+    if word == "IF" and _GO.search(step.code):
+        return "GOTO"
+    return "AGAIN" if word == "REPEATB" or _REPEATED.match(step.code) else word
+
+
+@dataclass(slots=True)
+class _Blocks:
+    """``ends``: by the index of an opening line, and of ELSE, the closing line; ``elses``: by an IF
+    its ELSE; ``starts``: by a closing line the opening one.
+    """
+
+    ends: dict[int, int] = field(default_factory=dict)
+    elses: dict[int, int] = field(default_factory=dict)
+    starts: dict[int, int] = field(default_factory=dict)
+
+
+def _blocks(steps: Sequence[Step]) -> _Blocks:
+    found, waiting = _Blocks(), list[tuple[str, int]]()
+    for place, step in enumerate(steps):
+        word = _word(step)
+        if word in _CLOSING.values():
+            waiting.append((word, place))
+        elif word == "ELSE" and waiting and waiting[-1][0] == "IF":
+            found.elses[waiting[-1][1]] = place
+        elif word in _CLOSING and waiting and waiting[-1][0] == _CLOSING[word]:
+            start = waiting.pop()[1]
+            found.starts[place] = start
+            found.ends[start] = place
+            if start in found.elses:
+                found.ends[found.elses[start]] = place
+    return found
+
+
+def _following(
+    steps: Sequence[Step], place: int, places: Mapping[str, Sequence[int]], blocks: _Blocks
+) -> set[int]:
+    """Return the places at which a run may continue after a line that is not a plain one."""
+    step, word, after, end = steps[place], _word(steps[place]), place + 1, len(steps)
+    stop = end + 1
+    if "GOTO" in step.code.upper():
+        jumps = _GO.finditer(step.code)
+        targets = set().union(*(_targets(go, place, places, stop) for go in jumps))
+        always = step.code[:4].upper() == "GOTO" or _DEFAULT.search(step.code) is not None
+        return targets if always else targets | {after}
+    close = blocks.ends.get(place)
+    if word == "IF":
+        other = blocks.elses.get(place, close)
+        return {after, stop} if other is None else {after, other + 1}
+    if word == "ELSE" and close is not None:
+        return {close}
+    if word in ("WHILE", "FOR") and close is not None:
+        return {after, close + 1}
+    start = blocks.starts.get(place)
+    if start is not None:
+        again = start + 1 if word == "UNTIL" else start
+        return {"ENDIF": {after}, "ENDLOOP": {again}}.get(word, {again, after})
+    if word in ("ENDIF", "LOOP", "REPEAT"):
+        return {after}
+    if word == "AGAIN":
+        return {after, stop}.union(*_destinations(step.code, place, places))
+    if END.search(step.code) and not _SYNCHRONOUS.match(step.code):
+        return {end} if _RETURN.fullmatch(step.code.strip()) else {stop}
+    return {after, stop}
+
+
+def _destinations(
+    code: str, place: int, places: Mapping[str, Sequence[int]]
+) -> Iterator[Sequence[int]]:
+    """Yield for each jump and repetition of a line the places of its possible labels."""
+    for go in _GO.finditer(code):
+        yield _meant(go, place, places)
+    repeated = _REPEATED.match(code)
+    if repeated is not None:
+        yield places.get(repeated["target"].upper(), ())
+
+
+def _meant(go: re.Match[str], place: int, places: Mapping[str, Sequence[int]]) -> Sequence[int]:
+    """Return the possible labels of a jump. GOTOF searches from its line to the end of the program,
+    GOTOB from its line to the start, GOTO and GOTOC to the end and then elsewhere.
+    """
+    labels = places.get((go["target"] or "").upper(), ())
+    ahead = [one for one in labels if one > place]
+    behind = [one for one in labels if one <= place]
+    way = go["way"].upper()
+    if way == "B":
+        return behind[-1:]
+    return ahead[:1] if ahead or way == "F" else behind
+
+
+def _targets(
+    go: re.Match[str], place: int, places: Mapping[str, Sequence[int]], stop: int
+) -> set[int]:
+    """Return the destinations of a jump: every label if it is computed while the program runs; a
+    stop if the control gives an alarm, because there is no such label in that direction.
+    """
+    if go["way"].upper() == "S":
+        return {0}
+    if found := _meant(go, place, places):
+        return set(found)
+    plain = re.fullmatch(r"(?!R\d+$)[A-Z_]\w+|N\d+", (go["target"] or "").upper()) is not None
+    if not plain:
+        return {*(one for each in places.values() for one in each), place + 1, stop}
+    return {stop} if go["way"].upper() != "C" else {place + 1}

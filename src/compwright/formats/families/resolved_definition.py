@@ -1,0 +1,77 @@
+"""A definition bound to its options and to the contents of the control's files, for every
+family.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Self
+
+from compwright.formats.definition.options import axis_options, resolve_options
+from compwright.formats.definition.schema import Choice, Definition
+from compwright.formats.text.addresses import normal_address
+from compwright.formats.text.scale import NumberScale
+from compwright.records.axis import Axis
+from compwright.records.correction import Assumption, ControlState
+
+
+class ResolvedDefinition:
+    """A definition with its options and a ``state``: the contents of the control's own files; empty
+    before they are read.
+
+    Raises UsageError for a wrong option, or one that contradicts the control's files.
+    """
+
+    def __init__(
+        self,
+        definition: Definition,
+        given: Mapping[str, object],
+        state: ControlState | None = None,
+        *,
+        strict: bool = False,
+    ) -> None:
+        self.definition = definition
+        self.given = given
+        self.state = state or ControlState(format=definition.id, axes={})
+        self.options = resolve_options(definition, given, state, strict=strict)
+
+    def in_state(self, state: ControlState | None, *, strict: bool = False) -> Self:
+        """Return the control with options taken from its own files where these answer them.
+
+        ``strict``: every option was given by the user, not by default. Raises UsageError where a
+        given option contradicts the files.
+        """
+        return type(self)(self.definition, self.given, state, strict=strict)
+
+    def address(self, axis: Axis) -> tuple[str, Assumption | None]:
+        """Return the control's address of an axis, and the assumption made to find it.
+
+        Raises UsageError for an address that the control cannot have.
+        """
+        return normal_address(self.definition, axis)
+
+    def options_of(self, axis: Axis | None, *, unit_needed: bool = True) -> Mapping[str, object]:
+        """Return the options of an axis; its own override the controller's, which alone count for
+        an axis without a job. ``unit_needed`` as in `axis_options`. Raises UsageError.
+        """
+        return axis_options(self.definition, self.options, axis, unit_needed=unit_needed)
+
+    def grid_there(self, axis: Axis) -> tuple[float, ...]:
+        """Return the nodes (ascending, mm or deg) of the table in the control's own files, active
+        or not; empty if they hold none.
+        """
+        address, _ = self.address(axis)
+        existing = self.state.axes.get(address)
+        if existing is not None and existing.positions.size > 1:
+            return tuple(float(node) for node in existing.positions)
+        return self.state.facts_of(address).grid
+
+    def scale_of(self, axis: Axis) -> NumberScale:
+        """Return the number scale of an axis, with the choices that its options set."""
+        options = self.options_of(axis)
+        choices = {
+            name: binding.values[binding.written(options)]
+            for name, binding in self.definition.bindings.items()
+            if isinstance(binding, Choice)
+        }
+        return NumberScale(self.definition, axis.kind, options, choices)

@@ -1,1 +1,0 @@
-"""Checks that every definition has to pass."""

@@ -1,0 +1,137 @@
+"""All values in a control's files, known to compwright or not: each by the control's own name, so
+that order, line ends, blanks and block numbers do not matter.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from compwright.formats.definition.schema import Definition
+from compwright.formats.text.container import unpacked
+from compwright.formats.text.diff import entries_of
+from compwright.formats.text.entry_sheet import is_entry_sheet
+from compwright.formats.text.gathering import same_value
+from compwright.formats.text.texts import text_reader
+from compwright.foundations.errors import Fault, InputError, raise_all
+from compwright.records.correction import ControlFile
+
+_SETTING = re.compile(r"[ \t]*([^=:]+?)[ \t]*[=:][ \t]*(.*?)[ \t]*")
+#: Quantities of a definition that compensate nothing.
+SILENT_QUANTITIES = frozenset({"limit_low", "limit_high", "axis_name"})
+_SECTION = re.compile(r"[ \t]*\[([^\]]+)\][ \t]*")
+
+
+@dataclass(frozen=True, slots=True)
+class FileValue:
+    """One value. ``name``: the control's text up to the value; ``group``: under which many such
+    entries are counted; ``axis``: the address that the entry names, empty if it names none.
+
+    ``relevant``: it belongs to a compensation of an axis, or decides its unit, kind or zero;
+    ``meaning``: in words, empty if unknown.
+    """
+
+    name: str
+    group: str
+    text: str
+    file: str
+    line: int
+    axis: str = ""
+    relevant: bool = False
+    meaning: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class FileValueChange:
+    """One entry that differs; None: it is not present."""
+
+    old: FileValue | None
+    new: FileValue | None
+
+    @property
+    def entry(self) -> FileValue:
+        """The new entry, or the old one if it was removed."""
+        found = self.new or self.old
+        if found is None:
+            raise ValueError
+        return found
+
+
+FileValues = Mapping[str, FileValue]
+
+
+def changes(old: FileValues, new: FileValues) -> tuple[FileValueChange, ...]:
+    """Return the differences, in the order of the new files, then entries that only the old ones
+    have.
+
+    Numbers are the same whatever their decimals; TRUE is 1.
+    """
+    found = [
+        FileValueChange(old.get(key), entry)
+        for key, entry in new.items()
+        if key not in old or not same_text(old[key].text, entry.text)
+    ]
+    return (*found, *(FileValueChange(entry, None) for key, entry in old.items() if key not in new))
+
+
+def same_text(first: str, second: str) -> bool:
+    """Return whether two values are equal as text, as numbers, or as truth values."""
+    truth = {"TRUE": "1", "FALSE": "0"}
+    one, other = (truth.get(text.upper(), text) for text in (first, second))
+    return one == other or same_value(one, other)
+
+
+def texts_of(files: Sequence[ControlFile]) -> tuple[ControlFile, ...]:
+    """Return the texts in files, containers replaced by their texts, which are named without the
+    container. Raises InputError for one that cannot be opened.
+    """
+    faults: list[Fault] = []
+    texts = unpacked(files, faults)
+    raise_all(InputError, faults)
+    return tuple(ControlFile(text.name.rpartition(": ")[2], text.content) for text in texts)
+
+
+def by_statements(definition: Definition, files: Sequence[ControlFile]) -> dict[str, FileValue]:
+    """Return the entries of files: by the definition's statements; other lines ``name = value`` by
+    name within their section; the rest line by line.
+    """
+    found: dict[str, FileValue] = {}
+    texts = texts_of(files)
+    quantities: dict[str, list[str]] = {}
+    for quantity, binding in definition.bindings.items():
+        quantities.setdefault(binding.statement, []).append(quantity)
+    for key, entry in entries_of(definition, texts):
+        bound = quantities.get(key[1], [])
+        meaning = ", ".join(bound).replace("_", " ")
+        relevant = not bound or not SILENT_QUANTITIES.issuperset(bound)
+        found["|".join(key)] = FileValue(
+            entry.label(), key[1], entry.text, key[0], 0, entry.address or "", relevant, meaning
+        )
+    for text in texts:
+        if not is_entry_sheet(text):
+            found.update(_other_lines(definition, text))
+    return found
+
+
+def _other_lines(definition: Definition, file: ControlFile) -> Iterator[tuple[str, FileValue]]:
+    reader = text_reader(definition)
+    read = reader.read(file, [])
+    known = {place.line for place in read.occurrences} if read is not None else set()
+    section = ""
+    lines: Counter[str] = Counter()
+    for line in reader.lines(file.content.decode("latin-1")):
+        text = line.text.strip()
+        opened = _SECTION.fullmatch(text)
+        if opened is not None:
+            section = opened[1]
+        if not text or text[0] in "#;%(" or opened is not None or line.number in known:
+            continue
+        setting = _SETTING.fullmatch(text)
+        name = " ".join((setting[1] if setting is not None else text).split())
+        lines[section + name] += 1
+        shown = f"[{section}] {name}" if section else name
+        key = f"{file.name}|{section}|{name}|{lines[section + name]}"
+        value = setting[2] if setting is not None else "there"
+        yield key, FileValue(f"{file.name}: {shown}", shown, value, file.name, line.number)
