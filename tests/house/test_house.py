@@ -282,6 +282,15 @@ def walk() -> list[list[tuple[str, str]]]:
     ]
 
 
+def test_each_module_on_the_page_exists() -> None:
+    page = (PROJECT / "docs" / "architecture.md").read_text(encoding="utf-8")
+    places = [PROJECT / room for room in ("src", "tests", "benchmarks")]
+    there = [f"/{path.as_posix()}" for place in places for path in place.rglob("*.py")]
+    named = re.findall(r"`([\w/]+\.py)`", page)
+    assert len(named) > 60
+    assert [one for one in named if not any(path.endswith(f"/{one}") for path in there)] == []
+
+
 def defined_in(module: str) -> set[str]:
     """Return the functions of a module, methods as Class.method, and what a package hands on."""
     found = {found.name for found in all_imports_of(module)} if module == STORAGE else set()
