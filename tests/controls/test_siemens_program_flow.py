@@ -337,6 +337,24 @@ def test_what_only_the_program_knows_is_refused_with_its_line(kind: str, read: R
         assert f"line {line}" in {fault.place for fault in refused.value.faults}
 
 
+NAMES = "".join(
+    f'$MN_AXCONF_MACHAX_NAME_TAB[{place}]="{name}"\n' for place, name in enumerate(("X1", "Y1"))
+)
+
+
+@pytest.mark.parametrize("read", READERS)
+@pytest.mark.parametrize("name", ["CORRAX", "Y2"])
+def test_a_name_that_md10000_does_not_have_may_be_a_variable(name: str, read: Reader) -> None:
+    """A variable of type AXIS from another file, such as GUD, means any axis."""
+    text = f"{NAMES}{TABLE}{PLAY}$MA_BACKLASH[0,NAME]=0.01\n{ON}M17\n"
+    with pytest.raises(InputError) as refused:
+        read(text.replace("NAME]", f"{name}]"))
+    line = text.splitlines().index("$MA_BACKLASH[0,NAME]=0.01") + 1
+    assert [fault.place for fault in refused.value.faults] == [f"line {line}"]
+    for known in ("Y1", "AX2", "AX7"):
+        read(text.replace("NAME]", f"{known}]"))
+
+
 @pytest.mark.parametrize("read", READERS)
 @pytest.mark.parametrize("word", ["G70", "G700", "N10 G90 G700", "G90G70"])
 def test_a_program_in_another_unit_than_the_control_is_refused(word: str, read: Reader) -> None:

@@ -35,7 +35,15 @@ def check_programs(
         for content in contents
         for one in content.assignments
     }
-    faults = list(_out_of_order(calls, renamed, request))
+    faults = [
+        one.fault(
+            f"{one.axis} may be a variable: no list of axis names has it",
+            expected="a machine axis of MD10000, or one of MD20080",
+        )
+        for one in renamed.values()
+        if one.axis and not names.is_machine_axis(one.axis)
+    ]
+    faults += _out_of_order(calls, renamed, request)
     for placed in calls.blocks:
         content, block = placed.content, placed.block
         given = [renamed[content.name, one.line] for one in placed.assignments]

@@ -153,7 +153,7 @@ def check_programs(
         return axis is None or not wanted or gathered.axis(axis.text) in wanted
 
     programs = programs_of(gathered.definition, files)
-    for fault in _called_late(gathered, programs, concerns):
+    for fault in (*_unlisted(gathered, programs), *_called_late(gathered, programs, concerns)):
         notes.once(fault)
     for found in programs:
         program, faults = found.program, list(found.computed)
@@ -168,6 +168,35 @@ def check_programs(
                 notes.ask(_question(found))
         for fault in faults:
             notes.once(fault)
+
+
+def _unlisted(gathered: Gathered, programs: Sequence[Found]) -> Iterator[Fault]:
+    """Yield a fault for each name of an axis that the files' lists do not have: it may be a
+    variable of type AXIS, which means any axis.
+    """
+    names, seen = gathered.names, set[str]()
+    for found in programs:
+        for value in found.program.values if names.places else ():
+            token = value.tokens.get("axis")
+            if token is None:
+                continue
+            name = gathered.axis(token.text)
+            if name in seen or names.known(name) or name in names.requested.values():
+                continue
+            seen.add(name)
+            yield Fault(
+                message=(
+                    f"{name} is no axis of the control by MD10000 and MD20080; it may be a variable"
+                ),
+                file=found.file,
+                place=f"line {value.line}",
+                expected=f"the name of an axis in these lists, or {EXPORTED}",
+                found=name,
+                hint=(
+                    "add the file with the complete list MD10000 to the state, or export the"
+                    " compensation data from the control and give that file"
+                ),
+            )
 
 
 def _left_out(found: Found) -> Iterator[Fault]:
