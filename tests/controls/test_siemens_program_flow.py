@@ -316,6 +316,8 @@ COMPUTED = {
     "axis of a table": "$AN_CEC_INPUT_AXIS[0]=(R1)",
     "kind": "$MA_IS_ROT_AX[AX1]=R1",
     "unit": "$MN_SCALING_SYSTEM_IS_METRIC=_METRISCH",
+    "kind in another form": "$MA_IS_ROT_AX[AX1]='H1'",
+    "unit in another form": "$MN_SCALING_SYSTEM_IS_METRIC='H0'",
     "action": "WHENEVER $AA_IM[X]>5 DO $SN_CEC_TABLE_ENABLE[0]=1",
     "skipped": "/$MA_BACKLASH[0,AX1]=0.01",
     "skipped block": "/N10 $MA_BACKLASH[0,AX1]=0.01",
@@ -335,6 +337,14 @@ def test_what_only_the_program_knows_is_refused_with_its_line(kind: str, read: R
         with pytest.raises(InputError) as refused:
             read(text, answer)
         assert f"line {line}" in {fault.place for fault in refused.value.faults}
+
+
+@pytest.mark.parametrize("value", ["'H1'", "'B1'", "1.0", "1EX0", "+1"])
+def test_a_gantry_in_any_form_stops_a_table_for_one_axis(value: str) -> None:
+    """MD37100: the other forms of the language for 1, the leading axis of group 1."""
+    with pytest.raises(InputError) as refused:
+        by_writer(f"{TABLE}{ON}$MA_GANTRY_AXIS_TYPE[AX1]={value}\nM17\n")
+    assert {fault.place for fault in refused.value.faults} == {"line 11"}
 
 
 NAMES = "".join(

@@ -78,7 +78,7 @@ _FACT = re.compile("|".join(sorted(FACTS)), re.IGNORECASE)
 #: An assignment of a value as it stands, of which an archive has thousands; not to an R parameter.
 _PLAIN = re.compile(
     r"""\s*(?:N\d+\s+)?(?:\$\w+(?:\[[\w,]*\])?|[A-Z_]\w+\[[\d,]+\])\s*=\s*"""
-    r"""(?:[+-]?[\d.]+|'[HB]\w+'|"")\s*""",
+    r"""(?:[+-]?[\d.]+|"")\s*""",
     re.IGNORECASE,
 )
 #: Assignments other than compensation whose value decides kinds and units.
@@ -276,7 +276,8 @@ def _note_flow(code: str, number: int, found: ProgramContent, whole: str, *, cou
     elif code and not (_PLAIN.fullmatch(code) or _PATH.match(code)):
         found.blocks[-1].statement(code, number, whole)
         match = _DECIDING.match(code)
-        if match is not None and not is_given(match["right"], naming=False):
+        right = "" if match is None else match["right"].strip()
+        if right[:1] == "'" or (match is not None and not is_given(right, naming=False)):
             found.faults.append(_computed(found.name, number, code.strip()[:80]))
 
 

@@ -74,7 +74,7 @@ _DEFINED = re.compile(
 #: A line of an export, of which an archive has thousands; none of an R parameter, on which a
 #: condition may depend.
 _USUAL = re.compile(
-    r"""\s*(?:N\d+\s+)?(?:\$\w+(?:\[[\w,]*\])?|[A-Z_]\w+\[[\d,]+\])\s*=\s*"""
+    r"""\s*(?:N\d+\s+)?(?:(?P<name>\$\w+)(?:\[[\w,]*\])?|[A-Z_]\w+\[[\d,]+\])\s*=\s*"""
     r"""(?:[+-]?[\d.]+|'[HB]\w+'|"[^";]*")\s*""",
     re.IGNORECASE,
 )
@@ -89,6 +89,8 @@ _LITERAL = re.compile(
         |\(\s*(?:[A-Z_]\w*)?\s*\)|[A-Z_]\w*|""",
     re.VERBOSE | re.IGNORECASE,
 )
+#: What an entry without a value holds: an axis without a name.
+_NOTHING = re.compile(r'""|\(\s*\)|')
 _LITERAL_INDEX = re.compile(r"\[\s*(?:\w+\s*(?:,\s*\w+\s*)*)?\]")
 #: An R parameter, or a name that begins as only variables of the user do.
 _OWN_VARIABLE = re.compile(r"R\d+|_\w*", re.IGNORECASE)
@@ -452,10 +454,12 @@ def _codes(
     definition: Definition, file: ControlFile, needed: Collection[int]
 ) -> Iterator[tuple[int, str]]:
     """Yield the lines of a file without their comments: those ``needed``, and all that are not
-    plain lines of an export.
+    plain lines of an export; of these, only the variables that the definition reads.
     """
+    known = _names(definition)
     for line in text_reader(definition).lines(file.content.decode("latin-1")):
-        if line.number not in needed and _USUAL.fullmatch(line.text):
+        usual = None if line.number in needed else _USUAL.fullmatch(line.text)
+        if usual is not None and (usual["name"] or "").upper() not in known:
             continue
         text = line.text.lstrip("\xef\xbb\xbf") if line.number == 1 else line.text
         place = text.find(";")
@@ -482,7 +486,7 @@ def _computed(
                 variables.update(map(str.upper, _PARAMETER.findall(parameters["names"])))
         elif not match["left"].startswith("$"):
             variables.add(match["left"].upper())
-        elif match["left"].upper() in known and _is_computed(match):
+        elif match["left"].upper() in known and not _NOTHING.fullmatch(match["right"].strip()):
             faults.append(_fault(text.file, number, code))
     for one in text.occurrences:
         tokens = (one.tokens[name].text.upper() for name in ("axis", "value") if name in one.tokens)
@@ -491,17 +495,12 @@ def _computed(
     return tuple(faults)
 
 
-def _is_computed(match: re.Match[str]) -> bool:
-    right, index = match["right"].strip(), match["index"]
-    literal = _LITERAL.fullmatch(right) is not None
-    if right[:1].isalpha() or right[:1] == "_":
-        literal = right.upper() in ("TRUE", "FALSE")
-    return not literal or not (index is None or _LITERAL_INDEX.fullmatch(index))
-
-
 def _fault(file: str, number: int, code: str) -> Fault:
     return Fault(
-        message="the value or the index of this line is known only while the program runs",
+        message=(
+            "the value or the index of this line is known only while the program runs, or is"
+            " written in a form that compwright does not read"
+        ),
         file=file,
         place=f"line {number}",
         expected=EXPORTED,
