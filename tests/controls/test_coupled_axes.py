@@ -123,6 +123,14 @@ def test_a_coupling_that_a_program_switches_can_be_off() -> None:
         ({1817: "A4P01000000", 1023: "A4P2"}, axis("1"), InputError, "1817 of axis 4"),
         ({5660: "L1P21", 5661: "L1P4"}, axis("1"), InputError, "5661 of path 1 = 4"),
         ({8200: "L1P00000001", 8211: "L1P2", 8212: "L1P21"}, axis("1"), InputError, "8200"),
+        # without an axis, or in a form that no control gives out: what it couples is unknown
+        ({8311: "P1"}, axis("1"), InputError, "8311 = 1"),
+        ({8311: "L1P1"}, axis("1"), InputError, "8311 of path 1 = 1"),
+        ({8311: "A1P0A2P0A3P0A4P+1"}, axis("1"), InputError, "8311 cannot be read"),
+        ({8180: "A1P0A4P&1"}, axis("1"), InputError, "8180 cannot be read"),
+        ({1817: "P01000000"}, axis("1"), InputError, "1817 = 01000000"),
+        ({1817: "A1P64A4P64", 1023: "A1P1A4P2"}, axis("1"), InputError, "1817 of axis 1 = 64"),
+        ({8200: "L1P1", 8211: "L1P1", 8212: "L1P2"}, axis("1"), InputError, "8200 of path 1 = 1"),
     ],
 )
 def test_each_coupling_of_a_fanuc_names_its_parameter(

@@ -213,6 +213,13 @@ ASSIGNED = {
         "!",
         READ,
     ),
+    "never": (f"IF 1==0\n{ONE}ENDIF\n{GRID}", "! A.MPF line 2", READ),
+    "never, by a word": (f"IF FALSE\n{ONE}ENDIF\n{GRID}", "! A.MPF line 2", READ),
+    "always": (f"IF NOT FALSE\n{ONE}ENDIF\n{GRID}", READ, "! A.MPF line 2"),
+    "one of two": (f"R50=0\nIF (R50==1) OR (R50==2)\n{ONE}ENDIF\n{GRID}", "! A.MPF line 3", READ),
+    "both": (f"R50=1\nIF (R50==1) AND (R51==2)\n{ONE}ENDIF\n{GRID}", READ, READ),
+    "not both": (f"R50=0\nIF (R50==1) AND (R51==2)\n{ONE}ENDIF\n{GRID}", "! A.MPF line 3", READ),
+    "without brackets": (f"R50=2\nIF R50==1 OR R50\n{ONE}ENDIF\n{GRID}", READ, READ),
     "perhaps in a branch": (
         f"R50=0\nIF R1==1\nR50=1\nENDIF\nIF R50==1\n{ONE}ENDIF\n{GRID}",
         READ,

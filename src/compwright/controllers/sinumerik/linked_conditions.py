@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 #: Assigned by a statement whose effect is unknown.
 EVERYTHING = "everything"
@@ -23,7 +23,7 @@ Words = tuple[str, ...]
 @dataclass(frozen=True, slots=True)
 class Question:
     """Condition of a line: a test of ``what`` (a variable, or the words of a whole condition)
-    against a number. ``variables``: those in it.
+    against a number. ``variables``: those in it; ``words``: the whole condition.
     """
 
     what: Words
@@ -31,6 +31,7 @@ class Question:
     number: float
     variables: frozenset[str]
     two: bool = False
+    words: Words = ()
 
     def answer(self, value: float) -> bool:
         """Return whether the condition is true for a value of ``what``."""
@@ -55,6 +56,12 @@ class Fork:
 
 
 def question_of(words: Words) -> Question | None:
+    """Return the question in the words of a condition, `_question_of` with them."""
+    found = _question_of(words)
+    return None if found is None else replace(found, words=words)
+
+
+def _question_of(words: Words) -> Question | None:
     """Return the question in the words of a condition.
 
     None if its value may change without an assignment: a variable of the control, a field, a
@@ -67,7 +74,7 @@ def question_of(words: Words) -> Question | None:
     called = any(
         after == "(" and before in variables for before, after in itertools.pairwise(words)
     )
-    if not variables or called or any(word[0] in "$[\"'" for word in words):
+    if not words or called or any(word[0] in "$[\"'" for word in words):
         return None
     if words[0] == "NOT" and len(words) > 1:
         rest = _without_brackets(words[1:])
@@ -139,7 +146,7 @@ def ways_by_values(
     may have before it, None among them if any value may be; lines that no run reaches stay as they
     are.
     """
-    asked = {one for fork in forks.values() for one in fork.question.what}
+    asked = {one for fork in forks.values() for one in fork.question.variables}
     before: dict[int, dict[str, frozenset[float | None]]] = {
         0: dict.fromkeys(asked, frozenset({None}))
     }
@@ -167,15 +174,52 @@ def ways_by_values(
 
 
 def _open_ways(every: int, fork: Fork | None, values: Mapping[str, frozenset[float | None]]) -> int:
-    if fork is None or len(fork.question.what) != 1:
+    if fork is None:
         return every
-    answers = {
-        None if value is None else fork.question.answer(value)
-        for value in values[fork.question.what[0]]
-    }
+    if len(fork.question.what) == 1 and fork.question.what[0] in fork.question.variables:
+        answers = {
+            None if value is None else fork.question.answer(value)
+            for value in values[fork.question.what[0]]
+        }
+    else:
+        known = {name: next(iter(one)) for name, one in values.items() if len(one) == 1}
+        result = _result(fork.question.words, known)
+        answers = {None if result is None else result != 0.0}
     if None in answers or len(answers) > 1:
         return every
     return fork.true if True in answers else fork.false
+
+
+def _result(words: Words, values: Mapping[str, float | None]) -> float | None:
+    """Return the value of an expression of comparisons, OR, AND and NOT; None if it is unknown.
+
+    A comparison next to OR or AND without brackets is not taken apart.
+    """
+    words = _without_brackets(words)
+    depth, outer = 0, list[tuple[str, int]]()
+    for at, word in enumerate(words):
+        depth += (word == "(") - (word == ")")
+        outer += [(word, at)] if depth == 0 else []
+    compared = next((place for word, place in outer if word in _TURNED), None)
+    joints = [at for joint in ("OR", "AND") for word, at in outer if word == joint]
+    if compared is not None:
+        one = _result(words[:compared], values)
+        other = _result(words[compared + 1 :], values)
+        if joints or one is None or other is None:
+            return None
+        return float(Question((), words[compared], other, frozenset()).answer(one))
+    if joints:
+        parts = (words[: joints[0]], words[joints[0] + 1 :])
+        pair = [None if (one := _result(each, values)) is None else bool(one) for each in parts]
+        decides = words[joints[0]] == "OR"
+        return float(decides) if decides in pair else None if None in pair else float(not decides)
+    if words[:1] == ("NOT",):
+        inner = _result(words[1:], values)
+        return None if inner is None else float(not inner)
+    if len(words) != 1:
+        return _number("".join(words))
+    number = _number(words[0])
+    return values.get(words[0]) if number is None else number
 
 
 def _candidates(questions: Sequence[Question]) -> list[float]:

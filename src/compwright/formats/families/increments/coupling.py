@@ -24,6 +24,7 @@ _MIRRORED = 100
 #: Numbers from here on are a path and the axis in it: 201 is the first axis of path 2.
 _BY_PATH = 100
 _NO_AXIS = "a parameter couples axes by a number that names no axis of the files"
+_NO_BITS = "a parameter that may couple it with another axis is not written as eight bits"
 _UNLIKE = {
     known.COMPOSITE: "composite control exchanges it with another axis",
     known.SUPERIMPOSED: "superimposed control adds the motion of another axis to it",
@@ -50,7 +51,11 @@ def _mastered(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coup
     hold.
     """
     for value in parameters.of(known.MASTERS):
-        if value.owner != "A" or not value.nonzero or value.whole in (0, value.index):
+        own_number = value.owner == "A" and value.whole in (0, value.index)
+        if not value.nonzero or own_number:
+            continue
+        if value.owner != "A":
+            yield from _every(addresses, value, _NO_AXIS)
             continue
         leads = _masters(parameters, value, addresses)
         own = AxisParameters(parameters, str(value.index))
@@ -61,6 +66,12 @@ def _mastered(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coup
         if not leads:
             leads, unlike = _others(addresses, value), _NO_AXIS
         yield _parameter(value).coupling(leads, str(value.index), switched=True, unlike=unlike)
+
+
+def _every(addresses: Sequence[str], value: ParameterValue, unlike: str) -> Iterator[Coupling]:
+    """Yield couplings of every axis by a parameter that does not tell which axes it couples."""
+    for each in addresses:
+        yield _parameter(value).coupling((), each, switched=True, unlike=unlike)
 
 
 def _others(addresses: Sequence[str], value: ParameterValue) -> tuple[str, ...]:
@@ -86,11 +97,14 @@ def _masters(
 
 def _tandem(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coupling]:
     """Yield the pairs of 1817#6: the master has an odd servo number, its slave the next one."""
-    bits = {
-        value.index: value
-        for value in parameters.of([known.TANDEM])
-        if value.owner == "A" and value.bit(_TANDEM_BIT)
-    }
+    bits: dict[int, ParameterValue] = {}
+    for value in parameters.of([known.TANDEM]):
+        if not value.is_bits:
+            yield from _every(addresses, value, _NO_BITS)
+        elif value.bit(_TANDEM_BIT) and value.owner != "A":
+            yield from _every(addresses, value, _NO_AXIS)
+        elif value.bit(_TANDEM_BIT):
+            bits[value.index] = value
     servo = {
         index: one.whole
         for (owner, index), one in parameters.held(known.SERVO_NUMBER).items()
@@ -115,11 +129,8 @@ def _flexible(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coup
             if master is None or not (master.nonzero and slave.nonzero):
                 continue
             leads, follows = (_named(parameters, one, addresses) for one in (master, slave))
-            if addresses and not (leads and follows):
-                first, *others = addresses
-                yield _parameter(slave).coupling(
-                    tuple(others), first, switched=True, unlike=_NO_AXIS
-                )
+            if not (leads and follows):
+                yield from _every(addresses, slave, _NO_AXIS)
             for each in follows:
                 yield _parameter(slave).coupling(leads, each, switched=True, unlike=unlike)
 
@@ -128,6 +139,8 @@ def _angular(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coupl
     """Yield the axes of angular axis control; every linear axis if 8211 or 8212 names none."""
     unlike = "angular axis control moves it together with another axis"
     for value in parameters.of([known.ANGULAR]):
+        if not value.is_bits:
+            yield from _every(addresses, value, _NO_BITS)
         if not value.bit(_ANGULAR_BIT):
             continue
         pair = [parameters.held(number).get(value.whose) for number in known.ANGULAR_AXES]

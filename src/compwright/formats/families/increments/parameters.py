@@ -141,9 +141,14 @@ class ParameterValue:
         """The value without decimals."""
         return int(Decimal(self.text))
 
+    @property
+    def is_bits(self) -> bool:
+        """Whether the value is written as eight bits."""
+        return _BITS.fullmatch(self.text) is not None
+
     def bit(self, bit: int) -> bool:
-        """Return one bit of eight, 0 the rightmost; None if the value is not eight bits."""
-        return bool(_BITS.fullmatch(self.text)) and self.text[7 - bit] == "1"
+        """Return one bit of eight, 0 the rightmost; False if the value is not eight bits."""
+        return self.is_bits and self.text[7 - bit] == "1"
 
     def fault(self, message: str, expected: str = "") -> Fault:
         """Return a fault at this line."""
@@ -164,13 +169,15 @@ class Parameters:
     """The parameters of all files that a series has.
 
     ``rules``: the definition's rule for each group. ``another``, ``unknown``: values that are not
-    zero, of numbers that are other parameters on this series, or whose meaning is unknown.
+    zero, of numbers that are other parameters on this series, or whose meaning is unknown;
+    ``unread``: faults of lines that hold other words.
     """
 
     def __init__(self, files: Sequence[ControlFile], rules: Mapping[str, ParameterRule]) -> None:
         self.values: dict[int, list[ParameterValue]] = {}
         self.another: list[ParameterValue] = []
         self.unknown: list[ParameterValue] = []
+        self.unread: list[Fault] = []
         self._here = {number: rules[name].here for number, name in NAMES.items()}
         for file in files:
             if not is_entry_sheet(file):
@@ -233,6 +240,18 @@ class Parameters:
             number, where = int(match[1]), (file.name, line, start + match.start(2))
             for value in _values(number, rest, where):
                 self._keep(value)
+            odd = _WORD.sub("", rest).strip("; \t\r\x1a")
+            if odd and self.counts(number):
+                self.unread.append(
+                    Fault(
+                        message=f"parameter {number} cannot be read",
+                        file=file.name,
+                        place=f"line {line}",
+                        expected="letters with numbers, such as A1P0",
+                        found=repr(odd[:40]),
+                        hint="export the parameters from the control again, then give that file",
+                    )
+                )
 
     def _keep(self, value: ParameterValue) -> None:
         here = self._here[value.number]

@@ -77,6 +77,7 @@ class StateReader:
         self.points = points_by_number(family.definition, self.gathered, files, self.notes)
         lines = [_as_lines(file, family.definition.id) for file in self.files]
         self.parameters = Parameters(lines, family.definition.parameters)
+        self.notes.faults.extend(self.parameters.unread)
         self.partners = {
             normal_text(family.definition, axis.gantry): axis
             for axis in axes

@@ -23,6 +23,9 @@ _SINGLE = re.compile(
     r"|(?P<negated>NOT )?(?P<flag>[A-Z_]\w*))"
 )
 _NAME = re.compile(r"[A-Z_]\w*")
+_COMPARISON = re.compile(r"==|<>|<=|>=|<|>")
+#: A bracket with at most two more inside of it.
+_BRACKETED = re.compile(r"\((?:[^()]|\((?:[^()]|\([^()]*\))*\))*\)")
 _PLAIN_NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)")
 _OPERATORS = frozenset({"AND", "OR", "XOR", "NOT", "DIV", "MOD", "TRUE", "FALSE"})
 _CALL = re.compile(r"([A-Z_]\w*)\(")
@@ -41,7 +44,7 @@ _RELATIONS: Mapping[str, Callable[[float, float], bool]] = {
 class Condition:
     """A condition as a relation of its ``subject`` and a number: of a variable, or of a whole text
     that is 1 if it is true. ``names``: the variables in it; ``truth``: its value is true or false,
-    and no other number.
+    and no other number; ``text``: as written, without blanks.
     """
 
     subject: str
@@ -49,6 +52,7 @@ class Condition:
     value: float
     names: frozenset[str]
     truth: bool = False
+    text: str = ""
 
     def holds(self, value: float) -> bool:
         """Return whether it is true for the subject ``value``."""
@@ -69,20 +73,21 @@ def condition_of(text: str) -> Condition | None:
     text = re.sub(r"\s+", " ", text.upper().strip())
     text = _bare(re.sub(r" (?=\W)|(?<=\W) ", "", text))
     names = frozenset(_NAME.findall(text)) - _OPERATORS
-    if not names or set(_CALL.findall(text)) - _OPERATORS or any(mark in text for mark in '$["'):
+    if set(_CALL.findall(text)) - _OPERATORS or any(mark in text for mark in '$["'):
         return None
     single = _SINGLE.fullmatch(text)
     if single is None or names != {single["name"] or single["flag"]}:
         whole = _bare(text[3:]) if text[:4] == "NOT(" else text
         negated = text[:4] == "NOT(" and f"({whole})" == text[3:]
         return Condition(
-            whole if negated else text, "<>" if negated else "==", 1.0, names, truth=True
+            whole if negated else text, "<>" if negated else "==", 1.0, names, truth=True, text=text
         )
     if single["flag"] is not None:
-        return Condition(single["flag"], "==" if single["negated"] else "<>", 0.0, names)
+        relation = "==" if single["negated"] else "<>"
+        return Condition(single["flag"], relation, 0.0, names, text=text)
     number = number_of(single["value"]) or 0.0
     truth = single["value"] in _TRUTH
-    return Condition(single["name"], single["relation"], number, names, truth=truth)
+    return Condition(single["name"], single["relation"], number, names, truth=truth, text=text)
 
 
 def number_of(word: str) -> float | None:
@@ -90,6 +95,39 @@ def number_of(word: str) -> float | None:
     if (word := word.upper()) in _TRUTH:
         return _TRUTH[word]
     return float(word) if _PLAIN_NUMBER.fullmatch(word) else None
+
+
+def value_of(text: str, values: Mapping[str, float]) -> float | None:
+    """Return the value of a condition without blanks, 1 if it is true; None if it is unknown, or
+    if it depends on the order of a comparison and AND or OR without brackets.
+    """
+    text = _bare(text)
+    masked = _BRACKETED.sub(lambda found: f"({'0' * (len(found[0]) - 2)})", text)
+    comparison = _COMPARISON.search(masked)
+    if comparison is not None and re.search(r"\b(?:AND|OR|XOR)\b", masked):
+        return None
+    if comparison is not None:
+        left = value_of(text[: comparison.start()].strip(), values)
+        right = value_of(text[comparison.end() :].strip(), values)
+        if left is None or right is None:
+            return None
+        return float(_RELATIONS[comparison[0]](left, right))
+    for word, decides in (("OR", True), ("AND", False)):
+        places = [found.span() for found in re.finditer(rf"\b{word}\b", masked)]
+        if places:
+            begins, ends = [0, *(end for _, end in places)], [*(start for start, _ in places), None]
+            parts = [
+                value_of(text[begin:end].strip(), values)
+                for begin, end in zip(begins, ends, strict=True)
+            ]
+            if any(part is not None and bool(part) is decides for part in parts):
+                return float(decides)
+            return None if None in parts else float(not decides)
+    if re.match(r"NOT\b", text):
+        value = value_of(text[3:].strip(), values)
+        return None if value is None else float(not value)
+    number = number_of(text)
+    return values.get(text) if number is None else number
 
 
 def without_known_answers(
@@ -114,10 +152,10 @@ def without_known_answers(
             values.pop(name, None)
             values |= {} if number is None else {name: number}
         decision = decisions.get(place)
-        value = None if decision is None else values.get(decision.condition.subject)
+        value = None if decision is None else value_of(decision.condition.text, values)
         found[place] = follow[place]
         if decision is not None and value is not None:
-            found[place] = decision.yes if decision.condition.holds(value) else decision.no
+            found[place] = decision.yes if value else decision.no
         for one in found[place]:
             before = known.get(one)
             both = {
