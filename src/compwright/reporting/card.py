@@ -43,6 +43,7 @@ from compwright.reporting.sections import (
     pairs,
     rule_lines,
 )
+from compwright.words.sentences import Sentence
 
 #: What a card of a test at rapid traverse holds for: a control may have another backlash there.
 RAPID = (
@@ -409,7 +410,7 @@ def _changes(changes: dict[str, Any] | None) -> list[str]:
     return ["## Old to new", "", said, "", *table, *more]
 
 
-def _bullets(heading: str, items: Sequence[str]) -> list[str]:
+def _bullets(heading: str, items: Sequence[str | Sentence]) -> list[str]:
     return [heading, "", *(f"- {_BOX} {_escape(item)}" for item in items), ""] if items else []
 
 
@@ -423,17 +424,17 @@ def _table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:
     return [lines[0], "|" + "|".join("-" * (width + 2) for width in widths) + "|", *lines[1:]]
 
 
-def _one_line(text: str) -> str:
-    return " ".join(visible(text).split())
+def _one_line(text: str | Sentence) -> str:
+    return " ".join(visible(f"{text}").split())
 
 
-def _paragraph(text: str) -> str:
+def _paragraph(text: str | Sentence) -> str:
     """A line of text that begins no heading, list, quotation or rule."""
     line = _escape(text)
     return f"\\{line}" if line[:1] in set("#-+>=~_") else line
 
 
-def _escape(text: str) -> str:
+def _escape(text: str | Sentence) -> str:
     """One line in which nothing is markup; underscores inside names stay as they are."""
     line = _one_line(text)
     for letter in "\\`*[]|":
