@@ -26,7 +26,7 @@ def means_of(
     kind: AxisKind = AxisKind.LINEAR,
 ) -> AfterMeans:
     """Means of readings (m, n) in + and -, with a noise of their own from five degrees of freedom
-    on, else ``noise``: 6 equally likely values of it by the chi-square law.
+    on, else ``noise``: 6 equally likely values of it by the chi-square law, one where it is known.
     """
     counts = np.stack([np.isfinite(block).sum(axis=1) for block in readings]).astype(float)
     held = [np.where(np.isfinite(block), block, 0.0).sum(axis=1) for block in readings]
@@ -38,29 +38,33 @@ def means_of(
     dof = float(np.sum(np.maximum(counts - 1.0, 0.0)))
     sigma = max(math.sqrt(squares / dof), 1e-5) if dof >= 5.0 else max(noise, 1e-5)
     dof = dof if dof >= 5.0 else noise_dof
-    drawn = np.full(DRAWS, sigma)
+    drawn = np.full(1, sigma)
     if math.isfinite(dof):
         drawn = sigma * np.sqrt(dof / np.random.default_rng(9).chisquare(dof, DRAWS))
     return AfterMeans(
         targets=positions,
         kind=kind,
         plain=np.where(counts > 0, mean, np.nan),
-        mean=np.broadcast_to(mean, (DRAWS, *mean.shape)),
+        mean=np.broadcast_to(mean, (drawn.size, *mean.shape)),
         precision=counts / drawn[:, None, None] ** 2,
-        columns=np.zeros((DRAWS, *mean.shape, 0)),
+        columns=np.zeros((drawn.size, *mean.shape, 0)),
         sigma=sigma,
         readings=float(counts[counts > 0].mean()) if np.any(counts > 0) else 1.0,
     )
 
 
 def known(mean: FloatArray, covariance: FloatArray | None = None) -> ErrorBelief:
-    """A belief of ``mean`` (2, m) with ``covariance`` (2m, 2m), + then -."""
+    """A belief of ``mean`` (2, m) with ``covariance`` (2m, 2m), + then -; by target where it is
+    diagonal.
+    """
     m = mean.shape[1]
-    root = np.zeros((2, m, 0))
-    if covariance is not None and np.any(covariance):
+    root, blocks = np.zeros((2, m, 0)), np.zeros((m, 2, 2))
+    if covariance is not None and not np.any(covariance - np.diag(np.diag(covariance))):
+        blocks[:, 0, 0], blocks[:, 1, 1] = np.diag(covariance).reshape(2, m)
+    elif covariance is not None:
         values, vectors = np.linalg.eigh(covariance)
         root = (vectors * np.sqrt(np.maximum(values, 0.0))).reshape(2, m, 2 * m)
-    return ErrorBelief(mean=mean, root=root, blocks=np.zeros((m, 2, 2)))
+    return ErrorBelief(mean=mean, root=root, blocks=blocks)
 
 
 def ways_of(

@@ -21,6 +21,8 @@ from compwright.words.sentences import say
 from loop import Machine, csv_of
 from places import PROJECT
 
+pytestmark = pytest.mark.brief
+
 MACHINE = Machine(high=1200.0)
 TARGETS = MACHINE.targets(count=25)
 READINGS = MACHINE.measure(TARGETS, 1)

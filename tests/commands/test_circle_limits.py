@@ -32,6 +32,8 @@ from compwright.records.job import Acceptance
 from compwright.records.prediction import CirclePrediction, Quantiles
 from compwright.words.sentences import say
 
+pytestmark = pytest.mark.brief
+
 Rule = Literal["simple", "guarded"]
 UM = 1e-3
 MACHINE = Machine(squareness=30.0, backlash_first_at_positive=3.0, backlash_second_at_negative=5.0)

@@ -13,6 +13,8 @@ import pytest
 
 from compwright.cli import run as compwright
 
+pytestmark = pytest.mark.brief
+
 TARGETS = np.arange(0.0, 1001.0, 100.0)
 #: The machine's own error, µm, at the targets.
 TRUTH = 3.0 * np.sin(TARGETS / 160.0)

@@ -26,6 +26,10 @@ from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile
 from loop import Floats, Machine, csv_of
 
+# Tests of what the estimate or the prediction says are marked whole.
+pytestmark = pytest.mark.brief
+WHOLE = pytest.mark.whole
+
 MACHINE = Machine()
 UM = 1e-3
 
@@ -74,6 +78,23 @@ def folder(tmp_path: Path) -> Path:
     return tmp_path
 
 
+@pytest.fixture(scope="module")
+def usual(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The usual job, run once; not to be changed."""
+    folder = tmp_path_factory.mktemp("usual") / "folder"
+    folder.mkdir()
+    write_test(folder / "x.csv")
+    assert compwright(["run", str(job(folder, "before: [x.csv], accept: {A: 8}"))]) == 0
+    return folder
+
+
+@pytest.fixture
+def done(usual: Path, tmp_path: Path) -> Path:
+    """A copy of the usual job with its results."""
+    return Path(shutil.copytree(usual, tmp_path / "done"))
+
+
+@WHOLE
 def test_the_prediction_has_the_keys_of_the_contract(folder: Path) -> None:
     assert compwright(["run", str(job(folder, "before: [x.csv], accept: {A: 8}"))]) == 0
     prediction = document(folder / "job" / "prediction.json")
@@ -103,6 +124,7 @@ def test_the_prediction_has_the_keys_of_the_contract(folder: Path) -> None:
         np.testing.assert_allclose(axis["table"][key], table(nodes, sign) / UM, atol=1e-9)  # µm
 
 
+@WHOLE
 @pytest.mark.usefixtures("afresh")
 def test_the_same_input_gives_the_same_bytes(folder: Path) -> None:
     path = str(job(folder))
@@ -128,6 +150,7 @@ def test_a_plan_is_read_back_as_it_was_written(folder: Path) -> None:
     assert to_json(plan_document(read_plan(content, "plan.json"))).encode() == content
 
 
+@WHOLE
 def test_tests_in_one_state_are_fitted_together_and_each_is_predicted(folder: Path) -> None:
     write_test(folder / "later.csv", seed=7, count=9)
     text = (
@@ -158,6 +181,7 @@ def test_tests_in_one_state_are_fitted_together_and_each_is_predicted(folder: Pa
     assert both["tests"][1]["predicted"]["A"]["p95"] < 0.5 * both["tests"][1]["before"]["A"]
 
 
+@WHOLE
 def test_an_instrument_that_counts_the_other_way_gives_the_same_table(folder: Path) -> None:
     """machine = -instrument + 820: the instrument's + approach is the machine's -, and its
     deviations have the other sign.
@@ -178,6 +202,7 @@ def test_an_instrument_that_counts_the_other_way_gives_the_same_table(folder: Pa
         np.testing.assert_allclose(straight[key], turned_table[key], atol=2.1e-3)
 
 
+@WHOLE
 def test_a_test_that_was_measured_in_another_state(folder: Path) -> None:
     """The test was made with an old table active that has since been switched off: as found is
     none.
@@ -205,8 +230,8 @@ def test_a_test_that_was_measured_in_another_state(folder: Path) -> None:
     assert not (folder / "new" / "rollback").exists()  # nothing was in the control as found
 
 
-def test_export_to_another_control_gives_the_same_correction(folder: Path) -> None:
-    assert compwright(["run", str(job(folder))]) == 0
+def test_export_to_another_control_gives_the_same_correction(done: Path) -> None:
+    folder = done
     words = [
         "export",
         str(folder / "job" / "plan.json"),
@@ -257,6 +282,7 @@ def inverted(*arguments: Any, **words: Any) -> Any:
     )
 
 
+@WHOLE
 def test_a_table_that_would_make_the_axis_worse_is_not_written(
     folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -315,10 +341,9 @@ def test_two_readers_that_disagree_write_nothing(
     [(1.0, "loaded", 0), (0.0, "not_active", 1), (0.5, "scaled", 1), (-1.0, "inverted", 1)],
 )
 def test_verify_says_whether_the_table_acts(
-    folder: Path, factor: float, verdict: str, code: int
+    done: Path, factor: float, verdict: str, code: int
 ) -> None:
-    path = job(folder, "before: [x.csv], accept: {A: 8}")
-    assert compwright(["run", str(path)]) == 0
+    folder, path = done, done / "job.yaml"
     table = sinumerik(folder / "job" / "tables" / "siemens-840d-sl")
     write_test(folder / "after.csv", seed=3, correction=lambda x, sign: factor * table(x, sign))
     assert compwright(["verify", str(path), "--after", str(folder / "after.csv")]) == code
@@ -357,9 +382,8 @@ def test_a_guarded_decision_uses_the_uncertainty(folder: Path) -> None:
     assert accept["decision"] == "undecided"
 
 
-def test_what_was_read_back_from_the_control_is_compared(folder: Path) -> None:
-    path = job(folder)
-    assert compwright(["run", str(path)]) == 0
+def test_what_was_read_back_from_the_control_is_compared(done: Path) -> None:
+    folder, path = done, done / "job.yaml"
     tables = folder / "job" / "tables" / "siemens-840d-sl"
     write_test(folder / "after.csv", seed=3, correction=sinumerik(tables))
     words = ["verify", str(path), "--after", str(folder / "after.csv")]
@@ -387,6 +411,7 @@ def test_what_was_read_back_from_the_control_is_compared(folder: Path) -> None:
     assert codes == ["CW-V011"]
 
 
+@WHOLE
 @pytest.mark.parametrize("signs", [(1,), (-1,)])
 def test_a_test_of_one_direction_is_fitted(folder: Path, signs: tuple[int, ...]) -> None:
     targets = MACHINE.targets()
@@ -406,6 +431,7 @@ def test_a_test_of_one_direction_is_fitted(folder: Path, signs: tuple[int, ...])
     }
 
 
+@WHOLE
 def test_a_long_axis_measured_once_is_fitted(folder: Path) -> None:
     targets = MACHINE.targets(count=25)
     (folder / "x.csv").write_text(csv_of(targets, MACHINE.measure(targets, 1, runs=1)))
@@ -438,6 +464,7 @@ def lcnc_job(folder: Path, states: str) -> Path:
     return path
 
 
+@WHOLE
 def test_an_old_table_whose_two_columns_differ_along_the_axis_is_replaced_in_one_round(
     tmp_path: Path,
 ) -> None:
@@ -801,6 +828,7 @@ def test_a_guarded_decision_without_an_uncertainty_is_refused(
     assert "needs the measurement uncertainty" in capsys.readouterr().err
 
 
+@WHOLE
 def test_a_longer_test_that_is_not_fitted_stands_first(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -843,6 +871,7 @@ def test_contributors_in_um_say_nothing_of_a_rotary_axis(
     assert accept["decision"] == ("undecided" if U is None else "accept")
 
 
+@WHOLE
 def test_a_longer_test_beside_it_covers_only_where_it_does_not_contradict(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -864,6 +893,7 @@ def test_a_longer_test_beside_it_covers_only_where_it_does_not_contradict(
     )
 
 
+@WHOLE
 @pytest.mark.parametrize(
     ("pitch", "limit", "decision", "code"),
     [
@@ -991,6 +1021,7 @@ def test_export_to_another_control_reads_its_state_by_the_new_addresses(
         assert "no given file contains data of axis AX2" in said.err
 
 
+@WHOLE
 def test_a_wave_that_the_targets_show_as_a_longer_one_is_not_verified_at_the_same_targets(
     tmp_path: Path,
 ) -> None:

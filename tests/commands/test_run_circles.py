@@ -204,6 +204,18 @@ def done(standard: Path, tmp_path: Path) -> Path:
     return Path(shutil.copytree(standard, tmp_path / "done"))
 
 
+@pytest.fixture(scope="module")
+def unapplied(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The usual machine with nothing corrected from its circle, run once; not to be changed."""
+    folder = tmp_path_factory.mktemp("unapplied") / "folder"
+    folder.mkdir()
+    measure(folder, Bent())
+    with redirect_stdout(io.StringIO()) as said:
+        assert compwright(["run", str(job(folder, apply="{}"))]) == 0
+    (folder / "said.txt").write_text(" ".join(said.getvalue().split()), encoding="utf-8")
+    return folder
+
+
 def measure(folder: Path, machine: Bent) -> None:
     write_axis(folder / "x.csv", machine.x, 1, None, "AX1")
     write_axis(folder / "y.csv", machine.y, 2, None, "AX2")
@@ -297,13 +309,10 @@ def test_the_reference_of_the_input_axis_is_where_the_ramp_is_zero(folder: Path)
     assert cross["correction"][0] == pytest.approx(-32.0, abs=0.3)  # µm: 40 µm/m · (0 - 0.8 m)
 
 
-def test_nothing_is_corrected_from_a_circle_unless_asked(
-    folder: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    assert compwright(["run", str(job(folder, apply="{}"))]) == 0
-    prediction = document(folder / "job" / "prediction.json")
+def test_nothing_is_corrected_from_a_circle_unless_asked(unapplied: Path) -> None:
+    prediction = document(unapplied / "job" / "prediction.json")
     assert prediction["cross"] == []
-    assert "CW-P108" in codes(capsys)
+    assert "CW-P108" in (unapplied / "said.txt").read_text(encoding="utf-8")
     circle = prediction["circles"]["xy-150"]
     assert circle["predicted"]["squareness"]["median"] == pytest.approx(
         circle["before"]["squareness"], abs=0.2
@@ -549,9 +558,8 @@ def verify(path: Path, *after: str) -> int:
     )
 
 
-def test_verify_finds_the_circle_by_its_plane_and_squareness_gone(folder: Path) -> None:
-    path = job(folder)
-    assert compwright(["run", str(path)]) == 0
+def test_verify_finds_the_circle_by_its_plane_and_squareness_gone(done: Path) -> None:
+    folder, path = done, done / "job.yaml"
     files = after_files(folder, Bent(), folder / "job" / "tables" / SIEMENS)
     assert verify(path, *files) == 0
     answer = document(folder / "job" / "verification.json")
@@ -570,9 +578,8 @@ def test_verify_finds_the_circle_by_its_plane_and_squareness_gone(folder: Path) 
     assert within.count(True) >= 2  # of four 90 % intervals
 
 
-def test_verify_of_the_circle_alone_sees_that_the_cross_table_does_not_act(folder: Path) -> None:
-    path = job(folder)
-    assert compwright(["run", str(path)]) == 0
+def test_verify_of_the_circle_alone_sees_that_the_cross_table_does_not_act(done: Path) -> None:
+    folder, path = done, done / "job.yaml"
     tables = folder / "job" / "tables" / SIEMENS
     files = after_files(folder, Bent(), tables)
     assert (
@@ -599,12 +606,9 @@ def test_verify_of_the_circle_alone_sees_that_the_cross_table_does_not_act(folde
 
 
 @pytest.mark.parametrize("which", ["y", "xy"])
-def test_a_file_after_loading_that_says_compensation_off_is_a_doubt(
-    folder: Path, which: str
-) -> None:
+def test_a_file_after_loading_that_says_compensation_off_is_a_doubt(done: Path, which: str) -> None:
     """The values are those of a good verification: the header alone contradicts them."""
-    path = job(folder)
-    assert compwright(["run", str(path)]) == 0
+    folder, path = done, done / "job.yaml"
     files = after_files(folder, Bent(), folder / "job" / "tables" / SIEMENS)
     after = folder / f"{which}_after.csv"
     after.write_bytes(b"# compensation: off\n" + after.read_bytes())
@@ -655,10 +659,10 @@ def test_circles_that_contradict_each_other_are_a_doubt(folder: Path) -> None:
 
 
 def test_a_circle_does_not_count_in_the_verdict_when_nothing_of_it_was_applied(
-    folder: Path,
+    unapplied: Path, tmp_path: Path
 ) -> None:
-    path = job(folder, apply="{}")
-    assert compwright(["run", str(path)]) == 0
+    folder = Path(shutil.copytree(unapplied, tmp_path / "done"))
+    path = folder / "job.yaml"
     files = after_files(folder, Bent(), folder / "job" / "tables" / SIEMENS)
     assert verify(path, *files) == 0
     assert document(folder / "job" / "verification.json")["circles"]["xy-150"]["squareness"] is None
@@ -691,10 +695,9 @@ def test_limits_of_a_circle_count_in_the_verdict(folder: Path) -> None:
 
 
 def test_verify_refuses_a_circle_of_another_plane(
-    folder: Path, capsys: pytest.CaptureFixture[str]
+    done: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    path = job(folder)
-    assert compwright(["run", str(path)]) == 0
+    folder, path = done, done / "job.yaml"
     write_circle(folder / "zx.csv", replace(Bent().circle(1), plane="ZX", axes=("Z", "X")))
     assert verify(path, str(folder / "zx.csv")) == 2
     assert "ZX" in capsys.readouterr().err

@@ -28,6 +28,10 @@ from compwright.workflow.inputs.after_tests import read_again
 from compwright.workflow.inputs.jobs import read_job_file
 from loop import Floats, Machine, csv_of
 
+# Tests of what the readings after loading say by themselves are marked whole.
+pytestmark = pytest.mark.brief
+WHOLE = pytest.mark.whole
+
 MACHINE = Machine()
 TARGETS = MACHINE.targets(count=25)
 Readings = dict[int, Floats]
@@ -111,6 +115,7 @@ def codes(document: Any) -> list[str]:
     return [finding["code"] for finding in document["doubts"]]
 
 
+@WHOLE
 def test_an_honest_test_is_good_without_doubts(folder: Path) -> None:
     code, document = after(folder, honest(folder))
     assert (code, document["verdict"], document["doubts"]) == (0, "good", [])
@@ -174,6 +179,7 @@ def test_a_test_in_two_files_is_one_test(folder: Path) -> None:
     assert (code, document["verdict"]) == (0, "good")
 
 
+@WHOLE
 def test_an_honest_test_at_newly_dithered_targets_is_good(folder: Path) -> None:
     targets = MACHINE.targets(count=25, seed=9)
     code, document = after(folder, honest(folder, targets=targets), targets)
@@ -228,6 +234,7 @@ def test_targets_in_inches_are_a_fault_of_unit(folder: Path) -> None:
     assert document["verdict"] == "undecided"
 
 
+@WHOLE
 @pytest.mark.parametrize(("turn", "of"), [("sign", "sign"), ("direction", "direction")])
 def test_turned_tests_are_named_where_the_table_leaves_something(
     tmp_path: Path, turn: str, of: str
@@ -277,6 +284,7 @@ def test_fewer_approaches_prove_less(folder: Path) -> None:
     assert "CW-V020" in codes(document)
 
 
+@WHOLE
 @pytest.mark.parametrize("factor", [0.1, 8.0])
 def test_the_noise_must_be_believable(folder: Path, factor: float) -> None:
     code, document = after(
@@ -430,6 +438,7 @@ def test_the_noise_rule_sees_a_factor_of_ten(s: float, word: str) -> None:
     assert noise_odds(s, 40, 1.0, 40) == word
 
 
+@WHOLE
 @pytest.mark.parametrize("noise", [0.0, 0.00003])
 def test_a_neighbours_test_with_another_zero_is_a_copy(two: Path, noise: float) -> None:
     """Y was not measured: its sheet is that of X with another constant, and perhaps with 0.03 µm of
@@ -475,6 +484,7 @@ def test_two_targets_prove_nothing_although_the_first_test_had_no_more(tmp_path:
 WARM = "uncertainty: {U_theta: 0.5}\nthermal: {alpha_m: 11.5, T_m: 20.0}\n"
 
 
+@WHOLE
 @pytest.mark.parametrize("slope", [-3e-6, 3e-6])
 def test_a_hall_as_warm_as_the_job_says_leaves_the_table_loaded(
     tmp_path: Path, slope: float
@@ -498,6 +508,7 @@ def test_a_hall_as_warm_as_the_job_says_leaves_the_table_loaded(
     assert after(tmp_path, never)[1]["axes"]["X"]["loading"]["verdict"] == "not_active"
 
 
+@WHOLE
 def test_a_machine_that_has_warmed_up_is_named_with_its_slope(folder: Path) -> None:
     """2 K of steel are 23 µm/m; U of the slope over 21 targets is far below 1 µm/m."""
     now = honest(folder)
@@ -517,6 +528,7 @@ def test_a_machine_that_has_warmed_up_is_named_with_its_slope(folder: Path) -> N
     assert (code, document["verdict"]) == (1, "undecided")
 
 
+@WHOLE
 def test_a_guarded_verification_says_what_guarded_it(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

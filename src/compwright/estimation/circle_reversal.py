@@ -71,6 +71,7 @@ class SpikeShapes:
     def adopt(self, problem: CircleProblem) -> None:
         """Keep the shapes for a problem with other columns."""
         self.reversals = problem.reversals
+        self._kinds = [_kinds_of(reversal) for reversal in problem.reversals]
         self.precision = problem.widths**-2.0
         for slot in self.slots():
             self.precision[self.columns(*slot)] = _SIZES[self.size[slot]] ** -2.0
@@ -104,9 +105,7 @@ class SpikeShapes:
 
     def options(self, reversal: int, slot: int) -> IndexArray:
         """Return which shapes of a reversal point a slot may have."""
-        here = self.reversals[reversal].shapes
-        wanted = [isinstance(shape, TakeUp) == (slot >= _DECAYS) for shape in here]
-        return np.flatnonzero(wanted)
+        return self._kinds[reversal][slot >= _DECAYS]
 
     @property
     def log_prior(self) -> float:
@@ -130,6 +129,12 @@ class SpikeShapes:
         for slot in range(SLOTS):
             for reversal in range(len(self.reversals)):
                 yield reversal, slot
+
+
+def _kinds_of(reversal: Reversal) -> tuple[IndexArray, IndexArray]:
+    """Return which shapes of a reversal point are decays, and which are take-ups."""
+    take_up = np.array([isinstance(shape, TakeUp) for shape in reversal.shapes], dtype=bool)
+    return np.flatnonzero(~take_up), np.flatnonzero(take_up)
 
 
 def choose_shapes(weighted: WeightedProblem, shapes: SpikeShapes) -> None:
@@ -172,14 +177,19 @@ def _added(
     weight = marginal.gram[tried, tried]
     if not chosen.size:
         return marginal.right[tried], np.maximum(weight, 0.0), np.zeros((0, tried.size))
-    normal = marginal.gram[np.ix_(chosen, chosen)]
-    normal.flat[:: chosen.size + 1] += shapes.precision[chosen]
-    unit = 1.0 / np.sqrt(np.diag(normal))
-    root = np.linalg.cholesky(normal * np.outer(unit, unit) + _ROUNDING * np.eye(unit.size))
-    both = np.column_stack([marginal.gram[np.ix_(chosen, tried)], marginal.right[chosen]])
+    rows = marginal.gram[chosen]
+    normal = rows[:, chosen]
+    diagonal = slice(None, None, chosen.size + 1)
+    normal.flat[diagonal] += shapes.precision[chosen]
+    unit = 1.0 / np.sqrt(normal.diagonal())
+    normal *= np.outer(unit, unit)
+    normal.flat[diagonal] += _ROUNDING
+    root = np.linalg.cholesky(normal)
+    both = np.empty((chosen.size, tried.size + 1))
+    both[:, :-1], both[:, -1] = rows[:, tried], marginal.right[chosen]
     inner = np.linalg.solve(root, both * unit[:, np.newaxis])
     known = inner[:, :-1]
-    weight = np.maximum(weight - np.sum(known**2, axis=0), 0.0)
+    weight = np.maximum(weight - (known**2).sum(axis=0), 0.0)
     return marginal.right[tried] - known.T @ inner[:, -1], weight, known
 
 
@@ -211,14 +221,14 @@ def _evidence(
     weight = found[:count] + prior
     alike = 0.5 * rest[:count] ** 2 / weight - 0.5 * np.log(weight / prior)
     # Two slots with one shape are one decay of another size.
-    others = [int(shapes.place[reversal, each]) for each in range(SLOTS) if each != slot]
-    alike[:, np.isin(options, others)] = -np.inf
+    for each in range(SLOTS):
+        if each != slot:
+            alike[:, options == shapes.place[reversal, each]] = -np.inf
     there = np.log(_THERE / alike.size)
     if not here.unlike.size:
         return np.concatenate([[np.log(1.0 - _THERE)], there + alike.ravel()])
-    cross = marginal.gram[tried[:count], tried[count:]] - np.sum(
-        known[:, :count] * known[:, count:], axis=0
-    )
+    shared = (known[:, :count] * known[:, count:]).sum(axis=0)
+    cross = marginal.gram[tried[:count], tried[count:]] - shared
     left = np.maximum(found[count:] - cross**2 / weight, 0.0) + prior
     more = rest[count:] - cross / weight * rest[:count]
     unlike = alike + 0.5 * more**2 / left - 0.5 * np.log(left / prior)
@@ -282,8 +292,8 @@ def draw_shapes(
     for sweep in range(_FORGOTTEN + _SWEEPS):
         for reversal, slot in shapes.slots():
             score = _evidence(marginal, shapes, reversal, slot)
-            chance = np.cumsum(np.exp(score - np.max(score)))
-            option = int(np.searchsorted(chance, rng.random() * chance[-1]))
+            chance = np.exp(score - score.max()).cumsum()
+            option = int(chance.searchsorted(rng.random() * chance[-1]))
             _set(shapes, reversal, slot, min(option, score.size - 1))
         for name in shapes.rare if sweep % _RARELY == 0 else ():
             odds, errors[name] = _odds(marginal, shapes, name)

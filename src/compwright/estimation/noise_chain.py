@@ -96,6 +96,8 @@ class GibbsChain:
         self.powers = precision_powers(self.shapes)
         self.floor = LEAST_NOISE[test.kind]
         self.dof = np.maximum(np.sum(readings.there, axis=1) - 1.0, 0.0)
+        self.contrasts = int(np.sum(self.dof))
+        self.counted = readings.there & (self.dof > 0)[:, np.newaxis]
         moves = np.ones(2 * readings.runs, dtype=np.bool_)
         self.sizes, self.spread, self.tail = Sizes(moves), np.zeros(len(self.shapes)), 0
         self.absent_spread = np.ones(len(self.shapes))
@@ -128,9 +130,8 @@ class GibbsChain:
             for rows in (slice(0, half), slice(half, None)):
                 left[rows] = left[rows] - _medians(left[rows].T).T
         rest = np.nan_to_num(left)
-        there = self.readings.there & (self.dof > 0)[:, np.newaxis]
-        lost = float(np.sum(there)) / float(self.readings.dof)
-        scale = 1.4826 * float(np.median(np.abs(rest[there]))) * np.sqrt(lost)
+        lost = float(np.sum(self.counted)) / float(self.readings.dof)
+        scale = 1.4826 * float(np.median(np.abs(rest[self.counted]))) * np.sqrt(lost)
         spread = float(np.sqrt(np.sum(rest**2) / self.readings.dof))
         return max(scale, 0.3 * spread, self.floor), rest
 
@@ -207,7 +208,7 @@ class GibbsChain:
             and np.array_equal(self.reduced[1], weights)
         ):
             data = reduce_readings(self.readings, values, weights)
-            known = ReducedTraverses(self.patterns, data, int(np.sum(self.dof)), self.floor)
+            known = ReducedTraverses(self.patterns, data, self.contrasts, self.floor)
             self.reduced = values, weights, known
         return self.reduced[2]
 
@@ -235,8 +236,8 @@ class GibbsChain:
         (c, n) that scatter by ``scale`` (c, 1) times as much.
         """
         means, squares, total = self._about_means(left)
-        square = float(np.sum(squares / scale[:, 0] ** 2))
-        self.sigma = float(np.sqrt(square / self.rng.chisquare(np.sum(self.dof))))
+        square = float((squares / scale[:, 0] ** 2).sum())
+        self.sigma = float(np.sqrt(square / self.rng.chisquare(self.contrasts)))
         spread = self.sigma * scale[:, 0] / np.sqrt(total)
         drawn: FloatArray = means + spread * self.rng.standard_normal(means.size)
         return drawn[:, np.newaxis]
@@ -246,9 +247,9 @@ class GibbsChain:
         and total weights.
         """
         weights = self.readings.there * self.latent.weights
-        total = np.maximum(np.sum(weights, axis=1), 1e-300)
-        means = np.sum(weights * left, axis=1) / total
-        squares = np.sum(weights * (left - means[:, np.newaxis]) ** 2, axis=1)
+        total = np.maximum(weights.sum(axis=1), 1e-300)
+        means = (weights * left).sum(axis=1) / total
+        squares = (weights * (left - means[:, np.newaxis]) ** 2).sum(axis=1)
         return means, squares + self.floor**2 / squares.size, total
 
     def _take_tail(self, z: FloatArray) -> None:
@@ -259,13 +260,12 @@ class GibbsChain:
         distribution, evenly over it (systematic sampling: Cochran, Sampling Techniques, 3rd ed.
         1977, chapter 8), are kept too, because the tails differ most from sweep to sweep.
         """
-        counted = self.readings.there & (self.dof > 0)[:, np.newaxis]
         factors = _FACTORS * np.exp(self.rng.uniform(-0.5, 0.5) * _STEP)
-        chances = tail_probabilities(z[counted], factors)
+        chances = tail_probabilities(z[self.counted], factors)
         self.tail_chances = chances.sum(axis=1)
-        cumulative = np.cumsum(chances)
+        cumulative = chances.cumsum()
         steps = (self.rng.random() + np.arange(WAYS) / WAYS) % 1.0
-        drawn = np.minimum(np.searchsorted(cumulative, steps * cumulative[-1]), chances.size - 1)
+        drawn = np.minimum(cumulative.searchsorted(steps * cumulative[-1]), chances.size - 1)
         self.tails, places = np.divmod(drawn, factors.size)
         self.sigmas = self.sigma * factors[places]
         self.tail, factor = int(self.tails[0]), float(factors[places[0]])

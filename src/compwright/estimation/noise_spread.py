@@ -18,6 +18,7 @@ _NOTHING: Final = np.array([0.9, 0.92, 0.93, 0.95, 0.96, 0.97, 0.97])
 _USUAL: Final = 0.5
 _GRID: Final = 0.15 * np.arange(-13, 14)
 _THERE: Final = _GRID != 0.0
+_ZERO: Final = int(np.argmin(_THERE))
 
 
 def spread_shapes(readings: CellReadings) -> FloatArray:
@@ -59,19 +60,19 @@ def draw_spread(
     chance = rng.random(spread.size)
     values = np.where(_THERE, _GRID + steps[:, np.newaxis], 0.0)
     prior = np.exp(-np.abs(values) / _USUAL) * _THERE
-    prior *= ((1.0 - _NOTHING) / np.sum(prior, axis=1))[:, np.newaxis]
-    prior[:, ~_THERE] = _NOTHING[:, np.newaxis]
+    prior *= ((1.0 - _NOTHING) / prior.sum(axis=1))[:, np.newaxis]
+    prior[:, _ZERO] = _NOTHING
     logs_of_scale = spread @ shapes
     for part in np.flatnonzero(np.ptp(shapes[:, dof > 0.0], axis=1) > 0.0):
         others = logs_of_scale - spread[part] * shapes[part]
         known = squares * np.exp(-2.0 * others)
         scaled = powers[part] @ (known * np.exp(-2.0 * steps[part] * shapes[part]))
-        scaled[~_THERE] = np.sum(known)
+        scaled[_ZERO] = known.sum()
         logs = -0.5 * total * np.log(scaled) - moved[part] * values[part]
-        chances = np.exp(logs - np.max(logs)) * prior[part]
-        cumulative = np.cumsum(chances)
-        drawn = int(np.searchsorted(cumulative, chance[part] * cumulative[-1]))
+        chances = np.exp(logs - logs.max()) * prior[part]
+        cumulative = chances.cumsum()
+        drawn = int(cumulative.searchsorted(chance[part] * cumulative[-1]))
         spread[part] = values[part, min(drawn, _GRID.size - 1)]
-        absent[part] = chances[~_THERE][0] / cumulative[-1]
+        absent[part] = chances[_ZERO] / cumulative[-1]
         logs_of_scale = others + spread[part] * shapes[part]
     return absent

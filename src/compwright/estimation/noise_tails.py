@@ -145,13 +145,15 @@ def tail_probabilities(z: FloatArray, factors: FloatArray) -> FloatArray:
     the scale, for errors ``z`` (k,) divided by the present one (prior 1/sigma: Gelman et al. 2013,
     section 3.2).
     """
-    ordered = np.sort(np.minimum(np.abs(z), _MIDDLES[-1] * float(np.min(factors))))
-    below = np.searchsorted(ordered, np.outer(_EDGES[1:-1], factors))
-    ends = np.zeros((1, factors.size)), np.full((1, factors.size), z.size)
-    counts = np.diff(np.concatenate([ends[0], below, ends[1]]), axis=0)
+    ordered = np.minimum(np.abs(z), _MIDDLES[-1] * float(factors.min()))
+    ordered.sort()
+    below = np.zeros((_EDGES.size, factors.size))
+    below[1:-1] = ordered.searchsorted(np.outer(_EDGES[1:-1], factors))
+    below[-1] = z.size
+    counts = below[1:] - below[:-1]
     logs = _TABLE @ counts + _LOG_PRIOR[:, np.newaxis] - z.size * np.log(factors)
-    chances = np.exp(logs - np.max(logs))
-    whole: FloatArray = chances / np.sum(chances)
+    chances = np.exp(logs - logs.max())
+    whole: FloatArray = chances / chances.sum()
     return whole
 
 

@@ -185,15 +185,15 @@ class ReducedTraverses:
         """
         grid = _GRID * 2.0 ** rng.uniform(-0.25, 0.25)
         usual = grid / (grid**2 + _USUAL[kind] ** 2)
-        prior = np.concatenate([[_NOTHING[kind]], (1.0 - _NOTHING[kind]) * usual / np.sum(usual)])
+        prior = np.concatenate([[_NOTHING[kind]], (1.0 - _NOTHING[kind]) * usual / usual.sum()])
         logs = self._scan(self._spectrum(sizes, kind), np.concatenate([[0.0], grid]))
-        chances = np.exp(logs - np.max(logs)) * np.outer(forms, prior)
-        cumulative = np.cumsum(chances)
-        drawn = int(np.searchsorted(cumulative, rng.random() * cumulative[-1]))
+        chances = np.exp(logs - logs.max()) * np.outer(forms, prior)
+        cumulative = chances.cumsum()
+        drawn = int(cumulative.searchsorted(rng.random() * cumulative[-1]))
         form, place = divmod(min(drawn, chances.size - 1), prior.size)
         sizes.size[kind] = grid[place - 1] if place else 0.0
-        sizes.absent[kind] = np.sum(chances[:, 0]) / cumulative[-1]
-        return form
+        sizes.absent[kind] = chances[:, 0].sum() / cumulative[-1]
+        return int(form)
 
     def _climb(self, sizes: Sizes, kind: int) -> float:
         """Set the size and form of ``kind`` to the most likely ones, given the other kinds; return
@@ -214,28 +214,50 @@ class ReducedTraverses:
         (Golub and Van Loan, Matrix Computations, 4th ed. 2013, section 8.7: simultaneous
         diagonalisation).
         """
-        alone = not np.any(np.delete(sizes.size, kind))
+        alone = np.count_nonzero(sizes.size) == int(sizes.size[kind] > 0.0)
         key = kind, sizes.moved.tobytes() if kind == OFFSET else b""
         if alone and key in self.alone:
             return self.alone[key]
         of_others, mine = self._of_others(sizes, kind)
-        lower = np.linalg.cholesky(of_others)
-        right = np.linalg.solve(lower, mine)
-        inner = np.linalg.solve(lower, np.swapaxes(right, 1, 2))
-        stretch, axes = np.linalg.eigh(0.5 * (inner + np.swapaxes(inner, 1, 2)))
-        white = np.linalg.solve(lower, self.data.scores[np.newaxis, :, np.newaxis])
-        found = _Spectrum(
-            base=2.0 * np.sum(np.log(np.diagonal(lower, axis1=1, axis2=2)), axis=1),
-            stretch=np.maximum(stretch, 0.0),
-            along=np.squeeze(np.swapaxes(axes, 1, 2) @ white, -1),
-        )
+        lower = np.asarray(np.linalg.cholesky(of_others), dtype=np.float64)
+        drifts = kind in (DRIFT, DRIFT_TILT)
+        found = self._of_lines(lower, mine) if drifts else self._of_forms(lower, mine)
         if alone:
             self.alone[key] = found
         return found
 
+    def _of_forms(self, lower: FloatArray, mine: FloatArray) -> _Spectrum:
+        """Return the spectrum of covariances ``mine`` (forms, r, r), given the root of the
+        others.
+        """
+        right = np.linalg.solve(lower, mine)
+        inner = np.linalg.solve(lower, np.swapaxes(right, 1, 2))
+        stretch, axes = np.linalg.eigh(0.5 * (inner + np.swapaxes(inner, 1, 2)))
+        white = np.linalg.solve(lower, self.data.scores[np.newaxis, :, np.newaxis])
+        return _Spectrum(
+            base=_log_det(lower),
+            stretch=np.maximum(stretch, 0.0),
+            along=np.squeeze(np.swapaxes(axes, 1, 2) @ white, -1),
+        )
+
+    def _of_lines(self, lower: FloatArray, mine: FloatArray) -> _Spectrum:
+        """Return the spectrum of covariances that are products of columns ``mine`` (rates, r) with
+        themselves: one axis along the column, and what is left of the scores.
+        """
+        both = np.stack([mine, np.broadcast_to(self.data.scores, mine.shape)], axis=2)
+        column, white = np.moveaxis(np.linalg.solve(lower, both), 2, 0)
+        stretch = (column**2).sum(axis=1)
+        along = (column * white).sum(axis=1) / np.sqrt(np.maximum(stretch, 1e-300))
+        rest = np.maximum((white**2).sum(axis=1) - along**2, 0.0)
+        return _Spectrum(
+            base=_log_det(lower),
+            stretch=np.stack([stretch, np.zeros_like(stretch)], axis=1),
+            along=np.stack([along, np.sqrt(rest)], axis=1),
+        )
+
     def _of_others(self, sizes: Sizes, kind: int) -> tuple[FloatArray, FloatArray]:
         """Return, for each form of ``kind``, the covariance (forms, r, r) of all others, that of a
-        reading included, and that of ``kind`` of unit size.
+        reading included, and that of ``kind`` of unit size; of a drift its column (rates, r).
         """
         unit = np.eye(self.data.scores.size)
         if kind in (OFFSET, TILT):
@@ -247,18 +269,22 @@ class ReducedTraverses:
             (self.drift, self.drift_tilt) if kind == DRIFT else (self.drift_tilt, self.drift)
         )
         rest = sizes.size[DRIFT + DRIFT_TILT - kind] ** 2 * _outer(of_others)
-        return unit + self._moving(sizes) + rest, _outer(column)
+        return unit + self._moving(sizes) + rest, column
 
     def _scan(self, spectrum: _Spectrum, grid: FloatArray) -> FloatArray:
         """Return log evidence (forms, sizes) of covariances times the squares of ``grid``."""
         spread = 1.0 + grid[:, np.newaxis] ** 2 * spectrum.stretch[:, np.newaxis]
-        square = self.rest + np.sum(spectrum.along[:, np.newaxis] ** 2 / spread, axis=2)
+        square = self.rest + (spectrum.along[:, np.newaxis] ** 2 / spread).sum(axis=2)
         log_evidence: FloatArray = -0.5 * (
-            spectrum.base[:, np.newaxis]
-            + np.sum(np.log(spread), axis=2)
-            + self.dof * np.log(square)
+            spectrum.base[:, np.newaxis] + np.log(spread).sum(axis=2) + self.dof * np.log(square)
         )
         return log_evidence
+
+
+def _log_det(lower: FloatArray) -> FloatArray:
+    """Return the log determinants (forms,) of covariances by their roots (forms, r, r)."""
+    logs: FloatArray = 2.0 * np.log(np.diagonal(lower, axis1=1, axis2=2)).sum(axis=1)
+    return logs
 
 
 def _outer(columns: FloatArray) -> FloatArray:
