@@ -35,6 +35,7 @@ from compwright.records.capacity import Capacity, Lattice
 from compwright.records.correction import AxisCompensation
 from compwright.records.estimate import WantedCorrection
 from compwright.records.fitted import FittedTable, TableRequest
+from compwright.words.sentences import say
 
 Array = NDArray[np.float64]
 UM = 1e-3
@@ -710,7 +711,9 @@ def test_a_table_reaches_from_a_reference_outside_the_travel() -> None:
 
 def test_the_least_spacing_and_its_reason() -> None:
     slow = replace(
-        FANUC, min_spacing=2.0, min_spacing_reason="15000 mm/min need 2 mm between steps"
+        FANUC,
+        min_spacing=2.0,
+        min_spacing_reason=say("as_written", text="15000 mm/min need 2 mm between steps"),
     )
     with pytest.raises(CapacityError, match=r"15000 mm/min.*at least 2 mm, found 1 mm"):
         fit(OFFSET, slow, spacing=1.0)
@@ -721,7 +724,7 @@ def test_the_least_spacing_and_its_reason() -> None:
     )
     nodes = fit(rough, slow).compensation.positions
     assert nodes[1] - nodes[0] >= 2.0
-    plain = replace(PLAIN, min_spacing=2.0, min_spacing_reason="why")
+    plain = replace(PLAIN, min_spacing=2.0, min_spacing_reason=say("as_written", text="why"))
     with pytest.raises(CapacityError, match="why"):
         fit(OFFSET, plain, start=-350.0, end=450.0, spacing=1.0)
     nodes = fit(rough, replace(plain, max_points=1000)).compensation.positions

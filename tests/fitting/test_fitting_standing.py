@@ -17,6 +17,7 @@ from compwright.foundations.errors import CapacityError
 from compwright.records.axis import AxisKind
 from compwright.records.capacity import Capacity, Lattice
 from compwright.records.fitted import FittedTable, TableRequest
+from compwright.words.sentences import say
 from next_steps import without_hint
 
 X = np.linspace(0.0, 500.0, 501)
@@ -125,7 +126,9 @@ def test_what_only_the_format_knows_is_said() -> None:
 
 
 def test_a_rule_for_the_least_spacing_is_told_and_the_grid_stays() -> None:
-    ruled = replace(THERE, min_spacing=80.0, min_spacing_reason="feed / 7500")
+    ruled = replace(
+        THERE, min_spacing=80.0, min_spacing_reason=say("as_written", text="feed / 7500")
+    )
     result = kept(ruled)
     assert result.compensation.positions.tolist() == list(EVEN)
     (told,) = [one for one in result.findings if one.code == "CW-F011"]

@@ -32,6 +32,7 @@ from compwright.records.correction import AxisCompensation, no_compensation
 from compwright.records.estimate import AxisPeriod
 from compwright.records.fitted import Mode, TableRequest
 from compwright.records.limits import LimitingCauses, PointCountOption
+from compwright.words.sentences import say
 from planning_samples import (
     MINUS,
     PLUS,
@@ -156,7 +157,11 @@ def test_a_period_that_no_table_of_the_control_holds_is_the_cause() -> None:
     """Where none is written because of it, the period is what limits the axis, no missing table."""
     wave = both(lambda x: 3.0 * UM * np.sin(2 * np.pi * x / 5.0), noise=0.3 * UM)
     work = fitted(wave, axis=axis_of(screw_pitch=(5.0,)), max_points=256)
-    bare = replace(work, refused="it gains nothing", planned=replace(work.planned, fitted=None))
+    bare = replace(
+        work,
+        refused=say("as_written", text="it gains nothing"),
+        planned=replace(work.planned, fitted=None),
+    )
     found = limits_of(bare)
     values = {cause.cause: cause.value / UM for cause in found.causes}
     assert values[PERIOD] > 4.0
@@ -167,7 +172,9 @@ def test_a_period_that_no_table_of_the_control_holds_is_the_cause() -> None:
     assert "CW-F002" in told.message
     inclined = both(lambda x: 30e-6 * x + wave.plus(x), noise=0.3 * UM)
     work = fitted(inclined, axis=axis_of(screw_pitch=(5.0,)), max_points=256)
-    bare = replace(work, refused="as asked", planned=replace(work.planned, fitted=None))
+    bare = replace(
+        work, refused=say("as_written", text="as asked"), planned=replace(work.planned, fitted=None)
+    )
     assert causes_of(bare)[NO_TABLE] > 20.0
 
 

@@ -125,25 +125,25 @@ def test_a_table_has_to_improve_the_test_and_what_lies_between_its_targets(
     was: float, becomes: float, fresh_was: float, fresh: float, words: str
 ) -> None:
     why = why_not_better(result_of(A=was), result_of(A=becomes), of("A", fresh_was), of("A", fresh))
-    assert (words in why) if words else why == ""
+    assert (words in str(why)) if words else why is None
 
 
 def test_the_size_counts_where_a_value_has_a_sign() -> None:
     better = why_not_better(
         result_of(B_mean=-5.0), result_of(B_mean=1.0), of("B_mean", -5.0), of("B_mean", 1.0)
     )
-    assert better == ""
+    assert better is None
     worse = why_not_better(
         result_of(B_mean=1.0), result_of(B_mean=-5.0), of("B_mean", 1.0), of("B_mean", -5.0)
     )
-    assert "gives B_mean -5.00 µm" in worse
+    assert "gives B_mean -5.00 µm" in str(worse)
 
 
 def test_the_first_parameter_that_the_test_has_judges() -> None:
     """A is not defined here, E gets worse, R gets better."""
     before, after = result_of(A=None, E=5.0, R=9.0), result_of(A=None, E=6.0, R=1.0)
-    assert "gives E 6.00" in why_not_better(before, after, {}, {})
-    assert why_not_better(result_of(A=None), result_of(A=None), {}, {}) == ""
+    assert "gives E 6.00" in str(why_not_better(before, after, {}, {}))
+    assert why_not_better(result_of(A=None), result_of(A=None), {}, {}) is None
 
 
 def test_the_spread_from_test_to_test_is_that_of_a_normal_law() -> None:
@@ -160,14 +160,14 @@ def test_a_gain_is_seen_from_one_standard_deviation_on(gain: float, seen: bool) 
     was = {"A": Quantiles(median=20.0 * UM, p05=15.0 * UM, p95=25.0 * UM)}
     middle = (20.0 - gain) * UM
     becomes = {"A": Quantiles(median=middle, p05=middle - 1.645 * 2.0 * UM, p95=middle + 4.0 * UM)}
-    assert (why_not_seen(work_of(SLOPED).results[0], was, becomes) == "") is seen
+    assert (why_not_seen(work_of(SLOPED).results[0], was, becomes) is None) is seen
 
 
 def test_a_table_that_does_not_help_is_refused() -> None:
     work = work_of(SLOPED)
-    assert why_no_gain(work, by_slope(-28e-6)) == ""
-    assert "without it 30.00 µm" in why_no_gain(work, by_slope(30e-6))
-    assert "without it 30.00 µm" in why_no_gain(work, no_correction)
+    assert why_no_gain(work, by_slope(-28e-6)) is None
+    assert "without it 30.00 µm" in str(why_no_gain(work, by_slope(30e-6)))
+    assert "without it 30.00 µm" in str(why_no_gain(work, no_correction))
 
 
 def test_what_acts_now_is_what_a_table_has_to_beat() -> None:
@@ -175,8 +175,8 @@ def test_what_acts_now_is_what_a_table_has_to_beat() -> None:
     of 20 µm/m leaves 10.
     """
     work = work_of(SLOPED, as_found=by_slope(-25e-6))
-    assert "gives A 10.00 µm, without it 5.00 µm" in why_no_gain(work, by_slope(-20e-6))
-    assert why_no_gain(work, by_slope(-29e-6)) == ""
+    assert "gives A 10.00 µm, without it 5.00 µm" in str(why_no_gain(work, by_slope(-20e-6)))
+    assert why_no_gain(work, by_slope(-29e-6)) is None
 
 
 @pytest.mark.parametrize("off", [100.0, 130.0, 170.0, 210.0, 260.0])
@@ -200,5 +200,5 @@ def test_one_reading_far_off_does_not_stop_a_table(
         result.test, positive=plus, negative=minus, runs_positive=runs, runs_negative=runs
     )
     work = replace(work, results=(evaluate(test, result.standard),))
-    assert why_no_gain(work, by_slope(-28e-6)) == ""
-    assert "without it 3" in why_no_gain(work, by_slope(30e-6))
+    assert why_no_gain(work, by_slope(-28e-6)) is None
+    assert "without it 3" in str(why_no_gain(work, by_slope(30e-6)))

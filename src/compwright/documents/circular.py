@@ -64,7 +64,10 @@ def circular_document(result: CircularResult) -> dict[str, Any]:
         "vendor": _plain(test.vendor),
         "not_applicable": {
             **result.not_applicable,
-            **(result.diagnosis.not_given if result.diagnosis else {}),
+            **{
+                name: str(reason)
+                for name, reason in (result.diagnosis.not_given if result.diagnosis else {}).items()
+            },
         },
         "header": dict(test.header),
         "runs": [_run(run) for run in test.runs],

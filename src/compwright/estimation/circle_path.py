@@ -6,9 +6,8 @@ from typing import Final
 
 from compwright.estimation.circle_model import AXES, CircleSamples
 from compwright.records.circular import CircularTest
+from compwright.words.sentences import Sentence, say
 
-#: The remedy of every reason.
-FULL_CIRCLE: Final = "measure a full circle in both directions"
 #: A lag and a change of the radius have these shapes too, with the sign of the direction.
 _TWO_DIRECTIONS: Final = (
     "squareness",
@@ -26,18 +25,21 @@ _BOTH_REVERSE: Final = (
 _AT_REVERSAL: Final = ("backlash", "lateral_play", "reversal_spike")
 
 
-def undetermined_causes(test: CircularTest, samples: CircleSamples) -> dict[str, str]:
+def undetermined_causes(test: CircularTest, samples: CircleSamples) -> dict[str, Sentence]:
     """Return the reason for each cause that cannot be separated: one direction only, or an arc
     without a reversal point of an axis.
     """
-    reasons: dict[str, list[str]] = {}
+    reasons: dict[str, list[Sentence]] = {}
     if not samples.both_senses:
         for cause in _TWO_DIRECTIONS:
-            reasons.setdefault(cause, []).append(
-                "one direction cannot separate it from lag and lost motion"
-            )
+            reasons.setdefault(cause, []).append(say("undetermined.one_direction"))
     for axis, name in zip(AXES, test.axes, strict=True):
         if not any(samples.reversals(axis)):
             for cause in (*_BOTH_REVERSE, *(f"{kind}_{axis}" for kind in _AT_REVERSAL)):
-                reasons.setdefault(cause, []).append(f"{name} does not reverse inside the arc")
-    return {cause: f"{'; '.join(why)}: {FULL_CIRCLE}" for cause, why in reasons.items()}
+                reasons.setdefault(cause, []).append(say("undetermined.no_reversal", axis=name))
+    return {cause: by_full_circle(*why) for cause, why in reasons.items()}
+
+
+def by_full_circle(*reasons: Sentence) -> Sentence:
+    """Return the reasons with their remedy."""
+    return say("undetermined.full_circle", reasons=reasons)

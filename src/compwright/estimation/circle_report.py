@@ -20,7 +20,7 @@ from compwright.estimation.circle_model import (
     CircleSamples,
     prior_width,
 )
-from compwright.estimation.circle_path import FULL_CIRCLE
+from compwright.estimation.circle_path import by_full_circle
 from compwright.estimation.circle_reversal import SpikeDraws
 from compwright.estimation.circle_solution import Solution
 from compwright.estimation.circle_symptoms import (
@@ -31,10 +31,10 @@ from compwright.estimation.circle_symptoms import (
 )
 from compwright.estimation.circle_vibration import times
 from compwright.foundations.findings import Finding
-from compwright.foundations.numerals import significant
 from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE
 from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularEffect, CircularTest
+from compwright.words.sentences import Sentence, say
 
 UNITS: Final = {
     "squareness": "um/m",
@@ -69,7 +69,7 @@ class _ReportedCause:
     positive: bool = False
     variance: float = 0.0
     more: Mapping[str, float | None] = field(default_factory=dict)
-    reason: str = ""
+    reason: Sentence | None = None
 
     @property
     def std_error(self) -> float:
@@ -77,8 +77,8 @@ class _ReportedCause:
 
 
 def report_effects(
-    test: CircularTest, solution: Solution, undetermined: Mapping[str, str]
-) -> tuple[dict[str, CircularEffect], FloatArray, dict[str, str], tuple[Finding, ...]]:
+    test: CircularTest, solution: Solution, undetermined: Mapping[str, Sentence]
+) -> tuple[dict[str, CircularEffect], FloatArray, dict[str, Sentence], tuple[Finding, ...]]:
     """Return effects by name, their correlation in that order, the reasons of effects that are not
     given, and findings.
 
@@ -145,18 +145,17 @@ def _ranges(samples: CircleSamples, curves: FloatArray) -> FloatArray:
     return spread
 
 
-def _prior_reason(cause: _ReportedCause, samples: CircleSamples) -> str:
+def _prior_reason(cause: _ReportedCause, samples: CircleSamples) -> Sentence | None:
     try:
         width = prior_width(cause.name, samples.radius)
     except KeyError:
-        return ""
+        return None
     if cause.std_error <= _MOSTLY_PRIOR * width:
-        return ""
+        return None
     unit = UNITS.get(cause.name, "um").replace("um", "µm")
-    return (
-        f"{significant(cause.value, 3, signed=True)} ± {significant(2.0 * cause.std_error)} {unit}"
-        " is not known well enough: the"
-        f" samples add little to what machines have (±{width:g}, standard deviation): {FULL_CIRCLE}"
+    error = 2.0 * cause.std_error
+    return by_full_circle(
+        say("undetermined.prior", value=cause.value, error=error, unit=unit, width=width)
     )
 
 
@@ -300,12 +299,8 @@ def _spikes(solution: Solution, axis: str) -> Iterator[_ReportedCause]:
         positive=all(end.positive for end in ends),
         # Bandwidth and sampling do the same to both ends.
         variance=float(np.mean([np.sqrt(end.variance) for end in ends])) ** 2,
-        reason=next((end.reason for end in ends if end.reason), "")
-        or (
-            ""
-            if len(ends) > 1
-            else f"the arc holds one reversal point of the axis only: {FULL_CIRCLE}"
-        ),
+        reason=next((end.reason for end in ends if end.reason), None)
+        or (None if len(ends) > 1 else by_full_circle(say("undetermined.one_reversal"))),
     )
     for spike, end in zip(found, ends, strict=True):
         yield end
@@ -362,12 +357,7 @@ def _spike(
         positive=value >= 0.0,
         variance=variance,
         more=more,
-        reason=(
-            "the samples after the reversal are too few to tell a spike from lost motion: sample"
-            " faster or lower the feed"
-            if error > max(_NO_SPIKE, abs(value))
-            else ""
-        ),
+        reason=(say("undetermined.spike") if error > max(_NO_SPIKE, abs(value)) else None),
     )
 
 
@@ -420,7 +410,7 @@ def _symptoms(test: CircularTest, solution: Solution) -> Iterator[_ReportedCause
     none, still = np.zeros(solution.draws.values.shape[0]), np.zeros_like(samples.theta)
 
     def stated(
-        name: str, found: tuple[float, float] | None, reason: str, *, detail: bool
+        name: str, found: tuple[float, float] | None, reason: Sentence, *, detail: bool
     ) -> _ReportedCause:
         value, error = found or (0.0, 0.0)
         return _ReportedCause(
@@ -431,23 +421,23 @@ def _symptoms(test: CircularTest, solution: Solution) -> Iterator[_ReportedCause
             detail=detail,
             positive=True,
             variance=error**2,
-            reason="" if found else reason,
+            reason=None if found else reason,
         )
 
     yield _vibration(solution)
     for axis in AXES:
         reason = (
-            f"too few samples near the reversals of the {axis} axis: measure at a lower feed"
+            say("undetermined.few_near_reversals", axis=axis)
             if test.full_circle
-            else f"the arc has too few samples where the {axis} axis reverses: {FULL_CIRCLE}"
+            else by_full_circle(say("undetermined.few_at_reversal", axis=axis))
         )
         yield stated(f"stick_slip_{axis}", stick_slip(solution, axis), reason, detail=False)
     for order in (2, 3):
         found = lobes(solution, order) if test.full_circle else None
-        reason = f"lobes belong to a closed circle: {FULL_CIRCLE}"
+        reason = by_full_circle(say("undetermined.lobes"))
         yield stated(f"lobes_{order}", found, reason, detail=True)
     found = positional_tolerance(solution, calibrated=test.calibrated) if test.full_circle else None
-    reason = f"an arc does not show the errors of the whole square: {FULL_CIRCLE}"
+    reason = by_full_circle(say("undetermined.square"))
     yield stated("positional_tolerance", found, reason, detail=True)
 
 
@@ -473,7 +463,7 @@ def _vibration(solution: Solution) -> _ReportedCause:
             positive=True,
             variance=(0.5 * found.hidden) ** 2 if known else 0.0,
             more={"frequency": None},
-            reason="" if known else f"the {significant(span, 3)} s of the run have too few samples",
+            reason=None if known else say("undetermined.few_in_time", time=span),
         )
     runs = np.unique(samples.run)
     parts = [f"_vibration_{part}_{int(number)}" for number in runs for part in ("cos", "sin")]

@@ -28,6 +28,7 @@ from compwright.records.correction import AxisCompensation, ControlState
 from compwright.records.job import AxisJob, Job
 from compwright.records.plan import PlannedTest
 from compwright.records.prediction import AxisPrediction
+from compwright.words.sentences import Sentence
 
 
 def start_task(
@@ -39,7 +40,7 @@ def start_task(
     return start_axis(*task, no_correction)
 
 
-def gain_task(task: tuple[AxisWork, Correction]) -> str:
+def gain_task(task: tuple[AxisWork, Correction]) -> Sentence | None:
     """Return why a table would not improve its axis (`why_no_gain`)."""
     return why_no_gain(*task)
 

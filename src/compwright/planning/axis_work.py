@@ -53,6 +53,7 @@ from compwright.records.plan import PlannedAxis, PlannedTest
 from compwright.records.positioning import PositioningTest
 from compwright.records.prediction import AxisPrediction, TestPrediction
 from compwright.records.result import PositioningResult
+from compwright.words.sentences import Sentence, say
 
 
 class CapacityOf(Protocol):
@@ -82,7 +83,7 @@ class AxisWork:
     planned: PlannedAxis
     as_found: Correction
     capacity: Capacity | None = None
-    refused: str = ""
+    refused: Sentence | None = None
     chosen: FittedTable | None = None
     alternative: FittedTable | None = None
     doubts: tuple[Finding, ...] = ()
@@ -324,8 +325,8 @@ def _offered(
         yield finding
 
 
-def why_no_gain(work: AxisWork, new: Correction) -> str:
-    """Return why ``new``, the table as read back, would not improve the axis enough; empty where it
+def why_no_gain(work: AxisWork, new: Correction) -> Sentence | None:
+    """Return why ``new``, the table as read back, would not improve the axis enough; None where it
     does.
 
     It is compared with the present correction of the control and with the gain that the job
@@ -351,7 +352,7 @@ def why_no_gain(work: AxisWork, new: Correction) -> str:
     fitted = work.planned.fitted
     if why and fitted is not None:
         stuck = unapplied_step_findings(work.planned.axis, fitted.compensation)
-        why = "; ".join([why, *(finding.message for finding in stuck)])
-    if why or work.planned.request.gain == "any":
+        why = say("listed", items=[why, *(finding.sentence for finding in stuck)], more=0)
+    if why is not None or work.planned.request.gain == "any":
         return why
     return why_not_seen(before, old, fresh)

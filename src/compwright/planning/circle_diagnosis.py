@@ -26,7 +26,7 @@ def diagnose_circle(test: CircularTest, standard: str) -> CircularResult:
     try:
         return replace(result, diagnosis=_diagnosed(result.test))
     except InputError as error:
-        reason = "; ".join(str(replace(fault, file="")) for fault in error.faults)
+        reason = "; ".join(str(replace(fault, file="", hint="")) for fault in error.faults)
         return replace(result, not_applicable={**result.not_applicable, "diagnosis": reason})
 
 

@@ -31,7 +31,7 @@ from compwright.records.conditions import CircularBudget, Thermal
 from compwright.records.job import CircleRequest, Job
 from compwright.records.plan import PlannedCircle
 from compwright.records.prediction import CirclePrediction
-from compwright.words.sentences import say
+from compwright.words.sentences import Sentence, say
 
 CIRCULAR_STANDARD = "iso230-4:2005"
 #: A circular deviation that grows by this factor or less gets no finding; the numbers show it.
@@ -72,14 +72,26 @@ def as_shown_at_feed(effect: CircularEffect) -> CircularEffect:
     return replace(effect, value=effect.value - off, std_error=float(np.sqrt(variance)))
 
 
-def why_undetermined(works: Iterable[CircleWork], name: str) -> Iterator[str]:
+def why_undetermined(works: Iterable[CircleWork], name: str) -> Iterator[Sentence]:
     """Yield why each of these circles has no value of a cause, with the name of the circle."""
     for work in works:
         diagnosis = work.result.diagnosis
         if diagnosis is None:
-            yield f"{work.name}: {work.result.not_applicable.get('diagnosis', 'no diagnosis')}"
+            yield _without_causes(work.result.test)
         elif name in diagnosis.undetermined:
-            yield f"{work.name}: {diagnosis.undetermined[name]}"
+            reason = diagnosis.undetermined[name]
+            yield say("undetermined.of_circle", circle=work.name, reason=reason)
+
+
+def _without_causes(test: CircularTest) -> Sentence:
+    """Return that a circle has no causes, and of how many samples it is made."""
+    return say(
+        "undetermined.causes",
+        circle=test.name,
+        samples=sum(run.angles.size for run in test.runs),
+        arc=test.arc[1],
+        directions=len({run.sense for run in test.runs}),
+    )
 
 
 def start_circle(
@@ -227,13 +239,8 @@ def undecided_circle_findings(predictions: Mapping[str, CirclePrediction]) -> tu
     52 % were within the 90 % bands.
     """
     return tuple(
-        Finding.of(
-            "CW-P134",
-            "warning",
-            circle=name,
-            why=circle.before.not_applicable.get("diagnosis", "not determined"),
-        )
-        for name, circle in predictions.items()
+        Finding.of("CW-P134", "warning", causes=_without_causes(circle.before.test))
+        for circle in predictions.values()
         if circle.accept and circle.before.diagnosis is None
     )
 

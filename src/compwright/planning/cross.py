@@ -22,7 +22,7 @@ from compwright.prediction.circular import commanded_path
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.circular import CircularRun
 from compwright.records.correction import CrossCompensation
-from compwright.records.correction_need import REPEAT, correction_need, shortfall
+from compwright.records.correction_need import correction_need, shortfall
 from compwright.records.job import CrossRequest, Job, other_axis
 from compwright.records.plan import PlannedCross
 from compwright.words.sentences import Sentence, say
@@ -229,7 +229,7 @@ class _Planner:
         mine = (work for work in self.circles if frozenset(work.planned.test.axes) == pair)
         if angle is not None:
             why = shortfall(angle.value * _PPM, angle.std_error * _PPM)
-            self.find("CW-P106.uncertain", "error", plane=plane, why=why, repeat=REPEAT)
+            self.find("CW-P106.uncertain", "error", plane=plane, why=why)
         elif reasons := list(why_undetermined(mine, "squareness")):
             self.find("CW-P106.undetermined", "error", plane=plane, reasons=reasons)
         else:

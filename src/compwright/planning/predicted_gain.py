@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import partial
 
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.simulated_repeat_tests import (
@@ -21,6 +22,7 @@ from compwright.prediction.positioning import fresh_slopes, predict_test
 from compwright.records.axis import Axis, Direction
 from compwright.records.prediction import Quantiles, TestPrediction
 from compwright.records.result import PositioningResult
+from compwright.words.sentences import Amount, Sentence, say
 
 
 def predict(
@@ -79,8 +81,8 @@ def why_not_better(
     after: PositioningResult,
     old: Mapping[str, Quantiles],
     new: Mapping[str, Quantiles],
-) -> str:
-    """Return why a table would not improve the axis, or an empty text when it does.
+) -> Sentence | None:
+    """Return why a table would not improve the axis, None when it does.
 
     ``before``, ``after``: the measured test re-evaluated with what the control does now and with
     what the new files give; ``old``, ``new``: what newly dithered targets will show, from the same
@@ -88,46 +90,53 @@ def why_not_better(
     """
     name = judged_parameter(before)
     if name is None:
-        return ""
-    factor = outside_factor(before.test.kind.unit)
-    unit = shown_unit(before.test.kind.unit)
+        return None
+    amount = partial(_amount, before)
     was, becomes = before.parameters[name], after.parameters[name]
     if was is not None and becomes is not None and abs(becomes) >= abs(was):
-        return (
-            f"the measured test re-evaluated with the table gives {name} {becomes * factor:.2f}"
-            f" {unit}, without it {was * factor:.2f} {unit}"
+        return say(
+            "CW-P001.measured", parameter=name, with_table=amount(becomes), without=amount(was)
         )
     if name in new and name in old and abs(new[name].median) >= abs(old[name].median):
-        return (
-            f"at new targets {name} is expected to be {new[name].median * factor:.2f} {unit} with"
-            f" the table, {old[name].median * factor:.2f} {unit} without it"
+        return say(
+            "CW-P001.new_targets",
+            parameter=name,
+            with_table=amount(new[name].median),
+            without=amount(old[name].median),
         )
-    return ""
+    return None
 
 
 def why_not_seen(
     before: PositioningResult, old: Mapping[str, Quantiles], new: Mapping[str, Quantiles]
-) -> str:
-    """Return why no test would show what a table gains, or an empty text when one does: the
-    parameter that judges tables falls by no more than one standard deviation by which it differs
-    from test to test.
+) -> Sentence | None:
+    """Return why no test would show what a table gains, None when one does.
+
+    The parameter that judges tables has to fall by more than the standard deviation by which it
+    differs from test to test.
 
     Arguments as of `why_not_better`, which has found the table better.
     """
     name = judged_parameter(before)
     if name is None or name not in new or name not in old:
-        return ""
-    factor = outside_factor(before.test.kind.unit)
-    unit = shown_unit(before.test.kind.unit)
+        return None
     was, becomes = (abs(each[name].median) for each in (old, new))
     spread = parameter_spread(new[name])
     if was - becomes > spread:
-        return ""
-    return (
-        f"at new targets {name} is expected to be {becomes * factor:.2f} {unit} with a further"
-        f" table, {was * factor:.2f} {unit} without it, and differs by {spread * factor:.2f} {unit}"
-        " from one test to the next: the gain is within the uncertainty"
+        return None
+    amount = partial(_amount, before)
+    return say(
+        "CW-P001.not_seen",
+        parameter=name,
+        with_table=amount(becomes),
+        without=amount(was),
+        spread=amount(spread),
     )
+
+
+def _amount(result: PositioningResult, value: float) -> Amount:
+    unit = result.test.kind.unit
+    return Amount(value * outside_factor(unit), shown_unit(unit))
 
 
 def parameter_spread(shown: Quantiles) -> float:

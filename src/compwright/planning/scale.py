@@ -33,7 +33,7 @@ from compwright.records.estimate import ErrorEstimate
 from compwright.records.fitted import FittedTable, TableRequest
 from compwright.records.job import AS_FOUND, AxisJob, Job
 from compwright.records.plan import PlannedAxis
-from compwright.words.sentences import say
+from compwright.words.sentences import Sentence, say
 
 #: A feed is low when the softest usual position loop shrinks the circle by no more than this part
 #: of its radius.
@@ -44,7 +44,6 @@ _PPM = 1e6
 #: Least error of a scale by the fit, um/m.
 _LEAST = 0.05
 #: What gives a scale for certain.
-MEASURE = "Measure the axis with a laser, or repeat the circle at a low feed."
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,8 +93,8 @@ def _scaled(
 ) -> ScaleCorrection:
     name = entry.axis.name
     found = list(_values(name, circles, checks))
-    values = [entry for entry in found if not isinstance(entry, str)]
-    reasons = [entry for entry in found if isinstance(entry, str)]
+    values = [entry for entry in found if not isinstance(entry, Sentence)]
+    reasons = [entry for entry in found if isinstance(entry, Sentence)]
     if not values:
         return ScaleCorrection(
             name,
@@ -117,9 +116,7 @@ def _scaled(
         return ScaleCorrection(
             name,
             None,
-            Finding.of(
-                "CW-P119.undetermined", "error", axis=name, why=why, tests=source, measure=MEASURE
-            ),
+            Finding.of("CW-P119.undetermined", "error", axis=name, why=why, tests=source),
         )
     try:
         planned = _planned(entry, scale, capacity, state)
@@ -139,7 +136,7 @@ def _scaled(
 
 def _values(
     name: str, circles: Sequence[CircleWork], checks: CircleChecks
-) -> Iterator[tuple[ValueWithError, str] | str]:
+) -> Iterator[tuple[ValueWithError, Sentence] | Sentence]:
     """Yield the scale as it is now with its source, or why a circle does not give it."""
     mine = [work for work in circles if name in work.planned.test.axes]
     slow = [
@@ -150,7 +147,7 @@ def _values(
     for work in slow:
         stated = scale_error(work, _index(work, name))
         if stated is not None:
-            yield _now(stated, work, name, checks), f"{work.name} at a low feed"
+            yield _now(stated, work, name, checks), say("CW-P119.low_feed", circle=work.name)
     if slow:
         return
     pairs = list(_two_feeds(mine, name))
@@ -158,7 +155,7 @@ def _values(
         fast, slower, stated = max(pairs, key=lambda pair: shrinking(pair[0]) / shrinking(pair[1]))
         yield (
             _now(stated, slower, name, checks),
-            f"{slower.name} and {fast.name} extrapolated to no feed",
+            say("CW-P119.two_feeds", slow=slower.name, fast=fast.name),
         )
         return
     for work in mine:
@@ -167,7 +164,7 @@ def _values(
 
 def _by_mismatch(
     work: CircleWork, name: str, checks: CircleChecks
-) -> tuple[ValueWithError, str] | str:
+) -> tuple[ValueWithError, Sentence] | Sentence:
     index = _index(work, name)
     lacking = list(why_undetermined((work,), "scale_mismatch"))
     if lacking:
@@ -175,21 +172,14 @@ def _by_mismatch(
     between, laser = mismatch(work), checks.laser(work, 1 - index)
     if between is None or laser is None:
         if not work.planned.test.calibrated:
-            return (
-                f"the bar of {work.name} was not calibrated, and its other axis has no positioning"
-                " test"
-            )
-        return (
-            f"the lag of the axes may shrink {work.name} by {shrinking(work) * _PPM:.0f} µm/m at"
-            " its feed (a low feed, two feeds, or a positioning test of its other axis would"
-            " settle it)"
-        )
+            return say("CW-P119.not_calibrated", circle=work.name)
+        return say("CW-P119.lag", circle=work.name, lag=shrinking(work) * _PPM)
     # The mismatch is first minus second.
     own = laser.scale.value + (between.value if index == 0 else -between.value)
     stated = ValueWithError(own, float(np.hypot(between.std_error, laser.scale.std_error)))
     return (
         _now(stated, work, name, checks),
-        f"the mismatch of {work.name} and the laser on {work.planned.test.axes[1 - index]}",
+        say("CW-P119.mismatch", circle=work.name, axis=work.planned.test.axes[1 - index]),
     )
 
 

@@ -9,6 +9,7 @@ from typing import Literal
 
 from compwright.records.axis import Direction
 from compwright.records.correction import Assumption, AxisCompensation, Beyond, Interpolation
+from compwright.words.sentences import Sentence
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -96,7 +97,7 @@ class Capacity:
     anchored: bool = False
     spacings: tuple[float, ...] | None = None
     min_spacing: float = 0.0
-    min_spacing_reason: str = ""
+    min_spacing_reason: Sentence | None = None
     period: float | None = None
     second_curve: Literal["chosen", "asked"] = "chosen"
     line: float | None = None

@@ -11,8 +11,9 @@ from typing import Final, Literal
 from compwright.foundations.findings import Finding
 from compwright.foundations.provenance import Source
 from compwright.records.axis import FloatArray
-from compwright.records.correction_need import REPEAT, correction_need, shortfall
+from compwright.records.correction_need import correction_need, shortfall
 from compwright.records.result import ExpandedUncertainty
+from compwright.words.sentences import Sentence
 
 Sense = Literal["ccw", "cw"]
 
@@ -148,12 +149,12 @@ class Diagnosis:
     residual: float
     correlation_length: float
     findings: tuple[Finding, ...] = ()
-    undetermined: Mapping[str, str] = field(default_factory=dict)
+    undetermined: Mapping[str, Sentence] = field(default_factory=dict)
     fitted: tuple[FittedRun, ...] = ()
     fresh: tuple[FreshRun, ...] = ()
 
     @property
-    def not_given(self) -> Mapping[str, str]:
+    def not_given(self) -> Mapping[str, Sentence]:
         """Reasons of the causes that have no value for the outside: those that are undetermined,
         and a squareness that is not known well enough.
         """
@@ -164,8 +165,7 @@ class Diagnosis:
             or correction_need(effect.value, effect.std_error) != "undetermined"
         ):
             return self.undetermined
-        reason = f"{shortfall(effect.value, effect.std_error)}: {REPEAT}"
-        return {**self.undetermined, "squareness": reason}
+        return {**self.undetermined, "squareness": shortfall(effect.value, effect.std_error)}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

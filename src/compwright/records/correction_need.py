@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import Final, Literal
 
+from compwright.words.sentences import Sentence, say
+
 #: Two standard errors of a corrected value stay below this, µm/m, and below half of the value.
 MOST_UNCERTAIN: Final = 30.0
 #: A value that stays below this with two standard errors, µm/m, needs no correction.
 NEGLIGIBLE: Final = 15.0
-#: What lowers the uncertainty of a circular test.
-REPEAT: Final = "measure full circles in both directions, and give all of them"
 _BOTH_SIDES: Final = 2.0  # standard errors to either end of the 95 % interval
 
 Need = Literal["correct", "negligible", "undetermined"]
@@ -30,9 +30,7 @@ def most_uncertain(value: float) -> float:
     return min(0.5 * abs(value), MOST_UNCERTAIN)
 
 
-def shortfall(value: float, std_error: float) -> str:
-    """Return why a value (µm/m) is undetermined."""
-    return (
-        f"{value:+.1f} ± {_BOTH_SIDES * std_error:.1f} µm/m is not known well enough: the"
-        f" uncertainty (k = 2) must be below half of the value and below {MOST_UNCERTAIN:g} µm/m"
-    )
+def shortfall(value: float, std_error: float) -> Sentence:
+    """Return why a value (µm/m) is undetermined, and what to measure."""
+    error = _BOTH_SIDES * std_error
+    return say("undetermined.value", value=value, error=error, most=MOST_UNCERTAIN)

@@ -9,32 +9,11 @@ from dataclasses import dataclass
 from typing import Final
 
 from compwright.foundations.findings import Finding
-from compwright.foundations.numerals import significant
 from compwright.records.verification import Candidate, LoadingName, LoadingVerdict
-from compwright.words.sentences import say
+from compwright.words.sentences import Sentence, say
 
 #: Verdicts for a table that was active as in the files.
 ACTIVE: Final[tuple[LoadingName, ...]] = ("loaded", "thermal")
-_DID: Final[dict[LoadingName, str]] = {
-    "not_active": "was not active",
-    "inverted": "was active with the opposite sign",
-    "scaled": "was active with factor {factor}",
-    "shifted": "was active, shifted by {shift} points",
-    "mirrored": "was active, mirrored over the travel",
-    "wrong_axis": "was not the active one: that of another axis was",
-    "one_direction": "was active in one direction only",
-    "backlash": "was active with a different backlash",
-    "partial": "was active over a part of the travel only",
-    "measurement": "and the readings do not go together: one of the tests was measured wrongly",
-    "undecided": "did something else ({which})",
-}
-#: What would have shown the same: the tests tell only by how much they differ.
-_AS_WELL: Final[dict[LoadingName, str]] = {
-    "not_active": (
-        "or it was active in {off} as well: both show the same axis (was it off for {off}?)"
-    ),
-    "inverted": "or the two tests are exchanged",
-}
 #: Least probability of a fault, named or not; and of a candidate that is listed.
 _CLEAR: Final = 0.99
 _LISTED: Final = 0.05
@@ -73,26 +52,25 @@ class ExistingTableVerdict:
         """What may have happened, the likeliest first."""
         return tuple(each for each in self.verdict.candidates if each.probability >= _LISTED)
 
-    def refusal(self, look_at: Sequence[str]) -> str:
+    def refusal(self, look_at: Sequence[str]) -> Sentence:
         """Return why no table is written; ``look_at``: what to look at on the control."""
         found = self.verdict
-        did = _DID[found.verdict].format(
-            factor=significant(found.factor, 2),
-            shift=f"{found.shift_nodes:+d}",
-            which=_words(self.likely),
-        )
-        detail = found.detail or found.of or ""
-        more = f" ({detail})" if detail else ""
-        names = dict.fromkeys((found.verdict, *(each.verdict for each in self.likely)))
-        as_well = "".join(
-            f", {_AS_WELL[name].format(off=self.off)}" for name in names if name in _AS_WELL
-        )
-        percent = min(100.0 * (1.0 - self.probability_active), 99.9)
-        look = f" Look at: {' '.join(look_at)}" if look_at else ""
-        return (
-            f"the tests {self.off} and {self.on} contradict what the files say, {percent:.1f} %"
-            f" sure: the table of state {self.state} {did}{more} in {self.on}{as_well}. A total of"
-            f" old and new would be wrong by as much.{look}".rstrip(".")
+        names = {found.verdict, *(each.verdict for each in self.likely)}
+        return say(
+            "CW-P001.old_table",
+            off=self.off,
+            on=self.on,
+            state=self.state,
+            percent=min(100.0 * (1.0 - self.probability_active), 99.9),
+            did=found.verdict,
+            factor=found.factor,
+            shift=found.shift_nodes,
+            likely=self._likely_sentences(),
+            detail=found.detail or found.of or "",
+            # Both tests show the same then: only their difference speaks.
+            off_too="not_active" in names,
+            exchanged="inverted" in names,
+            look_at=[sentence.rstrip(".") for sentence in look_at],
         )
 
     def finding(self) -> Finding | None:
@@ -112,18 +90,15 @@ class ExistingTableVerdict:
             off=self.off,
             on=self.on,
             state=self.state,
-            likely=[
-                say(
-                    "loading.likely",
-                    verdict=each.verdict.replace("_", " "),
-                    percent=100.0 * each.probability,
-                )
-                for each in self.likely
-            ],
+            likely=self._likely_sentences(),
         )
 
-
-def _words(likely: Sequence[Candidate]) -> str:
-    return ", ".join(
-        f"{each.verdict.replace('_', ' ')} {100.0 * each.probability:.0f} %" for each in likely
-    )
+    def _likely_sentences(self) -> list[Sentence]:
+        return [
+            say(
+                "loading.likely",
+                verdict=each.verdict.replace("_", " "),
+                percent=100.0 * each.probability,
+            )
+            for each in self.likely
+        ]

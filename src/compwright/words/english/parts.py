@@ -43,6 +43,35 @@ SENTENCES: Final[dict[str, str]] = {
     "reading_off": "{traverse} at {target} ({off} off)",
     "scale_by": "{axis}: scale {scale} by {tests:join|; }",
     "traverse": "run {run} in {direction}",
+    "undetermined.causes": (
+        "{circle}: its causes cannot be determined from {samples} samples over {arc:g}° in"
+        " {directions:plural|one direction|both directions}"
+    ),
+    "undetermined.few_at_reversal": "the arc has too few samples where the {axis} axis reverses",
+    "undetermined.few_in_time": "the {time:3sig} s of the run have too few samples",
+    "undetermined.few_near_reversals": (
+        "too few samples near the reversals of the {axis} axis: measure at a lower feed"
+    ),
+    "undetermined.full_circle": "{reasons:join|; }: measure a full circle in both directions",
+    "undetermined.lobes": "lobes belong to a closed circle",
+    "undetermined.no_reversal": "{axis} does not reverse inside the arc",
+    "undetermined.of_circle": "{circle}: {reason}",
+    "undetermined.one_direction": "one direction cannot separate it from lag and lost motion",
+    "undetermined.one_reversal": "the arc holds one reversal point of the axis only",
+    "undetermined.prior": (
+        "{value:+3sig} ± {error:2sig} {unit} is not known well enough: the samples add little to"
+        " what machines have (±{width:g}, standard deviation)"
+    ),
+    "undetermined.spike": (
+        "the samples after the reversal are too few to tell a spike from lost motion: sample faster"
+        " or lower the feed"
+    ),
+    "undetermined.square": "an arc does not show the errors of the whole square",
+    "undetermined.value": (
+        "{value:+.1f} ± {error:.1f} µm/m is not known well enough: the uncertainty (k = 2) must be"
+        " below half of the value and below {most:g} µm/m. Measure full circles in both directions,"
+        " and give all of them"
+    ),
     "value_with_error": "{value:+.1f} ± {error:.1f} {unit}",
     "with_and_without": "{parameter} {value} with, {without} without",
 }

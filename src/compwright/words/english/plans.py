@@ -6,6 +6,33 @@ from typing import Final
 
 SENTENCES: Final[dict[str, str]] = {
     "CW-P001": "No table is written for axis {axis}: {why}.",
+    "CW-P001.measured": (
+        "the measured test re-evaluated with the table gives {parameter} {with_table}, without it"
+        " {without}"
+    ),
+    "CW-P001.new_targets": (
+        "at new targets {parameter} is expected to be {with_table} with the table, {without}"
+        " without it"
+    ),
+    "CW-P001.not_seen": (
+        "at new targets {parameter} is expected to be {with_table} with a further table, {without}"
+        " without it, and differs by {spread} from one test to the next: the gain is within the"
+        " uncertainty"
+    ),
+    "CW-P001.old_table": (
+        "the tests {off} and {on} contradict what the files say ({percent:.1f} % sure): the table"
+        " of state {state} {did:choose|not_active=was not active|inverted=was active with the"
+        " opposite sign|scaled=was active with factor {factor:2sig}|shifted=was active, shifted by"
+        " {shift:+d} points|mirrored=was active, mirrored over the travel|wrong_axis=was not the"
+        " active one: that of another axis was|one_direction=was active in one direction"
+        " only|backlash=was active with a different backlash|partial=was active over a part of the"
+        " travel only|measurement=and the readings do not go together: one of the tests was"
+        " measured wrongly|undecided=did something else ({likely:join|, or })}"
+        "{detail:if| ({detail})} in {on}"
+        "{off_too:if|, or it was active in {off} as well: both show the same axis (was it off for"
+        " {off}?)}{exchanged:if|, or the two tests are exchanged}. A total of old and new would be"
+        " wrong by as much{look_at:if|. Look at: {look_at:join|. }}"
+    ),
     "CW-P101": (
         "Circle {circle}: its place in the machine is not given; the middle of the travel is"
         " assumed ({centre}). Give its centre: the effect of the tables depends on it."
@@ -27,9 +54,7 @@ SENTENCES: Final[dict[str, str]] = {
         "apply.squareness.{plane} is not corrected: the job has no circle of this plane."
         " Measure one in both directions."
     ),
-    "CW-P106.uncertain": (
-        "apply.squareness.{plane} is not corrected: squareness {why}. To correct it, {repeat}."
-    ),
+    "CW-P106.uncertain": "apply.squareness.{plane} is not corrected: squareness {why}.",
     "CW-P106.undetermined": (
         "apply.squareness.{plane} is not corrected: its squareness is not determined."
         " {reasons:join|; }."
@@ -85,8 +110,19 @@ SENTENCES: Final[dict[str, str]] = {
         " circle lies on it}."
     ),
     "CW-P119.undetermined": (
-        "{axis}: its scale is not corrected: {why}. It comes from {tests:join|; }. {measure}"
+        "{axis}: its scale is not corrected: {why}. It comes from {tests:join|; }. Or measure the"
+        " axis with a laser, or repeat the circle at a low feed."
     ),
+    "CW-P119.lag": (
+        "the lag of the axes may shrink {circle} by {lag:.0f} µm/m at its feed (a low feed, two"
+        " feeds, or a positioning test of its other axis would decide it)"
+    ),
+    "CW-P119.low_feed": "{circle} at a low feed",
+    "CW-P119.mismatch": "the mismatch of {circle} and the laser on {axis}",
+    "CW-P119.not_calibrated": (
+        "the bar of {circle} was not calibrated, and its other axis has no positioning test"
+    ),
+    "CW-P119.two_feeds": "{slow} and {fast} extrapolated to no feed",
     "CW-P120": (
         "{scale}; its table corrects it. The temperature of bar and scale at the test is in"
         " it: 1 K is 11 µm/m of steel."
@@ -130,9 +166,8 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-P133.parameter": "{parameter} {value} (limit {limit:g})",
     "CW-P133.period": "every {period:.5g} {unit} ({probability:.0%})",
     "CW-P134": (
-        "Circle {circle}: its causes are not known ({why}), so that the predicted band is too"
-        " narrow to decide its limits: undecided. Measure a full circle in both directions,"
-        " or decide by the test after loading."
+        "Circle {causes}, so the predicted band is too narrow to decide its limits: undecided."
+        " Measure a full circle in both directions, or decide by the test after loading."
     ),
     "CW-P135": "Circles {circles} as one machine: {machine:if|{machine}|nothing that they show}.",
     "CW-P135.error": (
@@ -249,7 +284,7 @@ SENTENCES: Final[dict[str, str]] = {
         "The table in state {measured_in} is the mirror image of test {test} ({size:.1f}"
         " {unit}): the table was made from this test and was not active in it. A further"
         " table would correct the same error twice. Measure again with the table active, or"
-        " name under measured_in the state in which the test was taken."
+        " name under measured_in the state in which the test was taken"
     ),
     "CW-P162.after": (
         "the file of the test after loading states compensation {both:if|both on and off|off}, but"

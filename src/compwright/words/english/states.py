@@ -196,6 +196,10 @@ SENTENCES: Final[dict[str, str]] = {
         " control's own manual: what compensates among them cancels only as long as the grid"
         " stays"
     ),
+    "CW-F011.feed": (
+        "at {feed:g} {unit}/min ({of:choose|option=option max_feed|rapid=rapid traverse 1420}) the"
+        " control needs at least {least:g}: feed / {rule} ({evidence})"
+    ),
     "CW-S060": (
         "Read back, not independently judged: only your own definition of {definition} says"
         " what its files do. A sign or a unit that is wrong in it is wrong in all of this."

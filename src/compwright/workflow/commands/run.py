@@ -157,7 +157,7 @@ def write_planned(
             "" if finished.stated else f"{job.file}: {NO_STATE}" if job.file else NO_STATE_OPTION
         ),
         refused={
-            name: work.refused
+            name: str(work.refused)
             for name, work in finished.works.items()
             if work.refused and not work.stops
         },

@@ -118,7 +118,7 @@ def axis_view(work: AxisWork, loaded: DecodedState | None) -> dict[str, Any]:
         "mode": fitted.mode if fitted else None,
         "mode_reason": fitted.mode_reason if fitted else None,
         "certificate": dict(fitted.certificate) if fitted else {},
-        "refused": work.refused,
+        "refused": str(work.refused or ""),
         "predicted_targets": expected_targets(work, loaded),
         "findings": finding_documents(work.findings),
     }

@@ -85,10 +85,10 @@ def _not_twice(job: Job, work: AxisWork) -> AxisWork:
         doubts = tuple(each for each in work.doubts if each.code != MIRRORED)
         return replace(work, doubts=doubts)
     name = work.planned.axis.name
-    why = [each.message for each in work.doubts if each.code == MIRRORED]
+    why = [each.sentence for each in work.doubts if each.code == MIRRORED]
     if not why or job.acknowledgement(MIRRORED, name) is not None:
         return work
-    return replace(work, refused=why[0].rstrip("."))
+    return replace(work, refused=why[0])
 
 
 def _not_alike(measured: Measured) -> dict[str, list[PositioningTest]]:

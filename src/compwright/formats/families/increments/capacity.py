@@ -17,6 +17,7 @@ from compwright.foundations.errors import Fault, UsageError, raise_all
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.capacity import Capacity, Lattice, Wave
 from compwright.records.correction import Assumption
+from compwright.words.sentences import Sentence, say
 
 #: A table has two sections or more.
 MIN_SECTIONS = 2
@@ -170,17 +171,14 @@ class IncrementLimits:
         self._assume("point numbers for its table", f"at most {gap} in a row", evidence)
         return gap
 
-    def _least_spacing(self) -> tuple[float, str]:
+    def _least_spacing(self) -> tuple[float, Sentence | None]:
         """Return the smallest interval for the largest feed: the option's, and the rapid traverse
         in the control's files.
         """
         rule = self.definition.limit("feed_per_spacing")
         if rule is None or rule.number is None:
-            return 0.0, ""
-        named = {
-            "option max_feed": self.options.get("max_feed"),
-            "rapid traverse 1420": self.facts.rapid_feed,
-        }
+            return 0.0, None
+        named = {"option": self.options.get("max_feed"), "rapid": self.facts.rapid_feed}
         feeds = {
             name: float(feed)
             for name, feed in named.items()
@@ -192,11 +190,15 @@ class IncrementLimits:
                 " (1420)"
             )
             self._assume("smallest interval for its feed", why, str(rule.evidence))
-            return 0.0, ""
+            return 0.0, None
         name = max(feeds, key=lambda one: feeds[one])
         least = feeds[name] / rule.number
-        reason = (
-            f"at {feeds[name]:g} {self.axis.kind.unit}/min ({name}) the control needs at least"
-            f" {least:g}: feed / {rule.number} ({rule.evidence.state})"
+        return least, say(
+            "CW-F011.feed",
+            feed=feeds[name],
+            unit=self.axis.kind.unit,
+            of=name,
+            least=least,
+            rule=rule.number,
+            evidence=rule.evidence.state,
         )
-        return least, reason
