@@ -53,7 +53,11 @@ def grid_of(readings: Readings, kind: AxisKind, faults: FaultList) -> ReadingGri
     one_sided: dict[float, str] = {}
     if not faults:
         if not len(readings):
-            faults.add("holds no readings", expected="at least one reading below the header")
+            faults.add(
+                "holds no readings",
+                expected="at least one reading below the header",
+                hint="add the readings below the header row, or export the file again",
+            )
         _check_size(readings, faults)
         faults.raise_if_any()
         _check_unique(readings, kind, faults)
@@ -107,6 +111,7 @@ def _check_unique(readings: Readings, kind: AxisKind, faults: FaultList) -> None
                     f"target {as_text(reading.target)} {kind.unit}, direction {reading.direction},"
                     f" run {reading.run} also in {readings.place(first)}"
                 ),
+                hint="remove one of the two, or give it another run number",
             )
 
 
@@ -151,6 +156,7 @@ def _check_both_directions(
                     f" ({readings.place(positive[target])})"
                 ),
                 found=f"{as_text(near)} {kind.unit} in direction -",
+                hint="write the same target in both directions",
             )
         else:
             found[target] = (positive[target], "+")
@@ -178,6 +184,7 @@ def _note_one_sided(
         place=place,
         expected="readings in both directions at each target",
         found=f"target {as_text(target)} {kind.unit} in direction {direction} only",
+        hint="export the file again with all its readings",
     )
 
 
@@ -189,6 +196,7 @@ def _check_size(readings: Readings, faults: FaultList) -> None:
             "the readings do not form a table of targets and runs",
             expected="each run at most of the targets",
             found=f"{len(readings)} readings at {targets} targets in {traverses} runs",
+            hint="give each run of the test the same run number in all its rows",
         )
     for count, most, what in (
         (len(readings), MOST_READINGS, "readings"),
@@ -199,4 +207,5 @@ def _check_size(readings: Readings, faults: FaultList) -> None:
                 f"holds too many {what}",
                 expected=f"at most {most} in one test",
                 found=str(count),
+                hint="give one test per file",
             )

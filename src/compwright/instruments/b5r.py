@@ -95,6 +95,7 @@ def read_b5r(content: bytes, file: str, name: str) -> CircularTest:
         faults.add(
             "holds no readings: the test was set up, or its header exported, without a measurement",
             expected="RUN_RESULTS with a BALLBAR_RUN and its READINGS",
+            hint="make the measurement, then save the file again",
         )
         faults.raise_if_any()
     runs = _runs(elements, spec, faults)
@@ -179,6 +180,7 @@ def _spec(bar: Element, faults: FaultList) -> _Spec:
             place=f"line {bar.line}, DYNAMIC_BALLBAR/END_ANGLE",
             expected=f"at least {SMALLEST_ARC:g} deg from START_ANGLE to END_ANGLE",
             found=f"{extent:g} deg, from {start:g} to {end:g}",
+            hint=f"measure an arc of {SMALLEST_ARC:g} deg or more",
         )
     plane, axes = _plane(bar, faults)
     return _Spec(
@@ -203,7 +205,11 @@ def _plane(bar: Element, faults: FaultList) -> tuple[str, tuple[str, str]]:
     if letters is None:
         place = f"line {(element or bar).line}, DYNAMIC_BALLBAR/PLANE"
         faults.add(
-            "names no plane", place=place, expected="TEST_PLANE XY, YZ or ZX", found=shown(plane)
+            "names no plane",
+            place=place,
+            expected="TEST_PLANE XY, YZ or ZX",
+            found=shown(plane),
+            hint="write the plane into a copy of the file: <TEST_PLANE>XY</TEST_PLANE>",
         )
         return "", ("", "")
     if all(named):
@@ -257,6 +263,7 @@ def _run(
                 " side"
             ),
             found=f"{readings.size}",
+            hint="save the file again in the ballbar software: readings are missing or doubled",
         )
     along = (np.arange(count) + 0.5) * spec.extent / count
     begin = spec.start % 360.0
@@ -282,6 +289,7 @@ def _readings(element: Element, faults: FaultList) -> FloatArray | None:
             place=place,
             expected=expected,
             found=str(len(tokens)),
+            hint="save the file again in the ballbar software",
         )
         return None
     values: list[float] = []
@@ -320,16 +328,21 @@ def _indices(
     place = f"line {element.line}, BALLBAR_RUN"
     if last >= readings.size:
         faults.add(
-            "END_INDEX lies outside the readings",
+            "END_INDEX is outside the readings",
             place=place,
             expected=f"at most {readings.size - 1}, the last",
             found=str(last),
+            hint="save the file again in the ballbar software: readings are missing",
         )
         return None
     if last - first + 1 < FEWEST_SAMPLES:
         expected = f"at least {FEWEST_SAMPLES} samples from START_INDEX to END_INDEX"
         faults.add(
-            "has too few samples", place=place, expected=expected, found=f"{first} to {last}"
+            "has too few samples",
+            place=place,
+            expected=expected,
+            found=f"{first} to {last}",
+            hint="measure at a lower feed, or with a higher sample rate",
         )
         return None
     return first, last

@@ -78,6 +78,7 @@ def sweep_of(sense: Sense, number: int, angles: FloatArray, faults: FaultList) -
             place=name,
             expected=f"at least {FEWEST_SAMPLES}",
             found=str(angles.size),
+            hint="export the run with all its samples, or measure it again",
         )
         return None
     order = np.argsort(angles, kind="stable")
@@ -92,6 +93,7 @@ def sweep_of(sense: Sense, number: int, angles: FloatArray, faults: FaultList) -
             place=name,
             expected="one traverse of at most 360 deg, without overshoot",
             found=f"angles from {ascending[0]:.10g} to {ascending[-1]:.10g}",
+            hint="cut the start and the end of the run off, or give each traverse its own `run`",
         )
         return None
     closed = around <= _ONE_SAMPLE * step + _TINY
@@ -113,6 +115,7 @@ def sweep_of(sense: Sense, number: int, angles: FloatArray, faults: FaultList) -
             place=name,
             expected=f"at least {SMALLEST_ARC:g} deg",
             found=f"{sweep.extent:.6g} deg from {ascending[0] % 360.0:.6g} deg",
+            hint=f"measure an arc of {SMALLEST_ARC:g} deg or more",
         )
         return None
     return sweep
@@ -176,4 +179,5 @@ def check_same_arc(
             place=names[1],
             expected=f"{one[1]:.6g} deg from {one[0] % 360.0:.6g} deg as in {names[0]}",
             found=f"{other[1]:.6g} deg from {other[0] % 360.0:.6g} deg",
+            hint="give runs of the same arc only",
         )

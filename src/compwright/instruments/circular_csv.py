@@ -202,7 +202,8 @@ def axes_of_plane(text: str) -> tuple[str, str] | None:
 def _note_missing(key: str, example: str, faults: FaultList) -> None:
     faults.add(
         f"key '{key}' is missing",
-        expected=f"a comment line such as '# {key}: {example}' above the header row",
+        expected="a comment line with its value",
+        hint=f"add the line `# {key}: {example}` above the header row",
     )
 
 
@@ -214,6 +215,7 @@ def _note_wrong(
         place=comments.places[key],
         expected=expected,
         found=shown(comments.get(key)),
+        hint=f"correct the line `# {key}: ...`",
     )
 
 
@@ -271,6 +273,7 @@ def _value_column(table: CsvTable, faults: FaultList) -> str:
                 place=place,
                 expected="direction, angle_deg and a value",
                 found=found,
+                hint=f"name that column {column} in the header row",
             )
     values = [column for column in table.columns if column in CIRCULAR_VALUES]
     inches = in_inches(table.columns)
@@ -288,6 +291,7 @@ def _value_column(table: CsvTable, faults: FaultList) -> str:
             place=place,
             expected=" or ".join(CIRCULAR_VALUES),
             found=found,
+            hint="name the column of the values radius_mm or deviation_um in the header row",
         )
     if len(values) > 1:
         faults.add(
@@ -295,6 +299,7 @@ def _value_column(table: CsvTable, faults: FaultList) -> str:
             place=place,
             expected=" or ".join(CIRCULAR_VALUES),
             found=", ".join(values),
+            hint="leave one of these columns out",
         )
     if len(values) != 1 or not {"direction", "angle_deg"} <= set(table.columns):
         faults.raise_if_any()
@@ -323,6 +328,7 @@ def _samples(
             place=table.place("angle_deg")(index),
             expected=f"-{LARGEST_ANGLE:g} to {LARGEST_ANGLE:g} deg",
             found=f"{angles[index]:g}",
+            hint="write the angle in degrees",
         )
     whole = (senses >= 0) & (runs > 0) & np.isfinite(angles) & np.isfinite(values)
     lines = np.array(table.lines, dtype=np.int64)
@@ -337,7 +343,11 @@ def _samples(
         if ours.size
     }
     if not samples and not faults:
-        faults.add("holds no samples", expected="at least one run below the header")
+        faults.add(
+            "holds no samples",
+            expected="at least one run below the header",
+            hint="add the samples below the header row",
+        )
     for (sense, run), of_run in samples.items():
         _check_unique(of_run, f"{sense} run {run}", numbered, faults)
     return samples
@@ -349,6 +359,7 @@ def _check_size(table: CsvTable, faults: FaultList) -> None:
             "holds too many samples",
             expected=f"at most {MOST_READINGS} in one test",
             found=str(len(table.lines)),
+            hint="give one test per file",
         )
         faults.raise_if_any()
 
@@ -370,6 +381,7 @@ def _check_unique(samples: _Samples, name: str, numbered: bool, faults: FaultLis
                     else "a column 'run' if a direction has several"
                 ),
                 found=f"{angle:.10g} deg of {name} also in line {first}",
+                hint="remove one of the two, or add a column `run` that counts the runs",
             )
 
 
@@ -426,6 +438,10 @@ def _check_unit(radii: FloatArray, nominal: float, name: str, faults: FaultList)
         place=f"{name}, column radius_mm",
         expected=f"about {nominal:.10g} mm",
         found=f"{middle:.10g}{hint}",
+        hint=(
+            "correct `# nominal_radius_mm`, or name the column by its unit (radius_mm,"
+            " deviation_um)"
+        ),
     )
 
 

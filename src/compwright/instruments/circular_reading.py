@@ -132,6 +132,7 @@ def merge_circular(tests: Sequence[CircularTest], name: str) -> CircularTest:
                 place=name,
                 expected="each run once",
                 found=", ".join(names),
+                hint="give each file once",
             )
     faults.raise_if_any()
     runs = [run for test in tests for run in test.runs]
@@ -178,6 +179,7 @@ def _check_same_test(one: CircularTest, other: CircularTest, faults: FaultList) 
             place=names[1],
             expected=f"{expected} as in {names[0]}",
             found=found,
+            hint="give the files of one test only, or correct this value in one of them",
         )
 
     if (one.plane, one.axes) != (other.plane, other.axes):

@@ -138,7 +138,11 @@ def _take_decisive(comments: Comments, key: str, value: str, place: str, faults:
     before = comments.header.get(key)
     if before is not None and before != value:
         faults.add(
-            f"key '{key}' is given twice", place=place, expected=shown(before), found=shown(value)
+            f"key '{key}' is given twice",
+            place=place,
+            expected=shown(before),
+            found=shown(value),
+            hint="keep one of the two lines",
         )
         return
     comments.header[key] = value
@@ -160,6 +164,7 @@ def cycle_of(comments: Comments, faults: FaultList) -> Cycle | None:
             place=comments.places["cycle"],
             expected="standard or step",
             found=shown(value),
+            hint="write `# cycle: standard` or `# cycle: step`",
         )
     return None
 
@@ -175,5 +180,9 @@ def sign_of(comments: Comments, faults: FaultList) -> float | None:
             place=comments.places["deviation"],
             expected="'measured minus target' or 'target minus measured'",
             found=shown(value),
+            hint=(
+                "write `# deviation: measured minus target`, or `# deviation: target minus"
+                " measured`"
+            ),
         )
     return _SIGNS.get(value)

@@ -19,7 +19,7 @@ from compwright.foundations.findings import Finding
 from compwright.foundations.input_sizes import MOST_TARGETS
 from compwright.instruments.answers import Answers
 from compwright.instruments.assembling import as_text
-from compwright.instruments.fault_list import FaultList, shown
+from compwright.instruments.fault_list import FaultList, by_profile, shown
 from compwright.instruments.foreign_units import LENGTHS
 from compwright.instruments.numbers import DecimalMarks, parse_number
 from compwright.instruments.parsed import Parsed
@@ -113,10 +113,11 @@ def read_compensation_text(text: Sequence[str], faults: FaultList, answers: Answ
     kind = found.get("compensation type").lower()
     if kind not in {"", "absolute"}:
         faults.add(
-            "holds values of a type that is not read",
+            "contains values of an unknown type",
             place=found.place("compensation type"),
             expected="Absolute",
             found=shown(found.get("compensation type")),
+            hint="export the table as absolute values, or give the file of the test (.rtl)",
         )
     grid = _grid(found, marks, faults)
     columns = _columns(found, grid, marks, faults)
@@ -186,13 +187,15 @@ def _sign(found: _Text, answers: Answers, faults: FaultList) -> float:
     if not written and answers.sign is not None:
         return 1.0 if answers.sign == "measured minus target" else -1.0
     faults.add(
-        "nothing tells whether the values are errors or corrections"
-        if not written
-        else "the sign is of a kind that is not known",
+        (
+            "the file does not state whether its values are errors or corrections"
+            if not written
+            else "the sign convention is unknown"
+        ),
         place=found.place("sign convention"),
-        expected="a line 'Sign convention' with 'As errors' or 'As corrections', or a profile with"
-        " the sign (compwright profile FILE --out P.yaml, then --profile P.yaml)",
+        expected="a line 'Sign convention' with 'As errors' or 'As corrections'",
         found=shown(found.get("sign convention")) if written else "",
+        hint=f"state the sign in a profile: {by_profile(faults.file)}",
     )
     return 1.0
 
@@ -203,12 +206,20 @@ def _length(
     written = found.get(key)
     if not written or written.lower() in _NONE:
         if needed:
-            faults.add(f"'{key.capitalize()}' is missing", expected="a length in mm")
+            faults.add(
+                f"'{key.capitalize()}' is missing",
+                expected="a length in mm",
+                hint="export the table again with this line",
+            )
         return None
     match = _NUMBER_WITH_UNIT.fullmatch(written)
     if match is None or match["unit"].lower() not in {"", "mm"}:
         faults.add(
-            "is no length in mm", place=found.place(key), expected="mm", found=shown(written)
+            "is not a length in mm",
+            place=found.place(key),
+            expected="mm",
+            found=shown(written),
+            hint="export the table in mm",
         )
         return None
     return marks.parse(match["number"], place=found.place(key), column=key)
@@ -229,6 +240,7 @@ def _grid(found: _Text, marks: DecimalMarks, faults: FaultList) -> list[float]:
             place=found.place("compensation spacing"),
             expected="an end that is whole spacings beyond the start",
             found=f"{as_text(start)}, {as_text(end)} and {as_text(spacing)} mm",
+            hint="export the table again",
         )
         return []
     return [start + index * spacing for index in range(round(steps) + 1)]
@@ -244,9 +256,11 @@ def _columns(
     }
     if grid and len(found.rows) != len(grid):
         faults.add(
-            "has not as many rows as start, end and spacing promise; the file may have been cut",
+            "has fewer or more rows than its start, end and spacing state; the file may have been"
+            " cut",
             expected=str(len(grid)),
             found=str(len(found.rows)),
+            hint="export the table again",
         )
     for index, (number, line) in enumerate(found.rows):
         cells = line.split()
@@ -289,7 +303,12 @@ def _unit(
     """Return the factor of the values to mm: 1, unless they may be counts of the resolution."""
     if answers.unit is not None:
         if answers.unit not in LENGTHS:
-            faults.add("is a table of lengths", expected=" or ".join(LENGTHS), found=answers.unit)
+            faults.add(
+                "is a table of lengths",
+                expected=" or ".join(LENGTHS),
+                found=answers.unit,
+                hint="correct `unit` in the profile",
+            )
         return LENGTHS.get(answers.unit, 1.0)
     match = _NUMBER_WITH_UNIT.fullmatch(found.get("compensation resolution"))
     of_one = match is not None and _is_one(match["number"])
@@ -297,11 +316,11 @@ def _unit(
     whole = all(abs(value - round(value)) <= _MULTIPLE for value in values) and any(values)
     if whole and not of_one:
         faults.add(
-            "the values are whole numbers: nothing tells whether they are mm or counts of the"
-            " compensation resolution",
+            "the values are whole numbers: mm, or counts of the compensation resolution",
             place=found.place("compensation resolution"),
-            expected="a profile with the unit of the values (compwright profile FILE --out P.yaml)",
+            expected="a stated unit of the values",
             found=shown(found.get("compensation resolution")),
+            hint=f"state the unit of the values in a profile: {by_profile(faults.file)}",
         )
     return 1.0
 
@@ -321,11 +340,15 @@ def _check_directions(
     backlash = _length(found, "backlash error", marks, faults, needed=False)
     if "combined" not in columns or backlash != 0.0:
         faults.add(
-            "holds one table for both directions, and how its backlash is split between them is not"
-            " known",
+            "contains one table for both directions; how its backlash is split between them is"
+            " unknown",
             place=found.place("backlash error"),
-            expected="columns Forward and Reverse, a backlash error of 0, or the test (.rtl)",
+            expected="columns Forward and Reverse, or a backlash error of 0",
             found=shown(found.get("backlash error")),
+            hint=(
+                "give the file of the test (.rtl), or export the table with columns Forward and"
+                " Reverse"
+            ),
         )
 
 

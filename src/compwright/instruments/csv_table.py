@@ -107,6 +107,7 @@ class CsvTable:
                         place=place(index),
                         expected=f"{words[0]} or {words[1]}",
                         found=shown(text),
+                        hint=f"write {words[0]} or {words[1]}",
                     )
         return np.fromiter(map(known.__getitem__, cells), np.int64, len(cells))
 
@@ -256,6 +257,7 @@ def read_table(lines: Sequence[tuple[int, str]], faults: FaultList) -> CsvTable:
                 place=f"line {number}",
                 expected="each column once",
                 found=shown(name),
+                hint="rename or remove one of the two columns",
             )
     at, cells = _rows(lines[1:], delimiter, columns, faults)
     return _without_unnamed(CsvTable(delimiter, number, columns, at, cells), faults)
@@ -270,16 +272,20 @@ def _rows(
         cells = row_cells(line, delimiter)
         if cells is None:
             faults.add(
-                "a quote is not closed on its line", place=f"line {number}", found=shown(line)
+                "a quote is not closed on its line",
+                place=f"line {number}",
+                found=shown(line),
+                hint="close the quote, or remove it",
             )
         elif len(cells) == len(columns):
             found.add(number, cells)
         elif any(cells):
             faults.add(
-                "the row has not as many cells as the header row",
+                "the row has fewer or more cells than the header row",
                 place=f"line {number}",
                 expected=f"{len(columns)} cells with the {DELIMITERS[delimiter]} as delimiter",
                 found=f"{len(cells)}{_decimal_comma_hint(cells, delimiter, len(columns))}",
+                hint="give this row as many cells as the header row",
             )
     return found.lines, found.columns()
 
@@ -342,10 +348,11 @@ def _without_unnamed(table: CsvTable, faults: FaultList) -> CsvTable:
             for line, cell in zip(table.lines, table.cells[index], strict=True):
                 if cell:
                     faults.add(
-                        "a value stands below a column without a name",
+                        "a value is in a column without a name",
                         place=f"line {line}, column {index + 1}",
                         expected="a name in the header row or an empty cell",
                         found=shown(cell),
+                        hint="name this column in the header row, or empty the cell",
                     )
     kept = [index for index, name in enumerate(table.columns) if name]
     return replace(

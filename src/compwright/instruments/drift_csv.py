@@ -57,10 +57,11 @@ def read_drift(content: bytes, file: str, kind: AxisKind | None = None) -> Drift
     lacking = [name for name in (TIME, _VALUE[kind]) if name not in table.columns]
     if lacking:
         faults.add(
-            f"is no stand-still test of a {kind.value} axis",
+            f"is not a stand-still test of a {kind.value} axis",
             place=f"line {table.line}",
             expected=f"the columns {TIME} and {_VALUE[kind]}",
             found=shown(", ".join(table.columns)),
+            hint=f"name the columns {TIME} and {_VALUE[kind]} in the header row",
         )
         faults.raise_if_any()
     marks = DecimalMarks(faults)
@@ -88,10 +89,16 @@ def _refuse_too_few(rows: list[tuple[float, float]], faults: FaultList) -> None:
     times = [minutes for minutes, _ in rows]
     twice = [minutes for minutes, count in Counter(times).items() if count > 1]
     if twice:
-        faults.add("a time is given twice", expected="each time once", found=f"{twice[0]:g} min")
+        faults.add(
+            "a time is given twice",
+            expected="each time once",
+            found=f"{twice[0]:g} min",
+            hint="remove one of the two rows",
+        )
     if not faults and len(rows) < _FEWEST:
         faults.add(
             "has too few readings to show a drift",
             expected=f"{_FEWEST} at least, over the time that a positioning test takes",
             found=str(len(rows)),
+            hint="record for as long as a positioning test takes",
         )

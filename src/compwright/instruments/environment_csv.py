@@ -78,6 +78,7 @@ def read_environment(content: bytes, file: str) -> EnvironmentRecord:
             place=table.place(TIME)(int(index)),
             expected="each time once",
             found=shown(table.of(TIME)[int(index)]),
+            hint="remove one of the two rows",
         )
     faults.raise_if_any()
     return EnvironmentRecord(

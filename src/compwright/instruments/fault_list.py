@@ -5,14 +5,13 @@ one kind.
 from __future__ import annotations
 
 import re
+import shlex
 from collections import Counter
 
 from compwright.foundations.errors import Fault, InputError
 
 #: Faults of one kind that are listed one by one; the rest are counted.
 SHOWN_PER_KIND = 10
-#: The next step where a fault has none of its own.
-CORRECT = "correct this in a copy of the file, or export the file again"
 _SHOWN_CHARACTERS = 60
 _LINE = re.compile(r"line ([0-9]{1,9})")
 
@@ -36,9 +35,12 @@ class FaultList:
         place: str = "",
         expected: str = "",
         found: str = "",
-        hint: str = CORRECT,
+        hint: str = "",
     ) -> None:
-        """Note one fault; the first `SHOWN_PER_KIND` of a kind are kept with their places."""
+        """Note one fault; the first `SHOWN_PER_KIND` of a kind are kept with their places.
+
+        Without a ``hint`` the next step is to correct the place.
+        """
         self._count[message] += 1
         if self._count[message] <= SHOWN_PER_KIND:
             self._shown.append(
@@ -48,7 +50,8 @@ class FaultList:
                     place=place,
                     expected=expected,
                     found=found,
-                    hint=hint,
+                    hint=hint
+                    or f"correct {place or 'the file'} in a copy, or export the file again",
                 )
             )
 
@@ -74,6 +77,11 @@ def _line(fault: Fault) -> float:
     """Line of a fault; a missing part has none and comes last."""
     match = _LINE.match(fault.place)
     return int(match[1]) if match else float("inf")
+
+
+def by_profile(file: str) -> str:
+    """Return the commands that read a table of another program."""
+    return f"`compwright profile {shlex.quote(file)} --out P.yaml`, then `--profile P.yaml`"
 
 
 def shown(text: str) -> str:

@@ -67,9 +67,10 @@ def foreign_table(
     """
     if header_line > len(text):
         faults.add(
-            "the header row is not there",
+            "has no such header row",
             place=f"line {header_line}",
             expected=f"header_line of at most {len(text)}",
+            hint="correct `header_line` in the profile",
         )
         return ForeignTable()
     body = [
@@ -88,6 +89,7 @@ def foreign_table(
             place=f"line {header_line or body[0][0]}",
             expected=f"at most {MOST_COLUMNS}",
             found=str(width),
+            hint="give a file with the readings of one test",
         )
         return ForeignTable()
     rows = GatheredRows(width)
@@ -104,6 +106,10 @@ def foreign_table(
                 place=f"line {number}",
                 expected=f"{width} cells",
                 found=f"{len(cells)}: {shown(line)}",
+                hint=(
+                    "remove the surplus cells of this row, or correct `header_line` and `delimiter`"
+                    " in the profile"
+                ),
             )
             continue
         rows.add(number, cells + [""] * (width - len(cells)))

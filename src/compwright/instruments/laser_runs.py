@@ -19,7 +19,7 @@ from compwright.foundations.units import ARCSECONDS_PER_DEGREE
 from compwright.instruments.answers import Answers
 from compwright.instruments.assembling import as_text
 from compwright.instruments.csv_table import GatheredRows
-from compwright.instruments.fault_list import FaultList, shown
+from compwright.instruments.fault_list import FaultList, by_profile, shown
 from compwright.instruments.foreign_units import ANGLES, LENGTHS
 from compwright.instruments.mean_blocks import is_mean_blocks
 from compwright.instruments.numbers import DecimalMarks, parse_count
@@ -177,6 +177,7 @@ def _kind(sections: FileSections, faults: FaultList) -> AxisKind:
             place=where,
             expected="File type: rtl (linear) or rta (angular)",
             found=shown(written) if written else "no line 'File type' below HEADER::",
+            hint="give a positioning test (.rtl or .rta)",
         )
         faults.raise_if_any()
     return _KINDS[name]
@@ -259,31 +260,42 @@ def _count(sections: FileSections, section: str, key: str, faults: FaultList) ->
 def _check_counts(sections: FileSections, runs: _Runs, faults: FaultList) -> None:
     promised = _count(sections, _TARGETS, "Target-count", faults)
     if not runs.targets:
-        faults.add("holds no targets", expected="numbers below 'Targets :' in TARGET DATA::")
+        faults.add(
+            "holds no targets",
+            expected="numbers below 'Targets :' in TARGET DATA::",
+            hint="export the file again",
+        )
     elif promised is not None and promised != len(runs.targets):
         faults.add(
-            "has not as many targets as it says",
+            "contains fewer or more targets than it states",
             place=sections.value(_TARGETS, "Target-count")[1],
             expected=f"{promised} numbers below 'Targets :'",
             found=f"{len(runs.targets)}",
+            hint="export the file again",
         )
     if not runs.rows:
-        faults.add("holds no readings", expected="rows below 'Run Target Data:' in DEVIATIONS::")
+        faults.add(
+            "holds no readings",
+            expected="rows below 'Run Target Data:' in DEVIATIONS::",
+            hint="make the measurement, then export the file again",
+        )
     for run, rows in runs.rows.items():
         beyond = rows.indices > len(runs.targets) if runs.targets else rows.indices < 0
         for index, line in zip(rows.indices[beyond], rows.lines[beyond], strict=True):
             faults.add(
-                "names a target that is not there",
+                "names an unknown target",
                 place=place(line),
                 expected=f"1 to {len(runs.targets)}",
                 found=str(index),
+                hint="export the file again",
             )
         for line in rows.lines if runs.promised is not None and run > runs.promised else ():
             faults.add(
-                "names a run that is not there",
+                "names an unknown run",
                 place=place(line),
                 expected=f"1 to {runs.promised} (Run-count)",
                 found=str(run),
+                hint="export the file again",
             )
 
 
@@ -300,10 +312,10 @@ def _directions(
     steps = {int(np.sign(b - a)) for a, b in pairwise(runs.targets)}
     if len(steps) > 1 or 0 in steps:
         faults.add(
-            "the targets stand neither from low to high nor from high to low, so that nothing tells"
-            " from which side they were approached",
+            "the targets are in no order, so the direction of each approach is unknown",
             place=sections.value(_TARGETS, "Target-count")[1],
-            expected="targets in one order; else export the readings as plain CSV",
+            expected="targets from low to high or from high to low",
+            hint="export the readings as plain CSV with a column `direction`",
         )
         return {}, (), []
     rising = steps != {-1}
@@ -322,9 +334,12 @@ def _directions(
         faults.add(
             "the order of its rows contradicts its direction",
             place=place(runs.rows[wrong].lines[0]),
-            expected="rows from the first target to the last in odd runs, and in all runs of a test"
-            " in one direction (Flags: 0 1 2 0)",
+            expected=(
+                "rows from the first target to the last in odd runs, and in all runs of a test"
+                " in one direction (Flags: 0 1 2 0)"
+            ),
             found=f"run {wrong} from the last target to the first",
+            hint="export the readings as plain CSV with a column `direction`",
         )
     if one_way:
         numbered = {run: (out, n) for n, run in enumerate(sorted([*odd, *even]), start=1)}
@@ -388,6 +403,7 @@ def _unit(
                 place="unit",
                 expected=" or ".join(units),
                 found=answers.unit,
+                hint="correct `unit` in the profile",
             )
         return units.get(answers.unit, 1.0), (), None
     factor = units[_UNIT[kind]]
@@ -396,12 +412,14 @@ def _unit(
     largest = max(float(np.max(np.abs(rows.values))) for rows in runs.rows.values())
     if 0.0 < largest < _LEAST_MICRORADIAN:
         faults.add(
-            "nothing in the file tells the unit of its angles, and its numbers are too small to be"
-            " surely microradian",
-            expected="a profile with the line 'unit: urad' or 'unit: mrad' (compwright profile"
-            " FILE --out P.yaml, then --profile P.yaml): compare one number with the instrument's"
-            " own report",
+            "the file does not state the unit of its angles, and its numbers may be too small for"
+            " microradian",
+            expected="a stated unit",
             found=f"no deviation larger than {as_text(largest)}",
+            hint=(
+                "compare one number with the instrument's report, then state `unit: urad` or"
+                f" `unit: mrad` in a profile: {by_profile(faults.file)}"
+            ),
         )
     arcsec = as_text(round(largest * factor * ARCSECONDS_PER_DEGREE, 4))
     return (

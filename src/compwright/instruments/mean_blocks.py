@@ -89,7 +89,12 @@ def read_mean_blocks(text: Sequence[str], faults: FaultList, answers: Answers) -
     faults.raise_if_any()
     unit = answers.unit or "mm"
     if unit not in LENGTHS:
-        faults.add("is a file of lengths", expected=" or ".join(LENGTHS), found=unit)
+        faults.add(
+            "is a file of lengths",
+            expected=" or ".join(LENGTHS),
+            found=unit,
+            hint="correct `unit` in the profile",
+        )
         faults.raise_if_any()
     factor = LENGTHS[unit] * (-1.0 if answers.sign == "target minus measured" else 1.0)
     listed = list(out)
@@ -141,7 +146,12 @@ def _blocks(
         if title is not None:
             which = _WHICH[title["which"].lower()]
             if which in blocks:
-                faults.add("a block is given twice", place=f"line {number}", found=shown(line))
+                faults.add(
+                    "a block is given twice",
+                    place=f"line {number}",
+                    found=shown(line),
+                    hint="remove one of the two blocks",
+                )
             current = blocks[which] = {}
         elif blocks and line.strip():
             if not _ROW.fullmatch(line.strip()):
@@ -149,10 +159,11 @@ def _blocks(
                 continue
             if current is None:
                 faults.add(
-                    "stands below no title of means",
+                    "is below no title of means",
                     place=f"line {number}",
                     expected="rows directly below 'Position  Forward Directional Avg Error'",
                     found=shown(line),
+                    hint="remove this row, or export the file again",
                 )
                 continue
             row = _row(number, line, marks, faults)
@@ -161,6 +172,7 @@ def _blocks(
                     "a position is given twice",
                     place=f"line {number}",
                     found=shown(line),
+                    hint="remove one of the two rows",
                 )
             elif row is not None:
                 current[row[0]] = (row[1], number)
@@ -214,15 +226,17 @@ def _both_ways(
         return {}, {}, False
     if any(set(block) != set(given[0]) for block in given):
         faults.add(
-            "the blocks of means stand at different positions; the file may have been cut off",
+            "the blocks of means have different positions; the file may have been cut off",
             expected="the same positions in each",
             found=", ".join(f"{len(block)} rows" for block in given),
+            hint="export the file again",
         )
         return {}, {}, False
     if out is None:
         faults.add(
-            "holds no means of the way out alone, so that the directions cannot be separated",
+            "contains no means of the way out alone, so the directions cannot be separated",
             expected="a block 'Forward Directional Avg Error'",
+            hint="export the file again with the block 'Forward Directional Avg Error'",
         )
         return {}, {}, False
     if both is None:
@@ -240,6 +254,7 @@ def _both_ways(
                 place=f"line {line}",
                 expected=as_text((out[position][0] + back[position][0]) / 2.0),
                 found=as_text(value),
+                hint="export the file again",
             )
     return out, back, False
 

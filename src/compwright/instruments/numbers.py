@@ -208,6 +208,7 @@ class DecimalMarks:
                 place=comma.place,
                 expected="a decimal point, or semicolon or tab as delimiter",
                 found=shown(comma.text),
+                hint="save the file with a decimal point, or with the semicolon as delimiter",
             )
         elif point.count and comma.count:
             rare, other = sorted((point, comma), key=lambda marked: marked.count)
@@ -219,19 +220,17 @@ class DecimalMarks:
                     f"{shown(rare.text)} here and {shown(other.text)} in {other.place}"
                     f" ({point.count} with a point, {comma.count} with a comma)"
                 ),
+                hint="write all numbers with the same decimal mark",
             )
         # A comma is the usual thousands mark of English text: it is refused until one number of the
         # file proves it decimal.
         elif comma.count and not comma.proven:
             self._faults.add(
-                "may be a decimal fraction or a number with thousands marks: nothing in the file"
-                " tells which",
+                "may be a decimal fraction, or a number with thousands marks",
                 place=comma.place,
-                expected=(
-                    "numbers without thousands marks, decimals written so that one of them shows it"
-                    " (1000.0)"
-                ),
+                expected="numbers of which at least one shows the decimal mark",
                 found=shown(comma.text),
+                hint="write the number without thousands mark, or with decimals (1000.0)",
             )
 
     def doubtful_point(self) -> str:

@@ -14,18 +14,13 @@ from compwright.instruments.csv_table import (
     in_inches,
     is_number,
 )
-from compwright.instruments.fault_list import shown
+from compwright.instruments.fault_list import by_profile, shown
 
 #: The forms that `read_positioning` reads, by their names in messages.
 ACCEPTED_FORMS = (
-    "a plain CSV file (columns target_mm or target_deg, direction, run and a deviation or measured"
-    " value; or target and one column per traverse), target data (TGT_DATA[1]=...), or a file of"
-    " laser software (.rtl, .rta, .pos, .ren); any other table by a mapping profile (compwright"
-    " profile FILE --out P.yaml, then --profile P.yaml)"
-)
-_BY_PROFILE = (
-    "a mapping profile that says which column holds what (compwright profile FILE --out P.yaml,"
-    " then --profile P.yaml)"
+    "a plain CSV file (columns target_mm, direction, run, deviation_um; or target_mm and one column"
+    " per traverse), target data (TGT_DATA[1]=...), or a file of laser software (.rtl, .rta, .pos,"
+    " .ren)"
 )
 _NEWEST_FORM = 1
 _FORM_KEY = re.compile(r"positioning\s+([0-9]{1,9})")
@@ -80,18 +75,14 @@ def refuse_other_files(lines: Sequence[tuple[int, str]], comments: Comments, fil
         raise InputError(
             Fault(
                 message=(
-                    "is a table of the Status Pro software, whose columns are not "
-                    "documented: Delta may be the step between positions, and AX1 "
-                    "and AX3 are across"
+                    "is a table of the Status Pro software, whose columns are not documented: Delta"
+                    " may be the step between positions; AX1 and AX3 are across the axis"
                 ),
                 file=file,
                 place=f"line {number}",
-                expected=_BY_PROFILE,
+                expected="a mapping profile that states the column of the deviations",
                 found=f"columns {', '.join(names[:8])}",
-                hint=(
-                    "describe the columns with `compwright profile FILE --out "
-                    "P.yaml`, then add `--profile P.yaml`"
-                ),
+                hint=f"describe the columns with {by_profile(file)}",
             )
         )
     if not count and names:
@@ -149,9 +140,6 @@ def _unknown_form(number: int, first: str, names: Sequence[str], file: str) -> I
             place=f"line {number}",
             expected=ACCEPTED_FORMS,
             found=what,
-            hint=(
-                "describe a table of another program with `compwright profile "
-                "FILE --out P.yaml`, then add `--profile P.yaml`"
-            ),
+            hint=f"describe a table of another program with {by_profile(file)}",
         )
     )

@@ -66,6 +66,7 @@ def parts_by_axis(
                 place=f"line {line}",
                 expected="X, Y, Z1, ..",
                 found=shown(written) if written else "an empty cell",
+                hint="write the axis into this row",
             )
     taken = set(rows)
     return tuple(

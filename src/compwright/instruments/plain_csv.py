@@ -27,7 +27,7 @@ from compwright.instruments.csv_table import (
     plain_signs,
     traverse_of,
 )
-from compwright.instruments.fault_list import FaultList, shown
+from compwright.instruments.fault_list import FaultList, by_profile, shown
 from compwright.instruments.numbers import DecimalMarks, counts_of
 from compwright.instruments.parts import AXIS_COLUMN
 from compwright.instruments.reading_findings import unread_finding
@@ -86,6 +86,10 @@ def read_csv(table: CsvTable, comments: Comments, faults: FaultList) -> CsvReadi
             place=f"line {table.line}",
             expected="either direction, run and a value, or one column per traverse (+1, -1, ...)",
             found=_listed([*long, *traverses]),
+            hint=(
+                "name the columns either target_mm, direction, run, deviation_um, or target_mm, +1,"
+                " -1, ..."
+            ),
         )
     marks = DecimalMarks(faults)
     value = "" if traverses else _value_column(table, target, faults)
@@ -136,11 +140,9 @@ def _refuse_unsigned(table: CsvTable, wide: bool, faults: FaultList) -> None:  #
         faults.add(
             "traverse columns are not named by direction and run",
             place=f"line {table.line}",
-            expected=(
-                "+1, -1, +2, -2, ... (another name, without a number, for a column that is no"
-                " traverse)"
-            ),
+            expected="+1, -1, +2, -2, ..., or a name without a number",
             found=_listed(bare),
+            hint="rename these columns +1, -1, +2, -2, ...",
         )
         faults.raise_if_any()
 
@@ -159,6 +161,7 @@ def _refuse_twice(
                 place=f"line {table.line}",
                 expected="one column per traverse",
                 found=found,
+                hint="rename or remove one of the two columns",
             )
 
 
@@ -177,6 +180,7 @@ def _note_missing(table: CsvTable, faults: FaultList) -> None:
                     " traverses (+1, -1, ...)"
                 ),
                 found=f"columns {_listed(table.columns)}",
+                hint=f"name that column {column} in the header row",
             )
 
 
@@ -196,11 +200,9 @@ def _target_column(table: CsvTable, faults: FaultList) -> str:
         faults.add(
             "the target column is missing",
             place=f"line {table.line}",
-            expected=(
-                "target_mm or target_deg; a table of another program is read by a mapping profile"
-                " (compwright profile FILE --out P.yaml)"
-            ),
+            expected="target_mm or target_deg",
             found=f"columns {_listed(table.columns)}",
+            hint=f"describe the table with {by_profile(faults.file)}",
         )
     if len(targets) > 1:
         faults.add(
@@ -208,6 +210,7 @@ def _target_column(table: CsvTable, faults: FaultList) -> str:
             place=f"line {table.line}",
             expected="target_mm or target_deg, not both",
             found=_listed(targets),
+            hint="leave one of them out",
         )
     return targets[0] if targets else ""
 
@@ -219,9 +222,9 @@ def _value_column(table: CsvTable, target: str, faults: FaultList) -> str:
         faults.add(
             "the value column is missing",
             place=place,
-            expected=f"one of {', '.join(VALUES)}; a table of another program is read by a mapping"
-            " profile (compwright profile FILE --out P.yaml)",
+            expected=f"one of {', '.join(VALUES)}",
             found=_listed(table.columns),
+            hint=f"describe the table with {by_profile(faults.file)}",
         )
     if len(values) > 1:
         faults.add(
@@ -229,6 +232,7 @@ def _value_column(table: CsvTable, target: str, faults: FaultList) -> str:
             place=place,
             expected="one of them",
             found=_listed(values),
+            hint="leave all but one of these columns out",
         )
     if (
         len(values) == 1
@@ -240,6 +244,7 @@ def _value_column(table: CsvTable, target: str, faults: FaultList) -> str:
             place=place,
             expected=f"a value in {_UNITS_OF[_KIND_OF_TARGET[target]]} with {target}",
             found=values[0],
+            hint="rename the column whose unit is wrong",
         )
     return values[0] if values else ""
 
@@ -253,7 +258,9 @@ def _wide_factor(target: str, comments: Comments, faults: FaultList) -> float:
     )
     if not unit:
         faults.add(
-            "key 'unit' is missing: the wide form needs the unit of its deviations", expected=wanted
+            "key 'unit' is missing: the wide form needs the unit of its deviations",
+            expected=wanted,
+            hint="add the line `# unit: um` (or mm, arcsec, deg) above the header row",
         )
         return 1.0
     known = TO_INSIDE.get(unit) or TO_INSIDE.get(unit.lower())
@@ -266,6 +273,7 @@ def _wide_factor(target: str, comments: Comments, faults: FaultList) -> float:
             place=place,
             expected="um, mm, arcsec or deg",
             found=found,
+            hint="write `# unit: um`, mm, arcsec or deg",
         )
         return 1.0
     if target and known[0] != _KIND_OF_TARGET[target].unit:
@@ -274,6 +282,7 @@ def _wide_factor(target: str, comments: Comments, faults: FaultList) -> float:
             place=place,
             expected=f"{_UNITS_OF[_KIND_OF_TARGET[target]]} with {target}",
             found=shown(unit),
+            hint="correct the line `# unit: ...`, or the name of the target column",
         )
     return known[1]
 
@@ -365,5 +374,6 @@ def _rows_of_new_targets(
             place=table.place(target)(row),
             expected="one row per target",
             found=f"{shown(table.of(target)[row])} also in line {table.lines[above]}",
+            hint="remove one of the two rows, or move the target of one of them",
         )
     return rows

@@ -98,6 +98,7 @@ def read_by_profile(text: Sequence[str], profile: Profile, faults: FaultList) ->
                 place=f"line {profile.header_line}" if profile.header_line else "",
                 expected=shown(name),
                 found=", ".join(table.columns[:12]) or "no columns",
+                hint="write one of these names into the profile",
             )
     axis = axis_above(table.before)
     _refuse_contradictions(table.before, axis, profile, faults)
@@ -151,6 +152,7 @@ def _refuse_contradictions(
                 f"the text above the table and the profile contradict each other: {what}",
                 expected=f"{mine} as in {profile.file}",
                 found=stated,
+                hint="correct the profile, or the text in the file",
             )
 
 
@@ -216,6 +218,7 @@ class _Cells:
                 place=place,
                 expected="one decimal mark throughout, no thousands marks",
                 found=shown(text),
+                hint="correct `decimal` in the profile",
             )
             return np.nan
         try:
@@ -314,6 +317,7 @@ def _refuse_steps(rows: _ProfiledRows, profile: Profile, faults: FaultList) -> N
             "the values are the distances between the targets, not deviations",
             place=f"column {profile.value}",
             expected="the column with deviations or measured positions",
+            hint="correct `value` in the profile: it names the column of the spacing",
         )
 
 
@@ -330,10 +334,11 @@ def _directions(
     for line, word in zip(rows.lines, rows.directions, strict=True):
         if known[word] is None:
             faults.add(
-                "the direction is none of the words of the profile",
+                "the direction is not among the words of the profile",
                 place=f"line {line}, column {profile.direction}",
                 expected=", ".join(profile.directions),
                 found=shown(word),
+                hint="add this word under `directions` of the profile",
             )
         yield known[word]
 
@@ -355,10 +360,11 @@ def _by_order(rows: _ProfiledRows, faults: FaultList) -> Iterator[Direction | No
         steps = np.unique(np.sign(np.diff(targets))).tolist()
         if len(steps) != 1:
             faults.add(
-                "the order of the rows does not tell the directions",
+                "the order of the rows does not show the directions",
                 place=f"line {rows.lines[part.start]}" if part.stop > part.start else "",
                 expected="targets up and down in turns, the one at each end twice",
                 found=f"targets {', '.join(map(as_text, targets[:6].tolist()))}",
+                hint="name a column with the direction in the profile (`direction_from`)",
             )
             yield from [None] * (part.stop - part.start)
         else:
@@ -384,10 +390,11 @@ def _runs(
     for line, text, run in zip(rows.lines, rows.runs, runs, strict=True):
         if not run:
             faults.add(
-                "the run holds not one number of at least 1",
+                "the run is not a number of at least 1",
                 place=f"line {line}, column {profile.run}",
                 expected="1, 2, 3, ..",
                 found=shown(text),
+                hint="name another column as `run` in the profile, or leave it empty",
             )
     if profile.run_counts == "runs":
         return runs

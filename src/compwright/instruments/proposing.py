@@ -70,6 +70,7 @@ def propose(text: Sequence[str], encoding: str, file: str) -> Proposal:
             "holds no table of numbers",
             expected="rows of at least two columns, one of them with targets",
             found=thousands_in(text),
+            hint="give a file with targets in one column and readings in others",
         )
     faults.raise_if_any()
     assert shape is not None  # noqa: S101 - raised above

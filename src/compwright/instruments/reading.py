@@ -16,7 +16,7 @@ from compwright.instruments.answers import NO_ANSWERS
 from compwright.instruments.assembling import grid_of
 from compwright.instruments.code_page import read_plain_lines
 from compwright.instruments.cut_files import cut_findings
-from compwright.instruments.fault_list import FaultList
+from compwright.instruments.fault_list import FaultList, by_profile
 from compwright.instruments.forms import PLAIN_CSV, MeasurementForm, form_of
 from compwright.instruments.hidden_cells import hidden_finding
 from compwright.instruments.own_forms import is_plain_csv
@@ -174,10 +174,7 @@ def _refuse_no_sheet(reads: Sequence[_Read], sheets: Sequence[WorkbookSheet], fi
                     "run, deviation_um)"
                 ),
                 found=_listed([sheet.name for sheet in sheets]) or "empty sheets",
-                hint=(
-                    "describe the sheet with `compwright profile FILE --out P.yaml`, "
-                    "then add `--profile P.yaml`"
-                ),
+                hint=f"describe the sheet with {by_profile(file)}",
             )
         )
 

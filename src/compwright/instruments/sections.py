@@ -148,6 +148,7 @@ def sections_of(text: Sequence[str], faults: FaultList) -> FileSections:
                 place=f"line {number}",
                 expected="one test per file",
                 found=shown(line),
+                hint="remove the lines after EOF::, or give each test its own file",
             )
             break
         if not name:
@@ -160,6 +161,7 @@ def sections_of(text: Sequence[str], faults: FaultList) -> FileSections:
                     f"section {name}:: is given twice",
                     place=f"line {number}",
                     expected="one test per file",
+                    hint="give each test its own file",
                 )
             current = found.lines.setdefault(name, [])
     return found
@@ -208,10 +210,11 @@ def check_units(sections: FileSections, names: Iterable[str], faults: FaultList)
             match = _KEY.fullmatch(text)
             if match and _UNIT_KEY.search(match["key"]) and match["value"].lower() not in _METRIC:
                 faults.add(
-                    "states a unit, and which numbers it is about is not known",
+                    "states a unit, but not of which numbers",
                     place=f"line {number}, {match['key']}",
-                    expected="mm and um, or degrees; else export the readings as plain CSV",
+                    expected="mm and um, or degrees",
                     found=shown(match["value"]),
+                    hint="export the readings as plain CSV",
                 )
 
 

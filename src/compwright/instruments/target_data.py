@@ -189,6 +189,7 @@ def _found(lines: Iterable[tuple[int, str]], faults: FaultList) -> _Found:
                 place=f"line {number}",
                 expected="a line such as TGT_DATA[1]=0.0",
                 found=shown(line),
+                hint="write KEY=value, or remove this line",
             )
             continue
         column = found.columns.get(match["name"])
@@ -214,6 +215,7 @@ def _take_entry(
             place=f"line {line}",
             expected=f"{name}{'[target]' if count == 1 else '[target,cycle]'}, counted from 1",
             found=shown(f"{name}[{(match['indices'] or '').strip()}]"),
+            hint="number the entries from 1",
         )
         return
     column.i.append(indices[0])
@@ -294,6 +296,7 @@ def _unit(keys: Mapping[str, tuple[str, int]], faults: FaultList) -> tuple[str, 
             place=f"line {line}, UNIT",
             expected="mm, um, deg or arcsec",
             found=shown(text),
+            hint="write mm, um, deg or arcsec",
         )
         return TO_INSIDE["mm"]
     return known
@@ -312,6 +315,7 @@ def _check_complete(
         faults.add(
             "holds no readings",
             expected="lines REF_DATA_FWD[target,cycle]= or REF_DATA_BWD[target,cycle]=",
+            hint="make the measurement, then export the file again",
         )
     _check_count(keys, "POSITIONS", positions, "the highest index of TGT_DATA", faults)
     if cycles:
@@ -333,6 +337,7 @@ def _check_block(
             "has no target",
             place=f"line {block.lines[at]}, {name}[{block.i[at]},{block.j[at]}]",
             expected=f"an index up to {positions}" if positions else "lines TGT_DATA[i]=",
+            hint="add the entry TGT_DATA of this target, or export the file again",
         )
     count = positions * cycles - int(inside.sum())
     if block.i.size and count:
@@ -350,7 +355,11 @@ def _note_missing(names: Iterable[str], count: int, faults: FaultList) -> None:
     if count:
         listed = list(islice(names, SHOWN_PER_KIND))
         more = f" and {count - len(listed)} more" if count > len(listed) else ""
-        faults.add("entries are missing", expected=f"{', '.join(listed)}{more}")
+        faults.add(
+            "entries are missing",
+            expected=f"{', '.join(listed)}{more}",
+            hint="export the whole test again",
+        )
 
 
 def _check_count(
@@ -370,4 +379,5 @@ def _check_count(
             place=f"line {line}, {key}",
             expected=f"{found}, {what}",
             found=str(count),
+            hint="export the whole test again",
         )

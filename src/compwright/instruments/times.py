@@ -36,13 +36,20 @@ def times_of(
     for index, cell in enumerate(cells):
         parsed = _time_of(cell.strip())
         if parsed is None:
-            faults.add("is not a time", place=place(index), expected=EXPECTED, found=shown(cell))
+            faults.add(
+                "is not a time",
+                place=place(index),
+                expected=EXPECTED,
+                found=shown(cell),
+                hint="write the time in one of these forms",
+            )
         elif first not in (None, parsed[0]):
             faults.add(
                 "is a time of another form than the first",
                 place=place(index),
                 expected=f"a {first}, as in the first row",
                 found=shown(cell),
+                hint="write all times in the form of the first row",
             )
             parsed = None
         else:

@@ -77,17 +77,17 @@ def why_undetermined(works: Iterable[CircleWork], name: str) -> Iterator[Sentenc
     for work in works:
         diagnosis = work.result.diagnosis
         if diagnosis is None:
-            yield _without_causes(work.result.test)
+            yield _without_causes(work.name, work.result.test)
         elif name in diagnosis.undetermined:
             reason = diagnosis.undetermined[name]
             yield say("undetermined.of_circle", circle=work.name, reason=reason)
 
 
-def _without_causes(test: CircularTest) -> Sentence:
+def _without_causes(name: str, test: CircularTest) -> Sentence:
     """Return that a circle has no causes, and of how many samples it is made."""
     return say(
         "undetermined.causes",
-        circle=test.name,
+        circle=name,
         samples=sum(run.angles.size for run in test.runs),
         arc=test.arc[1],
         directions=len({run.sense for run in test.runs}),
@@ -239,8 +239,8 @@ def undecided_circle_findings(predictions: Mapping[str, CirclePrediction]) -> tu
     52 % were within the 90 % bands.
     """
     return tuple(
-        Finding.of("CW-P134", "warning", causes=_without_causes(circle.before.test))
-        for circle in predictions.values()
+        Finding.of("CW-P134", "warning", causes=_without_causes(name, circle.before.test))
+        for name, circle in predictions.items()
         if circle.accept and circle.before.diagnosis is None
     )
 

@@ -16,6 +16,7 @@ from compwright.foundations.utf8 import encoded
 from compwright.instruments.b5r_elements import ELEMENTS
 from compwright.instruments.circular_reading import circular_form, is_circular
 from compwright.instruments.drift_csv import is_drift
+from compwright.instruments.fault_list import by_profile
 from compwright.instruments.forms import FORMS, PLAIN_CSV, form_of
 from compwright.instruments.own_forms import is_plain_csv
 from compwright.instruments.profile import SIGNS, Profile
@@ -240,10 +241,7 @@ def _proposed(content: bytes, file: str) -> tuple[Profile, bool]:
                 expected="a mapping profile",
                 found=", ".join(dict.fromkeys(one.partition(":")[0] for one in proposed.open))
                 + " open",
-                hint=(
-                    "describe its columns with `compwright profile FILE --out "
-                    "P.yaml`, then add `--profile P.yaml`"
-                ),
+                hint=f"describe its columns with {by_profile(file)}",
             )
         ) from error
 

@@ -29,10 +29,8 @@ from compwright.workflow.inputs.measurement_files import load_profile
 _OTHER_PROFILE = Fault(
     message="no profile fits the test after loading",
     place="--profile",
-    expected="--profile P.yaml for this file (compwright profile FILE --out P.yaml)",
-    hint=(
-        "make a profile with `compwright profile FILE --out P.yaml`, then add `--profile P.yaml`"
-    ),
+    expected="a profile of this file",
+    hint="make one with `compwright profile FILE --out P.yaml`, then add `--profile P.yaml`",
 )
 
 
