@@ -60,10 +60,10 @@ def csv(fault: str, step: str, broken: str, whole: str = READINGS) -> Kind:
 
 SHORT = "run x.csv --format linuxcnc --axis X --travel 0:400 --state none --out r --force"
 KINDS = {
-    "a missing key": job("is missing", "add `travel: ...` to `axes.X`", JOB.replace("travel: [0, 400]", "kind: linear")),
-    "an unknown key": job("unknown key", "rename this key", JOB.replace("travel", "travle")),
-    "ends turned": job("not in order", "correct `axes.X.travel`", JOB.replace("0, 400", "400, 0")),
-    "a wrong word": job("accepted value", "correct `axes.X.kind`", JOB + "    kind: lineal\n"),
+    "a missing key": job("is missing", "add `travel: [0, 800]` to `axes.X`", JOB.replace("travel: [0, 400]", "kind: linear")),
+    "an unknown key": job("unknown key", "rename it to `travel`", JOB.replace("travel", "travle")),
+    "ends turned": job("not in order", "write `travel: [0, 400]`", JOB.replace("0, 400", "400, 0")),
+    "a wrong word": job("accepted value", "write `kind: linear`", JOB + "    kind: lineal\n"),
     "a newer job": job("compwright", "correct the line `compwright:`", JOB.replace(": 1\n", ": 9\n", 1)),
     "an empty job": job("is empty", "write its keys", ""),
     "broken YAML": job("not valid YAML", "correct this line", JOB.replace("[0, 400]", "[0, 400")),
@@ -75,7 +75,7 @@ KINDS = {
     "no axis number": job("needs the number", "add `address: 1`", FANUC.replace("address: 0", "address: X"), FANUC.replace("address: 0", "address: 1")),
     "no free number": job("free point numbers", "`first_point: 1`", FANUC.replace(", first_point: 1", "").replace("address: 0", "address: 1"), FANUC.replace("address: 0", "address: 1")),
     "one address twice": job("the same address", "correct `axes.Y.address`", JOB + JOB.partition("axes:\n")[2].replace("X:", "Y:"), JOB + JOB.partition("axes:\n")[2].replace("X:", "Y:").replace("address: 0", "address: 1")),
-    "a key twice": job("twice", "correct this line", JOB + "    address: 0\n"),
+    "a key twice": job("twice", "remove one of the two", JOB + "    address: 0\n"),
     "a number as text": job("not a number", "correct `axes.X.reference`", JOB + "    reference: home\n"),
     "a test without a file": Kind("does not exist", "check the path", "run job.yaml --out r --force", files=({"job.yaml": JOB.replace("x.csv", "y.csv")}, {"job.yaml": JOB})),
     "one number as travel": Kind("--travel: must look like", "`--travel 0:800`", SHORT.replace("0:400", "400"), SHORT),
@@ -104,13 +104,13 @@ KINDS = {
     "an unknown definition": Kind("no such control format", "formats list", "formats show fanuc30", "formats show fanuc-30i"),
     "a profile for nothing": Kind("needs no profile", "without `--profile`", "profile x.csv --out p.yaml", "evaluate x.csv"),
     "a folder without files": Kind("contains no files", "give the measurement files", "evaluate empty", "evaluate x.csv"),
-    "text among numbers": csv("is not a number", "correct this", READINGS.replace("97,+,1,", "97,+,1,a")),
+    "text among numbers": csv("is not a number", "correct line 6, column deviation_um", READINGS.replace("97,+,1,", "97,+,1,a")),
     "no header": csv("is empty", "add a header row", ""),
     "comments alone": csv("comment lines only", "add a header row", "# axis: X\n"),
     "inches": csv("in inches", "export the file again in mm", READINGS.replace("target_mm", "target_in")),
-    "an unknown direction": csv("neither + nor -", "correct this", READINGS.replace("97,+,1,", "97,*,1,")),
+    "an unknown direction": csv("neither + nor -", "write + or -", READINGS.replace("97,+,1,", "97,*,1,")),
     "a newer file": csv("newer version of compwright", "install the newer version", "# compwright: positioning 2\n" + READINGS),
-    "no readings": csv("holds no readings", "correct this", READINGS.partition("0,+,1")[0]),
+    "no readings": csv("holds no readings", "add the readings below the header row", READINGS.partition("0,+,1")[0]),
 }  # fmt: skip
 
 

@@ -124,8 +124,8 @@ def test_key_path_text() -> None:
 
 def test_duplicate_keys_are_all_listed_with_both_lines() -> None:
     assert faults_of(b"a: 1\nb:\n  c: 1\n  c: 2\na: 3\n") == [
-        "f.yaml: line 4, b.c: key given twice (first on line 3). Next: correct this line",
-        "f.yaml: line 5, a: key given twice (first on line 1). Next: correct this line",
+        "f.yaml: line 4, b.c: key given twice (first on line 3). Next: remove one of the two lines",
+        "f.yaml: line 5, a: key given twice (first on line 1). Next: remove one of the two lines",
     ]
 
 
@@ -152,7 +152,7 @@ def test_faults_of_single_keys_leave_the_rest_readable() -> None:
         (b"a: !!set {b}\n", "line 1: tags"),
         (b"? [a, b]\n: 1\n", "single word"),
         (b'a: "\\UFFFFFFFF"\n', "an escape that is not a character"),
-        (b'a: "\\ud800"\n', "line 1, a: holds an escape that is no character"),
+        (b'a: "\\ud800"\n', "line 1, a: contains an escape that is not a character"),
         (b"a: " + b"9" * 5000, "line 1, a: cannot be read as a value"),
         (b"a: \x00", "is not valid YAML"),
         (b"[" * 50000, "nested too deeply"),

@@ -319,7 +319,10 @@ BAD: list[tuple[bytes, str]] = [
         csv(rows(FULL) + "ccw,1,20,1\n"),
         "line 41: a sample is given twice; expected each angle once per direction and run",
     ),
-    (csv(rows(FULL) + "ccw,1,20\n"), "line 41: the row has not as many cells as the header row"),
+    (
+        csv(rows(FULL) + "ccw,1,20\n"),
+        "line 41: the row has fewer or more cells than the header row",
+    ),
     (
         csv(rows([0.0, 120.0, 240.0])),
         "ccw run 1: has too few samples; expected at least 4, found 3",
@@ -329,7 +332,7 @@ BAD: list[tuple[bytes, str]] = [
         "covers too short an arc; expected at least 90 deg, found 60 deg from 0 deg",
     ),
     (csv(rows([float(k) for k in range(400)])), "goes round more than once"),
-    (csv(rows(FULL).replace(".", ",")), "the row has not as many cells"),
+    (csv(rows(FULL).replace(".", ",")), "the row has fewer or more cells"),
     (
         csv(
             rows(FULL).replace(",", ";").replace("1.0000", "1,0000"),

@@ -328,7 +328,7 @@ def test_what_is_remarkable(content: bytes, words: str) -> None:
         ),
         (
             document(run_xml(readings=READINGS[:200])),
-            "END_INDEX lies outside the readings; expected at most",
+            "END_INDEX is outside the readings; expected at most",
         ),
         (
             document(run_xml(readings=READINGS + " 0.1" * 20)),
@@ -340,7 +340,7 @@ def test_what_is_remarkable(content: bytes, words: str) -> None:
         ),
         (
             document(run_xml(start="0", end="60")),
-            "END_INDEX lies outside the readings; expected at most 59, the last, found 60",
+            "END_INDEX is outside the readings; expected at most 59, the last, found 60",
         ),
         (
             document(run_xml(readings="x " * 1_000_001)),
@@ -355,7 +355,7 @@ def test_what_is_remarkable(content: bytes, words: str) -> None:
             document(run_xml(start="49")),
             "has too few samples; expected at least 4 samples from START_INDEX to END_INDEX",
         ),
-        (document(run_xml(end="99999999")), "END_INDEX lies outside the readings"),
+        (document(run_xml(end="99999999")), "END_INDEX is outside the readings"),
         (document(run_xml(rate="fast")), "BALLBAR_RUN/SAMPLE_RATE: is not a number"),
         (
             document(re.sub("<END_INDEX>.*</END_INDEX>", "", run_xml())),

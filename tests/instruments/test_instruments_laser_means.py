@@ -83,7 +83,7 @@ def test_a_file_of_means_that_was_cut() -> None:
             "is not the mean of the two directions; expected -0.0015",
         ),
         ({"Forward Directional": [("0.000", "x")]}, "is not a number"),
-        ({"Forward Directional": [("x", "0.1"), *FORWARD]}, "stands below no title of means"),
+        ({"Forward Directional": [("x", "0.1"), *FORWARD]}, "is below no title of means"),
         ({"Forward Directional": [("0.000", "0.001 3")]}, "is no row of position and mean"),
         ({"Forward Directional": [*FORWARD, FORWARD[0]]}, "a position is given twice"),
     ],
@@ -144,19 +144,19 @@ def test_a_list_of_values() -> None:
     text = compensation_file([["0.001"], ["0.002"], ["0.003"]], columns="", backlash="0")
     assert read(text).targets.tolist() == [-250.0, -225.0, -200.0]
     short = compensation_file([["0.001"], ["0.002"]], columns="", backlash="0")
-    assert "not as many rows" in refused(short)
+    assert "fewer or more rows" in refused(short)
 
 
 @pytest.mark.parametrize(
     ("words", "changes"),
     [
-        ("a type that is not read", {"kind": "Incremental"}),
-        ("the sign is of a kind that is not known", {"sign": "As measured"}),
+        ("of an unknown type", {"kind": "Incremental"}),
+        ("the sign convention is unknown", {"sign": "As measured"}),
         ("do not fit together", {"spacing": "24 mm"}),
-        ("is no length in mm", {"start": "-250 in"}),
+        ("is not a length in mm", {"start": "-250 in"}),
         ("is missing", {"start": ""}),
         ("is at another position", {"start": "-245 mm", "end": "-195 mm"}),
-        ("not as many rows", {"end": "-175 mm"}),
+        ("fewer or more rows", {"end": "-175 mm"}),
     ],
 )
 def test_compensation_texts_that_are_refused(words: str, changes: dict[str, str]) -> None:

@@ -112,7 +112,7 @@ def test_rows_that_contradict_the_directions() -> None:
 
 def test_targets_without_an_order() -> None:
     mixed = ["0", "200", "100", "300", "400", "500"]
-    assert "nothing tells from which side" in refused(laser_file(mixed, READINGS))
+    assert "the direction of each approach is unknown" in refused(laser_file(mixed, READINGS))
 
 
 def test_angles_are_microradian() -> None:
@@ -125,7 +125,7 @@ def test_angles_are_microradian() -> None:
 
 def test_angles_whose_unit_nobody_knows() -> None:
     text = laser_file(TARGETS, {(1, 1): "0.0", (1, 2): "0.0123"}, file_type="rta")
-    assert "unit: urad' or 'unit: mrad" in refused(text)
+    assert "unit: urad` or `unit: mrad" in refused(text)
     test = read(text, Profile(file="p", layout="own", unit="mrad"))
     assert test.positive[1, 0] * 3600 == pytest.approx(12.3 * 0.206264806247, rel=1e-11)
     assert "CW-R056" not in told(test)
@@ -168,10 +168,10 @@ def test_a_file_that_was_cut() -> None:
 @pytest.mark.parametrize(
     ("old", "new", "words"),
     [
-        ("Target-count: 6", "Target-count: 7", "has not as many targets as it says"),
-        ("Run-count: 4", "Run-count: 3", "names a run that is not there"),
+        ("Target-count: 6", "Target-count: 7", "contains fewer or more targets than it states"),
+        ("Run-count: 4", "Run-count: 3", "names an unknown run"),
         ("Run-count: 4", "Run-count: four", "is not a whole number"),
-        ("   1     6     5.1", "   1     7     5.1", "names a target that is not there"),
+        ("   1     6     5.1", "   1     7     5.1", "names an unknown target"),
         ("   1     6     5.1", "   1     5     5.1", "a reading is given twice"),
         ("   1     6     5.1", "   1     6", "is no row of run, target and deviation"),
         ("   1     6     5.1", "   1     6     5.1 7", "is no row of run, target and deviation"),

@@ -428,7 +428,7 @@ def test_a_point_that_may_mark_thousands_is_told() -> None:
 
 def test_decimal_comma_with_comma_as_delimiter() -> None:
     line = one_fault(LONG + "0,5,+,1,2,5\n")
-    assert "line 2: the row has not as many cells as the header row; expected 4 cells" in line
+    assert "line 2: the row has fewer or more cells than the header row; expected 4 cells" in line
     assert "found 6 (a decimal comma cannot be used where the comma is the delimiter)" in line
 
 
@@ -504,7 +504,7 @@ def test_a_missing_column(missing: str) -> None:
         (LONG + '0,+,1,"1\n', "line 2: a quote is not closed on its line"),
         (
             "target_mm,direction,run,deviation_um,\n0,+,1,1,hot\n",
-            "line 2, column 5: a value stands below a column without a name",
+            "line 2, column 5: a value is in a column without a name",
         ),
         (
             "# compwright: positioning 2\n" + LONG + "0,+,1,1\n",

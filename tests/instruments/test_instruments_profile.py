@@ -96,7 +96,7 @@ def test_directions_by_the_order_of_rows() -> None:
     assert test.positive[1] * 1000 == pytest.approx([2.1, 2.0], rel=1e-15)
     assert test.negative[1] * 1000 == pytest.approx([-0.8, -0.9], rel=1e-15)
     one_way = LONG.replace("zurück;1", "vor;2").replace("100,000;vor;2", "50,000;vor;2")
-    assert "does not tell the directions" in refused(
+    assert "does not show the directions" in refused(
         one_way.replace("0,000;vor;2", "70,000;vor;2"), profile
     )
 
@@ -121,8 +121,8 @@ def test_angles() -> None:
         ("2,1", "2.1", "line 4, column Abw. [µm]: has a point, and the profile says decimal comma"),
         ("2,1", "1.002,1", "has a point"),
         ("2,1", "zwei1", "is not a number"),
-        ("100,000;vor;1", "100,000;hin;1", "none of the words of the profile"),
-        ("100,000;vor;1", "100,000;vor;eins", "holds not one number"),
+        ("100,000;vor;1", "100,000;hin;1", "not among the words of the profile"),
+        ("100,000;vor;1", "100,000;vor;eins", "is not a number of at least 1"),
         ("100,000;vor;1", "0,000;vor;1", "a reading is given twice"),
         ("Abw. [µm]", "Abw.", "a column of the profile is not in the file"),
         ("0,000;vor;1;0,4", "0,000;vor;1;0,4;7", "more cells than the header row"),

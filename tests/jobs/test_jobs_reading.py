@@ -294,8 +294,8 @@ def test_all_faults_stand_in_one_error_in_the_order_of_the_lines() -> None:
             " known name"
         ),
         (
-            "job.yaml: line 6, axes.X.travel: ends are not in order; expected [low, high] with low"
-            " < high, found [0, -850]"
+            "job.yaml: line 6, axes.X.travel: ends are not in order; expected low < high, such"
+            " as [-850, 0], found [0, -850]"
         ),
         (
             "job.yaml: line 8, axes.X.kind: is not an accepted value; expected 'linear' or"

@@ -32,6 +32,7 @@ _NUMBER_HINTS = (
     (r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?", "write the number without quotes"),
 )
 _LONGEST_SHOWN = 60
+_NEAREST = ", the nearest known name"
 LARGEST_NUMBER = (
     1e15  # beyond it a double no longer holds every micrometre of a kilometre in nanometres
 )
@@ -63,20 +64,33 @@ class KeyFault:
             place=place(self.path),
             expected=self.expected,
             found=self.found,
-            hint=self.hint or usual_hint(self.path, self.message),
+            hint=self.hint or usual_hint(self.path, self.message, self.expected, self.found),
         )
 
 
-def usual_hint(path: KeyPath, message: str) -> str:
-    """Return the next step that follows from the kind of a complaint about a key."""
+def usual_hint(path: KeyPath, message: str, expected: str = "", found: str = "") -> str:
+    """Return the next step that follows from the kind of a complaint about a key: the text to
+    write, where ``expected`` has an example, the accepted values or the nearest name.
+    """
     if not path:
         return "correct the file; the docs of compwright describe its keys"
     *parents, key = path
+    example = re.search(r"such as (.+)", expected)
+    names = re.findall(r"'([^']+)'", expected)
     if message == "is missing":
         above = f"`{key_path_text(tuple(parents))}`" if parents else "the file"
-        return f"add `{key}: ...` to {above}"
+        return f"add `{key}: {example[1] if example else '...'}` to {above}"
+    if expected.endswith(_NEAREST) and not message.startswith("names no"):
+        return f"rename it to `{names[0]}`, or remove it"
     if message == "unknown key":
-        return "rename this key, or remove it"
+        return "remove this key"
+    if isinstance(key, str) and example:
+        return f"write `{key}: {example[1]}`"
+    if isinstance(key, str) and (message == "is not an accepted value" or _NEAREST in expected):
+        near = nearest(found.strip("'"), names)
+        return " or ".join(f"`{key}: {name}`" for name in ([near] if near else names)).join(
+            ("write ", "")
+        )
     return f"correct `{key_path_text(path)}`"
 
 
@@ -114,7 +128,7 @@ def suggestion(word: str, known: Iterable[str]) -> str:
     if not words:
         return "nothing, none is defined"
     near = nearest(word, words)
-    return f"{near!r}, the nearest known name" if near else "one of " + ", ".join(sorted(words))
+    return f"{near!r}{_NEAREST}" if near else "one of " + ", ".join(sorted(words))
 
 
 def number_hint(text: str) -> str:

@@ -104,7 +104,10 @@ def key_faults(
             found = found if complaint["type"] == _STATED else shown(found)
             yield KeyFault(path, stated["message"], stated["expected"], found)
         else:
-            yield KeyFault(path, *_words(complaint), shown(complaint["input"]))
+            message, expected = _words(complaint)
+            if complaint["type"].endswith("_type") and path:
+                expected = missing.get(str(path[-1]), expected)
+            yield KeyFault(path, message, expected, shown(complaint["input"]))
 
 
 def _expected_at(path: KeyPath, data: Any, again: Callable[[Any], object] | None) -> str:

@@ -71,14 +71,17 @@ class _StrictLoader(yaml.SafeLoader):
             event, yaml.CollectionEndEvent
         )
         self.words += isinstance(event, yaml.ScalarEvent)
+        expected = ""
         if isinstance(event, yaml.AliasEvent):
-            message, expected = "aliases (*name) are not accepted", "the value written out"
+            message, hint = "aliases (*name) are not accepted", "write the value itself"
         elif getattr(event, "tag", None) is not None:
-            message, expected = "tags (!name) are not accepted", "the plain value"
+            message, hint = "tags (!name) are not accepted", "write the value without its tag"
         elif self.depth > MOST_YAML_LEVELS:  # composing recurses
-            message, expected = "is nested too deeply", f"at most {MOST_YAML_LEVELS} levels"
+            message, hint = "is nested too deeply", "write fewer levels"
+            expected = f"at most {MOST_YAML_LEVELS} levels"
         elif self.words > MOST_YAML_WORDS:
-            message, expected = "is too long", f"at most {MOST_YAML_WORDS} keys and values"
+            message, hint = "is too long", "remove keys"
+            expected = f"at most {MOST_YAML_WORDS} keys and values"
         else:
             return event
         place = f"line {event.start_mark.line + 1}" if event.start_mark else ""
@@ -88,7 +91,7 @@ class _StrictLoader(yaml.SafeLoader):
                 file=self.file,
                 place=place,
                 expected=expected,
-                hint="correct this line",
+                hint=hint,
             )
         )
 
@@ -125,30 +128,39 @@ class _YamlReader:
                 items.append(self.value(child, (*path, index)))
             return items
         if _LONE_SURROGATE.search(node.value):
-            self.fault(node, path, "holds an escape that is no character (a lone surrogate)")
+            self.fault(
+                node,
+                path,
+                "contains an escape that is not a character (a lone surrogate)",
+                "write the character itself instead of the escape",
+            )
             return None
         try:
             return self.loader.construct_object(node, deep=True)
         except (yaml.YAMLError, ValueError, OverflowError) as error:
-            self.fault(node, path, "cannot be read as a value", found=str(error).split("\n", 1)[0])
+            found = str(error).split("\n", 1)[0]
+            self.fault(node, path, "cannot be read as a value", "put it in quotes", found)
             return None
 
     def mapping(self, node: yaml.MappingNode, path: KeyPath) -> dict[str, Any]:
         result: dict[str, Any] = {}
         for key_node, child in node.value:
             if not isinstance(key_node, yaml.ScalarNode) or _LONE_SURROGATE.search(key_node.value):
-                self.fault(key_node, path, "a key must be a single word")
+                self.fault(key_node, path, "a key must be a single word", "rename this key")
                 continue
             key = str(key_node.value)  # keys stay text: axis "1", address "0"
             here = (*path, key)
             if key in result:
-                self.fault(key_node, here, f"key given twice (first on line {self.lines[here]})")
+                message = f"key given twice (first on line {self.lines[here]})"
+                self.fault(key_node, here, message, "remove one of the two lines")
                 continue
             self.lines[here] = key_node.start_mark.line + 1
             result[key] = self.value(child, here)
         return result
 
-    def fault(self, node: yaml.Node, path: KeyPath, message: str, found: str = "") -> None:
+    def fault(
+        self, node: yaml.Node, path: KeyPath, message: str, hint: str, found: str = ""
+    ) -> None:
         place = f"line {node.start_mark.line + 1}"
         name = key_path_text(path)
         self.faults.append(
@@ -157,7 +169,7 @@ class _YamlReader:
                 file=self.file,
                 place=f"{place}, {name}" if name else place,
                 found=found,
-                hint="correct this line",
+                hint=hint,
             )
         )
 
@@ -176,7 +188,7 @@ def read_yaml(content: bytes, file: str) -> YamlDocument:
 
 
 def read_yaml_with_faults(content: bytes, file: str) -> tuple[YamlDocument, tuple[Fault, ...]]:
-    """Read as `read_yaml`, but hand back faults of single keys and values (a duplicate key) beside
+    """Read as `read_yaml`, but return faults of single keys and values (a duplicate key) with
     what could be read.
 
     A schema can then list its own faults together with these. Of a key given twice the first value

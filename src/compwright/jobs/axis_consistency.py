@@ -48,8 +48,8 @@ def _geometry(section: Mapping[str, Any], path: KeyPath) -> Iterator[KeyFault]:
         yield KeyFault(
             (*path, "travel"),
             "ends are not in order",
-            "[low, high] with low < high",
-            f"[{low:g}, {high:g}]",
+            f"low < high, such as [{high:.10g}, {low:.10g}]",
+            f"[{low:.10g}, {high:.10g}]",
         )
     table = mapping_of(section.get("table"))
     start, end, spacing = (number_of(table.get(key)) for key in ("start", "end", "spacing"))
@@ -80,6 +80,7 @@ def _geometry(section: Mapping[str, Any], path: KeyPath) -> Iterator[KeyFault]:
             "belongs to a linear axis",
             "radius",
             "'diameter' on a rotary axis",
+            "remove this key",
         )
 
 
@@ -126,7 +127,7 @@ def _thermal(section: Mapping[str, Any], path: KeyPath, of_job: Any) -> Iterator
     for below, own, there in stated:
         here = (*path, *below, "thermal")
         if there and section.get("kind") == "rotary":
-            yield KeyFault(here, "belongs to a linear axis", "no thermal on a rotary axis")
+            yield KeyFault(here, "belongs to a linear axis", hint="remove this key")
             continue
         yield from implausible(own, here)
         known = {*mapping_of(of_job), *mapping_of(of_axis), *mapping_of(own)}
@@ -198,7 +199,7 @@ def _acceptance(section: Mapping[str, Any], path: KeyPath, standard: Any) -> Ite
         yield KeyFault(
             (*path, "accept"),
             "holds no limit",
-            "a parameter with its limit in µm or arcsec: {A: 8}",
+            "a parameter with its limit in µm or arcsec, such as {A: 8}",
         )
 
 

@@ -40,7 +40,7 @@ def contradictions(data: Mapping[str, Any]) -> list[KeyFault]:
                 KeyFault(
                     path,
                     "is no name for an axis",
-                    "letters and digits, such as X or B2",
+                    "letters and digits (X, B2)",
                     shown(name),
                 )
             )
@@ -95,8 +95,8 @@ def _states(states: Any) -> Iterator[KeyFault]:
             yield KeyFault(
                 ("states", name, "active"),
                 "is given for a state in which no compensation is active",
-                "no active where the state is none",
-                found,
+                found=found,
+                hint="remove this key",
             )
         yield from repeated_files(list_of(files), path)
 
@@ -150,8 +150,8 @@ def _acknowledged(section: Any, axes: Sequence[str]) -> Iterator[KeyFault]:
         if code in REMARKS | RESULTS:
             yield KeyFault(
                 path,
-                "is no doubt: it keeps no decision open, and needs no acknowledgement",
-                "a code that stands as a doubt in docs/findings.md, or the line left out",
+                "is not a doubt: it keeps no decision open, and needs no acknowledgement",
+                hint="remove this line; docs/findings.md lists the doubts",
             )
         elif code not in DOUBTS:
             yield KeyFault(path, "is no finding", suggestion(code, DOUBTS))

@@ -37,13 +37,13 @@ SCHEMA_VERSION = 1
 
 #: What is expected under a key that is missing.
 MISSING = {
-    "compwright": "1, the version of the schema",
-    "controller": "a mapping with the key format",
-    "format": "the id of a controller format, as `compwright formats list` shows it",
-    "axes": "at least one axis",
-    "travel": "[low, high] in machine coordinates, mm or deg",
-    "before": "at least one measurement file",
-    "files": "the measurement files of the test",
+    "compwright": "the version of the schema, such as 1",
+    "controller": "the format of the control, such as {format: fanuc-30i}",
+    "format": "an id of `compwright formats list`, such as fanuc-30i",
+    "axes": "at least one axis, such as {X: {travel: [0, 800], before: [x.csv]}}",
+    "travel": "its ends in machine coordinates, mm or deg, such as [0, 800]",
+    "before": "the measurement files, such as [x.csv]",
+    "files": "the measurement files, such as [x.csv]",
 }
 
 Standard = Literal[

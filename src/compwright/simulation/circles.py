@@ -99,7 +99,7 @@ def _plane(letters: str) -> tuple[str, str]:
     """Return first and second axis."""
     match = _LETTERS.fullmatch(letters)
     if match is None or match[1] == match[2]:
-        expected = "first and second axis, such as XY, YZ or ZX"
+        expected = "XY, YZ or ZX (first and second axis)"
         refuse(KeyFault((), "names no plane", expected, shown(letters)))
     return match[1], match[2]
 

@@ -59,7 +59,7 @@ class DefinitionText:
             place=where,
             expected=expected,
             found=found,
-            hint=hint or usual_hint(path, message),
+            hint=hint or usual_hint(path, message, expected, found),
         )
 
 
@@ -142,7 +142,7 @@ def _left_out(under: DefinitionText, over: DefinitionText) -> set[KeyPath]:
         over.fault(
             (WITHOUT, index),
             f"{under.file} has no such key",
-            expected=nearest(str(name), names) or "a key path such as a.b",
+            expected=nearest(str(name), names) or "a key path (a.b)",
             found=str(name)[:60],
         )
         for index, name in enumerate(listed)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import errno
 import os
 import stat
@@ -62,10 +63,15 @@ def read_bytes(session: Session, path: Path, kind: InputKind = ANY) -> bytes:
 
 def _absent(path: Path) -> Fault:
     """Return the fault of a missing file; of a result, with the command that writes it."""
+    from compwright.foundations.key_faults import nearest
+
     folder = next((one for one in path.parents if one.is_dir()), path.parent)
     part = path.relative_to(folder).parts[0]
     place = "the current folder" if folder == Path() else str(folder)
-    hint = "check the path"
+    found, hint = f"no {part!r} in {place}", "check the path"
+    with contextlib.suppress(OSError):
+        if near := nearest(part, (one.name for one in folder.iterdir())):
+            found, hint = f"{near} in {place}", f"give {folder / near}, or check the path"
     if part == "tables" and (folder / "plan.json").is_file():
         hint = (
             "this run wrote no table: `compwright run` says why; give the control's files as"
@@ -73,7 +79,7 @@ def _absent(path: Path) -> Fault:
         )
     elif path.name == "plan.json":
         hint = "write it with `compwright run JOB.yaml`, or check the path"
-    return Fault(message="does not exist", found=f"no {part} in {place}", hint=hint)
+    return Fault(message="does not exist", found=found, hint=hint)
 
 
 def _at_most(stream: BinaryIO, count: int) -> bytes:
