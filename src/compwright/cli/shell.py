@@ -93,7 +93,8 @@ def _wrong_words(error: click.ClickException) -> int:
         return UsageError.exit_code
     errors([error.format_message()])
     if context is not None:
-        tell(f"see: {context.command_path} --help")
+        example = next(iter(getattr(context.command, "examples", ())), "")
+        tell(f"Next: {example and f'{example}; or '}{context.command_path} --help")
     return UsageError.exit_code
 
 

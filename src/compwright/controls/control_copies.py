@@ -363,13 +363,11 @@ def texts_in(file: ControlFile) -> tuple[ControlFile, ...]:
 def _unknown(file: ControlFile) -> InputError:
     return InputError(
         Fault(
-            message=("is in an unknown form, so its names cannot be found; it is not copied"),
+            message="is in an unknown form, so its names cannot be found; it is not copied",
             file=file.name,
             expected="a measurement file or a text of a control that compwright reads",
             found=unknown_container(file.content).rstrip(","),
-            hint=(
-                "describe its columns with `compwright profile FILE --out "
-                "P.yaml`, then add `--profile P.yaml`"
-            ),
+            hint="leave it out; a table of another program needs a profile: `compwright profile"
+            " FILE --out P.yaml`, then `--profile P.yaml`",
         )
     )

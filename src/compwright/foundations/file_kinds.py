@@ -69,7 +69,7 @@ def refuse_other_kind(content: bytes, kind: InputKind, file: str) -> None:
 
 
 def _kind_of(content: bytes) -> str:
-    """Return what a file is, in words; empty where that cannot be told."""
+    """Return the kind of a file in words; empty where it is unknown."""
     head = content[:_HEAD]
     schema = _SCHEMA.match(head)
     if schema is not None:

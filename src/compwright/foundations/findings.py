@@ -1,4 +1,4 @@
-"""Findings: what was noticed on the way, as records with stable codes. Nobody prints on the way.
+"""Findings: records with stable codes; nothing is printed before the end of a command.
 
 Code families: ``CW-R`` reading, ``CW-T`` test checks, ``CW-J`` job, ``CW-S`` state of the control,
 ``CW-E`` error estimate, ``CW-F`` fit, ``CW-X`` format and export, ``CW-P`` prediction, ``CW-V``
@@ -58,9 +58,8 @@ DOUBTS_FIRST: Final = say("doubts.first")
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """Something that the user should know. ``code`` is stable across versions, ``sentence`` says it
-    by name and values. ``axes``: those that it is about, where it is not about all: by name, in the
-    control's files by address.
+    """A remark for the user. ``code`` is stable across versions; ``sentence``: name and values.
+    ``axes``: those that it concerns, empty for all; by name, in the control's files by address.
     """
 
     code: str
@@ -105,9 +104,9 @@ def doubts_of(findings: Iterable[Finding]) -> tuple[Finding, ...]:
     """Return those of ``findings`` that stand first, doubts and results, each once, the errors
     first; no infos.
     """
-    told = dict.fromkeys(
+    first = dict.fromkeys(
         finding
         for finding in findings
         if finding.code in DOUBTS | RESULTS and finding.severity != "info"
     )
-    return tuple(sorted(told, key=lambda finding: finding.severity != "error"))
+    return tuple(sorted(first, key=lambda finding: finding.severity != "error"))

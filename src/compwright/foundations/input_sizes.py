@@ -12,8 +12,8 @@ from typing import Final
 
 @dataclass(frozen=True, slots=True)
 class InputKind:
-    """``name`` stands in messages; ``most_bytes``: so many bytes a file of this kind has at
-    most. ``help``: where the right file comes from, for a file that is of another kind.
+    """A kind of input file. ``name``: for messages; ``most_bytes``: the largest accepted size;
+    ``help``: the origin of the right file, for a file of another kind.
     """
 
     name: str
@@ -21,7 +21,7 @@ class InputKind:
     help: str = ""
 
 
-#: A million readings in the form that writes most beside each (target data) have 40 MB.
+#: A million readings in the longest form (target data) have 40 MB.
 MEASUREMENT: Final = InputKind(
     "a measurement file", 64_000_000, "the file that the instrument wrote"
 )
@@ -68,7 +68,7 @@ MOST_CELLS: Final = 4_000_000
 MOST_DIGITS: Final = 1000
 #: Of a table of another program.
 MOST_COLUMNS: Final = 1000
-#: Of a workbook, told before it is read: bytes of its tables and texts when unpacked, of all else
+#: Of a workbook, known before it is read: bytes of its tables and texts when unpacked, of all else
 #: that describes it (styles, names), and cells, rows and texts that it writes, empty ones too.
 MOST_UNPACKED: Final = 80_000_000
 MOST_UNPACKED_OTHER: Final = 8_000_000

@@ -1,4 +1,4 @@
-"""Numbers in sentences: so many digits and never an exponent, which nobody in a hall reads."""
+"""Numbers in sentences: a given number of digits, never an exponent."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A fault of compwright itself, said as one line instead of a traceback."""
+"""A fault of compwright itself as one line instead of a traceback."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ OWN_FAULT = 70
 
 
 def own_fault(error: Exception, file: str = "") -> Fault:
-    """Return what is to be reported of an error that nobody meant, met with ``file``: its kind, its
-    words, and the line of ours where it came up.
+    """Return the report of an unexpected error while ``file`` was read: its class, its text, and
+    the line of compwright that raised it.
     """
     frames = traceback.extract_tb(error.__traceback__)
     where = next(

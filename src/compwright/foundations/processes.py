@@ -1,5 +1,5 @@
-"""Work side by side in several processes, because most of the work is Python's own, of which one
-process does one thing at a time. They are started fresh (``spawn``), as every system can do it.
+"""Parallel work in several processes: most of the work is Python code, which runs on one processor
+per process. They are started with ``spawn``, which every system supports.
 """
 
 from __future__ import annotations
@@ -32,9 +32,9 @@ _MOST: Final = 8
 
 @contextmanager
 def side_by_side(items: int, ready: Callable[[], None]) -> Iterator[Each]:
-    """Provide what works on up to ``items`` items in this process and in others beside it, which
-    call ``ready`` first; in turn where there is one item or one processor, or where the system
-    lets no process be started.
+    """Provide a function that works on up to ``items`` items in this process and in further ones,
+    which call ``ready`` first. It works in turn for one item, on one processor, and where the
+    system starts no process.
     """
     keep_free_memory()
     others = min(processors(), items, _MOST) - 1

@@ -25,11 +25,10 @@ def look_for_garbage_seldom() -> None:
 
 
 def keep_free_memory() -> None:
-    """Let this process keep memory that is free again for what it needs next, where the C library
-    can be told so (glibc; elsewhere nothing happens).
+    """Let this process keep its free memory for later arrays (glibc; elsewhere nothing happens).
 
-    Arrays of megabytes come and go. The system clears every page of them that it hands out, which
-    takes a tenth of the processor time of a run.
+    Otherwise the system clears every page of each large array anew: a tenth of the processor time
+    of a run.
     """
     if sys.platform != "linux":
         return

@@ -19,21 +19,21 @@ from pydantic_core import core_schema as cs
 from compwright.foundations.key_faults import KeyFault, shown
 from compwright.foundations.validation import refuse, unknown_key, worded
 
-#: By class: what a record promises beyond the types of its fields and does not keep.
+#: By class: the violated conditions of a record, beyond the types of its fields.
 Rules = Mapping[type, Callable[[Any], Iterator[str]]]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RecordForm:
-    """How the mapping of a record is written where it is not simply field by field.
+    """The differences between the mapping of a record and its fields.
 
-    ``keys``: the key of a field that is called otherwise. ``absent``: keys that may be missing.
-    ``constant``: values of fields that the mapping does not hold, or not always (``absent``).
-    ``named``: the field that is the key under which the record stands. ``inline``: the field whose
-    own keys stand in the mapping of the record; ``nested``: fields that stand in a mapping of their
-    own, by its key and theirs. ``types``: other types or schemas of fields. ``more``: types or
-    schemas of keys that belong to no field; ``others``: every other key is left alone. ``build``:
-    from the values by field, and by key of ``more``, to those of the record.
+    ``keys``: the key of a field with another name. ``absent``: keys that may be missing.
+    ``constant``: values of fields that the mapping does not contain, or not always (``absent``).
+    ``named``: the field that is the key above the mapping. ``inline``: the field whose own keys
+    are in the mapping of the record; ``nested``: fields in a mapping of their own, by its key and
+    theirs. ``types``: other types or schemas of fields. ``more``: types or schemas of keys that
+    belong to no field; ``others``: every other key is ignored. ``build``: from the values by field,
+    and by key of ``more``, to those of the record.
     """
 
     keys: Mapping[str, str] = field(default_factory=dict)
@@ -49,7 +49,7 @@ class RecordForm:
 
 
 def listed(item: cs.CoreSchema) -> cs.CoreSchema:
-    """Return the schema of a list of any length; it gives a tuple."""
+    """Return the schema of a list of any length; its result is a tuple."""
     return cs.tuple_schema([item], variadic_item_index=0, strict=False)
 
 
@@ -77,8 +77,8 @@ def mapping(
 
 
 class RecordSchemas:
-    """Makes schemas of record classes. ``plain``: schemas by type of what is no record, beside
-    text, words of a closed list, lists and mappings.
+    """Makes the schemas of record classes. ``plain``: schemas of further types (text, words of a
+    closed list, lists and mappings are known).
     """
 
     def __init__(

@@ -1,8 +1,8 @@
-"""What is taken out of a file before somebody gives it away, and what stands in its place.
+"""Replace the personal texts of a file before the file is given away.
 
 A remark becomes ``redacted``; a name, a serial number or a path ``redacted_N``, the same N for the
-same text in all files of one command, so that the files of a machine still belong together. Nothing
-leads back: N counts in the order in which the texts were met.
+same text in all files of one command, so that the files of a machine still belong together. N
+counts the texts in the order in which they were found, so it does not lead back to the text.
 """
 
 from __future__ import annotations
@@ -17,17 +17,18 @@ from urllib.parse import unquote
 
 from compwright.foundations.errors import Fault, InputError
 
-#: What stands in the place of a remark.
+#: Replacement of a remark.
 NEUTRAL: Final = "redacted"
-#: What a whole line that was taken out is called in the count.
+#: The kind of a removed whole line.
 LINE: Final = "line"
 _NEUTRAL: Final = re.compile(rf"{NEUTRAL}(?:_[0-9]+)?", re.IGNORECASE)
-#: Pieces of text that may give somebody away: letters and digits side by side.
+#: Pieces of text that may identify somebody: adjacent letters and digits.
 _PIECE: Final = re.compile(r"[^\W_]+")
 _LETTERS: Final = re.compile(r"[^\W\d_]")
-#: Shorter words and numbers stand in any file by chance.
+#: Shorter words and numbers occur in any file by chance.
 _SHORTEST_WORD, _SHORTEST_NUMBER = 4, 6
-#: Digits, whatever letters stand at them: an address before a value, a mark before a serial number.
+#: Digits, whatever letters are next to them: an address before a value, a mark before a serial
+#: number.
 _DIGITS: Final = re.compile(r"[0-9]+")
 #: A date, which stays in a file, a round number, bits; a mask of bits; a number with decimals.
 _ORDINARY: Final = re.compile(r"(?:19|20)[0-9]{6}|[0-9]+000|[01]+")
@@ -38,17 +39,17 @@ _ENCODINGS: Final = ("utf-8", "cp1252", "utf-16-le", "utf-16-be")
 
 @dataclass(slots=True)
 class Names:
-    """The names that were met by one command, each with its number."""
+    """The names that one command found, each with its number."""
 
     numbers: dict[str, int] = field(default_factory=dict)
 
     def of(self, text: str) -> str:
-        """Return what stands in the place of a name; its case and its blanks make no difference."""
+        """Return the replacement of a name; its case and its blanks make no difference."""
         number = self.numbers.setdefault(_plain(text), len(self.numbers) + 1)
         return f"{NEUTRAL}_{number}"
 
     def knows(self, text: str) -> bool:
-        """Whether a text was met as a name."""
+        """Whether a text was found as a name."""
         return _plain(text) in self.numbers
 
 
@@ -58,15 +59,15 @@ def _plain(text: str) -> str:
 
 @dataclass(slots=True)
 class Cuts:
-    """What is taken out of one file: ``removed`` are the texts by their kind (``comment``,
-    ``name``, ...), each as often as it was met.
+    """The texts removed from one file: ``removed`` has kind (``comment``, ``name``, ...) and text,
+    each as often as it was found.
     """
 
     names: Names
     removed: list[tuple[str, str]] = field(default_factory=list)
 
     def remark(self, text: str, kind: str = "comment") -> str:
-        """Return what stands in the place of free text; what is empty stays empty."""
+        """Return the replacement of free text; empty text stays empty."""
         if not text.strip():
             return ""
         if _NEUTRAL.fullmatch(text.strip()) is None:
@@ -74,7 +75,7 @@ class Cuts:
         return NEUTRAL
 
     def name(self, text: str, kind: str = "name") -> str:
-        """Return what stands in the place of a name; what is empty stays empty."""
+        """Return the replacement of a name; empty text stays empty."""
         if not text.strip():
             return ""
         if text.strip() == NEUTRAL:
@@ -84,17 +85,17 @@ class Cuts:
         return self.names.of(text)
 
     def counts(self) -> dict[str, int]:
-        """Return how many texts were taken out, by kind, in the order of the kinds' names."""
+        """Return the number of removed texts by kind, sorted by kind."""
         return dict(sorted(Counter(kind for kind, _ in self.removed).items()))
 
 
 def left_over(removed: Iterable[str], copy: Iterable[bytes], allowed: frozenset[str]) -> list[str]:
-    """Return which texts that were taken out, or words of them, stand in a copy all the same.
+    """Return the removed texts that a copy still contains, wholly or in part.
 
-    ``copy``: its bytes; of an archive those of its members. They are looked at in every usual
-    encoding, and with entities and percent signs resolved, in any case of the letters. ``allowed``:
-    words in small letters that may stand there by themselves (keywords, units, names of columns).
-    Single letters, short words and short numbers are no evidence: any file holds them.
+    ``copy``: its bytes; of an archive those of its members. They are searched in every usual
+    encoding, with entities and percent signs resolved, in small letters. ``allowed``: words in
+    small letters that the file may contain anyway (keywords, units, names of columns). Single
+    letters, short words and short numbers are no evidence: any file contains them.
     """
     texts = list(dict.fromkeys(removed))
     there: set[str] = set()
@@ -110,7 +111,7 @@ def left_over(removed: Iterable[str], copy: Iterable[bytes], allowed: frozenset[
 
 
 def telling(text: str, allowed: frozenset[str]) -> Iterator[str]:
-    """Yield the words and numbers of a text, in small letters, that may give somebody away."""
+    """Yield the words and numbers of a text, in small letters, that may identify somebody."""
     if _DECIMAL.fullmatch(text):
         return
     for piece in _PIECE.findall(text.casefold()):
@@ -124,13 +125,13 @@ def telling(text: str, allowed: frozenset[str]) -> Iterator[str]:
 
 
 def _whole(text: str, allowed: frozenset[str]) -> str:
-    """Return a text of several words as it would stand in a line, empty where it tells nothing."""
+    """Return a text of several words in small letters; empty where it identifies nobody."""
     whole = " ".join(text.casefold().split())
     return whole if " " in whole and any(telling(whole, allowed)) else ""
 
 
 def _forms(content: bytes) -> Iterator[str]:
-    """Yield what the bytes may be read as, in small letters."""
+    """Yield the texts as which the bytes may be read, in small letters."""
     encodings = _ENCODINGS if b"\x00" in content else _ENCODINGS[:2]
     for encoding in encodings:
         text = content.decode(encoding, errors="replace").casefold()
@@ -142,7 +143,7 @@ def _forms(content: bytes) -> Iterator[str]:
 
 
 def not_the_same(file: str, found: str) -> InputError:
-    """Return the error about a copy that its reader does not understand as it does the original."""
+    """Return the error about a copy whose reader finds other numbers than in the original."""
     return InputError(
         Fault(
             message="is not copied: without its texts the copy would read differently",
@@ -162,8 +163,9 @@ def refuse_left_over(
     *,
     in_lines: bool = True,
 ) -> None:
-    """Raise InputError where a text that was taken out stands in the copy all the same; the text
-    itself is not told, but where ``in_lines`` the lines at which the copy still has it, which are
+    """Raise InputError where the copy still contains a removed text.
+
+    The error does not show the text. With ``in_lines`` it names the lines of the copy, which are
     those of the original.
     """
     left = left_over((text for _, text in cuts.removed), copy, allowed)
@@ -176,13 +178,10 @@ def refuse_left_over(
         kinds = sorted({kind for kind, text in cuts.removed if text in left})
         raise InputError(
             Fault(
-                message=(
-                    "is not copied: a text that was taken out in one place is needed "
-                    "for reading in another"
-                ),
+                message="is not copied: a text that was removed in one place is needed in another",
                 file=file,
                 place=_lines(lines),
-                expected="a name that is no keyword and no number of the file",
+                expected="names that are neither a keyword nor a number of the file",
                 found=f"{len(left)} texts ({', '.join(kinds)})",
                 hint="take the names out by hand",
             )
@@ -190,6 +189,6 @@ def refuse_left_over(
 
 
 def _lines(numbers: Sequence[int]) -> str:
-    """Return the lines in which a text is left in words; empty for a workbook, which has none."""
-    told = ", ".join(map(str, numbers[:5])) + (", .." if len(numbers) > 5 else "")
-    return f"line{'s' if len(numbers) > 1 else ''} {told}" if numbers else ""
+    """Return line numbers in words; empty for a workbook, which has no lines."""
+    listed = ", ".join(map(str, numbers[:5])) + (", .." if len(numbers) > 5 else "")
+    return f"line{'s' if len(numbers) > 1 else ''} {listed}" if numbers else ""

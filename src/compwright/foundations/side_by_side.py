@@ -12,7 +12,7 @@ from typing import Final, Protocol, TypeVar
 
 T = TypeVar("T")
 R = TypeVar("R")
-#: Seconds of work, in turn, for which processes are started beside this one.
+#: Seconds of work, in turn, from which further processes are started.
 _WORTH: Final = 1.0
 #: Items from which the time of the others is judged.
 _FIRST: Final = 4

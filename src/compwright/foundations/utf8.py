@@ -1,5 +1,5 @@
-"""Text as UTF-8, whatever the file system gave: a name that is no UTF-8 reaches Python as
-characters that no encoding has.
+"""Text as UTF-8 for every file name: Python holds a name that is not UTF-8 as lone surrogates,
+which no encoding has.
 """
 
 from __future__ import annotations
@@ -9,16 +9,12 @@ from unicodedata import category
 
 
 def encoded(text: str) -> bytes:
-    r"""Return ``text`` in UTF-8. What no encoding has (part of a file's name) stands there as
-    ``\udcff``.
-    """
+    r"""Return ``text`` in UTF-8, lone surrogates (of a file's name) as ``\udcff``."""
     return text.encode("utf-8", errors="backslashreplace")
 
 
 def shown_path(path: Path) -> str:
-    """Return the name of a file as it can stand in any text; the same as ``str(path)`` for names
-    that are UTF-8.
-    """
+    """Return the name of a file as printable text; for a UTF-8 name the same as ``str(path)``."""
     return encoded(str(path)).decode("utf-8")
 
 

@@ -1,8 +1,8 @@
-"""What a user writes, checked by pydantic: every complaint as a fault with its key path, what was
-expected and what was found.
+"""Files that a user writes, checked by pydantic: every complaint as a fault with its key path, what
+was expected and what was found.
 
 Models of pydantic and the schemas of `record_schemas` give the same complaints. Slow to import:
-whoever checks nothing does without it.
+only commands that check such a file do so.
 """
 
 from __future__ import annotations
@@ -65,7 +65,7 @@ def worded(schema: cs.CoreSchema, message: str, expected: str) -> cs.CoreSchema:
 
 
 def unknown_key(known: list[str]) -> cs.CoreSchema:
-    """Return the schema of what stands under any other key than ``known``: nothing is accepted."""
+    """Return the schema of a value under any other key than ``known``: nothing is accepted."""
 
     def refuse_key(_value: Any) -> NoReturn:
         raise PydanticCustomError(_UNKNOWN, "unknown key", {"known": known})
@@ -111,7 +111,7 @@ def key_faults(
 
 
 def _expected_at(path: KeyPath, data: Any, again: Callable[[Any], object] | None) -> str:
-    """Return what belongs under a key that is missing: what is said of something that fits nothing
+    """Return what is expected under a missing key: the expectation when a value of no type is
     there.
     """
     if again is None:

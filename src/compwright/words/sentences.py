@@ -1,16 +1,16 @@
 """Sentences as a name and values; their text is built here from the catalogue of a language.
 
-A template is English text with fields. ``{name}`` puts a value in; behind a colon stands how:
+A template is text with fields. ``{name}`` inserts a value, in the form behind a colon:
 
 - a number format of Python (``.2f``, ``+.1f``, ``g``, ``.0%``), or ``2sig``: significant digits,
   never an exponent; ``+2sig`` with its sign
 - ``odds``: odds to 1, one significant digit, beyond a million no number
-- ``and``, ``join|; ``: how the items of a list are joined; without it by commas, each in the number
+- ``and``, ``join|; ``: what joins the items of a list; by default commas, each item in the number
   format that is given
 - ``plural|target|targets``: the form for this number, as many forms as the language has
 - ``if|text|other text``: text where there is a value that is not zero or empty
-- ``choose|key=text|other key=text|=text``: text by a value, without a key that of any other value;
-  fields may stand in every text
+- ``choose|key=text|other key=text|=text``: text by a value, the one without a key for any other
+  value; each text may contain fields
 """
 
 from __future__ import annotations
@@ -205,9 +205,7 @@ def _names(template: str) -> Iterator[str]:
 
 
 def _kept(value: Any) -> Any:
-    """Return a value as it stays equal to itself, on every processor: rounded numbers, tuples,
-    texts.
-    """
+    """Return a value in a form that is the same on every processor: rounded numbers, tuples, texts."""
     if value is None or isinstance(value, str | bool | int | Sentence):
         return value
     if isinstance(value, float | Decimal):

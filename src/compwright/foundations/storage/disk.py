@@ -16,7 +16,7 @@ _NEW = (
     | getattr(os, "O_NOINHERIT", 0)
 )
 _WINDOWS = os.name == "nt"
-#: s: there a scanner of viruses opens what is new for a moment, and nobody else may move it then.
+#: s: on Windows a virus scanner opens each new file for a moment, and blocks its renaming.
 _PAUSES = (0.05, 0.2, 0.75)
 #: What a file system answers that cannot make a folder last by itself.
 _NOT_FOR_FOLDERS = {

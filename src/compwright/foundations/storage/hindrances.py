@@ -53,33 +53,17 @@ def _hindrances(session: Session, path: Path, content: bytes) -> Iterator[Fault]
         )
         return
     if blocked:
-        yield Fault(
-            message="is not a folder",
-            file=str(above),
-            expected="a folder to write into",
-            hint="give another folder",
-        )
+        yield Fault(message="is not a folder", file=str(above), hint="give another folder")
     elif is_folder:
-        yield Fault(
-            message="is a folder",
-            file=str(path),
-            expected="the name of a file",
-            hint="give the name of a file",
-        )
+        yield Fault(message="is a folder", file=str(path), hint="give the name of a file")
     elif (
         exists and not is_file and not (is_link and not path.exists())
     ):  # a link to nowhere is only a name
-        yield Fault(
-            message="is not an ordinary file",
-            file=str(path),
-            expected="the name of a file",
-            hint="give another name",
-        )
+        yield Fault(message="is not an ordinary file", file=str(path), hint="give another name")
     elif input_lost:
         yield Fault(
-            message=("is an input of this command and is not overwritten, not even with --force"),
+            message="is an input of this command and is not overwritten, not even with --force",
             file=str(path),
-            expected="another name",
             hint="give another name",
         )
 
@@ -90,7 +74,6 @@ def _exist_already(paths: Sequence[Path]) -> Fault:
         return Fault(
             message="exists already",
             file=str(paths[0]),
-            expected="a new file, or --force to replace it",
             hint="give another name, or `--force` to replace it",
         )
     folder = Path(os.path.commonpath([path.parent for path in paths]))
@@ -99,7 +82,6 @@ def _exist_already(paths: Sequence[Path]) -> Fault:
     return Fault(
         message=f"{len(paths)} files exist already",
         file=str(folder),
-        expected="new files, another folder, or --force to replace them",
         found=", ".join(names) + (f" and {more} more" if more else ""),
         hint="give another folder, or `--force` to replace them",
     )
@@ -114,7 +96,6 @@ def _twice(targets: Mapping[Path, bytes]) -> Iterator[Fault]:
             yield Fault(
                 message="is also the name of another file that is written",
                 file=str(path),
-                expected="another name",
                 hint="give another name",
             )
 

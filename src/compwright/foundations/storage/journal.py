@@ -1,9 +1,9 @@
-"""What is written down before files are moved, so that the next command can put them back.
+"""The journal: it is written before files are moved, so that the next command can restore them.
 
-While files are written, a folder of ours stands in each folder that takes part. It holds the lock,
-the new files (``0.new``, ``1.new``, ..), the earlier ones (``0.old``, ..) and the journal, in which
-files are known by their place in the list. The journal of one folder, the first, decides for all:
-as long as it is there, nothing has happened. Those of the others say where it is.
+While files are written, each folder contains a folder `UNFINISHED`. It holds the lock, the new
+files (``0.new``, ``1.new``, ..), the earlier ones (``0.old``, ..) and the journal, in which files
+have the number of their place in the list. The journal of the first folder decides for all: as
+long as it exists, the earlier files count. The journals of the other folders name the first one.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from typing import Any
 
 from compwright.foundations.storage import disk
 
-#: The name of our folder: whoever sees it should know what it is.
+#: The name of that folder, chosen so that a user recognises it.
 UNFINISHED = ".compwright-unfinished"
 JOURNAL = "journal.json"
 _PART = "journal.part"

@@ -141,19 +141,19 @@ def _too_large(kind: InputKind, found: str) -> Fault:
 
 
 def state_of(session: Session, paths: Sequence[Path]) -> str:
-    """Return what the file system says of files: the same text as long as none was changed, added
-    or taken away. They count as read: what is said of them comes from here.
+    """Return size and time of files as one text: the same as long as none was changed, added or
+    removed. They count as read.
     """
-    told = []
+    states = []
     for path in paths:
         put_right_above(session, path, InputError)
         try:
             seen = path.stat()
             session.inputs.add((seen.st_dev, seen.st_ino))
-            told.append(f"{seen.st_size}:{seen.st_mtime_ns}")
+            states.append(f"{seen.st_size}:{seen.st_mtime_ns}")
         except (OSError, ValueError):
-            told.append("-")
-    return " ".join(told)
+            states.append("-")
+    return " ".join(states)
 
 
 def was_read(session: Session, path: Path) -> bool:

@@ -1,9 +1,9 @@
-"""What a stopped process left: taken back by the next command, whichever reads or writes there.
+"""Recovery after a stopped process, by the next command that reads or writes in the folder.
 
-As long as the journal is there, nothing has happened: new files are removed, earlier ones put back,
-then the journal goes. Each step can be done again, so that this too may be stopped anywhere. First
-all that is new goes, then what was there before comes back: old and new never lie beside each other
-under their own names.
+As long as the journal exists, the earlier files count: new files are removed, earlier ones put
+back, then the journal is removed. Each step can be repeated, so a recovery may be stopped too. All
+new files are removed before the first earlier one is put back: a folder never shows old and new
+files together.
 """
 
 from __future__ import annotations
@@ -32,12 +32,12 @@ from compwright.foundations.storage.journal import (
 from compwright.foundations.storage.locking import PATIENCE, Lock, take
 from compwright.foundations.storage.looking import reason, resolved
 
-#: A folder with what its journal says.
+#: A folder with its journal.
 Set = tuple[Path, Journal]
 
 
 class NotPutRightError(Exception):
-    """What a stopped process left cannot be taken back; the faults say why."""
+    """The files of a stopped process cannot be restored; the faults give the reason."""
 
     def __init__(self, *faults: Fault) -> None:
         super().__init__("\n".join(map(str, faults)))
@@ -48,8 +48,8 @@ class NotPutRightError(Exception):
 
 
 def put_right_above(session: Session, path: Path, error: type[CompwrightError]) -> None:
-    """Take back what stopped processes left in the folder of ``path`` and in those above it, which
-    is searched for once in a session.
+    """Restore the files of stopped processes in the folder of ``path`` and in those above it; each
+    folder is searched once in a session.
 
     Raises ``error`` where that is impossible and ``path`` is a file that would have to be put back,
     or a folder with such a file directly in it.
@@ -137,8 +137,8 @@ def _take_back(session: Session, folder: Path) -> None:
 
 
 def _sweep(folder: Path) -> None:
-    """Remove what was prepared and never begun, or done and not cleared away; what a living process
-    holds, or what cannot be removed, stays and is in nobody's way.
+    """Remove files that were prepared and never used, or are left after the end. Those of a running
+    process, and those that cannot be removed, stay; they do no harm.
     """
     with suppress(OSError):
         lock = take(folder / UNFINISHED, patience=0.0)
@@ -237,7 +237,7 @@ def _is_swept(first: Path, folder: Path, journal: Journal) -> bool:
             clear(lock)
     except TimeoutError:
         raise
-    except OSError:  # another process has done it, or nobody can write there: it is done anyway
+    except OSError:  # another process has done it, or the folder is read-only: done either way
         pass
     return True
 
@@ -308,9 +308,7 @@ def sync_folders(sets: Sequence[Set]) -> None:
 
 
 def _changed_since(folder: Path, journal: Journal) -> Iterator[Fault]:
-    """Yield a fault for each file that is neither the earlier nor the new one and stands in the
-    place of one.
-    """
+    """Yield a fault for each file that replaced both the earlier and the new one."""
     for number, entry in enumerate(journal.entries):
         target = folder / entry.name
         kept = os.path.lexists(old_file(folder, number))
@@ -321,7 +319,6 @@ def _changed_since(folder: Path, journal: Journal) -> Iterator[Fault]:
             yield Fault(
                 message="was changed after a command was stopped while it wrote this file",
                 file=str(target),
-                expected="it elsewhere (move it), so that the earlier file can be put back",
                 hint="move it to another folder, then run the command again",
             )
 
@@ -350,10 +347,6 @@ def _lost(what: str, target: Path, folder: Path) -> Fault:
     return Fault(
         message=f"the earlier file, which a stopped command had moved, {what}",
         file=str(target),
-        expected=(
-            f"the folder copied again as a whole, hidden files too, or {folder / UNFINISHED}"
-            " removed, which keeps what is here, old and new side by side"
-        ),
         hint=(
             "copy the folder again as a whole with hidden files, or remove "
             f"{folder / UNFINISHED} (this keeps old and new files as they are)"

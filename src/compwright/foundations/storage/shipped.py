@@ -27,8 +27,8 @@ def reference_files(session: Session) -> dict[str, bytes]:
 
 
 def _shipped(session: Session, folder: str, pattern: str = "*.yaml") -> Iterator[tuple[str, bytes]]:
-    """Yield name and bytes of the files of a folder, which lies beside the code in an installed
-    wheel; the definitions at the top of a source checkout.
+    """Yield name and bytes of the files of a folder: next to the code in an installed wheel, at the
+    top of a source checkout.
     """
     package = Path(__file__).resolve().parents[2]
     for place in (package / folder, package.parents[1] / folder):

@@ -108,12 +108,12 @@ def _device(folder: Path) -> int:
 
 
 class _Work:
-    """What was done so far, so that it can be taken back."""
+    """The steps done so far, so that they can be undone."""
 
     def __init__(self, session: Session, parts: list[_Part], current: Path) -> None:
         self.session = session
         self.parts = parts
-        self.current = current  # the file that is said to be the trouble
+        self.current = current  # the file that an error names
         self.above: list[Path] = []  # folders that were made to hold the results
         self.locks: list[Lock] = []
         self.sets: list[tuple[Path, Journal]] = []
@@ -228,9 +228,9 @@ class _Work:
             put_journal(folder, journal)
 
     def _move(self) -> None:
-        """Move the earlier files out of the way, all of them before the first new one stands there:
-        old and new never lie beside each other under their own names. That lasts before it goes on:
-        a disk that keeps no order could lose an earlier file under a new one.
+        """Move all earlier files away, then the new ones to their places: a folder never shows old
+        and new files together. The first step is synced before the second begins: a disk that
+        changes the order could lose an earlier file under a new one.
         """
         for folder, journal in self.sets:
             for number, entry in enumerate(journal.entries):

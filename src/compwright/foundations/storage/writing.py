@@ -13,8 +13,8 @@ from compwright.foundations.storage.reading import earlier_bytes, was_read
 from compwright.foundations.storage.recovery import put_right_above, put_right_in
 from compwright.foundations.storage.transaction import put
 
-#: Whether the file of this relative name and content, which stands in the way, was written by an
-#: earlier run of the same command.
+#: Whether an existing file of this relative name and content was written by an earlier run of the
+#: same command.
 Known = Callable[[str, bytes], bool]
 
 
@@ -34,16 +34,15 @@ def write_files(
     """Write ``files`` (relative name with ``/`` -> bytes) below ``folder``, and those of
     ``elsewhere``, all of them or none.
 
-    ``known`` tells of a file that stands below ``folder`` in the place of one of ``files`` whether
-    an earlier run wrote it; one that it does not know is the user's and is not replaced. ``whole``:
-    folders below ``folder`` that hold exactly these files afterwards; ``renewed``: folders in which
-    the user may keep files of his own; ``completed``: files that an earlier command began and this
-    one replaces without ``force``. What else lies directly in either is removed with ``force``
-    where it is known; else it stays, and in a ``whole`` folder nothing is written. So is what is
-    ``outdated``: files that hold no longer with what is written now. Returns the
-    paths in the order given. Raises StorageError when a file exists (unless ``force``), was read by
-    this command or is not known, for missing permission, for a full disk and for a name that leads
-    out of ``folder``; then everything is as it was before, files replaced included.
+    ``known``: whether an earlier run wrote an existing file; any other file is the user's and is
+    not replaced. ``whole``: folders below ``folder`` that contain exactly these files afterwards;
+    ``renewed``: folders in which the user may keep files; ``completed``: files of an earlier
+    command that this one replaces without ``force``. Further known files directly in these folders
+    are removed with ``force``, and so are ``outdated`` files, which no longer fit the new ones;
+    unknown files stay, and in a ``whole`` folder they stop the writing. Returns the paths in the
+    order given. Raises StorageError when a file exists (unless ``force``), was read by this command
+    or is unknown, for missing permission, for a full disk and for a name that leads out of
+    ``folder``; then everything is as before, replaced files included.
     """
     below = {_below(folder, name): name for name in files}
     _put_right(session, folder, [*below, *(elsewhere or ())], [*whole, *renewed])
@@ -138,7 +137,6 @@ def _twice_named(files: Mapping[Path, bytes], others: Mapping[Path, bytes]) -> I
             yield Fault(
                 message="is also the name of another file that is written",
                 file=str(path),
-                expected="another name",
                 hint="give another name",
             )
 
@@ -175,7 +173,6 @@ def _users_files(
                     " overwritten"
                 ),
                 file=str(path),
-                expected="it elsewhere (move it), or another folder for the results",
                 hint="move it to another folder, or give another `--out`",
             )
 
@@ -215,12 +212,7 @@ def write_file(session: Session, path: Path, content: bytes, *, force: bool = Fa
     """
     if not path.name:
         raise StorageError(
-            Fault(
-                message="is a folder",
-                file=str(path),
-                expected="the name of a file",
-                hint="give the name of a file",
-            )
+            Fault(message="is a folder", file=str(path), hint="give the name of a file")
         )
     return write_files(session, path.parent, {path.name: content}, force=force)[0]
 
@@ -230,10 +222,7 @@ def _below(folder: Path, name: str) -> Path:
     if not parts or ".." in parts or PurePosixPath(name).is_absolute() or Path(name).is_absolute():
         raise StorageError(
             Fault(
-                message="is outside of the folder",
-                file=name,
-                expected=f"a name below {folder}",
-                hint=f"give a name inside {folder}",
+                message="is outside of the folder", file=name, hint=f"give a name inside {folder}"
             )
         )
     return folder.joinpath(*parts)

@@ -233,8 +233,7 @@ def _unsaid(axes: Sequence[Axis], found: DecodedState, loaded: Sequence[Path]) -
                     f"{axis.address}); missing values do not count as zero"
                 ),
                 file=", ".join(map(str, loaded)),
-                expected="what was read back from the control",
-                hint="add the file with the data of this axis to `--loaded`",
+                hint=f"give `--loaded` the file with the data of {axis.address} too",
             )
 
 

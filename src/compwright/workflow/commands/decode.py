@@ -72,7 +72,7 @@ def positions_of(text: str) -> FloatArray:
                     message="must look like 0:800:10, or be one number",
                     place="--at",
                     found=str(error),
-                    hint="give `--at 0:800:10` (from, to, step) or positions",
+                    hint="give `--at 0:800:10` (from, to, step), or positions: `--at 0,100,250`",
                 )
             )
     if faults:

@@ -115,9 +115,7 @@ def evaluate_files(
     if not paths:
         raise UsageError(
             Fault(
-                message="nothing to evaluate",
-                expected="at least one measurement file or folder",
-                hint="give at least one measurement file or folder",
+                message="nothing to evaluate", hint="give at least one measurement file or folder"
             )
         )
     mapping = None if profile is None else load_profile(session, profile)
@@ -248,7 +246,6 @@ def write_evaluation(
                     message=f"is already the file of {named[path]}",
                     file=shown_path(path),
                     place=option,
-                    expected="another file",
                     hint="give two different files",
                 )
             )
@@ -289,7 +286,7 @@ def _plot(document: Mapping[str, Any], path: Path) -> bytes:
         raise UsageError(
             Fault(
                 message="one picture cannot show so many tests",
-                expected=f"at most {_PLOTTED} tests, or --table",
+                expected=f"at most {_PLOTTED} tests",
                 found=str(count),
                 hint="give fewer files, or `--table PATH.csv` instead of `--plot`",
             )
@@ -310,7 +307,6 @@ def _report(document: Mapping[str, Any], path: Path, language: Language, command
         raise UsageError(
             Fault(
                 message="nothing to report",
-                expected="a test that could be evaluated",
                 hint="correct the faults of the tests first, or leave `--report` out",
             )
         )

@@ -74,9 +74,8 @@ from compwright.workflow.verify.verify_circles import (
 
 VERIFICATION = "verification.json"
 NOT_READ_BACK = Fault(
-    message=("needs the existing tables of the control as the start of the next round"),
+    message="needs the existing tables of the control as the start of the next round",
     place="--update",
-    expected="--loaded with the files that the control holds now",
     hint="add `--loaded` with the files read back from the control",
 )
 

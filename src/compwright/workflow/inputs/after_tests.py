@@ -29,7 +29,6 @@ from compwright.workflow.inputs.measurement_files import load_profile
 _OTHER_PROFILE = Fault(
     message="no profile fits the test after loading",
     place="--profile",
-    expected="a profile of this file",
     hint="make one with `compwright profile FILE --out P.yaml`, then add `--profile P.yaml`",
 )
 
@@ -191,7 +190,6 @@ def _unfit(plan: Plan, axes: Sequence[str]) -> Iterator[Fault]:
         yield Fault(
             message="no test to verify was given",
             place="--after",
-            expected="the tests made after loading",
             hint="give the test taken after loading: `--after FILE`",
         )
 
@@ -209,7 +207,6 @@ def _assign(
             Fault(
                 message="contains no file name",
                 place="--after",
-                expected="FILE or TEST=FILE",
                 found=repr(spec),
                 hint="give `--after FILE` or `--after TEST=FILE`",
             )
@@ -222,7 +219,6 @@ def _assign(
             Fault(
                 message="is not a test of the job",
                 place="--after",
-                expected=f"{known} before the =",
                 found=repr(spec),
                 hint=f"write {known} before the `=`",
             )
@@ -267,7 +263,6 @@ def _axis_of_file(
                 message="the file does not state its axis",
                 file=spec,
                 place="--after",
-                expected=f"TEST=FILE with TEST one of {', '.join(names)}",
                 hint=(
                     "give `--after TEST=FILE`, such as `--after "
                     f"{next(iter(names), 'TEST')}={spec}`"

@@ -152,10 +152,8 @@ def _same_numbers(linear: DecodedState, rotary: DecodedState | None) -> None:
         ):
             faults.append(
                 Fault(
-                    message=(f"axis {name}: it is not known whether this axis is linear or rotary"),
+                    message=f"axis {name}: the files do not state whether it is linear or rotary",
                     place=f"--option {KIND}",
-                    expected="linear or rotary, or the file that says it",
-                    found="nothing",
                     hint=f"give `--option {KIND}=linear` or `--option {KIND}=rotary`",
                 )
             )

@@ -131,7 +131,6 @@ def _with_environment(session: Session, job: Job, folder: Path) -> Job:
             message="has no column material_c, and no key states the temperature T_m",
             file=", ".join(request.files),
             place="environment",
-            expected="a column material_c, or T_m under thermal",
             hint="add `T_m` under `thermal` of the job, or a column `material_c` to the record",
         )
         raise InputError(fault)
@@ -338,9 +337,9 @@ def job_of(
         Fault(
             message="is missing",
             place=name,
-            hint=f"add {name} with its value to the command, or give one job file",
+            hint=f"add `{name} {example}` with your own value, or give one job file",
         )
-        for name, value in needed.items()
+        for (name, value), example in zip(needed.items(), ("fanuc-30i", "X", "0:800"), strict=True)
         if not value
     ]
     folder = out or default_folder(session, first)

@@ -83,17 +83,11 @@ def _outside(axis: Axis, test: PositioningTest, file: str) -> Iterator[Fault]:
         return
     unit = axis.kind.unit
     yield Fault(
-        message=(
-            f"the targets are outside the travel of the axis, {low:.10g} to {high:.10g} {unit}"
-        ),
+        message=f"the targets are outside the travel of the axis, {low:.10g} to {high:.10g} {unit}",
         file=file,
         place="targets",
-        expected=(
-            "targets within the travel in machine coordinates (position_map: {sense, offset}), or"
-            " the true travel"
-        ),
         found=f"{first:.10g} to {last:.10g} {unit}",
-        hint=("set `position_map: {sense: 1, offset: ...}` of the test, or correct `travel`"),
+        hint="set `position_map: {sense: 1, offset: ...}` of the test, or correct `travel`",
     )
 
 

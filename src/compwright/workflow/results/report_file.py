@@ -20,7 +20,6 @@ def require_report_form(path: Path | None, *forms: str) -> None:
                 message="unknown format of a report",
                 file=shown_path(path),
                 place="--report",
-                expected=f"a name that ends in {' or '.join(forms)}",
                 found=path.suffix or path.name,
                 hint=f"give `--report` a name that ends in {' or '.join(forms)}",
             )
@@ -56,7 +55,6 @@ def answer_files(
                 message="is already the file of --json",
                 file=shown_path(report),
                 place="--report",
-                expected="another file",
                 hint="give two different files",
             )
         )

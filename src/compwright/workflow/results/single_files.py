@@ -89,9 +89,8 @@ def _others(session: Session, targets: Mapping[Path, bytes]) -> Iterator[Fault]:
                     "was not written by this command and is not replaced, not even with --force"
                 ),
                 file=str(path),
-                expected=f"another name, or {new}",
                 found=kind or "something else",
-                hint="give another name",
+                hint=f"give another name, or {new}",
             )
 
 
