@@ -205,7 +205,7 @@ def _names(template: str) -> Iterator[str]:
 
 
 def _kept(value: Any) -> Any:
-    """Return a value in a form that is the same on every processor: rounded numbers, tuples, texts."""
+    """Return a value in a form that every processor gives alike: rounded numbers, tuples, texts."""
     if value is None or isinstance(value, str | bool | int | Sentence):
         return value
     if isinstance(value, float | Decimal):
