@@ -454,7 +454,7 @@ def test_more_tests_than_a_picture_holds_are_refused(
     outcome: EvaluationRun, tmp_path: Path
 ) -> None:
     many = {**outcome.document, "results": [*outcome.document["results"]] * 3}
-    with pytest.raises(UsageError, match=r"--plot: .*at most 40 tests, or --table, found 42"):
+    with pytest.raises(UsageError, match=r"--plot: .*at most 40 tests, found 42"):
         write_evaluation(Session(), many, plot_path=tmp_path / "p.svg")
 
 

@@ -60,10 +60,7 @@ def test_every_existing_file_is_named_and_nothing_is_touched(tmp_path: Path) -> 
     (fault,) = faults_of(
         lambda: storage.write_files(Session(), tmp_path, {"x": b"n", "new": b"n", "y": b"n"})
     )
-    assert fault.startswith(
-        f"{tmp_path}: 2 files exist already; expected new files, another folder, or --force"
-    )
-    assert without_hint(fault).endswith("found x, y")
+    assert without_hint(fault) == f"{tmp_path}: 2 files exist already; found x, y"
     assert tree(tmp_path) == before
 
 

@@ -485,7 +485,7 @@ BAD: dict[str, tuple[str, tuple[str, ...]]] = {
     ),
     "readings of the wrong length": (
         changed(r"(<READINGS>(?:\S+ ){50})[^<]*", r"\1"),
-        ("lies outside the readings", "found"),
+        ("is outside the readings", "found"),
     ),
     "indices out of range": (
         changed(r"<END_INDEX>\d+", "<END_INDEX>99999"),

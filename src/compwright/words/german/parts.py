@@ -45,6 +45,35 @@ SENTENCES: Final[dict[str, str]] = {
     "reading_off": "{traverse} bei {target} (Abweichung {off})",
     "scale_by": "{axis}: Maßstab {scale} nach {tests:join|; }",
     "traverse": "Lauf {run} in {direction}",
+    "undetermined.causes": (
+        "{circle}: Die Ursachen sind aus {samples} Messpunkten über {arc:g}° in"
+        " {directions:plural|einer Richtung|beiden Richtungen} nicht bestimmbar"
+    ),
+    "undetermined.few_at_reversal": (
+        "der Bogen hat zu wenige Messpunkte, wo die Achse {axis:choose|first=eins|second=zwei}"
+        " umkehrt"
+    ),
+    "undetermined.few_in_time": "die {time:3sig} s des Laufs haben zu wenige Messpunkte",
+    "undetermined.full_circle": (
+        "{reasons:join|; }: einen vollen Kreis in beiden Richtungen messen"
+    ),
+    "undetermined.lobes": "Vielecke gehören zu einem geschlossenen Kreis",
+    "undetermined.no_reversal": "{axis} kehrt im Bogen nicht um",
+    "undetermined.of_circle": "{circle}: {reason}",
+    "undetermined.one_direction": (
+        "eine Richtung trennt es nicht von Schleppabstand und Umkehrspiel"
+    ),
+    "undetermined.one_reversal": "der Bogen hat nur einen Umkehrpunkt der Achse",
+    "undetermined.prior": (
+        "{value:+3sig} ± {error:2sig} {unit} ist nicht genau genug bekannt: Die Messpunkte sagen"
+        " wenig mehr als das Übliche (±{width:g}, Standardabweichung)"
+    ),
+    "undetermined.square": "ein Bogen zeigt nicht die Fehler des ganzen Quadrats",
+    "undetermined.value": (
+        "{value:+.1f} ± {error:.1f} µm/m ist nicht genau genug bekannt: Die Unsicherheit (k = 2)"
+        " muss unter der Hälfte des Wertes und unter {most:g} µm/m liegen. Volle Kreise in beiden"
+        " Richtungen messen und alle angeben"
+    ),
     "value_with_error": "{value:+.1f} ± {error:.1f} {unit}",
     "with_and_without": "{parameter} {value} mit, {without} ohne",
 }

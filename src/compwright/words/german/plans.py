@@ -6,6 +6,20 @@ from typing import Final
 
 SENTENCES: Final[dict[str, str]] = {
     "CW-P001": "Für Achse {axis} wird keine Tabelle geschrieben: {why}.",
+    "CW-P001.measured": (
+        "die gemessene Prüfung ergibt mit der Tabelle neu ausgewertet {parameter} {with_table},"
+        " ohne"
+        " sie {without}"
+    ),
+    "CW-P001.new_targets": (
+        "an neuen Zielpositionen wird {parameter} {with_table} mit der Tabelle erwartet, {without}"
+        " ohne sie"
+    ),
+    "CW-P001.not_seen": (
+        "an neuen Zielpositionen wird {parameter} {with_table} mit einer weiteren Tabelle erwartet,"
+        " {without} ohne sie; von Prüfung zu Prüfung ändert es sich um {spread}: Der Gewinn liegt"
+        " innerhalb der Unsicherheit"
+    ),
     "CW-P101": (
         "Kreis {circle}: Sein Ort in der Maschine ist nicht angegeben; angenommen wird die Mitte"
         " des Verfahrwegs ({centre}). Seinen Mittelpunkt angeben: Die Wirkung der Tabellen hängt"
@@ -30,8 +44,7 @@ SENTENCES: Final[dict[str, str]] = {
         " Einen in beiden Richtungen messen."
     ),
     "CW-P106.uncertain": (
-        "apply.squareness.{plane} wird nicht korrigiert: Rechtwinkligkeit {why}. Um sie zu"
-        " korrigieren: {repeat}."
+        "apply.squareness.{plane} wird nicht korrigiert: Rechtwinkligkeit {why}."
     ),
     "CW-P106.undetermined": (
         "apply.squareness.{plane} wird nicht korrigiert: Die Rechtwinkligkeit ist nicht bestimmt."
@@ -96,8 +109,21 @@ SENTENCES: Final[dict[str, str]] = {
         " }|kein Kreis liegt auf ihr}."
     ),
     "CW-P119.undetermined": (
-        "{axis}: Der Maßstab wird nicht korrigiert: {why}. Er kommt aus {tests:join|; }. {measure}"
+        "{axis}: Der Maßstab wird nicht korrigiert: {why}. Er kommt aus {tests:join|; }. Oder die"
+        " Achse mit einem Laser messen, oder den Kreis bei kleinem Vorschub wiederholen."
     ),
+    "CW-P119.lag": (
+        "der Schleppabstand der Achsen verkleinert {circle} bei seinem Vorschub vielleicht um"
+        " {lag:.0f} µm/m (kleiner Vorschub, zwei Vorschübe oder eine Positionierprüfung der anderen"
+        " Achse entscheiden es)"
+    ),
+    "CW-P119.low_feed": "{circle} bei kleinem Vorschub",
+    "CW-P119.mismatch": "dem Maßstabsunterschied von {circle} und dem Laser auf {axis}",
+    "CW-P119.not_calibrated": (
+        "das Messgerät von {circle} war nicht kalibriert, und die andere Achse hat keine"
+        " Positionierprüfung"
+    ),
+    "CW-P119.two_feeds": "{slow} und {fast}, auf Vorschub null extrapoliert",
     "CW-P120": (
         "{scale}; die Tabelle korrigiert ihn. Die Temperatur von Messgerät und Maßstab bei der"
         " Prüfung ist darin: 1 K sind 11 µm/m Stahl."
@@ -141,9 +167,9 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-P133.parameter": "{parameter} {value} (Grenzwert {limit:g})",
     "CW-P133.period": "alle {period:.5g} {unit} ({probability:.0%})",
     "CW-P134": (
-        "Kreis {circle}: Seine Ursachen sind nicht bekannt ({why}), das vorhergesagte Band ist"
-        " deshalb zu schmal, um über seine Grenzwerte zu entscheiden: offen. Einen vollen Kreis in"
-        " beiden Richtungen messen, oder nach der Prüfung nach dem Laden entscheiden."
+        "Kreis {causes}, das vorhergesagte Band ist deshalb zu schmal, um über seine Grenzwerte zu"
+        " entscheiden: offen. Einen vollen Kreis in beiden Richtungen messen, oder nach der Prüfung"
+        " nach dem Laden entscheiden."
     ),
     "CW-P135": "Kreise {circles} als eine Maschine: {machine:if|{machine}|sie zeigen nichts}.",
     "CW-P135.error": (
@@ -262,7 +288,7 @@ SENTENCES: Final[dict[str, str]] = {
         "Die Tabelle im Zustand {measured_in} ist das Spiegelbild der Prüfung {test} ({size:.1f}"
         " {unit}): Sie wurde aus dieser Prüfung gemacht und war dabei nicht aktiv. Eine weitere"
         " Tabelle korrigierte denselben Fehler zweimal. Mit aktiver Tabelle neu messen, oder unter"
-        " measured_in den Zustand nennen, in dem gemessen wurde."
+        " measured_in den Zustand nennen, in dem gemessen wurde"
     ),
     "CW-P162.after": (
         "die Datei der Prüfung nach dem Laden nennt die Kompensation {both:if|ein und aus|aus}, der"
