@@ -14,7 +14,7 @@ from compwright.foundations.numerals import significant
 #: Rooms that speak of what was measured, estimated, fitted and predicted.
 SPEAKING = ("estimation", "evaluation", "fitting", "planning", "verification")
 #: Certificates are as small as arithmetic makes them: there an exponent is what one reads.
-CERTIFICATES = ("certify", "ranges", "solve")
+CERTIFICATES = ("certify", "mean_range", "solve")
 
 
 @pytest.mark.parametrize(
