@@ -67,12 +67,6 @@ class _FileWord(click.ParamType[str]):
         del ctx, param
         return [CompletionItem(incomplete, type="file")]
 
-    def convert(
-        self, value: object, param: click.Parameter | None, ctx: click.Context | None
-    ) -> str:
-        del param, ctx
-        return str(value)
-
 
 def _matched(
     session: Session, kind: click.ParamType[Any], values: Iterable[object]

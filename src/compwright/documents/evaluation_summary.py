@@ -22,10 +22,9 @@ def summary_document(document: Mapping[str, Any]) -> dict[str, Any]:
     gravest and most frequent first: ``code``, ``severity``, ``tests`` and ``file``, the first.
     """
     results = document["results"]
-    files = {source["file"] for result in results for source in result["sources"]}
     return {
         "tests": len(results),
-        "files": len(files),
+        "files": len({source["file"] for result in results for source in result["sources"]}),
         "unread": len({error["file"] for error in document["errors"]}),
         "groups": [
             _group(key, some) for key, some in sorted(_grouped(results).items(), key=_axes_first)

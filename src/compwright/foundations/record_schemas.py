@@ -169,8 +169,7 @@ class RecordSchemas:
             for key in form.nested:
                 given |= given.pop(key)
             own = {name: value for name, value in form.build(given).items() if name in hints}
-            constant = {**form.constant, **({form.named: ""} if form.named else {})}
-            made = cls(**constant | own)
+            made = cls(**{**form.constant, **({form.named: ""} if form.named else {})} | own)
             broken = [] if rule is None else list(rule(made))
             if broken:
                 refuse(*(KeyFault((), "contradicts itself", expected) for expected in broken))

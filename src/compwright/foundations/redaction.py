@@ -132,8 +132,7 @@ def _whole(text: str, allowed: frozenset[str]) -> str:
 
 def _forms(content: bytes) -> Iterator[str]:
     """Yield the texts as which the bytes may be read, in small letters."""
-    encodings = _ENCODINGS if b"\x00" in content else _ENCODINGS[:2]
-    for encoding in encodings:
+    for encoding in _ENCODINGS if b"\x00" in content else _ENCODINGS[:2]:
         text = content.decode(encoding, errors="replace").casefold()
         yield text
         if "&" in text:

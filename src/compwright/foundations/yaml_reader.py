@@ -84,12 +84,11 @@ class _StrictLoader(yaml.SafeLoader):
             expected = f"at most {MOST_YAML_WORDS} keys and values"
         else:
             return event
-        place = f"line {event.start_mark.line + 1}" if event.start_mark else ""
         raise InputError(
             Fault(
                 message=message,
                 file=self.file,
-                place=place,
+                place=f"line {event.start_mark.line + 1}" if event.start_mark else "",
                 expected=expected,
                 hint=hint,
             )
@@ -210,12 +209,11 @@ def read_yaml_with_faults(content: bytes, file: str) -> tuple[YamlDocument, tupl
         data = reader.value(node, ())
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark
-        place = f"line {mark.line + 1}, column {mark.column + 1}" if mark else ""
         raise InputError(
             Fault(
                 message=f"is not valid YAML ({error.problem or error.context})",
                 file=file,
-                place=place,
+                place=f"line {mark.line + 1}, column {mark.column + 1}" if mark else "",
                 hint="correct this line; text with special characters needs quotes",
             )
         ) from error

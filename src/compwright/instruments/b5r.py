@@ -144,14 +144,13 @@ def _ballbar(root: Element, file: str) -> Element:
             "is of another instrument" if instrument else "does not say which instrument measured"
         )
         place = f"line {(instrument or root).line}, {'/'.join(BAR)}"
-        found = shown(", ".join(kinds[:8]) or "nothing")
         raise InputError(
             Fault(
                 message=message,
                 file=file,
                 place=place,
                 expected="a dynamic ballbar test",
-                found=found,
+                found=shown(", ".join(kinds[:8]) or "nothing"),
                 hint="give a file with the expected kind of test",
             )
         )
@@ -203,10 +202,9 @@ def _plane(bar: Element, faults: FaultList) -> tuple[str, tuple[str, str]]:
     letters = axes_of_plane(plane)
     named = [(bar.first("PLANE", f"{side}_AXIS_NAME") or bar).text for side in "AB"]
     if letters is None:
-        place = f"line {(element or bar).line}, DYNAMIC_BALLBAR/PLANE"
         faults.add(
             "names no plane",
-            place=place,
+            place=f"line {(element or bar).line}, DYNAMIC_BALLBAR/PLANE",
             expected="TEST_PLANE XY, YZ or ZX",
             found=shown(plane),
             hint="write the plane into a copy of the file: <TEST_PLANE>XY</TEST_PLANE>",
@@ -283,11 +281,10 @@ def _readings(element: Element, faults: FaultList) -> FloatArray | None:
     text, place = text_of(element, faults, "READINGS")
     tokens = text.split()
     if len(tokens) > MOST_SAMPLES_OF_A_RUN:
-        expected = f"at most {MOST_SAMPLES_OF_A_RUN} values"
         faults.add(
             "READINGS are longer than any run",
             place=place,
-            expected=expected,
+            expected=f"at most {MOST_SAMPLES_OF_A_RUN} values",
             found=str(len(tokens)),
             hint="save the file again in the ballbar software",
         )
@@ -336,11 +333,10 @@ def _indices(
         )
         return None
     if last - first + 1 < FEWEST_SAMPLES:
-        expected = f"at least {FEWEST_SAMPLES} samples from START_INDEX to END_INDEX"
         faults.add(
             "has too few samples",
             place=place,
-            expected=expected,
+            expected=f"at least {FEWEST_SAMPLES} samples from START_INDEX to END_INDEX",
             found=f"{first} to {last}",
             hint="measure at a lower feed, or with a higher sample rate",
         )

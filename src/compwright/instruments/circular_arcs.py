@@ -172,8 +172,7 @@ def check_same_arc(
     end.
     """
     shift = (other[0] - one[0] + 180.0) % 360.0 - 180.0
-    end = shift + other[1] - one[1]
-    if max(abs(shift), abs(end)) > step + _TINY:
+    if max(abs(shift), abs(shift + other[1] - one[1])) > step + _TINY:
         faults.add(
             "covers another arc",
             place=names[1],

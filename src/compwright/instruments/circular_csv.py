@@ -138,15 +138,12 @@ def _check_form(comments: Comments, lines: Sequence[tuple[int, str]], file: str)
     match = _FORM_KEY.fullmatch(form)
     if form and not (match and int(match[1]) <= _NEWEST_FORM):
         newer = "was written for a newer version of compwright"
-        message = newer if match else "is not a circular test"
-        expected = f"circular {_NEWEST_FORM}{' or older' if match else ''}"
-        place = comments.places["compwright"]
         raise InputError(
             Fault(
-                message=message,
+                message=newer if match else "is not a circular test",
                 file=file,
-                place=place,
-                expected=expected,
+                place=comments.places["compwright"],
+                expected=f"circular {_NEWEST_FORM}{' or older' if match else ''}",
                 found=shown(form),
                 hint="correct this line in the header of the file",
             )

@@ -134,14 +134,13 @@ def merge_circular(tests: Sequence[CircularTest], name: str) -> CircularTest:
                 hint="give each file once",
             )
     faults.raise_if_any()
-    runs = [run for test in tests for run in test.runs]
     return replace(
         first,
         name=name,
         feed=float(np.mean([test.feed for test in tests])),
         calibrated=all(test.calibrated for test in tests),
         centre=next((test.centre for test in tests if test.centre is not None), None),
-        runs=tuple(_counted(runs)),
+        runs=tuple(_counted([run for test in tests for run in test.runs])),
         vendor=_joined_vendor(tests),
         sources=tuple(source for test in tests for source in test.sources),
         header=_joined_header(tests),

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from compwright.foundations.errors import Fault, InputError
+from compwright.foundations.errors import InputError
 from compwright.foundations.findings import Finding
 from compwright.instruments.comments import comment_text
 from compwright.instruments.csv_table import first_row
@@ -37,13 +37,12 @@ def read_plain_lines(content: bytes, file: str) -> tuple[list[str], Finding | No
         foreign = {n: line for n, line in enumerate(lines, start=1) if not line.isascii()}
         for number, line in foreign.items():
             if comment_text(line) is None and (header is None or number != header[0]):
-                faults = [_in_row(fault, number, line, name) for fault in strict.faults]
+                faults = [
+                    replace(fault, place=f"line {number}", found=f"{shown(line)} ({name})")
+                    for fault in strict.faults
+                ]
                 raise InputError(*faults) from None
         return lines, _finding(name, *next(iter(foreign.items())))
-
-
-def _in_row(fault: Fault, number: int, line: str, name: str) -> Fault:
-    return replace(fault, place=f"line {number}", found=f"{shown(line)} ({name})")
 
 
 def _finding(name: str, number: int, line: str) -> Finding:

@@ -110,8 +110,7 @@ def read_compensation_text(text: Sequence[str], faults: FaultList, answers: Answ
     found = _text(text)
     marks = DecimalMarks(faults)
     sign = _sign(found, answers, faults)
-    kind = found.get("compensation type").lower()
-    if kind not in {"", "absolute"}:
+    if found.get("compensation type").lower() not in {"", "absolute"}:
         faults.add(
             "contains values of an unknown type",
             place=found.place("compensation type"),
@@ -119,8 +118,7 @@ def read_compensation_text(text: Sequence[str], faults: FaultList, answers: Answ
             found=shown(found.get("compensation type")),
             hint="export the table as absolute values, or give the file of the test (.rtl)",
         )
-    grid = _grid(found, marks, faults)
-    columns = _columns(found, grid, marks, faults)
+    columns = _columns(found, _grid(found, marks, faults), marks, faults)
     factor = _unit(found, columns, answers, faults)
     _check_directions(found, columns, marks, faults)
     marks.check()
@@ -146,7 +144,11 @@ def read_compensation_text(text: Sequence[str], faults: FaultList, answers: Answ
         header=header,
         assumed=("forward: approach in direction +", *(() if answers.unit else ("unit: mm",))),
         findings=(
-            _a_table(found.get("sign convention") or "its sign given by the profile"),
+            Finding.of(
+                "CW-R058",
+                "warning",
+                sign=(found.get("sign convention") or "its sign given by the profile"),
+            ),
             *filter(None, [stray, read_so_finding(readings, AxisKind.LINEAR)]),
         ),
     )
@@ -350,7 +352,3 @@ def _check_directions(
                 " Reverse"
             ),
         )
-
-
-def _a_table(sign: str) -> Finding:
-    return Finding.of("CW-R058", "warning", sign=sign)

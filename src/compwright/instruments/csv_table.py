@@ -320,7 +320,7 @@ def _decimal_comma_hint(cells: Sequence[str], delimiter: str, wanted: int) -> st
     if (
         delimiter != ","
         or len(cells) <= wanted
-        or not all(_is_number_or_sign(cell) for cell in cells)
+        or not all((cell in {"", "+", "-"} or is_number(cell)) for cell in cells)
     ):
         return ""
     return " (a decimal comma cannot be used where the comma is the delimiter)"
@@ -333,10 +333,6 @@ def is_number(text: str) -> bool:
     except ValueError:
         return False
     return True
-
-
-def _is_number_or_sign(text: str) -> bool:
-    return text in {"", "+", "-"} or is_number(text)
 
 
 def _without_unnamed(table: CsvTable, faults: FaultList) -> CsvTable:

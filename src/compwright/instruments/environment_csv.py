@@ -71,8 +71,7 @@ def read_environment(content: bytes, file: str) -> EnvironmentRecord:
     values = {name: _column(table, name, marks, faults) for name in columns}
     marks.check(comma_is_delimiter=table.delimiter == ",")
     order = np.argsort(times, kind="stable")
-    twice = np.flatnonzero(np.diff(times[order]) == 0.0)
-    for index in order[twice + 1]:
+    for index in order[np.flatnonzero(np.diff(times[order]) == 0.0) + 1]:
         faults.add(
             "a time is given twice",
             place=table.place(TIME)(int(index)),

@@ -82,7 +82,11 @@ def foreign_table(
     if header_line and not header:
         faults.add("the header row cannot be read", place=f"line {header_line}")
         return ForeignTable()
-    width = len(header) if header else _widest(body, delimiter)
+    width = (
+        len(header)
+        if header
+        else max((len(cells_of(line, delimiter) or ()) for _, line in body), default=0)
+    )
     if width > MOST_COLUMNS:
         faults.add(
             "has more columns than any table of readings",
@@ -119,7 +123,3 @@ def foreign_table(
         rows.columns(),
         tuple(line.strip() for line in text[: max(header_line - 1, 0)] if line.strip(" \t,;|")),
     )
-
-
-def _widest(body: Sequence[tuple[int, str]], delimiter: str) -> int:
-    return max((len(cells_of(line, delimiter) or ()) for _, line in body), default=0)

@@ -207,10 +207,9 @@ def sign_word(text: str) -> str:
     """Return ``+`` or ``-`` for a word that means a sign, ``out`` or ``back`` for a word that means
     a way, empty for all else.
     """
-    words = re.findall(r"[^\W\d_]+|[+-](?![0-9])|[↑↓]|(?<![0-9])[+-]1$", plain(text))
     found = {
         sign
-        for word in words
+        for word in re.findall(r"[^\W\d_]+|[+-](?![0-9])|[↑↓]|(?<![0-9])[+-]1$", plain(text))
         for sign, known in (("+", _UP), ("-", _DOWN), ("out", _OUT), ("back", _BACK))
         if word in known
     }

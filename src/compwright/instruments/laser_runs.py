@@ -325,7 +325,7 @@ def _directions(
     one_way = sections.value(_TARGETS, "Flags")[0].split() == _ONE_WAY
     findings: list[Finding] = []
     if even and all(map(runs.zero, even)) and not all(map(runs.zero, odd)):
-        findings.append(_zeros_left_out(even))
+        findings.append(Finding.of("CW-R054", "warning", runs=even[:6], more=len(even) > 6))
         even = []
     if any(runs.order(run) < 0 for run in odd) or (
         one_way and any(runs.order(run) < 0 for run in even)
@@ -351,9 +351,9 @@ def _directions(
         if even:
             words += f"; run 2, 4, ..: {_traverses(even)}, approaches in direction {back}"
             if not any(runs.order(run) < 0 for run in even) and len(runs.targets) > 1:
-                findings.append(_unproven_way_back(even[0], back))
+                findings.append(Finding.of("CW-R055", "warning", back=back, run=even[0]))
     if not rising:
-        findings.append(_falling_targets(out))
+        findings.append(falling_finding(say("CW-R014.odd_runs", direction=out)))
     return numbered, (words,), findings
 
 
@@ -367,18 +367,6 @@ def _other_version(sections: FileSections) -> list[str]:
 
 def _traverses(runs: Sequence[int]) -> str:
     return f"{len(runs)} traverse{'' if len(runs) == 1 else 's'}"
-
-
-def _zeros_left_out(even: Sequence[int]) -> Finding:
-    return Finding.of("CW-R054", "warning", runs=even[:6], more=len(even) > 6)
-
-
-def _unproven_way_back(run: int, back: Direction) -> Finding:
-    return Finding.of("CW-R055", "warning", back=back, run=run)
-
-
-def _falling_targets(out: Direction) -> Finding:
-    return falling_finding(say("CW-R014.odd_runs", direction=out))
 
 
 def _fewer_runs(runs: _Runs) -> Finding | None:

@@ -264,8 +264,7 @@ def _means_only(*, computed: bool) -> Finding:
 
 
 def _not_in_order(listed: Sequence[float]) -> list[Finding]:
-    steps = {int(np.sign(b - a)) for a, b in pairwise(listed)}
-    if steps <= {1}:
+    if {int(np.sign(b - a)) for a, b in pairwise(listed)} <= {1}:
         return []
     return [
         falling_finding(say("CW-R014.forward")),

@@ -33,14 +33,12 @@ def refuse_other_files(lines: Sequence[tuple[int, str]], comments: Comments, fil
     form = comments.get("compwright").lower()
     match = _FORM_KEY.fullmatch(form)
     if match and int(match[1]) > _NEWEST_FORM:
-        expected = f"positioning {_NEWEST_FORM} or older"
-        place = comments.places["compwright"]
         raise InputError(
             Fault(
                 message="was written for a newer version of compwright",
                 file=file,
-                place=place,
-                expected=expected,
+                place=comments.places["compwright"],
+                expected=f"positioning {_NEWEST_FORM} or older",
                 found=form,
                 hint="install the newer version of compwright (docs/how-to/offline.md)",
             )

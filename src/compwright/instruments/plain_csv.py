@@ -155,12 +155,11 @@ def _refuse_twice(
     for column, traverse in traverses.items():
         other = first.setdefault(traverse, column)
         if other != column:
-            found = f"'{other}' and '{column}'"
             faults.add(
                 "a traverse is given twice",
                 place=f"line {table.line}",
                 expected="one column per traverse",
-                found=found,
+                found=f"'{other}' and '{column}'",
                 hint="rename or remove one of the two columns",
             )
 
@@ -267,12 +266,11 @@ def _wide_factor(target: str, comments: Comments, faults: FaultList) -> float:
     place = comments.places["unit"]
     if known is None:
         hint = f" (inches are not read; {INCHES})" if in_inches([f"unit {unit.lower()}"]) else ""
-        found = f"{shown(unit)}{hint}"
         faults.add(
             "key 'unit' names an unknown unit",
             place=place,
             expected="um, mm, arcsec or deg",
-            found=found,
+            found=f"{shown(unit)}{hint}",
             hint="write `# unit: um`, mm, arcsec or deg",
         )
         return 1.0
@@ -341,9 +339,8 @@ def _wide(
     def place(index: int) -> str:
         return f"line {lines[index]}, column {names[column[index]]}"
 
-    cells = [of[index][row] for row, index in made]
     numbers = marks.parse_all(
-        cells,
+        [of[index][row] for row, index in made],
         lines,
         place,
         "traverses",

@@ -200,8 +200,7 @@ def _units(
 ) -> None:
     unit = unit_of(column) if column else ""
     if not unit and column:
-        first = next((text for text in columns.texts[column] if text), "")
-        unit = unit_of(first)
+        unit = unit_of(next((text for text in columns.texts[column] if text), ""))
     unit = unit or next(filter(None, map(stated_unit, above)), "")
     if unit:
         proposal.keys[key] = unit
@@ -271,8 +270,7 @@ def _long(
 
 def _direction(proposal: Proposal, columns: _ProposedColumns, target: str | None) -> None:
     keys = proposal.keys
-    named = columns.of("direction")
-    worded = named or [
+    worded = columns.of("direction") or [
         name
         for name in columns.table.columns
         if all(sign_word(text) for text in columns.texts[name] if text)
@@ -376,8 +374,7 @@ def _follows_targets(columns: _ProposedColumns, target: str | None, name: str) -
     both = np.isfinite(x) & np.isfinite(y)
     if both.sum() < 2 or np.ptp(x[both]) == 0.0:
         return False
-    slope = float(np.polyfit(x[both], y[both], 1)[0])
-    return abs(slope - 1.0) < 0.05
+    return abs(float(np.polyfit(x[both], y[both], 1)[0]) - 1.0) < 0.05
 
 
 def _sign(

@@ -156,8 +156,7 @@ def _of_sheet(sheet: WorkbookSheet, file: str, profile: Profile | None) -> list[
     if profile is not None and has_columns(sheet.lines, _for_sheet(sheet, profile)):
         reads = _by_profile(sheet.lines, _for_sheet(sheet, profile), faults)
     else:
-        parts = plain_parts(sheet.lines, faults)
-        reads = _by_form(PLAIN_CSV, parts, faults, None)
+        reads = _by_form(PLAIN_CSV, plain_parts(sheet.lines, faults), faults, None)
     reads = [replace(read, part=replace(read.part, sheet=sheet.name)) for read in reads]
     hidden = hidden_finding(sheet.hidden, sheet.lines)
     return reads if hidden is None else [_with_finding(read, hidden) for read in reads]

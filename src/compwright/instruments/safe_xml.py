@@ -149,7 +149,9 @@ def read_xml(content: bytes, file: str) -> Element:
                 message=message,
                 file=file,
                 place=place,
-                expected=_still_open(builder),
+                expected=(
+                    f"</{builder.open[-1][0].tag[:60]}>" if builder.open else "one XML document"
+                ),
                 hint="export the file from the instrument again",
             )
         ) from error
@@ -177,7 +179,3 @@ def read_xml(content: bytes, file: str) -> Element:
             )
         )
     return builder.root
-
-
-def _still_open(builder: _Builder) -> str:
-    return f"</{builder.open[-1][0].tag[:60]}>" if builder.open else "one XML document"

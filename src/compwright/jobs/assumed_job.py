@@ -93,7 +93,6 @@ def assumed_job(
     """
     ((axis, section),) = data["axes"].items()
     left = [entry for entry in assumed if entry.fact.startswith(_OPTION)]
-    others = [entry for entry in assumed if entry not in left]
     lines = [
         *(_JobLine(f"# {line}") for line in _HEADING),
         _JobLine("compwright: 1"),
@@ -110,7 +109,7 @@ def assumed_job(
         *(_JobLine(f"{key}: {flow(value)}", f"assumed: {what}") for key, value, what in _OF_JOB),
         *(
             _JobLine(f"# also assumed: {entry.fact} = {entry.value}", entry.evidence)
-            for entry in others
+            for entry in [entry for entry in assumed if entry not in left]
         ),
     ]
     return "\n".join(_aligned(lines)) + "\n"

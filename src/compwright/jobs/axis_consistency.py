@@ -67,11 +67,10 @@ def _geometry(section: Mapping[str, Any], path: KeyPath) -> Iterator[KeyFault]:
         and spacing is not None
         and 0 < spacing * _MOST_NODES < last - first
     ):
-        expected = f"at least {(last - first) / _MOST_NODES:g} mm or deg"
         yield KeyFault(
             (*path, "table", "spacing"),
             f"asks for more than {_MOST_NODES} nodes",
-            expected,
+            f"at least {(last - first) / _MOST_NODES:g} mm or deg",
             f"{spacing:g}",
         )
     if section.get("kind") == "rotary" and section.get("programmed") == "diameter":
@@ -91,8 +90,7 @@ def _test_sections(
     written.
     """
     before = section.get("before")
-    entries = before if isinstance(before, list) else [before]
-    for index, entry in enumerate(entries):
+    for index, entry in enumerate(before if isinstance(before, list) else [before]):
         path: KeyPath = ("before", index) if isinstance(before, list) else ("before",)
         test = {"files": [entry]} if isinstance(entry, str) else mapping_of(entry)
         files = test.get("files")
@@ -147,9 +145,8 @@ def implausible(thermal: Any, path: KeyPath) -> Iterator[KeyFault]:
             number = number_of(each)
             if number is None or low <= number <= high:
                 continue
-            here = (*path, key, place) if isinstance(value, list) else (*path, key)
             yield KeyFault(
-                here,
+                (*path, key, place) if isinstance(value, list) else (*path, key),
                 "is no temperature of a test in °C",
                 f"{low:g} to {high:g}{_in_celsius(number)}",
                 shown(each),

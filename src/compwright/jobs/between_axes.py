@@ -80,11 +80,10 @@ def _cross_unit(section: Mapping[str, Any], path: KeyPath, axes: Any) -> Iterato
         return
     kind = "rotary" if output.get("kind") == "rotary" else "linear"
     if (TO_INSIDE[unit][0] == "deg") != (kind == "rotary"):
-        expected = "um or mm" if kind == "linear" else "arcsec or deg"
         yield KeyFault(
             (*path, "unit"),
             f"does not fit the {kind} axis {section['output']}",
-            expected,
+            "um or mm" if kind == "linear" else "arcsec or deg",
             shown(unit),
         )
 
@@ -105,10 +104,9 @@ def applied(section: Any) -> Iterator[KeyFault]:
         if isinstance(bent, str) and (
             plane == bent or not (plane.startswith(bent) or plane.endswith(bent))
         ):
-            found = shown(bent)
             yield KeyFault(
                 ("apply", "squareness", plane),
                 "is no axis of this plane",
                 f"the bent axis of {plane}",
-                found,
+                shown(bent),
             )

@@ -91,11 +91,10 @@ def _states(states: Any) -> Iterator[KeyFault]:
                 path, "names files and none at once", "the word none, or the control's files"
             )
         if files in (NONE_WORD, [NONE_WORD]) and "active" in mapping_of(state):
-            found = shown(state["active"])
             yield KeyFault(
                 ("states", name, "active"),
                 "is given for a state in which no compensation is active",
-                found=found,
+                found=shown(state["active"]),
                 hint="remove this key",
             )
         yield from repeated_files(list_of(files), path)
@@ -134,9 +133,8 @@ def _untested(data: Mapping[str, Any]) -> Iterator[KeyFault]:
         return
     for name, axis in mapping_of(data.get("axes")).items():
         if mapping_of(axis).get("before") == []:
-            path = ("axes", name, "before")
             yield KeyFault(
-                path,
+                ("axes", name, "before"),
                 "is too short",
                 "at least 1 in the list, or a test under circles or cross",
                 "an empty list",

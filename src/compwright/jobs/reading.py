@@ -413,5 +413,4 @@ def _idle_findings(section: JobSection) -> list[Finding]:
 def _state_findings(section: JobSection) -> list[Finding]:
     if not section.states or AS_FOUND in section.states:
         return []
-    names = ", ".join(section.states)
-    return [Finding.of("CW-J002", "warning", states=names)]
+    return [Finding.of("CW-J002", "warning", states=", ".join(section.states))]

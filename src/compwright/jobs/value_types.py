@@ -49,8 +49,7 @@ def acknowledgements(value: Any) -> Any:
 def no_truth_value(value: Any) -> Any:
     """Keep ``true`` from passing for 1, which it equals."""
     if isinstance(value, bool):
-        kind = "truth_value"
-        raise PydanticCustomError(kind, "is a truth value")
+        raise PydanticCustomError("truth_value", "is a truth value")
     return value
 
 

@@ -199,9 +199,8 @@ def decode(
     """
     from compwright.workflow.commands.decode import decoded_files
 
-    session = Session()
     state, kinds, document = decoded_files(
-        session, _paths(files), format, dict(options or {}), axis=axis
+        Session(), _paths(files), format, dict(options or {}), axis=axis
     )
     return DecodedFiles(document, state, kinds.unknown)
 

@@ -286,8 +286,7 @@ class JobPlan(DocumentResult):
         from compwright.workflow.commands.run import write_planned
 
         out = self.job.out if folder is None else Path(folder)
-        session = Session()
-        return list(write_planned(session, self._planned, out, force=force).files)
+        return list(write_planned(Session(), self._planned, out, force=force).files)
 
 
 @dataclass(frozen=True, slots=True, repr=False)

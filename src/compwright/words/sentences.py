@@ -188,8 +188,7 @@ def catalogue(language: Language) -> Mapping[str, str]:
         return english.SENTENCES
     from compwright.words import french, german, russian
 
-    others = {"de": german.SENTENCES, "fr": french.SENTENCES, "ru": russian.SENTENCES}
-    return others[language]
+    return {"de": german.SENTENCES, "fr": french.SENTENCES, "ru": russian.SENTENCES}[language]
 
 
 def placeholders(template: str) -> frozenset[str]:

@@ -91,8 +91,7 @@ def _twice(targets: Mapping[Path, bytes]) -> Iterator[Fault]:
     """Yield a fault for each file that two different contents would go to, under whatever names."""
     seen: dict[object, bytes] = {}
     for path, content in targets.items():
-        where = identity(path) or _place(path)
-        if seen.setdefault(where, content) != content:
+        if seen.setdefault(identity(path) or _place(path), content) != content:
             yield Fault(
                 message="is also the name of another file that is written",
                 file=str(path),

@@ -82,5 +82,4 @@ def is_existing_file(path: Path) -> bool:
 
 def reason(error: OSError | ValueError) -> str:
     """Return why the file system refused, in its own words."""
-    strerror = getattr(error, "strerror", None)
-    return strerror or str(error) or type(error).__name__
+    return getattr(error, "strerror", None) or str(error) or type(error).__name__

@@ -62,10 +62,9 @@ def put_right_above(session: Session, path: Path, error: type[CompwrightError]) 
             session.searched.add(str(above))
     for left, faults in session.unrestored.items():
         if _concerns(Path(left), path):
-            what = "belongs to what a stopped command had begun to write"
             raise error(
                 Fault(
-                    message=what,
+                    message="belongs to what a stopped command had begun to write",
                     file=str(path),
                     hint="do first what the next line says",
                 ),

@@ -118,8 +118,7 @@ class _Words:
         self.read = set(columns_of(profile))
 
     def row(self, cells: Sequence[str]) -> list[str]:
-        by_name = dict(zip(self.columns, cells, strict=False))
-        if not self.is_reading(by_name):
+        if not self.is_reading(dict(zip(self.columns, cells, strict=False))):
             return [self.cuts.remark(cell, "row next to the table") for cell in cells]
         return [
             self.cell(cell, self.columns[at] if at < len(self.columns) else "")

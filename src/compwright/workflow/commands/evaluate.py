@@ -334,9 +334,8 @@ def _standards(names: Sequence[str], spread: str) -> tuple[str, str]:
             errors.append(error)
     for kind, chosen in kinds.items():
         if len(chosen) > 1:
-            message = f"more than one for {kind} tests"
             fault = Fault(
-                message=message,
+                message=f"more than one for {kind} tests",
                 place="--standard",
                 expected="one per kind of test",
                 found=", ".join(chosen),

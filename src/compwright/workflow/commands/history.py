@@ -71,11 +71,10 @@ def history_of(
     series = _series(entries, tops)
     document = history_document(series, folder_documents, _notes(series), faults)
     requested = _requested_files(document, json_path, plot_path, page_path, table_path)
-    files = _written(session, requested, kept, force=force)
     return HistoryOutcome(
         exit_code=InputError.exit_code if faults else 0,
         document=document,
-        files=files,
+        files=_written(session, requested, kept, force=force),
         read=read,
     )
 

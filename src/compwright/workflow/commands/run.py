@@ -17,7 +17,6 @@ from compwright.foundations.session import Session
 from compwright.foundations.side_by_side import Each, in_turn
 from compwright.foundations.utf8 import encoded
 from compwright.jobs.assumed_job import assumed_job, assumed_of
-from compwright.records.correction import Assumption
 from compwright.records.job import Job
 from compwright.records.prediction import AxisPrediction, CirclePrediction
 from compwright.workflow.inputs.input_copies import files_of_job, given_job
@@ -150,7 +149,14 @@ def write_planned(
         exit_code=planned.exit_code,
         evaluation=results.evaluation,
         prediction=results.prediction,
-        assumed=tuple(assumed_documents([*_left_to_assume(stated, finished), *finished.assumed])),
+        assumed=tuple(
+            assumed_documents(
+                [
+                    *(assumed_of(stated, _answered_by_files(finished)) if stated else ()),
+                    *finished.assumed,
+                ]
+            )
+        ),
         findings=tuple(planned.finding_documents()),
         files=tuple(paths),
         no_tables=(
@@ -177,12 +183,7 @@ def _assumed_job(stated: Mapping[str, Any], finished: Finished) -> dict[str, byt
     if encoded(as_text).decode() != as_text:
         return {}
     options, by_files = finished.fitted.control.options, _answered_by_files(finished)
-    text = assumed_job(stated, options, finished.assumed, by_files)
-    return {JOB: text.encode()}
-
-
-def _left_to_assume(stated: Mapping[str, Any] | None, finished: Finished) -> tuple[Assumption, ...]:
-    return assumed_of(stated, _answered_by_files(finished)) if stated else ()
+    return {JOB: assumed_job(stated, options, finished.assumed, by_files).encode()}
 
 
 def _answered_by_files(finished: Finished) -> dict[str, object]:

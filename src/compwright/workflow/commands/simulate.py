@@ -81,17 +81,12 @@ def simulated(
     between = replace(loaded, along={})
     for number, name in enumerate(machine.circles, start=len(machine.axes)):
         recording = machine.record_circle(
-            name, seed=_seed_of(seed, number), corrections=loaded.along
+            name,
+            seed=int(np.random.SeedSequence([seed, number]).generate_state(1)[0]),
+            corrections=loaded.along,
         )
         tests[name] = _bent(recording, between)
     return tests
-
-
-def _seed_of(seed: int, number: int) -> int:
-    """Return the seed of the circle after ``number`` other measurements, so that two circles do not
-    get the same noise.
-    """
-    return int(np.random.SeedSequence([seed, number]).generate_state(1)[0])
 
 
 def _file_of(

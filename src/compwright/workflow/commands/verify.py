@@ -284,12 +284,11 @@ def _planned(
     Raises InputError for the plan of another job.
     """
     if not storage.is_there(session, file):
-        expected = "--plan with the folder that run has written, or its plan.json"
         raise InputError(
             Fault(
                 message="there is no plan here",
                 file=str(file),
-                expected=expected,
+                expected="--plan with the folder that run has written, or its plan.json",
                 hint=(
                     "run the job first: `compwright run JOB.yaml`; or give the "
                     "results folder with `--plan DIR`"

@@ -143,8 +143,7 @@ def _fill(session: Session, database: sqlite3.Connection, path: Path | None, fil
     if not content.startswith(b"SQLite format 3\0"):
         raise _refused(file, "is no index of a history", "another file")
     database.deserialize(content)
-    application = database.execute("PRAGMA application_id").fetchone()[0]
-    if application != _APPLICATION:
+    if database.execute("PRAGMA application_id").fetchone()[0] != _APPLICATION:
         raise _refused(file, "is no index of a history", "another program's database")
     version = database.execute("PRAGMA user_version").fetchone()[0]
     if version != _VERSION:

@@ -79,8 +79,7 @@ def read_folder(session: Session, path: Path) -> ResultFolder:
     file = path / RECORD
     if not storage.is_there(session, file):
         return _read_older(session, path)
-    content = storage.read_bytes(session, file, JSON)
-    record = read_record(content, shown_path(file))
+    record = read_record(storage.read_bytes(session, file, JSON), shown_path(file))
     expected = _expected(record)
     return ResultFolder(
         path=path,

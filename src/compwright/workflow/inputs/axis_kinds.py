@@ -104,8 +104,7 @@ def _planned_kinds(session: Session, paths: Sequence[Path], format_id: str) -> d
             continue  # no plan: another program's file of this name
         if plan.format != format_id:
             continue
-        axes = (*(entry.axis for entry in plan.axes.values()), *plan.untested.values())
-        for axis in axes:
+        for axis in (*(entry.axis for entry in plan.axes.values()), *plan.untested.values()):
             kinds.update(dict.fromkeys(filter(None, (axis.address, axis.gantry)), axis.kind))
     return kinds
 

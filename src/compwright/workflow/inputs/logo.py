@@ -27,10 +27,11 @@ def read_logo(session: Session, name: str, folder: Path) -> Logo:
         return Logo("image/png", content)
     if content.startswith(_JPEG[0]) and content.rstrip(b"\0").endswith(_JPEG[1]):
         return Logo("image/jpeg", content)
-    if content.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"<"):
-        root = read_xml(content, name)
-        if root.tag.rpartition(":")[2] == "svg":
-            return Logo("image/svg+xml", content)
+    if (
+        content.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"<")
+        and read_xml(content, name).tag.rpartition(":")[2] == "svg"
+    ):
+        return Logo("image/svg+xml", content)
     raise InputError(
         Fault(
             message="is not a picture for a report, or is incomplete",

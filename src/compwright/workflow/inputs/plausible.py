@@ -38,11 +38,10 @@ def _faults(job: Job, axis: str, index: int, planned: PlannedTest) -> Iterator[F
     file = test.sources[0].file if test.sources else test.name
     why = certain_fault(test)
     if why:
-        expected = "deviations, measured minus target, in the unit that the file states"
         yield Fault(
             message=f"is not a measurement of a machine: {why}",
             file=file,
-            expected=expected,
+            expected="deviations, measured minus target, in the unit that the file states",
             hint="give the file of the measurement",
         )
     travel = job.axes[axis].axis.travel

@@ -94,8 +94,7 @@ def names_of_copies(
 def _somebody(removed: Iterable[tuple[str, str]]) -> _Somebody:
     pieces, words, numbers = set[str](), set[str](), set[str]()
     for kind, text in removed:
-        relevant = _ADDRESS.sub(" ", text) if kind == LINE else text
-        for piece in telling(relevant, _HARMLESS):
+        for piece in telling(_ADDRESS.sub(" ", text) if kind == LINE else text, _HARMLESS):
             if _SIZE.fullmatch(piece) is None:
                 pieces.update(_spellings(piece))
         if kind != LINE:  # lines of programs hold words and numbers of every kind

@@ -126,11 +126,10 @@ def _in_one_step(harmful: Sequence[str]) -> list[dict[str, Any]]:
         "The files of this card belong together: go through all steps in one go. Move no axis"
         " before all files are loaded and active."
     )
-    text = " ".join((rule, *harmful))
     return [
         {
             "title": "All files or none",
-            "text": text,
+            "text": " ".join((rule, *harmful)),
             "evidence": "confirmed",
             "heads": (),
             "rows": (),

@@ -82,11 +82,10 @@ def recorded_run(
         for planned in tests
     } | {circle.name: circle.planned.measured_in for circle in finished.wanted.circles}
     earlier = _earlier_record(session, out)
-    files = {**results.files, **copies, **draft, **_own_job(given, out, earlier)}
     record = run_record(
         about,
         inputs,
-        files,
+        {**results.files, **copies, **draft, **_own_job(given, out, earlier)},
         evaluation=results.evaluation,
         prediction=results.prediction,
         measured_in=measured_in,

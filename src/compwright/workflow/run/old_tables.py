@@ -63,8 +63,7 @@ def with_old_tables(
         sentences = measured.control.look_at(task[0], table)
         names = dict.fromkeys((old.verdict.verdict, *(one.verdict for one in old.likely)))
         look = [sentence for name in names for sentence in sentences.get(name, ())]
-        why = old.refusal(look)
-        found[name] = replace(found[name], refused=why)
+        found[name] = replace(found[name], refused=old.refusal(look))
     return found, tuple(findings)
 
 

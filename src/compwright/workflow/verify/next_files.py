@@ -121,8 +121,7 @@ def next_files(session: Session, job: Job, plan: Plan, then: Looped) -> dict[str
         squareness=then.squareness,
         paths=paths,
     )
-    text = data_text(next_job(data, round_), _HEADING)
-    return {JOB: text.encode(), **copies.files}
+    return {JOB: data_text(next_job(data, round_), _HEADING).encode(), **copies.files}
 
 
 def _states(job: Job, plan: Plan, then: Looped, was: str, copies: _Copies) -> dict[str, Any]:

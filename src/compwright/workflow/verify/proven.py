@@ -116,8 +116,7 @@ def _sign_odds(axis: VerifiedAxis) -> float:
     counts = count_readings(axis.after.test.deviations(Direction.POSITIVE))
     if not counts.any():
         counts = count_readings(axis.after.test.deviations(Direction.NEGATIVE))
-    scatter = axis.expected.s / np.sqrt(np.maximum(counts, 1.0))
-    return sign_odds(curves, scatter)
+    return sign_odds(curves, axis.expected.s / np.sqrt(np.maximum(counts, 1.0)))
 
 
 def _between(axis: VerifiedAxis, direction: Direction, targets: FloatArray) -> FloatArray:

@@ -255,8 +255,7 @@ def _compare_loaded(
         return ()
     every = with_partners(control.in_state(as_found.state), _tables(planned), as_found)
     found = tuple(_compared(axis, table.compensation, read_back) for axis, table in every)
-    differing = tuple(one for one in found if one.code == "CW-V011")
-    return differing or found[:1]
+    return tuple(one for one in found if one.code == "CW-V011") or found[:1]
 
 
 def _tables(planned: PlannedAxis) -> list[tuple[Axis, FittedTable]]:
