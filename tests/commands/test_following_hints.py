@@ -81,7 +81,7 @@ KINDS = {
     "one number as travel": Kind("--travel: must look like", "`--travel 0:800`", SHORT.replace("0:400", "400"), SHORT),
     "an option without a value": Kind("--option: must look like", "one key and its value", SHORT + " --option units", SHORT + " --option units=mm"),
     "an option twice": Kind("is given twice", "remove one", SHORT + " --option units=mm --option units=mm", SHORT + " --option units=mm"),
-    "no format": Kind("--format: is missing", "add `--format fanuc-30i`", SHORT.replace("--format linuxcnc", ""), SHORT),
+    "no format": Kind("--format: is missing", "add `--format ID`", SHORT.replace("--format linuxcnc", ""), SHORT),
     "no axis": Kind("--axis: is missing", "add `--axis X`", SHORT.replace("--axis X", ""), SHORT),
     "an answer about no state": Kind("none is given", "--state FILE", "run x.csv --format linuxcnc --axis X --travel 0:400 --option active=yes --out r", SHORT),
     "an option of a job": Kind("not used together with a job", "leave --format out", "run job.yaml --format linuxcnc --out r --force", "run job.yaml --out r --force"),

@@ -400,11 +400,7 @@ def test_existing_files_are_one_line(folder: Path, capsys: pytest.CaptureFixture
     capsys.readouterr()
     assert compwright(["run", "job.yaml"]) == 5
     (line,) = [line for line in capsys.readouterr().err.splitlines() if line.startswith("error")]
-    assert line.startswith(
-        "error: job: 11 files exist already; expected new files, another folder, or --force to"
-        " replace them"
-    )
-    assert without_hint(line).endswith(
-        "found evaluation.json, prediction.json, plan.json, tables/siemens-840d-sl/AX1_EEC.INI and"
-        " 7 more"
+    assert without_hint(line) == (
+        "error: job: 11 files exist already; found evaluation.json, prediction.json, plan.json,"
+        " tables/siemens-840d-sl/AX1_EEC.INI and 7 more"
     )

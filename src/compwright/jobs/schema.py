@@ -38,8 +38,8 @@ SCHEMA_VERSION = 1
 #: What is expected under a key that is missing.
 MISSING = {
     "compwright": "the version of the schema, such as 1",
-    "controller": "the format of the control, such as {format: fanuc-30i}",
-    "format": "an id of `compwright formats list`, such as fanuc-30i",
+    "controller": "the format of the control, such as {format: ID}",
+    "format": "an id of `compwright formats list`",
     "axes": "at least one axis, such as {X: {travel: [0, 800], before: [x.csv]}}",
     "travel": "its ends in machine coordinates, mm or deg, such as [0, 800]",
     "before": "the measurement files, such as [x.csv]",

@@ -80,7 +80,7 @@ def card_markdown(card: Document) -> str:
     doubts = content["doubts"]
     if doubts:
         lines += _bullets(f"## {doubts['heading']}", [item["message"] for item in doubts["items"]])
-        lines += [_escape(doubts["step"]), ""] if doubts["step"] else []
+        lines += [_escape(str(doubts["step"])), ""] if doubts["step"] else []
     lines += _bullets("## Acknowledged doubts", content["acknowledged"])
     lines += _bullets("## Not confirmed: look before the axis moves fast", content["unconfirmed"])
     lines += _steps(content["steps"])

@@ -151,10 +151,7 @@ def _loaded(
                 message="the machine file contains no control",
                 file=file,
                 place="controller.format",
-                hint=(
-                    "add `controller: {format: fanuc-30i}`, with the id of its control, to the"
-                    " machine file"
-                ),
+                hint="add `controller: {format: ID}` to the machine file",
             )
         )
     origin = Origin(file, "controller.format", "controller.options.", Path(file).parent)

@@ -339,7 +339,7 @@ def job_of(
             place=name,
             hint=f"add `{name} {example}` with your own value, or give one job file",
         )
-        for (name, value), example in zip(needed.items(), ("fanuc-30i", "X", "0:800"), strict=True)
+        for (name, value), example in zip(needed.items(), ("ID", "X", "0:800"), strict=True)
         if not value
     ]
     folder = out or default_folder(session, first)
