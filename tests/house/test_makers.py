@@ -103,8 +103,8 @@ def template_leaks(text: str) -> list[tuple[int, str]]:
 
 
 def all_leaks(source: Path) -> list[str]:
-    sentences = source / "words" / "english" / "states.py"
-    know = (source / "formats" / "families", source / "controllers", sentences)
+    sentences = sorted((source / "words").glob("*/states.py"))  # one of each language
+    know = (source / "formats" / "families", source / "controllers", *sentences)
     numbers = _numbers_of_controls()
     return [
         f"{path.relative_to(source)} line {line}: {word}"

@@ -199,8 +199,9 @@ def decode(
     """
     from compwright.workflow.commands.decode import decoded_files
 
+    session = Session()
     state, kinds, document = decoded_files(
-        Session(), _paths(files), format, dict(options or {}), axis=axis
+        session, _paths(files), format, dict(options or {}), axis=axis
     )
     return DecodedFiles(document, state, kinds.unknown)
 

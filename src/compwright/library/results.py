@@ -286,7 +286,8 @@ class JobPlan(DocumentResult):
         from compwright.workflow.commands.run import write_planned
 
         out = self.job.out if folder is None else Path(folder)
-        return list(write_planned(Session(), self._planned, out, force=force).files)
+        session = Session()
+        return list(write_planned(session, self._planned, out, force=force).files)
 
 
 @dataclass(frozen=True, slots=True, repr=False)
