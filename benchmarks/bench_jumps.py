@@ -1,14 +1,17 @@
 """Tables of axes whose error jumps, against straight lines between the means of the same test.
 
-    python benchmarks/bench_jumps.py [N] [--kind jumps|ordinary|small] [--seed S] [--out FILE]
+    python benchmarks/bench_jumps.py [N] [--kind jumps|ordinary|small] [--tests T] [--seed S]
+        [--first F] [--out FILE]
 
 Virtual axes from physics alone (`examiner_axes.py`): a smooth error, a lost motion and a jump of 3
 to 200 µm at any place (`small`: 5 to 10 µm at 8 targets; `ordinary`: no jump), measured at 6 to 100
 targets in one or both directions, for LinuxCNC, FANUC and SINUMERIK in turn. Judged without the
 estimate: mean A (E in one direction) of fresh tests at new targets, the same random numbers for
 both tables, with what `run` writes and with the interpolated means put on the same points, rounded
-alike. Where no table is written nothing is corrected. Prints each axis that is worse by more than
-two standard errors and 0.1 µm, and the ratios.
+alike and put out as the control does it (FANUC: a step in the middle between two points). Where no
+table is written nothing is corrected. Every axis is measured T times, each time with tables of its
+own: the noise of that test makes either of them the better one by chance. Prints each axis that is
+worse on average by more than two standard errors and 0.1 µm, and the ratios.
 """
 
 from __future__ import annotations
@@ -25,7 +28,6 @@ from examiner_axes import (
     Axis,
     Values,
     constant,
-    corrections_at,
     dithered,
     jump,
     scatter,
@@ -42,7 +44,7 @@ from compwright.foundations.session import Session
 from compwright.workflow.inputs.jobs import read_job_file
 from compwright.workflow.run.pipeline import run_stages
 
-FRESH = 60
+FRESH = 20
 NOTHING = {
     "positions": [0.0, TRAVEL],
     "correction_positive": [0.0, 0.0],
@@ -73,7 +75,7 @@ def machine(kind: str, rng: np.random.Generator) -> tuple[Axis, tuple[int, ...]]
     targets = spread_targets(count, rng=rng if rng.random() < 0.7 else None)
     name = f"{size if kind != 'ordinary' else 0:+.1f} µm at {count} targets"
     axis = Axis(name, together(*parts), lost, noise, targets)
-    axis.readings = axis.test(rng, targets)
+    axis.test(rng, targets)  # keeps the numbers of these machines
     return axis, (0,) if rng.random() < 0.2 else (0, 1)
 
 
@@ -116,17 +118,45 @@ def straight(axis: Axis, table: dict[str, Any], control: str) -> dict[str, Any]:
     return {"positions": nodes.tolist()} | dict(zip(names, both.tolist(), strict=True))
 
 
-def left(axis: Axis, ways: tuple[int, ...], tables: list[dict[str, Any]]) -> Values:
-    """Return A (µm) of fresh tests at new targets (tables, tests)."""
+def corrections(table: dict[str, Any], targets: Values, control: str) -> Values:
+    """Return what the control adds at targets, in both directions."""
+    nodes = np.array(table["positions"])
+    if control == "fanuc-30i":
+        targets = nodes[np.searchsorted(0.5 * (nodes[1:] + nodes[:-1]), targets)]
+    names = ("correction_positive", "correction_negative")
+    return np.array([np.interp(targets, nodes, table[name]) for name in names])
+
+
+def left(
+    axis: Axis, ways: tuple[int, ...], tables: list[dict[str, Any]], control: str, seed: list[int]
+) -> Values:
+    """Return the mean A (µm) of fresh tests at new targets (tables,)."""
     values = np.empty((len(tables), FRESH))
     for test in range(FRESH):
-        targets = dithered(np.random.default_rng([3, test]), len(axis.targets), axis.travel)
+        rng = np.random.default_rng([3, *seed, test])
+        targets = dithered(rng, len(axis.targets), axis.travel)
         for place, table in enumerate(tables):
-            rng = np.random.default_rng([4, test])
-            readings = axis.test(rng, targets, corrections_at(table, targets))[list(ways)]
+            rng = np.random.default_rng([4, *seed, test])
+            readings = axis.test(rng, targets, corrections(table, targets, control))[list(ways)]
             mean, spread = readings.mean(axis=1), 2.0 * readings.std(axis=1, ddof=1)
             values[place, test] = (mean + spread).max() - (mean - spread).min()
-    return values
+    return np.asarray(values.mean(axis=1))
+
+
+def compared(
+    axis: Axis, ways: tuple[int, ...], control: str, seed: list[int], tests: int
+) -> Values:
+    """Return the mean A (µm) after each first test, with `run`, with lines, with nothing
+    (tests, 3).
+    """
+    values = []
+    for test in range(tests):
+        axis.readings = axis.test(np.random.default_rng([2, *seed, test]), axis.targets)
+        with tempfile.TemporaryDirectory() as name:
+            table = table_of(axis, ways, control, Path(name))
+        tables = [table, straight(axis, table, control), NOTHING]
+        values.append(left(axis, ways, tables, control, [*seed, test]))
+    return np.array(values)
 
 
 def main() -> None:
@@ -134,6 +164,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("count", nargs="?", type=int, default=100)
     parser.add_argument("--kind", default="jumps", choices=["jumps", "small", "ordinary"])
+    parser.add_argument("--tests", type=int, default=5, help="first tests of each axis")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--out", type=Path)
@@ -144,26 +175,26 @@ def main() -> None:
         axis, ways = machine(options.kind, rng)
         control = list(CONTROLS)[number % len(CONTROLS)]
         what = f"{number} {control}, {axis.name}, {len(ways)} directions"
-        with tempfile.TemporaryDirectory() as name:
-            try:
-                table = table_of(axis, ways, control, Path(name))
-            except CompwrightError as fault:
-                print(f"{what}: {fault}", flush=True)
-                continue
-        values = left(axis, ways, [table, straight(axis, table, control), NOTHING])
-        ours, lines, before = values.mean(axis=1)
-        more = values[0] - values[1]
-        error = float(more.std(ddof=1) / np.sqrt(FRESH))
+        try:
+            values = compared(axis, ways, control, [options.seed, number], options.tests)
+        except CompwrightError as fault:
+            print(f"{what}: {fault}", flush=True)
+            continue
+        ours, lines, before = values.mean(axis=0)
+        more = values[:, 0] - values[:, 1]
+        error = float(more.std(ddof=1) / np.sqrt(more.size))
         ratios.append(ours / lines)
         is_worse = more.mean() > max(2.0 * error, 0.1)
         worse += is_worse
-        mark = "WORSE: " if is_worse else ""
-        shown = f"{mark}{what}: A {ours:.2f}, straight lines {lines:.2f}, before {before:.2f}"
         if is_worse:
-            print(shown, flush=True)
+            print(
+                f"WORSE: {what}: A {ours:.2f}, straight lines {lines:.2f} (difference"
+                f" {more.mean():.2f} ± {error:.2f}), before {before:.2f}",
+                flush=True,
+            )
         if options.out:
             values_of = {"ours": ours, "lines": lines, "before": before, "error": error}
-            record = {"number": number, "what": what, "none": table is NOTHING, **values_of}
+            record = {"number": number, "what": what, "worse": bool(is_worse), **values_of}
             with options.out.open("a", encoding="utf-8") as stream:
                 stream.write(json.dumps(record) + "\n")
     shares = np.array(ratios)

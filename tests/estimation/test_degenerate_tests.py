@@ -6,6 +6,7 @@ shifts, and by the shifts themselves.
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -181,6 +182,19 @@ def test_a_reversal_that_differs_from_target_to_target_swings_nowhere_between_th
 
 # --- coarse readings
 # --------------------------------------------------------------------------------------------------
+
+
+def test_two_targets_next_to_each_other_that_differ_do_not_make_a_huge_wave() -> None:
+    """±2.5 µm in turn, once within 10 µm: a wave that explains it has an amplitude of 700 µm."""
+    zigzag = np.where(np.arange(30) % 2, 2.5, -2.5)[:, np.newaxis]
+    shifts, rng = np.array([0.0, 0.7, 0.47]), RNG(196)
+    plus, minus = (zigzag + way * shifts + rng.normal(0.0, 0.01, (30, 3)) for way in (1.0, -1.0))
+    test = made(plus, minus)
+    targets = np.round(test.targets, 3)
+    targets[15] = targets[14] + 0.01
+    test = replace(test, targets=targets)
+    error = estimate_axis([ObservedTest(test=test, noise=infer_noise(test))], travel=(0.0, 800.0))
+    assert np.max(error.summary(np.arange(0.0, 800.0, 3.7)).std_positive) < 10.0 * 2.5 * UM
 
 
 def test_the_step_that_was_assumed_is_told() -> None:

@@ -28,6 +28,11 @@ NOISE, LOCAL, SMOOTH, LENGTH, EXCESS, REVERSAL, REVERSAL_LENGTH, PERIODIC = rang
 #: Standard deviation of offset, slope and constant reversal, which the data alone shall decide, in
 #: units of the scale: their least squares values are taken out before.
 VAGUE: Final = 10.0
+#: Widths of its prior by which the amplitude of a period may exceed the middle, and how hard that
+#: limit is: two targets next to each other that differ would otherwise make a wave of any
+#: amplitude likely.
+_FARTHEST: Final = 3.0
+_HARD: Final = 50.0
 #: Largest variance of a cell over its smallest noise up to which the covariance of the cells keeps
 #: six digits of the density.
 _CONDITION: Final = 1e10
@@ -98,7 +103,17 @@ class Prior:
         z = ((values - self.centre) / self.width)[free]
         return float(
             -0.5 * z @ z - np.sum(np.log(self.width[free])) - 0.5 * z.size * np.log(2.0 * np.pi)
-        )
+        ) - _HARD * float(np.sum(self._beyond(values) ** 2))
+
+    def gradient(self, values: FloatArray) -> FloatArray:
+        """Return the derivative (h,) of the logarithm at ``values`` (h,)."""
+        gradient: FloatArray = (self.centre - values) / self.width**2
+        gradient[PERIODIC:] -= 2.0 * _HARD * self._beyond(values) / self.width[PERIODIC:]
+        return gradient
+
+    def _beyond(self, values: FloatArray) -> FloatArray:
+        z = (values - self.centre)[PERIODIC:] / self.width[PERIODIC:]
+        return np.maximum(z - _FARTHEST, 0.0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -218,7 +233,7 @@ class Evidence:
             by_noise = 0.5 * float(np.sum(square / data.counts[inferred]))
             by_noise += -0.5 * data.dof / scaled.noise + 0.5 * data.squares / scaled.noise**2
             gradient[NOISE] += by_noise * 2.0 * np.exp(2.0 * h[NOISE])
-        gradient -= (h - self.prior.centre) / self.prior.width**2
+        gradient += self.prior.gradient(h)
         value = marginal.log + self.prior.log(h)
         return value, np.where(self.prior.free, gradient, 0.0)
 
