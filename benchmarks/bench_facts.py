@@ -1,9 +1,10 @@
-"""Every fact of the SINUMERIK definition removed or turned: some check of the tests must notice.
+"""Every fact of the SINUMERIK and FANUC definitions removed or turned: some check of the tests must
+notice.
 
 python benchmarks/bench_facts.py
 
-The tests turn one fact in six (tests/formats/test_siemens_facts.py). Prints the facts that nothing
-notices; exit 1 where there is one.
+The tests turn one fact in six (tests/formats/test_siemens_facts.py) or four (test_fanuc_facts.py).
+Prints the facts that nothing notices; exit 1 where there is one.
 """
 
 from __future__ import annotations
@@ -14,14 +15,19 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests"))
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests" / "formats"))
 
-from test_siemens_facts import silent_facts, turned_facts
+import test_fanuc_facts as fanuc
+import test_siemens_facts as siemens
 
 
 def main() -> int:
-    silent = silent_facts(0, 1)
+    silent = siemens.silent_facts(0, 1)
+    count = len(siemens.turned_facts())
+    for format_id in fanuc.BESIDE:
+        silent += [f"{format_id}: {name}" for name in fanuc.silent_facts(format_id, 0, 1)]
+        count += len(fanuc.turned_facts(format_id))
     for name in silent:
         print(name)
-    print(f"{len(turned_facts())} facts turned, {len(silent)} unnoticed")
+    print(f"{count} facts turned, {len(silent)} unnoticed")
     return int(bool(silent))
 
 

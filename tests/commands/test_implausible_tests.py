@@ -16,6 +16,8 @@ import pytest
 from compwright.cli import run as compwright
 from loop import Floats, Machine, csv_of
 
+pytestmark = pytest.mark.brief
+
 MACHINE = Machine(high=1200.0)
 
 
@@ -193,6 +195,7 @@ def test_a_doubt_leaves_limits_undecided(tmp_path: Path) -> None:
     assert "to be met" not in page
 
 
+@pytest.mark.whole
 def test_one_run_copied_is_a_doubt(tmp_path: Path) -> None:
     targets, values = readings(runs=1)
     write(

@@ -46,6 +46,8 @@ from compwright.workflow.verify.verified_axis import verified_axis
 from frames import unpaint
 from loop import Floats, Machine, accuracy, allowed, csv_of
 
+pytestmark = pytest.mark.brief
+
 ADDRESSES = {"linuxcnc": ("0", "1"), "siemens-840d-sl": ("AX1", "AX2")}
 MACHINES = {"X": Machine(bow=0.008), "Y": Machine(slope=-30e-6, bow=0.008, lost=0.003)}
 #: Too few targets for the shape of the error, yet as many as the standard asks for; and enough.

@@ -119,6 +119,7 @@ def anonymous(path: str) -> str:
     )
 
 
+@pytest.mark.brief
 def test_documents_hold_no_key_that_is_not_listed(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
