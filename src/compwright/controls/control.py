@@ -111,7 +111,7 @@ def plan_origin(plan: Plan, file: Path) -> Origin:
 
 @dataclass(frozen=True, slots=True)
 class Control:
-    """A control by its definition, with every option settled; ``notes``: what is to be said of the
+    """A control by its definition, with every option resolved; ``notes``: findings about the
     definition.
     """
 
@@ -231,8 +231,8 @@ def open_control(
 def _definition(
     session: Session, name: str, origin: Origin
 ) -> tuple[Definition, tuple[Finding, ...]]:
-    """Return the definition of a control, and what has to be said of it. What a plan carries counts
-    before the file that it came from. Raises UsageError.
+    """Return the definition of a control, and findings about it. The copy in a plan takes
+    precedence over the file that it came from. Raises UsageError.
     """
     if not origin.carried:
         found = definition_named(session, name, origin.folder)

@@ -1,5 +1,5 @@
-"""Copies of a control's files without names: which control they are of is told by what is in them,
-and each copy is proven by the readers of its original.
+"""Copies of a control's files without names. The contents show the control, and the readers of the
+original prove each copy.
 """
 
 from __future__ import annotations
@@ -180,8 +180,8 @@ def _sheet(file: ControlFile, cuts: Cuts) -> ControlCopy:
 def _likely(
     session: Session, files: Sequence[ControlFile], format_id: str | None
 ) -> dict[str, list[Definition]]:
-    """Return for each file the controls that it may be of, by what its beginning says: first that
-    of which it says most itself, then that of which those beside it do.
+    """Return for each file the controls that may have written it, by its beginning: first the one
+    with most statements in this file, then the one with most in the other files.
 
     Statements without a word of their own are in files of many kinds: a file of nothing else is a
     control's by its ending, where ``format_id`` says so, or as a text out of a container.
@@ -219,9 +219,7 @@ def _set_of(name: str) -> str:
 
 
 def _named_by_others(files: Sequence[ControlFile]) -> frozenset[str]:
-    """Return the names of files that stand in the text of another one, as those of tables do in
-    settings.
-    """
+    """Return the names of files that the text of another one contains, as settings name tables."""
 
     def names(other: ControlFile, file: ControlFile) -> bool:
         name = re.escape(file.name.lower().encode(errors="replace"))

@@ -53,7 +53,7 @@ def write_planned(
     axes: Mapping[str, Axis],
     tabled: Collection[str] = (),
 ) -> CrossOutcome:
-    """Write the tables between axes beside ``tables`` (those of the single axes) and read
+    """Write the tables between axes in addition to ``tables`` (those of the single axes), and read
     everything back.
 
     ``control``: as it is in the state ``as_found``. ``tabled``: the axes (names of ``axes``) that

@@ -51,8 +51,8 @@ def definition_named(session: Session, name: str, folder: Path) -> Definition:
 def own_definition(session: Session, path: Path) -> Definition:
     """Return the definition in a file of the user's own, its keys checked.
 
-    What it extends lies beside it, or ships. Raises InputError with every fault, and for an id
-    that ships: results and folders are named by it.
+    What it extends is in the same folder, or ships. Raises InputError with every fault, and for an
+    id that ships: results and folders are named by it.
     """
     definition = load_definition(
         _content(session, path), str(path), _beside(session, path.parent), own=True

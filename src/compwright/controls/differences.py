@@ -194,8 +194,8 @@ def _unread_finding(name: str, what: str, error: InputError | UsageError) -> Fin
 def _with_data(
     control: Control, files: Sequence[ControlFile], entries: FileValues
 ) -> tuple[tuple[ControlFile, ...], str]:
-    """Return the files that hold compensation, and the names of those that enter nothing at all: a
-    folder holds notes too. What a file enters may stand in a later one again.
+    """Return the files that contain compensation, and the names of those without any entry: a
+    folder may contain notes too. A later file may repeat an entry.
     """
     acting = {entry.file for entry in entries.values() if entry.relevant}
     used = {entry.file for entry in entries.values()}

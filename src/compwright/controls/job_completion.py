@@ -128,8 +128,8 @@ def completed_by_files(job: Job, states: Mapping[str, DecodedState], as_found: s
 
 
 def completed_axis(axis: Axis, states: Sequence[ControlState], given: Mapping[str, object]) -> Axis:
-    """Return an axis with the options that nobody gave (``given``: the controller's) and that the
-    control's own files say of it.
+    """Return an axis with the options from the control's own files that are not given. ``given``:
+    the controller's options.
     """
     options = dict(axis.options)
     for name in (DETECTION_UNIT, TABLE_VALUES):

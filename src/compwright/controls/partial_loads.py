@@ -53,7 +53,7 @@ def harmful_parts(
         try:
             state = decode(control, with_new_tables(own, [part], addresses), axes)
         except CompwrightError:
-            continue  # the values contradict each other: nobody knows what the control does
+            continue  # the values contradict each other: the effect in the control is unknown
         stated = [
             words
             for work in works.values()

@@ -19,12 +19,11 @@ AGREEMENT = 2e-7
 #: ... and for each mm or deg of the largest value: a control may keep values, their differences and
 #: slopes in single precision, each rounded to 2^-24 of itself.
 SINGLE_PRECISION = 4.0 * 2.0**-24
-#: What stands in every result for a definition of one's own, by the id of the control.
 #: Positions of tables of which only one reader knows, mm or deg: every 5 mm of the longest
 #: machines.
 EVERYWHERE = np.linspace(-5000.0, 5000.0, 2001)
-#: The findings of tables that were left out: nobody asked for their axis, they cannot be read,
-#: their sign is not known.
+#: The findings of tables that were left out: their axis was not requested, they cannot be read, or
+#: their sign is unknown.
 LEFT_OUT = frozenset({"CW-S011", "CW-S050", "CW-S051"})
 
 
@@ -33,7 +32,7 @@ def disagreements(state: ControlState, judge: VirtualControl) -> list[Fault]:
     faults = []
     unseen = sorted(
         address for address in state.axes if not judge_knows_axis(judge, address)
-    )  # others: axes that nobody asked for
+    )  # others: axes that were not requested
     if unseen:
         faults.append(
             Fault(

@@ -344,7 +344,7 @@ def cyclic_columns(
     The changes: frequency, per 1/mm; the axis ``late`` by so many mm where it moves along the path,
     per mm; and the share that an instrument of limited bandwidth loses there. A first-order filter
     T loses (2π f v T)² / 2, which falls with the square of the speed of the axis, so that the
-    circle itself shows it beside its reversals.
+    circle itself shows it near its reversals.
     """
     cos, sin = np.cos(samples.theta), np.sin(samples.theta)
     zero = np.zeros_like(samples.theta)

@@ -81,7 +81,7 @@ class Axis:
     ``"0"``). The correction is zero at ``reference`` approached in ``reference_return``.
     ``screw_pitch`` holds the known periods, empty when unknown; ``suggested_period`` is what the
     control's own files suggest, never taken without the readings. ``motion``: that of the test from
-    which its table is made; everything that is said of its backlash holds for it. ``gantry``: the
+    which its table is made, and for which its backlash holds. ``gantry``: the
     address of the synchronised axis; ``gantry_table``: whether that gets the same total or the same
     change, None where the job does not say it. ``moves_alone``: the job says that no other axis
     moves with it. ``unapplied_steps``: the control never applies a step of the correction above the

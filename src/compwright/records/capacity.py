@@ -45,7 +45,7 @@ class Wave:
     step: float
 
     def holds(self, section: float) -> bool:
-        """Whether a section, mm or deg, can be said exactly."""
+        """Whether a section, mm or deg, can be written exactly."""
         return abs(section / self.step - round(section / self.step)) < 1e-6
 
 
@@ -54,10 +54,10 @@ class Capacity:
     """Limits of one axis' table, mm or deg.
 
     ``curves`` 1: one table for both directions; 2: one per direction. ``quantum``: resolution of a
-    table value. ``backlash_quantum`` None: the control has no backlash value beside the table (or
-    ignores it). ``position_quantum``: nodes, and with ``spacing`` "equidistant" the step too, must
-    be multiples of it so that the file says them exactly. ``max_points`` None: not known; the plan
-    then says how many the control must be set to hold, at most ``most_points``.
+    table value. ``backlash_quantum`` None: the control has no backlash value in addition to the
+    table (or ignores it). ``position_quantum``: nodes, and with ``spacing`` "equidistant" the step
+    too, must be multiples of it so that the file holds them exactly. ``max_points`` None: not
+    known; the plan then states how many the control must be set to hold, at most ``most_points``.
 
     ``lattice``: values are whole increments (``quantum`` is then that of magnification 1).
     ``anchored``: the nodes lie at the reference plus whole spacings. ``spacings``: the only ones
@@ -67,19 +67,19 @@ class Capacity:
     at all but one slope (mm/mm, deg/deg), a multiple of this number, within ``value_range`` taken
     as slopes. ``nodes``: the only nodes there are, because the table's grid serves other axes too.
     ``there``: the nodes (two or more, ascending; of a table that repeats one period with both ends)
-    of the table that the control's files hold, whether it acts or not; empty: there is none.
+    of the table that the control's files hold, active or not; empty: there is none.
     ``there_shared``: other axes use its points too, so that a table on it needs some of its own.
-    ``unfit``: why no table of this axis can stand on them, which only the control's format knows.
+    ``unfit``: why no table of this axis can use them, which only the control's format knows.
     ``cover``: whole spacings by which a table should reach beyond the travel on each side, where
-    nobody knows what the control does behind its ends. ``shared_points``: the points that are left
-    to all axes of the control together (None: each has a store of its own), ``own_points``: those
-    of ``max_points`` that the axis has beside them and nobody else may take. ``zero``: the
-    direction in which the correction is zero at the reference, however that is approached (None:
-    that of the reference return); of two curves, the correction in + less that in - at the
-    reference then lies in ``backlash_range``. ``stays``: tables that act on the axis and stay
-    beside whatever is written. ``slope``: a straight line of its own beside the table can take a
-    slope, a multiple of this per section, mm or deg; None: there is none. ``wave``: a second table
-    for a short period; None: there is none. ``typed``: somebody types its points by hand.
+    the control's action beyond its ends is unknown. ``shared_points``: the free points that all
+    axes of the control share (None: each axis has its own), ``own_points``: those of ``max_points``
+    that belong to this axis alone. ``zero``: the direction in which the correction is zero at the
+    reference, however that is approached (None: that of the reference return); of two curves, the
+    correction in + less that in - at the reference then lies in ``backlash_range``. ``stays``:
+    active tables of the axis that stay, whatever is written. ``slope``: a straight line in addition
+    to the table can take a slope, a multiple of this per section, mm or deg; None: there is none.
+    ``wave``: a second table for a short period; None: there is none. ``typed``: its points are
+    typed by hand.
     """
 
     format: str

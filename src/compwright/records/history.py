@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal
 
-#: Whether the same table acted in two tests; ``unknown``: their files differ, or nobody said.
+#: Whether the same table was active in two tests; ``unknown``: their files differ, or do not say.
 SameTable = Literal["same", "changed", "unknown"]
 
 
@@ -15,8 +15,8 @@ class HistoryEntry:
     """One test of an axis or a plane.
 
     ``folder``: the result folder; ``number``: the place of the test in it. ``what``: the axis, or
-    the plane of a circle. ``date`` as the file says it, ``day`` the same so that it can be sorted
-    (ISO 8601), both empty where it says none. ``values`` by parameter in ``unit``, of a circle
+    the plane of a circle. ``date`` as the file states it, ``day`` the same so that it can be sorted
+    (ISO 8601), both empty where it states none. ``values`` by parameter in ``unit``, of a circle
     ``squareness`` in µm/m, as the ``slope`` of a linear axis; ``errors``: standard error and
     degrees of freedom; ``declared``: expanded uncertainty and coverage factor; ``limits``: by
     parameter. ``table``: the table that was active, in a word; ``acting``: a hash of its files,

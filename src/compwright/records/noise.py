@@ -33,14 +33,13 @@ class NoiseDraws:
         offset_jd + tilt_jd u + (drift + drift_tilt u) (p_j - mean p) q_d(u) + s(u) e
 
     ``sigma`` (count, 2), for approaches in + and -: log s(u) = log sigma + `waves` times ``growth``
-    (count, w).
-    e is standard normal, or follows Student's law with ``dof`` degrees of freedom (inf: normal); of
-    a share ``outlier_share`` of all readings it has the scale ``outlier_size`` instead, or, where
-    ``outlier_fixed``, lies on either side by ``outlier_size`` in addition.
-    ``offset`` and ``tilt``: standard deviations of offset_jd and tilt_jd, drawn afresh for every
-    test, by ``pattern`` (`INDEPENDENT`, `RUNS`, `WALK`: then those of one step; `WAVE`: ``offset``
-    is that of the wave, whose correlation time is ``pace`` of the test, ``tilt`` each traverse's
-    own beside it). Only a share ``moved`` of the offsets (steps) is there, the others are nothing.
+    (count, w). e is standard normal, or follows Student's law with ``dof`` degrees of freedom (inf:
+    normal); of a share ``outlier_share`` of all readings it has the scale ``outlier_size`` instead,
+    or, where ``outlier_fixed``, lies on either side by ``outlier_size`` in addition. ``offset`` and
+    ``tilt``: standard deviations of offset_jd and tilt_jd, drawn afresh for every test, by
+    ``pattern`` (`INDEPENDENT`, `RUNS`, `WALK`: then those of one step; `WAVE`: ``offset`` is that
+    of the wave, whose correlation time is ``pace`` of the test, ``tilt`` each traverse's own in
+    addition). Only a share ``moved`` of the offsets (steps) is there, the others are nothing.
     ``drift``, ``drift_tilt``: what the test showed from its first run to its last, on the way p
     that `progress` gives for ``drift_rate``, with q from `slackening`. What drifts within a run
     (`within_run`) is the same in every run and part of the error curve.

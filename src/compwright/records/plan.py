@@ -109,10 +109,10 @@ class PlannedCross:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Plan:
-    """The plan. ``states`` holds the control's own files byte by byte: None where the job did not
-    say, empty for ``none``.
+    """The plan. ``states`` holds the control's own files byte by byte: None where the job does not
+    state them, empty for ``none``.
 
-    ``active``: by state, what the job answered to whether compensation acted. ``cross``: what is
+    ``active``: by state, the job's answer whether compensation was active. ``cross``: what is
     wanted between axes, written or not; ``circles``: the circular tests by name. ``results``: the
     other files of the run by their relative names, with the SHA-256 of each: by it the next run
     tells them from what the user has put or changed there. ``decision_rule``: how the limits were

@@ -29,8 +29,8 @@ class PositioningTest:
     ``targets`` (m,) strictly ascending. ``positive`` (m, n+) and ``negative`` (m, n-) hold one
     column per traverse in the order of the run numbers; a reading that was not made is NaN (a
     traverse or a direction may be missing altogether: a width of 0). ``frame`` says whether
-    positions and signs are the instrument's or already the machine's. ``header`` keeps what the
-    file said about the test, as text. ``times``: when the readings were taken, None where the file
+    positions and signs are the instrument's or already the machine's. ``header``: the statements of
+    the file about the test, as text. ``times``: when the readings were taken, None where the file
     does not say it. ``thermal``: the differential expansion that was taken out of the deviations,
     None where they are as measured; ``removed``: what was taken out of each reading, (m, n+) and
     (m, n-), where that differs from reading to reading.

@@ -19,7 +19,7 @@ from compwright.records.axis import FloatArray
 PICO: Final = 9
 #: Residues of certificates, which are zero but for arithmetic: a thousandth of that.
 RESIDUE: Final = 12
-#: What is told of circles outside, in µm, ms, µm/m: as fine as a picometre.
+#: Reported values of circles, in µm, ms, µm/m: as fine as a picometre.
 OUTSIDE: Final = 6
 #: Logarithms of odds, degrees of freedom.
 LOGARITHM: Final = 6

@@ -75,7 +75,7 @@ def before_after_figure(
 
 
 def table_figure(entry: Document, axis: str) -> Drawing:
-    """Return the correction over position beside the one that was wanted, as `table_chart`."""
+    """Return the correction over position with the wanted one, as `table_chart`."""
     return _drawing([table_chart(entry)], _HEIGHT, "correction", axis)
 
 

@@ -56,7 +56,7 @@ class CircleCause:
     ``effect`` peak to peak and ``share``.
 
     ``effect`` in µm, ``share`` of all effects from 0 to 1. ``parts`` are its details (each end of a
-    lost motion, the scale errors beside their mismatch), which count in it. ``plain`` and
+    lost motion, the scale errors next to their mismatch), which count in it. ``plain`` and
     ``printed`` are the same quantity by the plain regression and by the instrument's software; None
     where there is none. ``doubtful``: the instrument's software itself says that it is not valid.
     """

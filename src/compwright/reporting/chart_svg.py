@@ -25,7 +25,7 @@ from compwright.reporting.charts import (
 from compwright.words.sentences import Language, Sentence, number_text
 
 _WIDTH: Final = 518.4
-# Round the panels: the label beside the numbers, one digit, the margin on the right, between
+# Around the panels: the label next to the numbers, one digit, the margin on the right, between
 # panels, and below them position, legend and its title.
 _BESIDE: Final = 27.0
 _DIGIT: Final = 4.9

@@ -54,7 +54,7 @@ NEUTRAL: Final = CurveLook("both", "±", "^", (), INK)
 class ChartCurve:
     """A line of ``width`` points through ``y`` over ``x`` (none at 0), with markers of ``size``
     points (none at 0), filled with ``face`` (none: empty) inside edges of ``edge`` points. NaN is a
-    gap; without a ``label`` it does not stand in the legend.
+    gap; without a ``label`` it is not in the legend.
     """
 
     x: Sequence[float]
@@ -107,7 +107,7 @@ class Chart:
     marks: list[ChartMark] = field(default_factory=list)
 
     def named(self) -> Iterator[Band | ChartCurve]:
-        """Yield what stands in the legend."""
+        """Yield the entries of the legend."""
         parts: list[Band | ChartCurve] = [*self.bands, *self.curves]
         yield from (part for part in parts if part.label)
 
@@ -247,8 +247,8 @@ def expected_chart(predicted: Document, coverage: float) -> Chart:
 
 
 def table_chart(entry: Document) -> Chart:
-    """Return the correction over position for both directions, nodes marked, beside the correction
-    that was wanted.
+    """Return the correction over position for both directions, nodes marked, with the wanted
+    correction.
 
     ``entry`` holds ``table`` (``positions``, ``correction_positive``, ``correction_negative``,
     ``unit``) as in the prediction document, and ``wanted`` (``positions``, ``positive``,
@@ -375,8 +375,8 @@ def _with_margin(limits: Sequence[float], share: float, least: float = 0.0) -> t
 
 
 def legend_of(charts: Sequence[Chart]) -> dict[str, Band | ChartCurve]:
-    """Return what stands in the legend of all panels (as `Chart.written`), by its name: each once,
-    what is alike side by side, + before −.
+    """Return the legend of all panels (as `Chart.written`) by name: each entry once, similar ones
+    together, + before −.
     """
     entries: dict[str, Band | ChartCurve] = {}
     for chart in charts:

@@ -1,4 +1,4 @@
-"""What to do about a cause that a circular test shows, in words: who acts, what to check first.
+"""What to do about a cause that a circular test shows, in words: by whom, what to check first.
 
 Common practice of the workshop, in the order in which it costs least; no standard prescribes it.
 """

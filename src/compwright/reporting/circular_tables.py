@@ -127,8 +127,8 @@ def _not_applicable(result: Mapping[str, Any]) -> list[Text]:
 
 
 def _listed(names: Sequence[str], result: Mapping[str, Any]) -> str:
-    """Return causes by their words and parameters by their letters, each once: of a long list
-    nobody reads more.
+    """Return causes by their words and parameters by their letters, each once; a long list is
+    cut.
     """
     causes = result["diagnosis"] or {}
     return ", ".join(dict.fromkeys(_shortened(name, causes, result["axes"]) for name in names))

@@ -110,7 +110,7 @@ def _both(entries: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
 
 
 def _correction(change: Mapping[str, Any] | None, *, told: bool = True) -> str:
-    """Return by how much a correction changed; ``told``: that could be worked out."""
+    """Return by how much a correction changed; ``told``: whether that is known."""
     if change is None:
         same, entries = "the correction is the same", "only its entries are compared"
         return same if told else entries

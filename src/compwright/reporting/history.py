@@ -106,7 +106,7 @@ def _word(word: str) -> Text:
 
 
 def _remarks(document: Mapping[str, Any]) -> list[RenderableType]:
-    """Return what has to be said of folders: what is not as it was written first."""
+    """Return the remarks about folders: first what was changed after it was written."""
     lines = [
         Text(f"{folder['folder']}/{file['file']}: {_STATES[file['state']]}", "yellow")
         for folder in document["folders"]

@@ -26,9 +26,9 @@ _WORDS: Final = {
 _SYMBOLS: Final = {"squareness": "β", "G_bidirectional": "G(b)"}
 _COLOUR: Final = "#0b4a82"
 _CHANGED: Final = "#b3202c"
-#: Another table acted: that it differs was to be expected.
+#: A different table was active: the difference was to be expected.
 _COMPENSATED: Final = "#3a7d44"
-#: Tests whose places still can be told apart on an axis; further labels are left out.
+#: Tests whose places can still be distinguished on an axis; further labels are left out.
 _MOST_LABELS: Final = 12
 
 

@@ -132,5 +132,5 @@ def css_string(text: str) -> str:
 
 
 def _link(name: object) -> str:
-    """Return a relative link to a file beside the page; a colon cannot make it a scheme."""
+    """Return a relative link to a file next to the page; a colon cannot make it a scheme."""
     return quote(_NOT_TEXT.sub(" ", str(name)).replace("\\", "/").lstrip("/"), safe="/")

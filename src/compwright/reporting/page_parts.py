@@ -66,7 +66,7 @@ def conditions(blocks: Iterable[Document]) -> list[dict[str, Any]]:
 def remaining(
     view: Document, blocks: Iterable[Document], *evaluations: Document | None
 ) -> list[dict[str, Any]]:
-    """Return the findings that stand in no axis' section, and the files that could not be read."""
+    """Return the findings outside the axes' sections, and the files that could not be read."""
     shown = {(item["code"], item["message"]) for block in blocks for item in block["findings"]}
     every = sections.findings(sections.unreadable(*evaluations), view.get("findings"))
     return [item for item in every if (item["code"], item["message"]) not in shown]

@@ -286,7 +286,7 @@ def _base(result: Document, values: Sequence[float]) -> float:
 
 
 def _rings(panel: Any, place: _Place, most: float, least: float, language: Language) -> None:
-    """Draw faint circles at round deviations with their values beside the second axis."""
+    """Draw faint circles at round deviations with their values next to the second axis."""
     step = _round_step(max(most, -least, 0.05))
     box = {"boxstyle": "square,pad=0.12", "facecolor": "white", "edgecolor": "none", "alpha": 0.8}
     for count in range(
@@ -420,9 +420,7 @@ def _travel(panel: Any, path: Path, result: Document, language: Language) -> Non
 
 
 def draw_causes(panel: Any, causes: Sequence[CircleCause], language: Language) -> None:
-    """Draw the effects of the causes as bars, the largest above, with 95 % whiskers and the values
-    beside.
-    """
+    """Draw the effects of the causes as bars, the largest above, with values and 95 % whiskers."""
     reach = 1.75 * max(
         cause.effect for cause in causes
     )  # a whisker may be much longer than any effect: it ends there, with an arrow

@@ -86,7 +86,7 @@ def centre_text(name: str, centre: tuple[float, float], result: Document) -> Sen
 
 
 def zone_text(key: str, values: Document) -> Sentence:
-    """Return G of the zone that is drawn, and beside it what belongs to both directions."""
+    """Return G of the zone that is drawn, and the values of both directions."""
     both = key == "both"
     name = "G_bidirectional" if both else f"G_{key}"
     return say(

@@ -15,8 +15,8 @@ from compwright.reporting.shown import messages_console
 
 
 class ProgressBar:
-    """A line for each kind of things that are done; drawn when it is told, not by a thread of its
-    own, and taken away at the end: the answer stands where it stood.
+    """A line for each kind of work; drawn at each report of progress, without a thread, and removed
+    at the end, where the answer then begins.
     """
 
     def __init__(self) -> None:

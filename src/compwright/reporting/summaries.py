@@ -149,7 +149,7 @@ def _table_line(axis: Mapping[str, Any], unit: str) -> str:
     )
 
 
-#: What the terminal shows of a circle, with its unit; the rest stands in the report and the JSON.
+#: What the terminal shows of a circle, with its unit; the rest is in the report and the JSON.
 _OF_CIRCLES = {
     "G_ccw": "µm",
     "G_cw": "µm",

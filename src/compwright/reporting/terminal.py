@@ -56,7 +56,7 @@ def evaluation_tables(
     """Return the renderables of a ``compwright/evaluation/1`` document, one group per result and
     one for the errors.
 
-    ``targets`` adds the table per target. A finding that several standards share is told once per
+    ``targets`` adds the table per target. A finding that several standards share is shown once per
     file. Deviations are shown as the document holds them, in µm or arcsec.
     """
     shown: list[RenderableType] = []

@@ -18,7 +18,7 @@ from compwright.records.correction import ControlFile
 from compwright.words.sentences import say
 
 #: A line of a HAL file (or of HALCMD in an INI) with the pin that takes the place of a joint's
-#: BACKLASH (milltask(1): these pins change at run time what is typically said in the INI), its
+#: BACKLASH (milltask(1): these pins change at run time what the INI typically states), its
 #: number perhaps a variable; behind # stands a remark.
 #: ``[SECTION]KEY``, ``$name``, ``${name}``: a text that another file or a variable says.
 _SUBSTITUTED = rb"(?:\[\w+\](?:\(\w+\)|\w+)|\$(?:\w+|\{\w+\}))"

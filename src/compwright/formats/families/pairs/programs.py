@@ -17,7 +17,7 @@ from compwright.foundations.errors import Fault, InputError, raise_all
 from compwright.foundations.findings import Finding
 from compwright.records.correction import ControlFile
 
-#: Quantities of which a value other than 0 acts on an axis.
+#: Quantities of which a value other than 0 is active on an axis.
 _CORRECTING = frozenset({"value", "backlash", "cross_value"})
 
 

@@ -1,0 +1,80 @@
+"""Draw texts at random for a reader who does not know the project: messages and docstrings.
+
+    python benchmarks/draw_texts.py [SEED] [TREE]
+
+60 messages (sentences of findings and labels with their fields, errors with their next step, help
+texts) and 20 first paragraphs of docstrings. The reader marks each: understood at first reading.
+"""
+
+from __future__ import annotations
+
+import ast
+import random
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+MESSAGES, DOCSTRINGS = 60, 20
+#: Shorter texts are labels.
+FEWEST_WORDS = 5
+
+
+def text_of(node: ast.AST | None) -> str:
+    """Return the text of a constant or an f-string, each value as its expression in braces."""
+    if isinstance(node, ast.Constant):
+        return str(node.value)
+    if isinstance(node, ast.JoinedStr):
+        return "".join(map(text_of, node.values))
+    return "" if node is None else "{" + ast.unparse(node) + "}"
+
+
+def messages(tree: ast.AST, path: Path) -> Iterator[str]:
+    """Yield the sentences, errors and help texts of a module."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Dict) and "english" in path.parts:
+            yield from (text_of(value) for value in node.values)
+        elif isinstance(node, ast.Call):
+            words = {word.arg: text_of(word.value) for word in node.keywords}
+            if "message" in words and "hint" in words:
+                details = "".join(
+                    f"; {key} {words[key]}" for key in ("expected", "found") if words.get(key)
+                )
+                yield f"error: {words['message']}{details}. Next: {words['hint']}"
+            elif "help" in words and "cli" in path.parts:
+                yield words["help"]
+
+
+def docstrings(tree: ast.AST) -> Iterator[str]:
+    """Yield the first paragraph of each docstring of a module."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef):
+            yield from filter(None, [(ast.get_docstring(node) or "").split("\n\n")[0]])
+
+
+def main() -> None:
+    """Print the draw."""
+    seed, tree = (*sys.argv[1:], "240", ".")[:2] if len(sys.argv) != 2 else (sys.argv[1], ".")
+    modules = [
+        (path, ast.parse(path.read_text(encoding="utf-8")))
+        for path in sorted((Path(tree) / "src" / "compwright").rglob("*.py"))
+    ]
+    drawn = random.Random(int(seed))  # noqa: S311 - a draw of texts
+    said = sorted(
+        {
+            text
+            for path, module in modules
+            for text in messages(module, path)
+            if len(text.split()) >= FEWEST_WORDS
+        }
+    )
+    documented = sorted({text for _, module in modules for text in docstrings(module)})
+    for kind, texts, count in (
+        ("message", said, MESSAGES),
+        ("docstring", documented, DOCSTRINGS),
+    ):
+        for number, text in enumerate(drawn.sample(texts, count), start=1):
+            print(f"{kind} {number}: {' '.join(text.split())}")
+
+
+if __name__ == "__main__":
+    main()
