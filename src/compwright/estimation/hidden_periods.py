@@ -350,8 +350,8 @@ class _SmoothFit:
     curve: CurveColumns
 
     def followed(self, node: int, period: float | None = None) -> tuple[FloatArray, FloatArray]:
-        """Return the columns of the curve (j,) as they follow the values, mm or deg, and as (j, 2)
-        they follow less cosine and sine of a wave.
+        """Return the coefficients of the curve (j,), mm or deg, that follow from the values, and
+        their change (j, 2) by cosine and sine of a wave.
         """
         likelihood, basis = self.likelihood, self.curve.basis
         place = node

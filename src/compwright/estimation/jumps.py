@@ -93,7 +93,7 @@ class Jump:
         return self.odds >= _NAMED or self.end is not None
 
     def finding(self, kind: AxisKind) -> Finding:
-        """Return what the user should know of it (CW-E030)."""
+        """Return the finding about this jump (CW-E030)."""
         factor, small = outside_factor(kind.unit), shown_unit(kind.unit)
         std = self.std * factor
         decimals = max(0, 1 - int(np.floor(np.log10(max(std, 1e-3)))))

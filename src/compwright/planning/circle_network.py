@@ -60,8 +60,8 @@ class Observation:
 
 @dataclass(frozen=True, slots=True)
 class CircleNetwork:
-    """The one machine that fits all circles best, by unknown, and the kinds of values in which they
-    contradict each other with those observations.
+    """The machine that fits all circles best. ``values`` by unknown; ``contradictions``: the
+    observations by the kind of value in which the circles contradict each other.
     """
 
     values: Mapping[Unknown, ValueWithError]

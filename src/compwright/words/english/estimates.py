@@ -156,9 +156,9 @@ SENTENCES: Final[dict[str, str]] = {
         " {pattern:choose|traverses=shifts|runs=shifts|walk=shifts|wave=waves} anew"
     ),
     "CW-E022.either": (
-        "The traverses move against each other ({odds}); whether they drift or jump these"
-        " readings do not show: look at warm-up, clamping, reference runs and the mounting of"
-        " the instrument between traverses. The prediction counts with both"
+        "The traverses are shifted against each other ({odds}). These readings do not show"
+        " whether the axis drifts or jumps; the prediction counts with both. Look at warm-up,"
+        " clamping, reference runs and the mounting of the instrument between traverses"
     ),
     "CW-E022.seldom": (
         "{pattern:choose|traverses=Single traverses are off the others|runs=Single runs are"

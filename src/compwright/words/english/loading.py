@@ -114,8 +114,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "headline.undecided": "Undecided: the tests do not tell",
     "loading.likely": "{verdict} {percent:.0f} %",
-    "loading.as_before": "It lies within {left} of what the control did before.",
-    "loading.as_predicted": "It lies within {left} of the prediction.",
+    "loading.as_before": "The test lies within {left} of what the control did before.",
+    "loading.as_predicted": "The test lies within {left} of the prediction.",
     "loading.candidate": "{name} ({sure:if|more than 99|{percent:2sig}} %)",
     "loading.declared_slope": (
         "Over the travel its deviations rise by {slope:+.2f} ± {error:.2f} µm/m more than"
@@ -154,12 +154,11 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "loading.no_table": "The plan holds no table for this axis: nothing was to be loaded.",
     "loading.open": (
-        "Cannot tell: with and without the new table the targets differ by {size} rms, and"
-        " the noise of a reading is {noise}{needed:if|; the correction is smaller than the"
-        " {needed} rms that this test can prove}{effect:if|. Measured: {effect}}. Possible:"
-        " {candidates}.{off:if| But compared with the first of these it is off by {off} and"
-        " at worst by {worst}. That is more than noise: something else changed, or the test"
-        " is at fault.}"
+        "Cannot tell: the new table changes the targets by {size} rms, and the noise of a"
+        " reading is {noise}{needed:if|; the correction is smaller than the {needed} rms that"
+        " this test can prove}{effect:if|. Measured: {effect}}. Possible: {candidates}.{off:if|"
+        " But the test deviates from the first of these by {off}, at worst by {worst}. That is"
+        " more than noise: something else changed, or the test is at fault.}"
     ),
     "loading.rms": "{rms} rms",
     "loading.slope": (

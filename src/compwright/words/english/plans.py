@@ -160,7 +160,7 @@ SENTENCES: Final[dict[str, str]] = {
         " the screw, where it is known (screw_pitch).}"
     ),
     "CW-P133.open": (
-        "with a period that these targets leave open ({probability:.0%}; first of all"
+        "with a period that these targets cannot show ({probability:.0%}; most likely"
         " {periods:3sig} {unit})"
     ),
     "CW-P133.parameter": "{parameter} {value} (limit {limit:g})",
@@ -235,9 +235,9 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-P152.parameter": "{parameter} {value:.2f}{other:if| ({other:.2f})}",
     "CW-P153": (
         "Axis {axis}: the second table may hold the drift of this test. The reversal changes"
-        " by {risen} along the travel; the drift found, {drifted} from the first run to the"
-        " last, would show {shown} of that within every run, up and down again, with a"
-        " constant play. Warm the axis up and measure again before two tables are loaded, or"
+        " by {risen} along the travel. With a constant play, a drift as found, {drifted} from"
+        " the first run to the last, would show {shown} of that: it goes on within every run, up"
+        " and down. Warm the axis up and measure again before two tables are loaded, or"
         " take one (mode: single)"
     ),
     "CW-P154": (

@@ -97,8 +97,8 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-S036": (
         "Axis {gantry} gets {table:choose|same=the same total|change=the same change to its"
         " own total} as axis {axis}, as the job says. The corrections of both differ by up to"
-        " {after:.2f} {unit} afterwards, {before:.2f} {unit} before; at no position by more"
-        " than {moved:.2f} {unit} otherwise than before"
+        " {after:.2f} {unit} afterwards, {before:.2f} {unit} before; the difference changes by"
+        " at most {moved:.2f} {unit} at any position"
     ),
     "CW-S037": (
         "axis {axis}: axis {follows} follows it as a drive, without a position of its own"
@@ -115,9 +115,9 @@ SENTENCES: Final[dict[str, str]] = {
         " as it is"
     ),
     "CW-S041": (
-        "{label}: {own} = {first} is {zero} + 1 on a full turn, where the manual has {own} ="
-        " {zero}: numbers {first} to {last} are read as its sections, and number {reference}"
-        " is kept for the axis too"
+        "{label}: on a full turn {own} is {first}, that is {zero} + 1, where the manual has"
+        " {own} = {zero}. The points {first} to {last} are read as its sections; point"
+        " {reference} stays reserved for the axis"
     ),
     "CW-S042": "axis {axis} is odd and left alone, with all its point numbers: {reasons:join|; }",
     "CW-S043": "{label}: {systems}; check the detection unit",

@@ -42,13 +42,13 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-F007": "The error exceeds the control's value range: {left} rms remain",
     "CW-F008": "The error is steeper than the control's largest increment: {left} rms remain",
     "CW-F009.compared": (
-        "Magnification {magnification}: with {before} increments of {increments} times {step}"
-        " would leave at least {at_least} rms, with {magnification} {left:if|{left}"
-        " rms|nothing}"
+        "Magnification {magnification} is set in place of {before}: it leaves {left:if|{left}"
+        " rms|nothing}. Magnification {before} (increments of {increments} times {step}) would"
+        " leave at least {at_least} rms"
     ),
     "CW-F009.smallest": (
-        "Magnification {magnification}, the smallest: increments of {increments} times {step}"
-        " leave {left:if|{left} rms|nothing}"
+        "Magnification {magnification}, the smallest, is enough: increments of {increments}"
+        " times {step} leave {left:if|{left} rms|nothing}"
     ),
     "CW-F010": (
         "The job asks for the least {goal}. The table of least expected square is used"

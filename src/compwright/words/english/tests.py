@@ -220,9 +220,9 @@ SENTENCES: Final[dict[str, str]] = {
         " min|no positioning test is so short}: the drift of a test is larger"
     ),
     "CW-T028": (
-        "The air changed the light: {least:+.3f}{most:if| to {most:+.3f}|} µm/m from {zero:.10g} mm"
-        " on, where the display shows 0, was removed"
-        " ({equation:choose|ciddor=Ciddor|edlen=Edlén}; air at {air_c:.4g} °C,"
+        "The effect of the air on the laser wavelength was removed:"
+        " {least:+.3f}{most:if| to {most:+.3f}|} µm/m from {zero:.10g} mm on, where the display"
+        " shows 0 ({equation:choose|ciddor=Ciddor|edlen=Edlén}; air at {air_c:.4g} °C,"
         " {pressure_hpa:.6g} hPa, {humidity_percent:.3g} % on average). The display of the"
         " instrument {assumed:if|is assumed to use|uses} the refractive index"
         " {counted:.9f}"
@@ -230,11 +230,10 @@ SENTENCES: Final[dict[str, str]] = {
         " `environment` where it uses another|}."
     ),
     "CW-T029": (
-        "From the first to the last reading the light changed by {light:+.2f} µm and the expansion"
-        " by {expansion:+.2f} µm, at the target where they changed most: both were removed. What"
-        " is left in the readings changed by {rest:+.2f}"
-        "{std_error:if| ± {std_error:.2f}|} µm, mean over the targets: drift of the machine"
-        " itself, or of the set-up."
+        "From the first to the last reading the laser wavelength changed the readings by"
+        " {light:+.2f} µm and the expansion by {expansion:+.2f} µm, at the target with the largest"
+        " change: both were removed. The mean over the targets still changed by {rest:+.2f}"
+        "{std_error:if| ± {std_error:.2f}|} µm: drift of the machine itself, or of the set-up."
     ),
     "CW-T030.certain": "This cannot be right: {why}.",
     "CW-T038": (

@@ -72,8 +72,8 @@ def joint_letters(kinematics: str, order: str, count: str) -> str:
 
 
 def sure_joints(kinematics: str, order: str, count: str) -> str:
-    """Return the letter of each joint as `joint_letters`, and those of kinematics without letters
-    of its own if all other lines agree with them; empty if that is uncertain.
+    """Return the letter of each joint as `joint_letters`. For kinematics without letters: the usual
+    ones if all other lines agree with them; empty if that is uncertain.
     """
     letters = joint_letters(kinematics, order, count)
     name = kinematics.split(maxsplit=1)[0].lower() if kinematics.strip() else ""
