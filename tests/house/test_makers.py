@@ -54,7 +54,7 @@ EXPLAINED = re.compile(
 FOUR_DIGITS = re.compile(r"\d{4}")
 #: Not a part of a word, a decimal number or a date; the second of a list or a range is one too.
 NUMBER = re.compile(
-    r"(?:(?<![\w.,:+-])|(?<=\b\d{4}[,-])|(?<=\b\d{5}[,-]))\d{4,5}(?!\w|[.,]\d|-\d\d?(?!\d))"
+    r"(?:(?<![\w.,:+-])|(?<=\b\d{4}[,-])|(?<=\b\d{5}[,-]))\d{4,5}(?!\w|\.\d|,\d\d?(?!\d)|-\d\d?(?!\d))"
 )
 
 
