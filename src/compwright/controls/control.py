@@ -183,14 +183,14 @@ class Control:
             for name, option in self.definition.options.items()
             if option.settled_by in answered
         }
-        stated = set(self.given) | settled | _SAID_ELSEWHERE | self._said_by_axes(states, axes)
+        stated = set(self.given) | settled | _SAID_ELSEWHERE | self._given_by_axes(states, axes)
         return tuple(
             Assumption(f"option {name}", _shown(value), self._default_evidence(name))
             for name, value in self.options.items()
             if name not in stated
         )
 
-    def _said_by_axes(self, states: Sequence[ControlState], axes: Sequence[Axis]) -> set[str]:
+    def _given_by_axes(self, states: Sequence[ControlState], axes: Sequence[Axis]) -> set[str]:
         named = [(self.format.address(axis)[0], set(axis.options)) for axis in axes] or [
             (address, set[str]()) for state in states for address in state.axes
         ]

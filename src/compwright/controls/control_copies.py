@@ -112,7 +112,7 @@ def _decoded_otherwise(
             ControlFile(named.get(file.name.upper(), file.name), copies[file.name].content)
             for file in group
         ]
-        if not _decoded_alike(session, shipped, control, group, made, renamed):
+        if not _same_decoding(session, shipped, control, group, made, renamed):
             yield from [file.name for file in group]
 
 
@@ -130,7 +130,7 @@ def _copy(file: ControlFile, likely: Sequence[Definition], cuts: Cuts) -> Contro
     if not same_statements(read, again, made.renamed):
         raise not_the_same(file.name, "other values")
     for other in likely:  # whatever another control would read in it stays too
-        if other.layout.shape != definition.layout.shape and _said_at_first(file, other):
+        if other.layout.shape != definition.layout.shape and _statements_at_start(file, other):
             first, second = _read(file, other), _read(made.file, other)
             if isinstance(first, ReadText) and not (
                 isinstance(second, ReadText) and same_statements(first, second, made.renamed)
@@ -192,7 +192,7 @@ def _likely(
         else list(_definitions(session).values())
     )
     counts = {
-        file.name: {definition.id: _said_at_first(file, definition) for definition in known}
+        file.name: {definition.id: _statements_at_start(file, definition) for definition in known}
         for file in files
         if not is_entry_sheet(file)
     }
@@ -243,7 +243,7 @@ def _bare(file: ControlFile, definition: Definition, named: frozenset[str]) -> b
     return isinstance(read, ReadText) and bool(read.occurrences)
 
 
-def _said_at_first(file: ControlFile, definition: Definition) -> int:
+def _statements_at_start(file: ControlFile, definition: Definition) -> int:
     """Return how many statements with a word of their own stand at the beginning of a file."""
     begins = file.content[:_LOOKED_AT]
     if len(begins) < len(file.content):
@@ -259,7 +259,7 @@ def _definitions(session: Session) -> Mapping[str, Definition]:
     return definitions_from(storage.definition_files(session))
 
 
-def _decoded_alike(
+def _same_decoding(
     session: Session,
     shipped: Mapping[str, Definition],
     control_id: str,

@@ -55,7 +55,7 @@ def own_definition(session: Session, path: Path) -> Definition:
     id that ships: results and folders are named by it.
     """
     definition = load_definition(
-        _content(session, path), str(path), _beside(session, path.parent), own=True
+        _content(session, path), str(path), _neighbour_files(session, path.parent), own=True
     )
     raise_all(InputError, name_conflicts(session, definition))
     return definition
@@ -136,7 +136,7 @@ def definitions_at(session: Session, path: Path) -> list[tuple[str, bytes, Find]
             )
         )
     return [
-        (str(entry), _content(session, entry), _beside(session, entry.parent))
+        (str(entry), _content(session, entry), _neighbour_files(session, entry.parent))
         for entry in storage.list_files(session, path)
         if entry == path or (entry.name.lower().endswith(_YAML) and not is_base(entry))
     ]
@@ -156,7 +156,7 @@ def _content(session: Session, path: Path) -> bytes:
     return storage.read_bytes(session, path, DEFINITION)
 
 
-def _beside(session: Session, folder: Path) -> Find:
+def _neighbour_files(session: Session, folder: Path) -> Find:
     """Return what finds a definition that is extended: a YAML file seen from ``folder``, else what
     ships.
     """

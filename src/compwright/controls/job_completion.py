@@ -90,12 +90,12 @@ def _address(
         if stated is None and name == letters[:1]:
             return normal_address(control.definition, axis)
         if stated is None:
-            raise UsageError(_unsure_number(control, axis, by_name()))
+            raise UsageError(_number_question(control, axis, by_name()))
     address, evidence = stated
     return address, Assumption(f"address of axis {axis.name}", address, evidence)
 
 
-def _unsure_number(control: Control, axis: Axis, by_name: Mapping[str, tuple[str, str]]) -> Fault:
+def _number_question(control: Control, axis: Axis, by_name: Mapping[str, tuple[str, str]]) -> Fault:
     """Return the question for the number of an axis whose letter alone does not say it."""
     names = ", ".join(f"{letter}: {number}" for letter, (number, _) in by_name.items())
     quantity = name_of(control.definition, "axis_letters")

@@ -65,7 +65,7 @@ def read_back_differences(
     return ReadBackDifferences(
         {name: tuple(found) for name, found in own.items()},
         Others(tuple(others), tuple(_elsewhere(whole)), tuple(_not_read(whole))),
-        tuple(dict.fromkeys((*whole.findings, *_unsaid(whole, known)))),
+        tuple(dict.fromkeys((*whole.findings, *_ignored(whole, known)))),
     )
 
 
@@ -132,7 +132,7 @@ def _not_read(whole: Differences) -> Iterator[str]:
             yield one.entry.name
 
 
-def _unsaid(whole: Differences, known: set[str]) -> Iterator[Finding]:
+def _ignored(whole: Differences, known: set[str]) -> Iterator[Finding]:
     missing = len(list(_not_read(whole)))
     new = sum(
         one.entry.relevant and one.change.old is None and not _compared(one, known)

@@ -187,7 +187,7 @@ class AxisLoader:
         fits = (behind or grid.lowest == grid.reference) and abs(
             covered - turn
         ) <= _WHOLE_TURN * turn
-        if self.memory.machine.goes_round(grid.axis) is False:
+        if self.memory.machine.is_endless(grid.axis) is False:
             if modulo is not None:
                 self.fault(
                     grid.axis,
@@ -208,7 +208,7 @@ class AxisLoader:
         elif (
             behind
             or modulo is not None
-            or (grid.lowest == grid.reference and self._goes_round(grid.axis))
+            or (grid.lowest == grid.reference and self._is_endless(grid.axis))
         ):
             count = turn / grid.interval
             self.fault(
@@ -224,7 +224,7 @@ class AxisLoader:
             )
         return grid
 
-    def _goes_round(self, axis: int) -> bool:
+    def _is_endless(self, axis: int) -> bool:
         """Return whether the files define an endless axis: a turn in 3625, and 1006#1 (linear type;
         practice) not set.
         """

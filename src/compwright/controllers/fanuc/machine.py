@@ -166,7 +166,7 @@ class Machine:
         entry = self.entry(number, axis)
         return None if entry is None else entry.bit(bit)
 
-    def goes_round(self, axis: int) -> bool | None:
+    def is_endless(self, axis: int) -> bool | None:
         """Return whether a rotary axis is endless; None where 1006 does not make it rotary."""
         kind = self.entry(1006, axis)
         if kind is None or not kind.bit(0):

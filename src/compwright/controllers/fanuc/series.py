@@ -44,7 +44,7 @@ class ControlSeries:
     own: Mapping[int, int] = field(default_factory=dict)
     unknown: range = range(0)
 
-    def known_as(self, number: int) -> int | None:
+    def number_here(self, number: int) -> int | None:
         """Return the number used here for a parameter of the files.
 
         None for a number that means something else on this series.

@@ -140,7 +140,7 @@ class _Sheet:
         if match is None:
             self._wrong(number, "point", "a number such as 10040, 3620 or 3605#0", point)
             return
-        known = self.series.known_as(int(match[1]))
+        known = self.series.number_here(int(match[1]))
         key = (
             int(match[1]) if known is None else known,
             None if match[2] is None else int(match[2]),

@@ -115,8 +115,8 @@ class TapeContent:
 def read_file(file: ControlFile, series: ControlSeries) -> TapeContent:
     """Return the contents of one file (bytes, ASCII, lines ended by LF, CR LF, LF CR CR or CR).
 
-    Parameters get the numbers used here (`ControlSeries.known_as`). Nothing is raised. The result
-    is cached by content: do not change it.
+    Parameters get the numbers used here (`ControlSeries.number_here`). Nothing is raised. The
+    result is cached by content: do not change it.
     """
     if b"\x00" in file.content:
         fault = Fault(
@@ -179,7 +179,7 @@ class _TapeReader:
             self.programmed = False
         elif match is None:
             self._other(line, raw, number)
-        elif self.series.known_as(int(match[1])) in WATCHED or int(match[1]) >= POINT_BASE:
+        elif self.series.number_here(int(match[1])) in WATCHED or int(match[1]) >= POINT_BASE:
             self.last_block = number
             try:
                 self._place(number)
@@ -262,7 +262,7 @@ class _TapeReader:
             if number >= POINT_BASE and not re.match(r"\s*Q\s*0", rest):
                 return  # some other parameter of the control
             raise _Unreadable("words such as A1P40, without plus sign, comma or semicolon")
-        known = number if number >= POINT_BASE else self.series.known_as(number)
+        known = number if number >= POINT_BASE else self.series.number_here(number)
         if self.programmed:
             self._program_block(known or number, words, line)
         elif number >= POINT_BASE:

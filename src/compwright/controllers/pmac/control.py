@@ -124,7 +124,7 @@ def pmac_control(files: Sequence[ControlFile], request: Request) -> PmacControl:
     judged = Judged(card, request, assumed)
     motors = judged.motors()
     crossing = judged.crossing() if judged.enabled else {}
-    notes = _left(card, judged, request)
+    notes = _raised_or_noted(card, judged, request)
     faulty = {number for number, _ in judged.faults}
     motors = {number: motor for number, motor in motors.items() if number not in faulty}
     crossing = {pair: found for pair, found in crossing.items() if pair[1] not in faulty}
@@ -159,7 +159,7 @@ def _not_sent(card: Card, request: Request) -> list[Fault]:
     ]
 
 
-def _left(card: Card, judged: Judged, request: Request) -> list[str]:
+def _raised_or_noted(card: Card, judged: Judged, request: Request) -> list[str]:
     """Raise the faults of motors under work; return those of other motors, and the card's, as
     notes.
     """

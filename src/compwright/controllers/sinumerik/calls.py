@@ -84,7 +84,7 @@ class ProgramCalls:
 
     def doubts(self, block: ProgramBlock) -> list[Doubt]:
         """Return the statements of a program that may keep its assignments from being executed."""
-        return [one for one in block.doubts if not self._comes_back(one.call)]
+        return [one for one in block.doubts if not self._always_returns(one.call)]
 
     def has(self, name: str) -> bool:
         """Return whether a program of that name is among the files."""
@@ -102,7 +102,7 @@ class ProgramCalls:
         """Return the lines of a program; a call after which the run certainly continues is a plain
         line.
         """
-        back = {one.line for one in (*block.doubts, *block.late) if self._comes_back(one.call)}
+        back = {one.line for one in (*block.doubts, *block.late) if self._always_returns(one.call)}
         called = {line.number for line in self.calls_of(block)}
         return [
             replace(
@@ -177,11 +177,11 @@ class ProgramCalls:
     def _before(self, block: ProgramBlock, line: Line) -> Doubt | None:
         ends = [block.end] if block.end is not None else []
         for one in (*block.doubts, *block.late, *ends):
-            if one.line < line.number and not self._comes_back(one.call):
+            if one.line < line.number and not self._always_returns(one.call):
                 return one
         return Doubt(line.number, " ".join(line.words)) if line.conditional else None
 
-    def _comes_back(self, name: str) -> bool:
+    def _always_returns(self, name: str) -> bool:
         """Return whether a run certainly continues after the call of a program."""
         if name not in self._back:
             self._back[name] = False  # one that calls itself

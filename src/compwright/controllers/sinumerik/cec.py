@@ -71,7 +71,7 @@ def load_sag(
     for pair in by_pair:
         of_output[pair[1]].append(pair)
     if counted:
-        _say_sign(sign, request, remarks)
+        _note_sign(sign, request, remarks)
     sag = Sag(
         by_pair={pair: tuple(given) for pair, given in by_pair.items()},
         off=frozenset(output for output in of_output if loader.switched_off(output)),
@@ -107,7 +107,7 @@ def _sign(request: Request) -> int:
     return _SIGNS[str(option)]
 
 
-def _say_sign(sign: int, request: Request, remarks: Remarks) -> None:
+def _note_sign(sign: int, request: Request, remarks: Remarks) -> None:
     if not sign:
         remarks.notes.append(
             "the effect of the CEC tables is unknown: their sign is not given (option cec_sign)"

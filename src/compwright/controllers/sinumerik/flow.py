@@ -135,7 +135,7 @@ class ProgramBlock:
         if lengths is not None:
             self.inches[line] = lengths[1][1] == "0"
         words = [word.upper() for word in _WORDS.findall(bare)]
-        if not bare or self._quiet(bare):
+        if not bare or self._changes_nothing(bare):
             assigned = dict.fromkeys(_assigned(words)) if skipped else _assigned(words)
             if names or assigned:
                 self.trail.append(Line(line, names, (), assigned=assigned))
@@ -169,7 +169,7 @@ class ProgramBlock:
         alone = None if ends or skipped or words[0] in _FORKS else _called(statement)
         self.late.append(Doubt(line, code.strip()[:60], alone or ""))
 
-    def _quiet(self, bare: str) -> bool:
+    def _changes_nothing(self, bare: str) -> bool:
         if _DWELL.fullmatch(bare):
             return True
         if _ONLY_G.fullmatch(bare):

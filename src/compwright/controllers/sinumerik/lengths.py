@@ -96,11 +96,13 @@ def lengths_of(
         for metric, file, line in systems
         if metric is inch
     ]
-    faults += _strange(contents, request, inch=inch)
+    faults += _wrong_units(contents, request, inch=inch)
     return Lengths(inch=inch, rotary=rotary), faults
 
 
-def _strange(contents: Sequence[ProgramContent], request: Request, *, inch: bool) -> list[Fault]:
+def _wrong_units(
+    contents: Sequence[ProgramContent], request: Request, *, inch: bool
+) -> list[Fault]:
     kinds = {str(kind) for kind in request.kinds.values()} or {"linear", "rotary"}
     own = [bit for kind in sorted(kinds) for bit in _OWN_UNITS[kind]]
     faults: list[Fault] = []

@@ -59,7 +59,7 @@ def check_programs(
         if request.carried_out:
             faults += list(_in_two_branches(block, given)) or _not_all(placed, calls)
         elif reason is not None and block.branches:
-            questions.append(_unsure(*reason, calls))
+            questions.append(_question(*reason, calls))
     raise_all(InputError, faults)
     raise_all(UsageError, questions)
 
@@ -206,7 +206,7 @@ def _in_two_branches(block: ProgramBlock, given: Sequence[VariableAssignment]) -
         seen[entry.variable.upper()] = entry
 
 
-def _unsure(file: str, first: Doubt, calls: ProgramCalls) -> Fault:
+def _question(file: str, first: Doubt, calls: ProgramCalls) -> Fault:
     unknown = bool(first.call) and not calls.has(first.call)
     program = f"the file of {first.call} too, where it is a program, or " if unknown else ""
     return Fault(

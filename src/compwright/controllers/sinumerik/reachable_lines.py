@@ -100,7 +100,7 @@ def conflicts(lines: Sequence[Line]) -> tuple[int, int] | None:
 
 
 def _conflict(short: Sequence[Line], ways: Sequence[int]) -> tuple[int, int] | None:
-    behind = _behind(ways)
+    behind = _reachable_after(ways)
     given = [place for place, line in enumerate(short) if line.given]
     for place in given:
         if place and not behind[0] >> place & 1:
@@ -135,7 +135,12 @@ def _inevitable(
     hit = [min(group & set(among), default=0) for group in groups]
 
     def reached(closed: set[int]) -> int:
-        return _behind([0 if place in closed else bits for place, bits in enumerate(follow)])[0] | 1
+        return (
+            _reachable_after([0 if place in closed else bits for place, bits in enumerate(follow)])[
+                0
+            ]
+            | 1
+        )
 
     every = {place for place, line in enumerate(short) if line.given and hit[place]}
     open_places = reached(every)
@@ -152,7 +157,7 @@ def _in_step(lines: Sequence[Line]) -> Iterator[list[int]]:
     Motions and switching functions go on to the next line.
     """
     every, forks = _possible(lines)
-    behind = _behind(every)
+    behind = _reachable_after(every)
     assigning = {place: line.assigned for place, line in enumerate(lines) if line.assigned}
     stop = 1 << len(lines) + 1
     sure = [
@@ -190,7 +195,7 @@ def _fork(line: Line, bits: int, after: int) -> Fork | None:
 
 def always_returns(lines: Sequence[Line]) -> bool:
     """Return whether every run of a subprogram returns to its caller."""
-    return not lines or not _behind(_next(lines))[0] >> len(lines) + 1 & 1
+    return not lines or not _reachable_after(_next(lines))[0] >> len(lines) + 1 & 1
 
 
 def unclear_jumps(lines: Sequence[Line]) -> list[int]:
@@ -234,7 +239,7 @@ def _sought(jump: str, name: str, place: int, names: Mapping[str, Sequence[int]]
     return [] if jump == "GOTOF" else back
 
 
-def _behind(follow: Sequence[int]) -> list[int]:
+def _reachable_after(follow: Sequence[int]) -> list[int]:
     """Return for every line the lines that a run may reach after it."""
     behind = list(follow)
     changed = True

@@ -113,7 +113,7 @@ def _text(file: str, content: bytes) -> DefinitionText:
 
 def _over(under: DefinitionText, over: DefinitionText) -> DefinitionText:
     """Return ``under`` with the keys of ``over`` on top."""
-    gone = _left_out(under, over)
+    gone = _omitted(under, over)
     own = {key: value for key, value in over.data.items() if key not in (EXTENDS, WITHOUT)}
     replaced = set(gone)
     data = _merge(_less(under.data, gone, ()), own, (), replaced)
@@ -126,7 +126,7 @@ def _over(under: DefinitionText, over: DefinitionText) -> DefinitionText:
     return DefinitionText(over.file, data, {**kept, **own_places})
 
 
-def _left_out(under: DefinitionText, over: DefinitionText) -> set[KeyPath]:
+def _omitted(under: DefinitionText, over: DefinitionText) -> set[KeyPath]:
     """Return the key paths that ``over`` removes. Raises InputError."""
     listed = over.data.get(WITHOUT, [])
     if not isinstance(listed, list):

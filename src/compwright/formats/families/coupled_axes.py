@@ -96,7 +96,7 @@ def check_couplings(couplings: Sequence[Coupling], axes: Mapping[str, Axis], not
                 notes.once(coupling.fault(message, expected))
             elif coupling.follows == address and address not in led:
                 notes.once(_led(address, coupling))
-        _ask_for_followers(address, axis, [one for one in mine if address in one.leads], notes)
+        _ask_about_followers(address, axis, [one for one in mine if address in one.leads], notes)
         notes.faults.extend(_other_leader(address, axis, couplings))
 
 
@@ -125,7 +125,7 @@ def _led(address: str, coupling: Coupling) -> Fault:
     )
 
 
-def _ask_for_followers(
+def _ask_about_followers(
     address: str, axis: Axis, couplings: Sequence[Coupling], notes: Notes
 ) -> None:
     alike = [one for one in couplings if not (one.unlike or (axis.moves_alone and one.switched))]

@@ -56,7 +56,7 @@ class ResolvedDefinition:
         """
         return axis_options(self.definition, self.options, axis, unit_needed=unit_needed)
 
-    def grid_there(self, axis: Axis) -> tuple[float, ...]:
+    def existing_grid(self, axis: Axis) -> tuple[float, ...]:
         """Return the nodes (ascending, mm or deg) of the table in the control's own files, active
         or not; empty if they hold none.
         """

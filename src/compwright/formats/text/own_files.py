@@ -86,7 +86,7 @@ class OwnFiles(Patches):
         ]
         self._add(anchor, added)
 
-    def put_behind(self, places: TablePlaces, number: int, quantity: str, text: str) -> None:
+    def put_after_table(self, places: TablePlaces, number: int, quantity: str, text: str) -> None:
         """Put a single value on a line of its own after all lines of a table in one file."""
         lines = [
             found

@@ -51,7 +51,7 @@ class ColumnAxisReader:
         self.curves = self._curves()
 
     @property
-    def spoken_of(self) -> bool:
+    def is_mentioned(self) -> bool:
         """Whether a file holds the axis' correction over itself."""
         given = any((self.address, name) in self.sources.given for name in ("backlash", "slope"))
         return (
@@ -244,7 +244,7 @@ class ColumnAxisReader:
                 self.notes.switched_off(self.label, f"{self._switch} switches the table off")
             return False
         if self.curves is None:
-            if found is None and self._others_act() and not self.sources.starred:
+            if found is None and self._other_columns_active() and not self.sources.starred:
                 self._answer(None, None)
             elif found is None and self.sources.assignments is None:
                 self._assume_switch(
@@ -258,7 +258,7 @@ class ColumnAxisReader:
                 "a sheet is what was typed in",
             )
             return active
-        if not (np.any(self.curves[1]) or np.any(self.curves[2]) or self._others_act()):
+        if not (np.any(self.curves[1]) or np.any(self.curves[2]) or self._other_columns_active()):
             return self._zeros(found)
         word = (
             "yes"
@@ -343,7 +343,7 @@ class ColumnAxisReader:
             for moving, table in self.sources.tables.items()
         )
 
-    def _others_act(self) -> bool:
+    def _other_columns_active(self) -> bool:
         """Return whether the motion of another axis corrects this one: the same bit selects such a
         column.
         """

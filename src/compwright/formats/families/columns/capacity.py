@@ -62,7 +62,7 @@ def columns_capacity(control: Family, axis: Axis) -> Capacity:
         period=TURN if endless else None,
         line=slope.quantum("slope") if line else None,
         nodes=None if fixed is None else tuple(float(node) for node in fixed),
-        there=control.grid_there(axis),
+        there=control.existing_grid(axis),
         cover=(
             0 if endless or line or axis.kind is AxisKind.ROTARY else 1
         ),  # of a turn only 0 to 360 degrees are used

@@ -144,9 +144,9 @@ class _ColumnStateReader:
             if address not in mentioned and not sources.idle:
                 self.notes.faults.append(_unnamed(address, mentioned, self.files))
             reader = ColumnAxisReader(self.values, address, self.wanted, self.activity)
-            if reader.spoken_of:
+            if reader.is_mentioned:
                 compensations[address] = reader.read()
-            if reader.spoken_of or address in self.wanted:
+            if reader.is_mentioned or address in self.wanted:
                 facts[address] = AxisFacts(
                     kind=self.values.stated_kind(address),
                     enabled=bool(reader.facts["enabled"]),

@@ -39,7 +39,7 @@ def write_columns(
     UsageError if a value to be replaced is in no file.
     """
     if files:
-        _refuse_unsaid_backlash(control, pairs, files)
+        _refuse_unknown_backlash(control, pairs, files)
     own = [file for file in files if not is_entry_sheet(file)]
     written = _OwnTables(control, {address: axis for address, axis, _ in pairs}, own)
     faults: list[Fault] = []
@@ -62,7 +62,7 @@ def write_columns(
     return (*written.patched(range(len(own))), *sheets)
 
 
-def _refuse_unsaid_backlash(
+def _refuse_unknown_backlash(
     control: Family, pairs: Sequence[AxisTable], files: Sequence[ControlFile]
 ) -> None:
     """Refuse to write a backlash if the present one is in no file: it would be missing in the
@@ -165,12 +165,12 @@ class _OwnTables(Patches):
         number, mask = self.sources.numbers.number(address), mask_of(known)
         if number is None or mask is None or mask >> (number - 1) & 1 == int(text):
             return
-        self._woken(address, awake=text == "1")
+        self._check_other_tables(address, awake=text == "1")
         changed = mask ^ 1 << (number - 1)
         new = f"%{changed:0{len(known) - 1}b}" if known.startswith("%") else str(changed)
         self._set(place, f"%{changed:b}" if ambiguous(new) else new)
 
-    def _woken(self, address: str, *, awake: bool) -> None:
+    def _check_other_tables(self, address: str, *, awake: bool) -> None:
         """Refuse to change the bit of an axis if tables of other axes correct it, or would.
 
         The bit selects every table that corrects the axis, not only its own. Raises NotHeld.

@@ -37,7 +37,7 @@ class GridLimits:
         """Return the limits in mm or deg."""
         definition, scale = self.definition, self.control.scale_of(self.axis)
         assumed = [self.assumption] if self.assumption is not None else []
-        assumed += self._turn_unsaid()
+        assumed += self._turn_unknown()
         max_points = self._max_points(assumed)
         value, quantum = curves(definition)[0], scale.quantum(self.shape.rules.grid[0])
         in_addition = (
@@ -59,7 +59,7 @@ class GridLimits:
             above=definition.layout.above,
             most_points=definition.limit_number("max_points"),
             period=self._period(),
-            there=() if self.axis.counts_turns else self.control.grid_there(self.axis),
+            there=() if self.axis.counts_turns else self.control.existing_grid(self.axis),
             spacings=self._spacings(quantum),
             stays=self.control.state.stays.get(self.address, ()),
             assumed=tuple(assumed),
@@ -80,7 +80,7 @@ class GridLimits:
             return None
         return self.axis.modulo if self.axis.kind is AxisKind.ROTARY else None
 
-    def _turn_unsaid(self) -> list[Assumption]:
+    def _turn_unknown(self) -> list[Assumption]:
         """Return the assumptions on the turn of an endless axis: that the control wraps it, and
         where its turn begins.
         """

@@ -88,7 +88,7 @@ class GridReader:
         if address is not None:
             self.wanted[normal_text(self.definition, address)] = None
         for axis in axes:
-            self._ask_for(axis)
+            self._add_requested(axis)
         for leading, partner in self.partners.items():
             leader = self.wanted[leading]
             self.wanted.setdefault(partner, None if leader is None else partner_of(leader, partner))
@@ -101,9 +101,9 @@ class GridReader:
         for text in self.texts:
             self.notes.findings.extend(text.findings)
         self.tables = TableFiles(self.gathered, self.texts, self.notes)
-        self.spoken_of = self._spoken_of()
+        self.mentioned = self._mentioned_axes()
 
-    def _ask_for(self, axis: Axis) -> None:
+    def _add_requested(self, axis: Axis) -> None:
         name, assumption = self.control.address(axis)
         self.wanted[name] = axis
         if axis.gantry is not None:
@@ -116,7 +116,7 @@ class GridReader:
         """Return the state of the control with the files. Raises InputError and UsageError."""
         named = self.named()
         if not self.wanted and not named and not self.between():
-            self._tell_no_axis()
+            self._note_no_axis()
         readings: dict[str, AxisReading] = {}
         for address, axis in (self.wanted or dict.fromkeys(named)).items():
             if address in named or (len(self.wanted) == 1 and self.tables.alone()):
@@ -126,7 +126,7 @@ class GridReader:
             elif address not in self.between():
                 # else the files tell what it does to another axis; whether they must tell more is
                 # for who asks
-                self._tell_unnamed(address, named)
+                self._refuse_unnamed(address, named)
         self._same_systems(readings)
         wanted = {name: axis for name, axis in self.wanted.items() if axis in self.axes and axis}
         check_couplings(self.couplings(), wanted, self.notes)
@@ -143,7 +143,7 @@ class GridReader:
             of_job=bool(self.wanted),
             single=[one for one in axes if readings[one].facts.stated.get("gantry_type") == 0],
         )
-        self._tell_of_files()
+        self._note_files()
         return ControlState(
             format=self.definition.id,
             axes=axes,
@@ -157,7 +157,7 @@ class GridReader:
 
     def named(self) -> list[str]:
         """Return the addresses that lines, sections or the names of table files name."""
-        return list(dict.fromkeys((*self.spoken_of, *self.tables.named())))
+        return list(dict.fromkeys((*self.mentioned, *self.tables.named())))
 
     def between(self) -> Collection[str]:
         """Return the axes that the files mention only in tables between axes."""
@@ -197,7 +197,7 @@ class GridReader:
         source = AxisSource(
             address=address,
             axis=axis,
-            rows=self.tables.rows(address, spoken_of=address in self.spoken_of),
+            rows=self.tables.rows(address, mentioned=address in self.mentioned),
             elsewhere=self.elsewhere(address),
         )
         own = GridAxisReader(self.control, self.gathered, source, self.activity, self.notes).read()
@@ -267,7 +267,7 @@ class GridReader:
         ]
         raise_all(InputError, self.notes.faults)
         self.loaded = whole
-        self._tell_sources(files)
+        self._note_sources(files)
         read = [text for text in texts if text is not None]
         if not any(text.occurrences or text.sections for text in read):
             row = self.definition.bindings[curves(self.definition)[0]].statement
@@ -317,7 +317,7 @@ class GridReader:
                 )
         raise_all(InputError, self.notes.faults)
 
-    def _tell_sources(self, files: Sequence[ControlFile]) -> None:
+    def _note_sources(self, files: Sequence[ControlFile]) -> None:
         """Note listings, and the programs in archives that load or switch tables: they were not
         executed here.
         """
@@ -330,7 +330,7 @@ class GridReader:
             if named:
                 self.notes.find("CW-S070", "info", file=file.name, programs=named)
 
-    def _spoken_of(self) -> list[str]:
+    def _mentioned_axes(self) -> list[str]:
         """Return the addresses in lines or sections."""
         found = self.gathered.addresses()
         for name in self.gathered.sections:
@@ -340,7 +340,7 @@ class GridReader:
                     found.append(normal_text(self.definition, match["axis"]))
         return list(dict.fromkeys(found))
 
-    def _tell_no_axis(self) -> None:
+    def _note_no_axis(self) -> None:
         name = self.tables.template.replace("{axis}", "<number>")
         old = [each for each in self.gathered.sections if re.fullmatch(r"AXIS_[0-9]", each)]
         if old:
@@ -368,7 +368,7 @@ class GridReader:
             )
         )
 
-    def _tell_unnamed(self, address: str, named: Sequence[str]) -> None:
+    def _refuse_unnamed(self, address: str, named: Sequence[str]) -> None:
         self.notes.faults.append(
             Fault(
                 message=(
@@ -385,9 +385,9 @@ class GridReader:
             )
         )
 
-    def _tell_of_files(self) -> None:
+    def _note_files(self) -> None:
         """Note findings about the files as a whole, and facts that a job would have given."""
-        self.tables.tell_idle(self.wanted)
+        self.tables.note_idle(self.wanted)
         for text in self.texts:
             variants = [occurrence.line for occurrence in text.occurrences if occurrence.variant]
             if variants:

@@ -78,14 +78,14 @@ class TableFiles:
         """
         return len(self.texts) == len(self.tables) == 1
 
-    def rows(self, address: str, *, spoken_of: bool) -> list[FoundValue] | None:
+    def rows(self, address: str, *, mentioned: bool) -> list[FoundValue] | None:
         """Return the rows of an axis; None if rows name their axis themselves.
 
-        ``spoken_of``: other lines name the axis, and would name its file.
+        ``mentioned``: other lines name the axis, and would name its file.
         """
         if "table_file" not in self.definition.bindings:
             return None
-        if spoken_of:
+        if mentioned:
             matching = self._named_by(address)
         else:
             own = [text for text in self.tables if self._address_in_name(text.file) == address]
@@ -131,7 +131,7 @@ class TableFiles:
             )
         return matching
 
-    def tell_idle(self, wanted: Collection[str]) -> None:
+    def note_idle(self, wanted: Collection[str]) -> None:
         """Note the table files that no axis names, among those of the axes under work."""
         binding = self.definition.bindings.get("table_file")
         named = {

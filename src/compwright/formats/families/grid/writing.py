@@ -169,7 +169,7 @@ class GridWriter:
     def make_room(self, work: AxisToWrite) -> None:
         """Remove what would be active in addition to a new table."""
 
-    def speaking(self, addresses: Collection[str]) -> set[int]:
+    def files_naming(self, addresses: Collection[str]) -> set[int]:
         """Return those of the control's own files that mention the axes."""
         if self.own is None:
             return set()
@@ -189,12 +189,12 @@ class GridWriter:
         """Return the control's own files that mention the axes, with all changes made."""
         if self.own is None:
             return ()
-        gathered, speaking = self.own.gathered, self.speaking(addresses)
+        gathered, numbers = self.own.gathered, self.files_naming(addresses)
         forms = {form for each in addresses for form in gathered.spellings.get(each, ())}
         if forms - set(addresses):
             # more than one name for an axis: the file that lists them belongs to the set
-            speaking |= gathered.naming
-        return self.own.patched(speaking)
+            numbers |= gathered.naming
+        return self.own.patched(numbers)
 
     def _turned(self, work: AxisToWrite) -> AxisCompensation:
         """Return the table of an endless axis over the control's own range: from its start, once
@@ -371,7 +371,7 @@ class GridWriter:
             last = [switch for switch in before if switch.number == number][-1:]
             self.own.put("enabled", last, off)
             if number not in {switch.number for switch in behind}:
-                self.own.put_behind(table, number, "enabled", on)
+                self.own.put_after_table(table, number, "enabled", on)
 
     def _reserve(
         self, places: Sequence[FoundValue], count: int, options: Mapping[str, object]

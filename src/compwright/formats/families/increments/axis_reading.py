@@ -267,7 +267,7 @@ class IncrementReader:
         spans = sections.last - sections.reference
         # The number of the reference itself owns no section of its own.
         skipped = 1 - (sections.first - sections.reference)
-        if skipped not in (0, 1) or not sections.goes_round(turn):
+        if skipped not in (0, 1) or not sections.spans_turn(turn):
             message = (
                 "the table of an endless axis must span one turn (3622 = 3620 + turn / interval)"
             )

@@ -31,7 +31,7 @@ class IncrementLimits:
     def __init__(self, family: Family, axis: Axis) -> None:
         self.definition = family.definition
         self.axis = axis
-        self.there = family.grid_there(axis)
+        self.there = family.existing_grid(axis)
         self.scale = family.scale_of(axis)
         self.options = self.scale.options
         address, assumption = family.address(axis)

@@ -86,7 +86,7 @@ def _masters(
     path = AxisParameters(parameters, str(value.index)).path
     if number >= _BY_PATH:
         path, number = divmod(number, _BY_PATH)
-    held = parameters.held(known.PATH_OF_AXIS)
+    held = parameters.by_owner(known.PATH_OF_AXIS)
     mates = sorted(index for (_, index), one in held.items() if path and one.whole == path)
     found = [*mates[number - 1 : number]] if number > 0 else []
     if value.whole < _BY_PATH:
@@ -107,7 +107,7 @@ def _tandem(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coupli
             bits[value.index] = value
     servo = {
         index: one.whole
-        for (owner, index), one in parameters.held(known.SERVO_NUMBER).items()
+        for (owner, index), one in parameters.by_owner(known.SERVO_NUMBER).items()
         if owner == "A"
     }
     by_servo = {number: index for index, number in servo.items() if index in bits and number > 0}
@@ -124,8 +124,8 @@ def _flexible(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coup
     """Yield the pairs of 5660 to 5667: master and slave, which moves in a ratio to it."""
     unlike = "flexible synchronous control moves it in a ratio with another axis"
     for master_number, slave_number in zip(known.FLEXIBLE[::2], known.FLEXIBLE[1::2], strict=True):
-        for whose, slave in parameters.held(slave_number).items():
-            master = parameters.held(master_number).get(whose)
+        for whose, slave in parameters.by_owner(slave_number).items():
+            master = parameters.by_owner(master_number).get(whose)
             if master is None or not (master.nonzero and slave.nonzero):
                 continue
             leads, follows = (_named(parameters, one, addresses) for one in (master, slave))
@@ -143,7 +143,7 @@ def _angular(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coupl
             yield from _every(addresses, value, _NO_BITS)
         if not value.bit(_ANGULAR_BIT):
             continue
-        pair = [parameters.held(number).get(value.whose) for number in known.ANGULAR_AXES]
+        pair = [parameters.by_owner(number).get(value.whose) for number in known.ANGULAR_AXES]
         named = [
             _named(parameters, one, addresses) for one in pair if one is not None and one.nonzero
         ]

@@ -38,7 +38,7 @@ def moved_numbers(
         (point, new)
         for each in facts.hung
         for point in _known(each, facts, place, interval)
-        if (new := _there(axis, each, point, facts, place, interval)) != point.number
+        if (new := _point_in_place(axis, each, point, facts, place, interval)) != point.number
     )
 
 
@@ -109,7 +109,7 @@ def _known(
     return each.points
 
 
-def _there(
+def _point_in_place(
     axis: Axis,
     each: FunctionOnPoints,
     point: PointNumber,

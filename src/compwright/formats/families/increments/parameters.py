@@ -220,7 +220,7 @@ class Parameters:
         """Return all values of some parameters, of any owner."""
         return [value for number in numbers for value in self.values.get(number, ())]
 
-    def held(self, number: int) -> Mapping[tuple[str, int], ParameterValue]:
+    def by_owner(self, number: int) -> Mapping[tuple[str, int], ParameterValue]:
         """Return the values of a parameter by owner: the last one of each."""
         return self._held.get(number, {})
 
@@ -281,7 +281,7 @@ class AxisParameters:
     @property
     def path(self) -> int | None:
         """The path of the axis (981); None if the files do not state it."""
-        path = self.all.held(PATH_OF_AXIS).get(("A", self.index))
+        path = self.all.by_owner(PATH_OF_AXIS).get(("A", self.index))
         return None if path is None else path.whole or None
 
     @property
@@ -297,7 +297,7 @@ class AxisParameters:
         If the paths differ in a parameter that an axis' table depends on, `rivals` reports it and
         the axis is refused.
         """
-        values = self.all.held(number)
+        values = self.all.by_owner(number)
         return next((values[whose] for whose in self._owners if whose in values), None)
 
     def another(self, number: int) -> ParameterValue | None:

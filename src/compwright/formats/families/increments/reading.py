@@ -103,15 +103,15 @@ class StateReader:
             else:
                 self._leave_alone(address)
         self._check_names()
-        self._tell_unknown()
-        self.notes.faults.extend(self._odd_partners())
+        self._note_unknown()
+        self.notes.faults.extend(self._refuse_partners())
         couplings = couplings_of(self.parameters, self._numbers())
         wanted = {name: axis for name, axis in self.wanted.items() if axis in self.axes and axis}
         check_couplings(couplings, wanted, self.notes)
         cross = tuple(self._cross())
         raise_all(InputError, self.notes.faults)
         raise_all(UsageError, self.notes.questions)
-        self._tell_overlaps()
+        self._note_overlaps()
         unknown = self._unknown()
         if None in self.wanted.values() or not self.wanted:
             options, why = self.family.options, "option or its default"
@@ -254,7 +254,7 @@ class StateReader:
         first = min((int(str(one)) for one in stated if one is not None), default=self.highest + 1)
         return frozenset(number for number in range(first) if number not in self.points)
 
-    def _odd_partners(self) -> Iterator[Fault]:
+    def _refuse_partners(self) -> Iterator[Fault]:
         """Check that both axes of a gantry have the same kind and detection unit."""
         for axis in self.axes:
             if axis.gantry is None or axis.gantry not in self.facts:
@@ -307,7 +307,7 @@ class StateReader:
                     )
                 )
 
-    def _tell_unknown(self) -> None:
+    def _note_unknown(self) -> None:
         """Note once the values under numbers of other series whose meaning on this one is
         unknown.
         """
@@ -322,7 +322,7 @@ class StateReader:
                 place=values[0].place,
             )
 
-    def _tell_overlaps(self) -> None:
+    def _note_overlaps(self) -> None:
         owners: dict[int, list[str]] = {}
         for address, facts in self.facts.items():
             for numbers in increments_of(facts).claimed if facts.enabled else ():

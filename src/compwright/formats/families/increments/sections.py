@@ -51,7 +51,7 @@ class IncrementSections:
         places: FloatArray = np.round(zero + steps * self.interval, 9)
         return places
 
-    def goes_round(self, turn: float) -> bool:
+    def spans_turn(self, turn: float) -> bool:
         """Return whether the sections span a turn, deg, from the reference."""
         return abs((self.last - self.reference) * self.interval - turn) < SAME_PLACE
 
@@ -125,7 +125,7 @@ def repeats(values: IncrementAxisValues, kind: AxisKind, sections: IncrementSect
     if values.axis is not None and values.axis.modulo is not None:
         return True
     from_reference = sections.first - sections.reference in (0, 1)
-    return from_reference and sections.goes_round(values.turn(kind))
+    return from_reference and sections.spans_turn(values.turn(kind))
 
 
 def idle_nodes(values: IncrementAxisValues, kind: AxisKind) -> tuple[float, ...]:
@@ -184,7 +184,7 @@ def _next_to_reference(
     """
     first, reference, last = sections.first, sections.reference, sections.last
     turn = values.turn(kind)
-    if not sections.goes_round(turn) or sections.negative is not None:
+    if not sections.spans_turn(turn) or sections.negative is not None:
         expected = f"{order(values)}, or a full turn of {turn:g} deg"
         values.wrong("first_number", _DISORDER, expected, f"{first}, {reference}, {last}")
         return None

@@ -50,7 +50,7 @@ def write_increments(
         faults.extend(fault for entry in left for fault in _homeless(family.definition, entry))
     fresh = [file for entry in left for file in _fresh(family.definition, entry, names)]
     raise_all(CapacityError, faults)
-    return (*patched.speaking({entry.address for entry in entries}), *fresh)
+    return (*patched.changed_files({entry.address for entry in entries}), *fresh)
 
 
 def _homeless(definition: Definition, left: Entries) -> Iterator[Fault]:
@@ -155,12 +155,12 @@ class _OwnFiles(Patches):
             return False
         places = self.gathered.singles.get((entry.address, None), {}).get(quantity, [])
         for place in places:
-            text = value if isinstance(value, str) else self._length_there(place, entry, value)
+            text = value if isinstance(value, str) else self._existing_length(place, entry, value)
             if not isinstance(binding, Choice) or place.text != text:
                 self._set(place, binding.field, text)
         return bool(places)
 
-    def _length_there(self, place: FoundValue, entry: Entries, value: Decimal) -> str:
+    def _existing_length(self, place: FoundValue, entry: Entries, value: Decimal) -> str:
         """Return a length in the unit of the letter in the file: M mm, I inch, P the machine's
         unit, deg for rotary axes.
         """
@@ -187,15 +187,15 @@ class _OwnFiles(Patches):
             place = neighbour.occurrence.tokens["number"].start
             self.add_lines(neighbour.number, place, [line], before=not below)
 
-    def speaking(self, addresses: Collection[str]) -> tuple[ControlFile, ...]:
+    def changed_files(self, addresses: Collection[str]) -> tuple[ControlFile, ...]:
         """Return the user's files that mention the axes or hold point data, with all changes
         made.
         """
-        speaking = {row.number for rows in self.rows.values() for row in rows} | self.changed()
+        numbers = {row.number for rows in self.rows.values() for row in rows} | self.changed()
         for (address, _), singles in self.gathered.singles.items():
             if address in addresses:
-                speaking |= {place.number for places in singles.values() for place in places}
-        return self.patched(speaking)
+                numbers |= {place.number for places in singles.values() for place in places}
+        return self.patched(numbers)
 
 
 def _fresh(definition: Definition, left: Entries, taken: Collection[str]) -> Iterator[ControlFile]:

@@ -143,7 +143,7 @@ class ListsFamily(Family):
             below=self.definition.layout.below,
             above=self.definition.layout.above,
             period=axis.modulo if axis.kind is AxisKind.ROTARY else None,
-            there=self.grid_there(axis),
+            there=self.existing_grid(axis),
         )
 
     def write(

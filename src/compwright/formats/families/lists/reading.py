@@ -130,7 +130,7 @@ class ListStateReader:
             elif address in lists.statements:
                 self._axis(lists, address, axis)
             elif address not in masters:
-                self._unsaid(lists, address, files)
+                self._refuse_unnamed(lists, address, files)
         for address in lists.statements:
             if address not in wanted:
                 self._unasked(lists, address)
@@ -169,7 +169,9 @@ class ListStateReader:
                 leading=leader(couplings, address),
             )
 
-    def _unsaid(self, lists: ListsByAxis, address: str, files: Sequence[ControlFile]) -> None:
+    def _refuse_unnamed(
+        self, lists: ListsByAxis, address: str, files: Sequence[ControlFile]
+    ) -> None:
         fault = Fault(
             message=(
                 f"no given list contains data of axis {address}; missing values do not "

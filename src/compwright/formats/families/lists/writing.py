@@ -80,7 +80,7 @@ class ListsWriter:
             columns,
             COLUMNS,
         )
-        self._make_act(address, "table_switch", "manual")
+        self._activate(address, "table_switch", "manual")
         switch = self.lists.places(address, "backlash_switch")
         if any(not same_value(place.text, "0") for place in switch):
             self._put(self.lists.places(address, "backlash"), "0")
@@ -108,7 +108,7 @@ class ListsWriter:
         }
         columns = {"cross_setpoint": positions, "cross_correction": values}
         self._entries(address, single, columns, _CROSS_COLUMNS)
-        self._make_act(address, "cross_switch", "cross_manual")
+        self._activate(address, "cross_switch", "cross_manual")
 
     def files_of(self, addresses: Iterable[str]) -> tuple[ControlFile, ...]:
         """Return the lists of some axes, with the start-up list, with all changes made."""
@@ -253,7 +253,7 @@ class ListsWriter:
                 self.patches.replace(place.number, *set_field(place.occurrence, "value", text))
         return bool(places)
 
-    def _make_act(self, address: str, switch: str, manual: str) -> None:
+    def _activate(self, address: str, switch: str, manual: str) -> None:
         """Switch on a table if the lists end with it off."""
         self._put(self.lists.places(address, switch), "1")
         self._put(self.lists.places(address, manual), "0")

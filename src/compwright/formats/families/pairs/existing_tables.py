@@ -88,7 +88,7 @@ class ExistingTables:
         """Yield where one of these tables, which change, multiplies another one."""
         for index in self.places:
             for place in self.places_of(index, "cross_multiplier")[-1:]:
-                if index in changed or int(place.text) - 1 not in changed or self.quiet(index):
+                if index in changed or int(place.text) - 1 not in changed or self.is_empty(index):
                     continue
                 yield Fault(
                     message=(
@@ -102,7 +102,7 @@ class ExistingTables:
                     hint="give other indices in the option `cec_tables`",
                 )
 
-    def quiet(self, index: int) -> bool:
+    def is_empty(self, index: int) -> bool:
         """Return whether a table in the files holds only zeros."""
         return index in self.places and is_zero(self.places[index])
 

@@ -172,7 +172,9 @@ class TableLines(SingleValues):
         if active is None:
             off = next((end for end in ends if end.word == "no"), None)
             if off is not None:
-                self._tell_off(self.label, self.values(self.label).name(off.quantity), "info")
+                self._note_switched_off(
+                    self.label, self.values(self.label).name(off.quantity), "info"
+                )
                 return False
             for end in ends:
                 if end.word is None:
@@ -213,7 +215,7 @@ class TableLines(SingleValues):
         word = None if found is None else self.word(owner, quantity, found)
         return _Switch(quantity, owner, found, word)
 
-    def _tell_off(self, label: str, switches: str, severity: str) -> None:
+    def _note_switched_off(self, label: str, switches: str, severity: str) -> None:
         self.notes.find("CW-S034", severity, self.pair[1], label=label, switches=switches)
 
     def _was_active(self, ends: list[_Switch]) -> bool | None:
@@ -224,12 +226,12 @@ class TableLines(SingleValues):
         word = "no" if "no" in words else None if None in words else "yes"
         found = (end.found for end in ends if end.word == word and end.found is not None)
         place, owner = next(found, None), f"{self.label} of axis {self.pair[1]}"
-        if self._slept(owner, word, place):
-            self._tell_off(owner, _SWITCHES, "warning")
+        if self._was_inactive(owner, word, place):
+            self._note_switched_off(owner, _SWITCHES, "warning")
             return False
         return self.activity.was_active(owner, _SWITCHES, word, place, self.notes)
 
-    def _slept(self, owner: str, word: str | None, place: FoundValue | None) -> bool:
+    def _was_inactive(self, owner: str, word: str | None, place: FoundValue | None) -> bool:
         """Return whether the table was not active because the leadscrew table of its axis was.
 
         If the switch is in another file than the values, no program that loads the values switched

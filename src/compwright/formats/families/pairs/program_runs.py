@@ -305,13 +305,15 @@ def _destinations(
 ) -> Iterator[Sequence[int]]:
     """Yield for each jump and repetition of a line the places of its possible labels."""
     for go in _GO.finditer(code):
-        yield _meant(go, place, places)
+        yield _destinations_of(go, place, places)
     repeated = _REPEATED.match(code)
     if repeated is not None:
         yield places.get(repeated["target"].upper(), ())
 
 
-def _meant(go: re.Match[str], place: int, places: Mapping[str, Sequence[int]]) -> Sequence[int]:
+def _destinations_of(
+    go: re.Match[str], place: int, places: Mapping[str, Sequence[int]]
+) -> Sequence[int]:
     """Return the possible labels of a jump. GOTOF searches from its line to the end of the program,
     GOTOB from its line to the start, GOTO and GOTOC to the end and then elsewhere.
     """
@@ -332,7 +334,7 @@ def _targets(
     """
     if go["way"].upper() == "S":
         return {0}
-    if found := _meant(go, place, places):
+    if found := _destinations_of(go, place, places):
         return set(found)
     plain = re.fullmatch(r"(?!R\d+$)[A-Z_]\w+|N\d+", (go["target"] or "").upper()) is not None
     if not plain:

@@ -33,7 +33,7 @@ def not_carried_out(
     kept: list[ControlFile] = []
     findings: list[Finding] = []
     programs = programs_of(definition, files)
-    faults = list(_carried_out_anyhow(definition, programs))
+    faults = list(_executed_in_any_case(definition, programs))
     for file in files:
         own = [one for one in programs if one.file == file.name and one.program.values]
         doubted = [one for one in own if one.doubted]
@@ -71,7 +71,7 @@ def _two_kinds(found: Found) -> Fault:
     )
 
 
-def _carried_out_anyhow(definition: Definition, programs: Sequence[Found]) -> Iterator[Fault]:
+def _executed_in_any_case(definition: Definition, programs: Sequence[Found]) -> Iterator[Fault]:
     """Yield the faults of programs of which every run executes a value other than 0, their own or
     one of the programs that they call.
     """
@@ -163,7 +163,7 @@ def check_programs(
                 fact = f"{found.file}: the values of the program in {program.span}"
                 notes.assume(fact, "all carried out", "the job's answer (active)")
             if activity.carried_out:
-                faults += list(_twice(gathered, found.file, program)) or _left_out(found)
+                faults += list(_twice(gathered, found.file, program)) or _omitted_value(found)
             elif found.doubted:
                 notes.ask(_question(found))
         for fault in faults:
@@ -199,7 +199,7 @@ def _unlisted(gathered: Gathered, programs: Sequence[Found]) -> Iterator[Fault]:
             )
 
 
-def _left_out(found: Found) -> Iterator[Fault]:
+def _omitted_value(found: Found) -> Iterator[Fault]:
     """Yield the faults of values, or calls, that cannot all have been executed."""
     program = found.program
     if not (program.flow or program.calls):

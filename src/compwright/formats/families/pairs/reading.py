@@ -117,7 +117,7 @@ class CecReader(SingleValues):
         """Return all tables between axes in the files."""
         places = self.places
         tables = [self._table(index, found) for index, found in places.items()]
-        self._name_quiet()
+        self._note_empty()
         reserved = {
             index: self.values(f"CEC table {index}").one(
                 "cross_max_points", found.get("cross_max_points", ())
@@ -150,7 +150,7 @@ class CecReader(SingleValues):
                 return table
             if self.writable.sign_known:
                 return replace(table, stays=True)
-            self._name_left(one, "the sign of its values is not given (option cec_sign)")
+            self._note_left_alone(one, "the sign of its values is not given (option cec_sign)")
             return None
         if is_zero(places) and "cross_value" in places and is_whole(places) and not one.damaged:
             self.quiet.append(index)
@@ -158,7 +158,7 @@ class CecReader(SingleValues):
             self._leave_alone(one)
         return None
 
-    def _name_quiet(self) -> None:
+    def _note_empty(self) -> None:
         """Note the tables that hold only zeros on a grid that cannot be read."""
         if self.quiet:
             self.notes.find("CW-S054", "info", tables=self.quiet)
@@ -173,12 +173,12 @@ class CecReader(SingleValues):
         if damaged or (ours and not self.writable.stays(one)):
             self.notes.faults.extend(fault for fault in faults if fault not in self.notes.faults)
             return
-        self._name_left(one, faults[0].message.removeprefix(f"{one.label}: "))
+        self._note_left_alone(one, faults[0].message.removeprefix(f"{one.label}: "))
 
     def _touched(self, one: _CrossTableReader) -> bool:
         return not self.wanted or any(self._touches(one.pair, each) for each in self.wanted)
 
-    def _name_left(self, one: _CrossTableReader, why: str) -> None:
+    def _note_left_alone(self, one: _CrossTableReader, why: str) -> None:
         """Keep a table unchanged, and note it with the largest correction that it adds."""
         active, product, touched = one.on(), one.times is not None, self._touched(one)
         largest = one.to_millimetres()[1] * _largest(one.places) if active else 0.0
@@ -258,7 +258,7 @@ class _CrossTableReader(TableLines):
         if count is not None and self.index >= count:
             self._wrong(f"the control has {count} tables only", self.places[anything][0])
         self._unknown_keys()
-        self._odd_settings()
+        self._unsupported_settings()
         missing = [name for name in NEEDED if name not in self.places]
         unclear = bool(missing) or self.damaged
         first = next(iter(self.places.values()))[0]
@@ -329,7 +329,7 @@ class _CrossTableReader(TableLines):
             expected = "a key and a value as the control writes them (yes and no: 1 and 0)"
             self._wrong(message, found, expected=expected)
 
-    def _odd_settings(self) -> None:
+    def _unsupported_settings(self) -> None:
         """Refuse settings that change a table other than by a curve, a weight and a switch."""
         for quantity, what, expected in _ODD:
             found = self._one(quantity)

@@ -41,10 +41,10 @@ class Switches:
         places = self.tables.axis_places(output, "cross_axis_enabled")
         if places and not same_value(places[-1].text, "0"):
             return
-        others = [index for index in self.tables.places if self._may_wake(index, output)]
+        others = [index for index in self.tables.places if self._may_activate(index, output)]
         if not places:
             foreign = [index for index in others if self.tables.in_use[index] != (output, output)]
-            self._check_unsaid(output, foreign, faults)
+            self._refuse_missing_switch(output, foreign, faults)
         elif others:
             faults.append(
                 Fault(
@@ -88,9 +88,13 @@ class Switches:
         every = [self.tables.table_places(index) for index in sorted(indices)]
         rows = [row for places in every for group in places.rows.values() for row in group]
         for number in early:
-            own.put_behind(TablePlaces({0: rows}, {}, "cross_value", named), number, quantity, "1")
+            own.put_after_table(
+                TablePlaces({0: rows}, {}, "cross_value", named), number, quantity, "1"
+            )
 
-    def _check_unsaid(self, output: str, others: Sequence[int], faults: list[Fault]) -> None:
+    def _refuse_missing_switch(
+        self, output: str, others: Sequence[int], faults: list[Fault]
+    ) -> None:
         if not others:
             return
         place = self.tables.places_of(others[0], "cross_output")[0]
@@ -112,7 +116,7 @@ class Switches:
             )
         )
 
-    def _may_wake(self, index: int, output: str) -> bool:
+    def _may_activate(self, index: int, output: str) -> bool:
         """Return whether another's table begins to correct ``output`` when MD32710 is switched
         on.
         """
@@ -120,7 +124,7 @@ class Switches:
         if (
             index in tables.kept
             or index not in tables.in_use
-            or tables.quiet(index)
+            or tables.is_empty(index)
             or tables.off(index)
         ):
             return False

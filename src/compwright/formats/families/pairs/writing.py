@@ -123,7 +123,7 @@ class CecWriter:
         for index, pair in tables.in_use.items():
             if pair != (address, address) or index in tables.kept:
                 continue
-            if tables.quiet(index) or tables.off(index, address):
+            if tables.is_empty(index) or tables.off(index, address):
                 continue
             if index in tables.stay and index not in tables.allowed:
                 continue  # it stays: active in the test and afterwards alike
@@ -266,12 +266,12 @@ class CecWriter:
         if when == "cross":  # no file of the set holds their switches
             marks = (kind.comment_marks for kind in self.definition.texts.values())
             comment = next(one[0] for one in marks if one)
-            lines += [f"{comment}{BY_HAND}{line}" for line in self.unsaid(entries)]
+            lines += [f"{comment}{BY_HAND}{line}" for line in self.missing_switches(entries)]
         lines += [print_form(line, named) for line in file.footer]
         content = "".join(line + newline for line in lines).encode("ascii")
         return ControlFile(print_form(file.name, named), content)
 
-    def unsaid(self, entries: Iterable[PairEntry]) -> list[str]:
+    def missing_switches(self, entries: Iterable[PairEntry]) -> list[str]:
         """Return the lines that switch new tables on if the control's own files hold no switch:
         they come last.
         """
@@ -309,7 +309,9 @@ class PairsWriter(GridWriter):
         fresh = [self.cec.new_file("two_curves", work.address, left)] if left else []
         self.make_room(work)
         files = [file for file in self.files_for("two_curves") if file.rows is None]
-        made = self.new_files(files, text, self._put_pair(text), self.cec.unsaid(left), work)
+        made = self.new_files(
+            files, text, self._put_pair(text), self.cec.missing_switches(left), work
+        )
         return [*fresh, *made]  # what switches tables on is loaded last
 
     def make_room(self, work: AxisToWrite) -> None:
@@ -331,11 +333,11 @@ class PairsWriter(GridWriter):
             placed.add("enabled")
         return placed
 
-    def speaking(self, addresses: Collection[str]) -> set[int]:
-        """See `GridWriter.speaking`."""
+    def files_naming(self, addresses: Collection[str]) -> set[int]:
+        """See `GridWriter.files_naming`."""
         tables = self.cec.tables
         pairs = {(address, address) for address in addresses}
-        return super().speaking(addresses) | {
+        return super().files_naming(addresses) | {
             place.number
             for index, places in tables.places.items()
             if index in tables.kept or tables.in_use.get(index) in pairs

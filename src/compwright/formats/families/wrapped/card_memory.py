@@ -83,7 +83,7 @@ class MemoryTable:
         return tuple(int(word.text) for word in self.values)
 
     @property
-    def says(self) -> str:
+    def label(self) -> str:
         """Name of the table in messages."""
         return f"#{self.motor} {self.kind}"
 

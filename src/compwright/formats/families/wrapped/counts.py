@@ -12,8 +12,8 @@ from compwright.formats.text.scale import EXACTNESS, NotHeld
 from compwright.foundations.errors import Fault, UsageError
 from compwright.records.axis import Axis, Direction, FloatArray
 
-#: The option that says how many counts of the motor a mm or a degree has; negative where the motor
-#: counts against its axis.
+#: The option that states how many counts of the motor a mm or a degree has; negative where the
+#: motor counts against its axis.
 COUNTS = "counts_per_unit"
 #: Parts of a count in an entry.
 PARTS = 16

@@ -40,7 +40,7 @@ _RATIO = "it moves in a ratio with another motor"
 #: Registers of a motor, from its number times this on (D:$8B is the actual position of motor 1,
 #: D:$10B that of motor 2: suggested M-variables of public projects).
 _BLOCK, _MOTORS = 0x80, 32
-#: Ixx07 and Ixx08 where no file says them.
+#: Ixx07 and Ixx08 where no file states them.
 _SCALE = 96
 
 

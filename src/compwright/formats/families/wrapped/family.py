@@ -138,7 +138,7 @@ class WrappedFamily(Family):
         del one_curve
         self.address(axis)
         counts = self._counts(axis)
-        there, unfit = self._nodes_there(axis)
+        there, unfit = self._existing_nodes(axis)
         value, backlash = (
             self.definition.measure(name).range for name in ("value_positive", "backlash")
         )
@@ -160,11 +160,11 @@ class WrappedFamily(Family):
             above=self.definition.layout.above,
         )
 
-    def _nodes_there(self, axis: Axis) -> tuple[tuple[float, ...], str]:
+    def _existing_nodes(self, axis: Axis) -> tuple[tuple[float, ...], str]:
         """Return the nodes of the table in the scripts, over the travel and the reference of an
         axis with ends (the rest is in the gap where it repeats), and why they cannot be used.
         """
-        ring = self.grid_there(axis)
+        ring = self.existing_grid(axis)
         if axis.modulo is not None or len(ring) < 2:
             return ring, ""
         nodes = over_travel(ring, axis)
@@ -215,7 +215,7 @@ class WrappedFamily(Family):
     def _entries(
         self, axis: Axis, compensation: AxisCompensation, faults: list[Fault]
     ) -> MotorTable | None:
-        counts, ring = self._counts(axis), self.grid_there(axis)
+        counts, ring = self._counts(axis), self.existing_grid(axis)
         return motor_table(axis, compensation, counts, faults, ring=ring)
 
     def card(self, request: CardRequest) -> AxisCard:

@@ -86,7 +86,7 @@ class WrappedStateReader:
     def read(self) -> ControlState:
         """Return the state."""
         raise_all(InputError, self.notes.faults)
-        self._ask_for_blocks()
+        self._ask_about_blocks()
         self._check_tables()
         raise_all(InputError, self.notes.faults)
         compensations: dict[str, AxisCompensation] = {}
@@ -142,7 +142,7 @@ class WrappedStateReader:
             findings=tuple(dict.fromkeys(self.notes.findings)),
         )
 
-    def _ask_for_blocks(self) -> None:
+    def _ask_about_blocks(self) -> None:
         """Add a question whether commands in conditional blocks were sent, if they concern a motor
         under work.
         """
@@ -220,14 +220,14 @@ class WrappedStateReader:
         for table in (*self.script.of("COMP"), *self.script.of("BLCOMP")):
             if table.plane and any(table.numbers):
                 message = (
-                    f"{table.says}: a table over two motors is active, which compwright does not"
+                    f"{table.label}: a table over two motors is active, which compwright does not"
                 )
                 self.notes.faults.append(
                     table.word.fault(f"{message} read", expected="one motor, or all entries 0")
                 )
             elif not table.plane and table.numbers[-1]:
                 message = (
-                    f"{table.says}: the last entry is not 0; it stands at motor zero, where the"
+                    f"{table.label}: the last entry is not 0; it stands at motor zero, where the"
                     " correction is 0 by definition"
                 )
                 self.notes.faults.append(table.values[-1].fault(message, expected="0"))
@@ -404,7 +404,7 @@ class WrappedStateReader:
             return self._ranged(place, name)
         if with_table:
             table = self.script.tables["BLCOMP", motor]
-            message = f"{table.says} is added to {name}, which no script says"
+            message = f"{table.label} is added to {name}, which no script says"
             expected = f"{name} as it is in the control"
             self.notes.faults.append(table.word.fault(message, expected=expected, found="nothing"))
         else:
@@ -431,7 +431,7 @@ class WrappedStateReader:
 
     def _by_actual(self, table: MemoryTable) -> None:
         self.notes.assume(
-            f"{table.says}: looked up by the actual position",
+            f"{table.label}: looked up by the actual position",
             "counted as the commanded one",
             "inferred: they differ by the following error",
         )

@@ -196,7 +196,7 @@ class _ScriptReader:
         if table is not None and len(table.values) < table.needed:
             self._fault(
                 table.word,
-                f"{table.says}: entries are missing; missing is not zero",
+                f"{table.label}: entries are missing; missing is not zero",
                 f"{table.needed} whole numbers",
                 str(len(table.values)),
             )
@@ -215,7 +215,7 @@ class _ScriptReader:
             return word.end
         message = "this is no command that compwright knows, and it may act"
         if self.open is not None and len(self.open.values) < self.open.needed:
-            message = f"{self.open.says}: this is no whole number"
+            message = f"{self.open.label}: this is no whole number"
         expected = "DEFINE, DELETE, I..=.. and the like; docs/controllers/pmac.md"
         if _INCLUDE.match(word.text):
             message = "the script of another file belongs here, and is not in this one"
@@ -256,7 +256,7 @@ class _ScriptReader:
         if self.open is None or len(self.open.values) >= self.open.needed:
             self._fault(word, "a number without a table: one entry too many?", "the next command")
         elif len(word.text) > _MOST_DIGITS or not low <= int(word.text) <= high:
-            self._fault(word, f"{self.open.says}: the entry is too large", f"{low:g} to {high:g}")
+            self._fault(word, f"{self.open.label}: the entry is too large", f"{low:g} to {high:g}")
             self.open.needed -= 1
         else:
             self.open.values.append(word)
@@ -351,7 +351,7 @@ class _ScriptReader:
             self.script.shared.add(value)
         command = self._word(match.start(), end)
         macro = self.conditions.undecided(value.text)
-        for quantity, motor in self._meant(match):
+        for quantity, motor in self._assigned_quantities(match):
             if macro:
                 name = match["setting"].split("=")[0].strip()
                 message = f"{name}: a conditional block decides what the macro {macro} is"
@@ -368,7 +368,7 @@ class _ScriptReader:
             self.script.settings.setdefault((quantity, motor), []).append(value)
             self.script.commands.append((quantity, motor, command))
 
-    def _meant(self, match: re.Match[str]) -> Iterator[tuple[str, int]]:
+    def _assigned_quantities(self, match: re.Match[str]) -> Iterator[tuple[str, int]]:
         """Yield the quantities that an assignment sets, with the motor (0: all motors)."""
         first, last, step = int(match["first"]), int(match["last"] or match["first"]), 1
         if match["count"]:
@@ -402,7 +402,7 @@ class _ScriptReader:
             expanded_text = expanded(line[0], self.conditions.macros)
             word = self._word(*line.span())
             for match in _SET.finditer(expanded_text):
-                for meant in self._meant(match):
+                for meant in self._assigned_quantities(match):
                     self.script.programs[meant] = replace(word, text=match[0])
             for match in (*_TABLE.finditer(expanded_text), *_COMPUTED.finditer(expanded_text)):
                 self.script.programs["enabled", 0] = replace(word, text=match[0])

@@ -21,7 +21,7 @@ from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.correction import AxisCompensation
 
 #: Spacings beyond the travel for which the end values are held: an axis that runs a little further
-#: than its job says meets no jump.
+#: than its job states meets no jump.
 HELD = 3
 
 

@@ -31,7 +31,7 @@ from compwright.records.correction import ControlFile
 _ON_A_LINE = 8
 #: A SAVE that ends a script, on a line of its own.
 _SAVE = re.compile(rb"(?:^|[\r\n])[ \t]*(SAVE)[ \t]*(?:(?:;|//)[^\r\n]*)?\s*\Z", re.IGNORECASE)
-#: The option with the take-up rate that is written where a script says none.
+#: The option with the take-up rate that is written where a script states none.
 TAKE_UP = "take_up_rate"
 
 
@@ -126,7 +126,7 @@ class _Patcher:
 
     def _occupied(self, other: MemoryTable) -> None:
         message = (
-            f"motor {other.motor} holds a table of its own no more: {other.says} corrects"
+            f"motor {other.motor} holds a table of its own no more: {other.label} corrects"
             f" #{other.target} by #{other.source}, and a motor holds one table"
         )
         expected = "that table defined at a motor without one, by hand, and the script of that"
@@ -193,7 +193,7 @@ class _Patcher:
         kinds = ("COMP",) if kind == "COMP" else ("COMP", "TCOMP", "BLCOMP")
         last = [one.values[-1] for name in kinds for one in self.script.of(name)]  # type: ignore[arg-type]
         if last:
-            self._behind(max(last, key=lambda word: (word.number, word.start)), lines)
+            self._insert_after(max(last, key=lambda word: (word.number, word.start)), lines)
         else:
             self._at_the_end(lines)
 
@@ -208,7 +208,7 @@ class _Patcher:
             again = f"\n#{motor} " if motor else "\n"
             self.patches.insert(word.number, word.start, "\n" + "\n".join(lines) + again)
 
-    def _behind(self, word: Word, lines: Sequence[str]) -> None:
+    def _insert_after(self, word: Word, lines: Sequence[str]) -> None:
         """Put lines after the last number of a table.
 
         The motor addressed before is addressed again if the next command relies on it.
@@ -265,7 +265,7 @@ class _Patcher:
         if binding.values.get(str(number_of(switch))) != "no":
             return
         sleeping = [
-            table.says
+            table.label
             for table in (*self.script.of("COMP"), *self.script.of("BLCOMP"))
             if any(table.numbers) and not self._ours(table)
         ]
@@ -319,7 +319,7 @@ def _read_otherwise(before: Script, after: Script, tables: Sequence[MotorTable])
         if not mine and (new is None or new.numbers != old.numbers or new.counts != old.counts):
             faults.append(
                 Fault(
-                    message=f"{old.says} of another motor would change",
+                    message=f"{old.label} of another motor would change",
                     hint="move the table of the other motor to a script of its own",
                 )
             )
