@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import traceback
 from pathlib import Path
 
 from compwright.foundations.errors import Fault
@@ -15,7 +14,9 @@ def own_fault(error: Exception, file: str = "") -> Fault:
     """Return the report of an unexpected error while ``file`` was read: its class, its text, and
     the line of compwright that raised it.
     """
-    frames = traceback.extract_tb(error.__traceback__)
+    from traceback import extract_tb  # loaded where there is a fault: help and results need none
+
+    frames = extract_tb(error.__traceback__)
     where = next(
         (frame for frame in reversed(frames) if "compwright" in frame.filename), frames[-1]
     )
