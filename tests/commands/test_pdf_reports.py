@@ -48,6 +48,18 @@ def test_run_and_verify_write_their_pages_as_pdf(folder: Path) -> None:
         assert "Report 2026-117" in text
 
 
+def test_the_card_is_next_to_the_report(folder: Path) -> None:
+    """At most a page for the control and one for each axis; the same bytes as its own page."""
+    assert compwright(["run", "job.yaml", "--report", "run.pdf"]) < 2
+    written = (folder / "run-card.pdf").read_bytes()
+    assert written == pdf_of_page((folder / "job" / "card" / "card.html").read_bytes())
+    pages = pypdf.PdfReader(io.BytesIO(written)).pages
+    assert len(pages) <= 2
+    text = " ".join(page.extract_text() for page in pages)
+    assert "Commissioning card" in text
+    assert "`" not in text
+
+
 def test_wrong_names_are_refused_before_the_work(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -10,13 +10,13 @@ import sys
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
+from string import Formatter
 
 import jinja2.nodes
 import pytest
 from test_house import trees
 
-from compwright.words.english import labels
-from compwright.words.sentences import Language, catalogue, filled, placeholders
+from compwright.words.sentences import Language, catalogue, filled, parts, placeholders
 from places import PROJECT
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "benchmarks"))
@@ -26,6 +26,8 @@ from findings_page import page
 TEMPLATES = PROJECT / "src" / "compwright" / "reporting" / "templates"
 PAGE = PROJECT / "docs" / "findings.md"
 
+#: What a choice without a key stands for.
+ANY = {key for text in catalogue("en").values() for key in re.findall(r"[|]([\w -]+)=", text)}
 OTHERS: tuple[Language, ...] = ("de", "fr", "ru")
 
 #: Methods that hand the name of a sentence on.
@@ -108,10 +110,50 @@ def test_each_name_of_a_sentence_is_written_out_where_it_is_asked_for() -> None:
 
 
 @pytest.mark.parametrize("language", OTHERS)
-def test_each_language_has_every_label_and_no_name_of_its_own(language: Language) -> None:
-    others = catalogue(language)
-    assert set(others) >= set(labels.SENTENCES)
-    assert set(others) <= set(catalogue("en"))
+def test_each_language_has_every_sentence_and_no_name_of_its_own(language: Language) -> None:
+    assert set(catalogue(language)) == set(catalogue("en"))
+
+
+FORMS: dict[Language, int] = {"en": 2, "de": 2, "fr": 2, "ru": 3}
+
+
+@pytest.mark.parametrize("language", FORMS)
+def test_each_sentence_has_every_form_of_its_words(language: Language) -> None:
+    """As many plurals as the language has, a text for each choice of the English sentence."""
+    english = catalogue("en")
+    wrong = {
+        name: (field, texts)
+        for name, template in catalogue(language).items()
+        for field, how, texts in _fields(template)
+        if (how == "plural" and len(texts) != FORMS[language])
+        or (how == "if" and len(texts) not in (1, 2))
+        or (how == "choose" and not _keys(texts) >= _choices(english[name], field))
+    }
+    assert wrong == {}
+
+
+def _fields(template: str) -> Iterator[tuple[str, str, list[str]]]:
+    for _, field, form, _ in Formatter().parse(template):
+        if field:
+            how, *texts = parts(form or "")
+            yield field, how, texts
+            for text in texts:
+                yield from _fields(text)
+
+
+def _keys(texts: list[str]) -> set[str]:
+    keys = {text.partition("=")[0] for text in texts}
+    return keys | ANY if "" in keys else keys
+
+
+def _choices(template: str, field: str) -> set[str]:
+    """Return the keys of a field that all choices of the English sentence have."""
+    every = [
+        _keys(texts) - {""}
+        for one, how, texts in _fields(template)
+        if one == field and how == "choose"
+    ]
+    return set.intersection(*every) if every else set()
 
 
 @pytest.mark.parametrize("language", OTHERS)

@@ -113,10 +113,10 @@ def test_no_label_of_another_language_and_no_field_is_left(tmp_path: Path, langu
 
 
 @pytest.mark.parametrize("language", LANGUAGES[1:])
-def test_a_page_says_what_is_not_translated(tmp_path: Path, language: str) -> None:
+def test_a_page_says_that_no_native_speaker_has_read_it(tmp_path: Path, language: str) -> None:
     page, _ = page_and_document(tmp_path, language, AXIS)
     (footer,) = page.iter("footer")
-    named = {"de": "auf Englisch", "fr": "en anglais", "ru": "на английском"}
+    named = {"de": "Muttersprachler", "fr": "en anglais fait foi", "ru": "носителем языка"}
     assert named[language] in text_of(footer)
 
 

@@ -42,12 +42,12 @@ from compwright.fitting.table_findings import (
 from compwright.fitting.unresolved_periods import HeldGrid
 from compwright.fitting.whole_increments import goal_finding, whole_increment_table
 from compwright.foundations.errors import CapacityError, Fault
-from compwright.foundations.numerals import significant
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation
 from compwright.records.estimate import WantedCorrection
 from compwright.records.fitted import FittedTable, Goal, Limit, TableRequest
+from compwright.words.sentences import Amount, Sentence, SentenceText, say
 
 #: Natural logarithm of the evidence from which on two tables are worth it ("strong": 20 to 1; Kass
 #: and Raftery, J. Am. Stat. Assoc. 90, 1995, section 3.2).
@@ -92,7 +92,8 @@ def fit_table(
         wanted = replace(wanted, reference_return=capacity.zero)
     if capacity.period is not None:
         wanted = over_one_period(wanted, capacity.period)
-    shape, reason = _shape(wanted, capacity, request)
+    shape, why = _shape(wanted, capacity, request)
+    reason = SentenceText(why)
     grid = choose_grid(wanted, capacity, request)
     layout = _layout(grid.nodes, shape, capacity, wanted.reference_return)
     aim, datum_findings = with_datum(grid.wanted, layout, capacity)
@@ -151,48 +152,26 @@ def _refuse(capacity: Capacity, request: TableRequest) -> None:
 
 def _shape(
     wanted: WantedCorrection, capacity: Capacity, request: TableRequest
-) -> tuple[Shape, str]:
+) -> tuple[Shape, Sentence]:
     odds = wanted.reversal_log_odds
     if request.mode == "bidirectional":
-        return "bidirectional", "two tables, as the job asks"
+        return "bidirectional", say("mode.two_asked")
     if request.mode == "single":
-        return "single", "one table and one reversal value, as the job asks"
+        return "single", say("mode.one_asked")
     if capacity.curves == 1:
-        return (
-            "single",
-            "one table and one reversal value: the control holds one table for both directions",
-        )
+        return "single", say("mode.one_held")
     if capacity.second_curve == "asked":
-        return (
-            "single",
-            (
-                "one table and one reversal value: two tables only where the job asks for them"
-                " (mode: bidirectional)"
-            ),
-        )
-    says = f"log odds {odds:.1f}, strong from {STRONG:g} on"
+        return "single", say("mode.one_unless_asked")
     if odds > STRONG:
-        return "bidirectional", f"two tables: the reversal varies with position ({says})"
+        return "bidirectional", say("mode.two_vary", odds=odds, strong=STRONG)
     # What is wanted of the reversal is what the control did already plus what the test says. Both
     # may vary: the table of an earlier visit, or a variation that the evidence favours without
     # being strong.
     cost = 0.5 * float(np.std(wanted.positive - wanted.negative))
     if cost > max(capacity.quantum, NOISE_SHARE * wanted.noise):
         factor, small = (1e3, "µm") if wanted.kind.unit == "mm" else (3600.0, "arcsec")
-        return (
-            "bidirectional",
-            (
-                f"two tables: a constant between the directions would cost"
-                f" {significant(cost * factor)} {small} rms"
-            ),
-        )
-    return (
-        "single",
-        (
-            "one table and a constant between the directions: what is wanted does not vary more"
-            f" ({says})"
-        ),
-    )
+        return "bidirectional", say("mode.two_cost", cost=Amount(cost * factor, small, "2sig"))
+    return "single", say("mode.one_constant", odds=odds, strong=STRONG)
 
 
 def _layout(nodes: FloatArray, shape: Shape, capacity: Capacity, home: Direction) -> UnknownsLayout:

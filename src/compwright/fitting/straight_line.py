@@ -17,6 +17,7 @@ from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation
 from compwright.records.estimate import WantedCorrection
 from compwright.records.fitted import FittedTable, Limit, TableRequest
+from compwright.words.sentences import SentenceText, say
 
 _HAIR: Final = 1e-6
 
@@ -60,7 +61,7 @@ def fit_line(
     return FittedTable(
         compensation=table,
         mode="single",
-        mode_reason="one slope and one reversal value: the control holds no table",
+        mode_reason=SentenceText(say("mode.slope")),
         certificate=rounded_proof(
             {
                 "objective": float(np.sqrt(line.mean_square(slope, reversal))),

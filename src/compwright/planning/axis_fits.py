@@ -30,12 +30,10 @@ from compwright.records.capacity import Capacity
 from compwright.records.estimate import WantedCorrection
 from compwright.records.fitted import FittedTable, TableRequest
 from compwright.records.prediction import TestPrediction
+from compwright.words.sentences import SentenceText, say
 
 #: Why one table is taken where two would hold what may be the drift of the test.
-_ONE_TABLE: Final = (
-    "one table and one reversal value: the reversal changes along the travel by about what the"
-    " drift within each run would show with a constant play"
-)
+_ONE_TABLE: Final = SentenceText(say("mode.one_drift"))
 
 
 @dataclass(frozen=True, slots=True)

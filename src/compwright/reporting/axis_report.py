@@ -177,7 +177,7 @@ def _table(name: str, table: Document, axis: Document, predicted: Document) -> d
 def _mode(axis: Document) -> str | Sentence:
     reason = plain(axis.get("mode_reason") or "")
     if reason:
-        return reason[:1].upper() + reason[1:]
+        return reason
     words = {"single": say("run.single"), "bidirectional": say("run.bidirectional")}
     return words.get(str(axis.get("mode")), "")
 

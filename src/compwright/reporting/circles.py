@@ -37,7 +37,7 @@ def circle_blocks(
     before: Document | None,
     after: Document | None = None,
     *,
-    stated: Mapping[str, Mapping[str, str]] | None = None,
+    stated: Mapping[str, Mapping[str, str | Sentence]] | None = None,
 ) -> list[dict[str, Any]]:
     """Return a block for each circle of a prediction or verification document.
 

@@ -110,7 +110,7 @@ def _of_every_test(key: str, results: Sequence[Document]) -> str | Sentence:
     return say("report.see_tests")
 
 
-def measured_block(result: Document, stated: Mapping[str, str]) -> dict[str, Any]:
+def measured_block(result: Document, stated: Mapping[str, str | Sentence]) -> dict[str, Any]:
     """Return the page of one positioning result: figures, extremes, conditions and budget."""
     axis = plain(result.get("axis"))
     reversal = any(target.get("reversal") is not None for target in result.get("targets") or ())
@@ -123,7 +123,7 @@ def measured_block(result: Document, stated: Mapping[str, str]) -> dict[str, Any
     }
 
 
-def sheet(result: Document, stated: Mapping[str, str]) -> dict[str, Any]:
+def sheet(result: Document, stated: Mapping[str, str | Sentence]) -> dict[str, Any]:
     """Return the conditions of a test: the items of its standard, and what the file says more."""
     return {
         "standard": standard_text(result.get("standard", "")),

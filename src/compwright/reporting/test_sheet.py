@@ -23,7 +23,7 @@ _ENDS: Final = ("", "_start", "_end")
 _IN_RESULT: Final = {"axis", "cycle", "plane", "nominal_radius_mm", "feed_mm_min", "unit"}
 
 
-def sheet_rows(result: Document, stated: Mapping[str, str]) -> list[dict[str, Any]]:
+def sheet_rows(result: Document, stated: Mapping[str, str | Sentence]) -> list[dict[str, Any]]:
     """Return the items of a result as rows ``key``, ``label``, ``value`` and ``clause``.
 
     ``stated``: what the job says, by the key of the item. Several statements stand one after the

@@ -19,7 +19,7 @@ from compwright.reporting.sections import Document, TextTable
 from compwright.words.sentences import Sentence, say
 
 #: Of the conditions of a test after loading.
-AFTER_LOADING = "on, as loaded after the run of this job; what the test shows of it: see Loading"
+AFTER_LOADING = say("given.compensation_loaded")
 
 
 def verify_report(view: Document) -> bytes:

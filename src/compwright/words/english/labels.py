@@ -7,23 +7,23 @@ from typing import Final
 SENTENCES: Final[dict[str, str]] = {
     "basis.gost27843_2006": "Items: GOST 27843-2006, 8.1.",
     "basis.iso230_2_1988": (
-        "Items: ISO 230-2:1997, 7.1. The edition of 1988 has no list; its clauses 3.2 and 4.3 "
-        "ask for the items that have a clause here."
+        "Items: ISO 230-2:1997, 7.1. The edition of 1988 has no list; its clauses 3.2 and 4.3 ask"
+        " for the items that have a clause here."
     ),
     "basis.iso230_2_1997": "Items: ISO 230-2:1997, 7.1.",
     "basis.iso230_2_2006": "Items: ISO 230-2:2006, 7.1.",
     "basis.iso230_2_2014": (
-        "Items: ISO 230-2:2006, 7.1. The text of ISO 230-2:2014 was not available; its clauses "
-        "are not quoted."
+        "Items: ISO 230-2:2006, 7.1. The text of ISO 230-2:2014 was not available; its clauses are"
+        " not quoted."
     ),
     "basis.iso230_4_1996": "Items: ISO 230-4:1996, clauses 4.4 and 6 (read as DIN ISO 230-4:1999).",
     "basis.iso230_4_2005": (
-        "Items: ISO 230-4:1996, clauses 4.4 and 6. The text of ISO 230-4:2005 was not "
-        "available; its clauses are not quoted."
+        "Items: ISO 230-4:1996, clauses 4.4 and 6. The text of ISO 230-4:2005 was not available;"
+        " its clauses are not quoted."
     ),
     "basis.vdi3441": (
-        "Items: ISO 230-2:2006, 7.1. The text of VDI/DGQ 3441 was not available; its clauses "
-        "are not quoted."
+        "Items: ISO 230-2:2006, 7.1. The text of VDI/DGQ 3441 was not available; its clauses are"
+        " not quoted."
     ),
     "budget.E_VE": "Environmental variation (range)",
     "budget.U_alpha_instrument": "Expansion coefficient of the instrument",
@@ -33,30 +33,29 @@ SENTENCES: Final[dict[str, str]] = {
     "budget.combined": "Combined standard uncertainty",
     "budget.device": "Measuring instrument (certificate)",
     "budget.distribution": (
-        "{distribution:choose|normal=normal, k = 2|rectangular=rectangular, √12}; "
-        "{per:choose|length=over the length|test=per test|reading=per reading}"
+        "{distribution:choose|normal=normal, k = 2|rectangular=rectangular, √12};"
+        " {per:choose|length=over the length|test=per test|reading=per reading}"
     ),
     "budget.expanded": "Expanded uncertainty, k = {k}",
     "budget.misalignment_mm": "Misalignment of the measuring line",
     "budget.note": (
-        "Contributors of ISO 230-2:2006, annex A. The sum is that of one reading at the far end"
-        " of the travel. U of each parameter (above) is not this sum: the same distributions "
-        "are propagated through the definition of the parameter (JCGM 101). Every value is the "
-        "job's, or counts as 0 where the job gives none; no value is taken from the worked "
-        "example of the standard."
+        "Contributors of ISO 230-2:2006, annex A. The sum is that of one reading at the far end of"
+        " the travel. U of each parameter (above) is not this sum: the same distributions are"
+        " propagated through the definition of the parameter (JCGM 101). Every value is the job's,"
+        " or counts as 0 where the job gives none; no value is taken from the worked example of the"
+        " standard."
     ),
     "budget.setup": "Set-up",
     "budget.title": "Budget of the measurement uncertainty, over {length}",
     "cause.kind": (
-        "{kind:choose|squareness=Squareness {first}{second}|scale_mismatch=Scale mismatch {first}"
-        " − {second}|servo_mismatch=Servo mismatch {first} − {second}|radius_change=Radius change"
-        " ccw − cw|backlash=Lost motion {axis}|lateral_play=Lateral play"
-        " {axis}|reversal_spike=Reversal spike {axis}|cyclic=Cyclic error"
-        " {axis}|straightness=Straightness {axis}|scale_error=Scale error"
-        " {axis}|backlash_mismatch=Lost motion {first} − {second}|offset_change=Centre change"
-        " {axis}, ccw − cw|spiral=Spiral (drift during a run)|master_slave=Master-slave"
-        " changeover|vibration=Vibration|stick_slip=Stick-slip {axis}|lobes_2=Two"
-        " lobes|lobes_3=Three lobes|positional_tolerance=Positional tolerance}"
+        "{kind:choose|squareness=Squareness {first}{second}|scale_mismatch=Scale mismatch {first} −"
+        " {second}|servo_mismatch=Servo mismatch {first} − {second}|radius_change=Radius change ccw"
+        " − cw|backlash=Lost motion {axis}|lateral_play=Lateral play {axis}|reversal_spike=Reversal"
+        " spike {axis}|cyclic=Cyclic error {axis}|straightness=Straightness"
+        " {axis}|scale_error=Scale error {axis}|backlash_mismatch=Lost motion {first} −"
+        " {second}|offset_change=Centre change {axis}, ccw − cw|spiral=Spiral (drift during a"
+        " run)|master_slave=Master-slave changeover|vibration=Vibration|stick_slip=Stick-slip"
+        " {axis}|lobes_2=Two lobes|lobes_3=Three lobes|positional_tolerance=Positional tolerance}"
     ),
     "cause.part": (
         "at {axis}{part:choose|at_positive=+|at_negative=−|at_positive_ccw=+ ccw|at_positive_cw=+"
@@ -71,10 +70,10 @@ SENTENCES: Final[dict[str, str]] = {
     "chart.angle": "Angle in deg",
     "chart.correction": "Correction that the control adds to the command",
     "chart.described": (
-        "{what:choose|deviations=deviations of axis {name}|reversal=reversal of axis {name}|"
-        "residual=residual of circular test {name}|correction=correction of axis {name}|"
-        "comparison=axis {name}, deviations side by side|estimate=estimated error of axis {name}|"
-        "circle=circular test {name}}"
+        "{what:choose|deviations=deviations of axis {name}|reversal=reversal of axis"
+        " {name}|residual=residual of circular test {name}|correction=correction of axis"
+        " {name}|comparison=axis {name}, deviations side by side|estimate=estimated error of axis"
+        " {name}|circle=circular test {name}}"
     ),
     "chart.estimate": "estimate ({sign})",
     "chart.estimated": "Estimated deviation with ± 2 standard deviations",
@@ -105,8 +104,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "circle.compared": "Comparison",
     "circle.comparison": (
-        "Software of the instrument: agrees: within two standard errors of our value. Not valid,"
-        " in brackets: the software itself says so. Differs: its model is not published; ours fits"
+        "Software of the instrument: agrees: within two standard errors of our value. Not valid, in"
+        " brackets: the software itself says so. Differs: its model is not published; ours fits"
         " every cause at once, with step and spike of each reversal point of their own."
     ),
     "circle.detail": "– {part}",
@@ -114,11 +113,11 @@ SENTENCES: Final[dict[str, str]] = {
     "circle.effects": "Effect, peak to peak, in µm; whiskers 95 %",
     "circle.fit": "fit: what all causes together make of each run",
     "circle.job": (
-        "These lines of a job put into tables and backlash compensation what they can correct."
-        " Make the job with `compwright new --from FILE... --format ID --out job.yaml` from the"
-        " files of the control, name a positioning test of each axis in it (its slope corrects the"
-        " scale), add the lines{file:if| with the file of each direction for FILE|}, then"
-        " `compwright run job.yaml`."
+        "These lines of a job put into tables and backlash compensation what they can correct. Make"
+        " the job with `compwright new --from FILE... --format ID --out job.yaml` from the files of"
+        " the control, name a positioning test of each axis in it (its slope corrects the scale),"
+        " add the lines{file:if| with the file of each direction for FILE|}, then `compwright run"
+        " job.yaml`."
     ),
     "circle.least_squares": "least-squares circle, {base} µm from nominal",
     "circle.magnified": "{setting}\nMagnification {magnification} : 1, rings in µm",
@@ -152,10 +151,10 @@ SENTENCES: Final[dict[str, str]] = {
         " the {axis} screw. Then correct the control's backlash compensation of"
         " {axis}.|lateral_play=Mechanic: check preload and gibs of the {axis}"
         " guideway.|reversal_spike=Servo: adjust the friction compensation of {axis} at reversal."
-        " Mechanic: check its lubrication and wipers.|cyclic=Mechanic: check screw, its bearing"
-        " and the encoder mount of {axis}. Table: at least three points in each period correct"
-        " what is left.|straightness=Mechanic: check the alignment of the {axis} guideway. Table:"
-        " a table between the axes corrects it where the control has one"
+        " Mechanic: check its lubrication and wipers.|cyclic=Mechanic: check screw, its bearing and"
+        " the encoder mount of {axis}. Table: at least three points in each period correct what is"
+        " left.|straightness=Mechanic: check the alignment of the {axis} guideway. Table: a table"
+        " between the axes corrects it where the control has one"
         " (cross).|offset_change=Measurement: check the centre mount and the magnet cups; then"
         " repeat.|spiral=Measurement: let machine and bar reach a stable temperature; then"
         " repeat.|vibration=Look for the source by its frequency: pump, fan, motor. Servo: lower"
@@ -164,8 +163,8 @@ SENTENCES: Final[dict[str, str]] = {
         " {second}.}"
     ),
     "circle.symbol": (
-        "{letter}{sense:if| {sense:choose|ccw=ccw|cw=cw|bidirectional=both}|}"
-        "{centre:if|, {centre:choose|G=least-squares circle|F=least-squares centre}|}"
+        "{letter}{sense:if| {sense:choose|ccw=ccw|cw=cw|bidirectional=both}|}{centre:if|,"
+        " {centre:choose|G=least-squares circle|F=least-squares centre}|}"
     ),
     "circle.to_do": "{cause} ({share:.0f} % of all effects). {step}",
     "circle.unexplained": "What the causes below leave unexplained: {rms} µm rms.",
@@ -188,13 +187,21 @@ SENTENCES: Final[dict[str, str]] = {
     "given.budget": "see the budget of the uncertainty",
     "given.centre": "centre at {places:join|; } mm",
     "given.coefficient": "{value} µm/(m K)",
+    "given.compensation": (
+        "{how:choose|off=off; the control held|active=on, as active in|stored=on, as stored in}"
+        " {files} (job, states.{state})"
+    ),
+    "given.compensation_loaded": (
+        "on, as loaded after the run of this job; what the test shows of it: see Loading"
+    ),
+    "given.compensation_none": "off: nothing was active in the control (job, states.{state})",
     "given.estimator": (
-        "s: {spread:choose|std=standard deviation, n − 1|range=range of the readings}; limits "
-        "at ± {coverage} s; no smoothing"
+        "s: {spread:choose|std=standard deviation, n − 1|range=range of the readings}; limits at ±"
+        " {coverage} s; no smoothing"
     ),
     "given.expansion": (
-        "applied by compwright: readings reduced to 20 °C, {what} {alpha_m} µm/(m K) at {T_m} "
-        "°C, instrument {alpha_d} µm/(m K) at {T_d} °C, fixed point {x_fix} mm"
+        "applied by compwright: readings reduced to 20 °C, {what} {alpha_m} µm/(m K) at {T_m} °C,"
+        " instrument {alpha_d} µm/(m K) at {T_d} °C, fixed point {x_fix} mm"
     ),
     "given.list": "{others:if|{others} and |}{last:if|{last}|none}",
     "given.listed": "{items}",
@@ -306,9 +313,9 @@ SENTENCES: Final[dict[str, str]] = {
     "label.plus_minus": "± {U}",
     "label.range": "{low} to {high}",
     "label.test_sentence": (
-        "{standard}, {cycle} cycle, {targets} target positions, traverses: "
-        "{counts:if|{counts}|none}, limits drawn at ± {coverage} s.{extremes:if| Extremes: "
-        "{extremes:join|; }.}{uncertainty:if|| No measurement uncertainty: no contributors were"
+        "{standard}, {cycle} cycle, {targets} target positions, traverses:"
+        " {counts:if|{counts}|none}, limits drawn at ± {coverage} s.{extremes:if| Extremes:"
+        " {extremes:join|; }.}{uncertainty:if|| No measurement uncertainty: no contributors were"
         " given.}"
     ),
     "label.test_title": "Axis {axis}, {name:if|{name}|test}{label:if|, {label}}",
@@ -351,11 +358,11 @@ SENTENCES: Final[dict[str, str]] = {
         " table goes below that."
     ),
     "mark.loading": (
-        "{verdict:choose|loaded=✓ loaded|undecided=? undecided|measurement=? fault of measurement"
-        "|not_active=✗ not active|inverted=✗ inverted|scaled=✗ scaled|shifted=✗ shifted"
-        "|mirrored=✗ mirrored|wrong_axis=✗ wrong axis|increment=✗ increment|on_top=✗ on top"
-        "|state=✗ state|one_direction=✗ one direction|backlash=✗ backlash|partial=✗ partial"
-        "|thermal=✗ thermal|=✗ {verdict}}"
+        "{verdict:choose|loaded=✓ loaded|undecided=? undecided|measurement=? fault of"
+        " measurement|not_active=✗ not active|inverted=✗ inverted|scaled=✗ scaled|shifted=✗"
+        " shifted|mirrored=✗ mirrored|wrong_axis=✗ wrong axis|increment=✗ increment|on_top=✗ on"
+        " top|state=✗ state|one_direction=✗ one direction|backlash=✗ backlash|partial=✗"
+        " partial|thermal=✗ thermal|=✗ {verdict}}"
     ),
     "parameter.A": "{term:if|{term}|Bidirectional accuracy}",
     "parameter.A_negative": "{term:if|{term}|Accuracy, approach −}",
@@ -388,9 +395,9 @@ SENTENCES: Final[dict[str, str]] = {
         " control's files|={source}}"
     ),
     "report.accreditation": (
-        "This is a test report, not a calibration certificate of an accredited laboratory. The "
-        "traceability of the values rests on the calibration certificates of the measuring "
-        "instruments that are named."
+        "This is a test report, not a calibration certificate of an accredited laboratory. The"
+        " traceability of the values rests on the calibration certificates of the measuring"
+        " instruments that are named."
     ),
     "report.acknowledged": "Acknowledged doubts",
     "report.annex_a": "Annex A: target positions and raw readings",
@@ -407,15 +414,13 @@ SENTENCES: Final[dict[str, str]] = {
     "report.customer": "Customer",
     "report.date": "Date of the test",
     "report.extreme": (
-        "{end:choose|highest=highest|lowest=lowest} mean"
-        "{what:choose|A= {end:choose|highest=+|lowest=−} {coverage} s|E=|M= ±}"
+        "{end:choose|highest=highest|lowest=lowest} mean{what:choose|A="
+        " {end:choose|highest=+|lowest=−} {coverage} s|E=|M= ±}"
     ),
     "report.extremes": "Extremes: rings in the figure",
     "report.findings": "Findings",
     "report.footer": "Report {number}",
-    "report.in_english": (
-        "Findings, the words in figures and the pages of circular tests are in English."
-    ),
+    "report.in_english": "Names and texts of the job and of the files are as they were given.",
     "report.in_file": "In the file: {name}",
     "report.logo": "Logo",
     "report.no_limits": (
@@ -444,8 +449,8 @@ SENTENCES: Final[dict[str, str]] = {
     "report.sign_measured": "Measured by",
     "report.sign_place": "Place, date",
     "report.signs": (
-        "Deviation: measured minus target. Approach +: in the positive machine direction. B is "
-        "the mean at + minus the mean at −."
+        "Deviation: measured minus target. Approach +: in the positive machine direction. B is the"
+        " mean at + minus the mean at −."
     ),
     "report.statistics": "Means, standard deviations and repeatability at {count} target positions",
     "report.test": "Test {name}",
@@ -454,9 +459,9 @@ SENTENCES: Final[dict[str, str]] = {
     "report.verification": "Verification of {axes}",
     "rule.band": "{symbol} {U:if|{U} {unit}|not stated}",
     "rule.guarded": (
-        "Guarded decision (ISO 14253-1): accepted when the 95 % value plus U lies within the"
-        " limit, rejected when the 5 % value less U lies beyond it; U (k = 2) of the coming test,"
-        " with what the first one has put into the table: {bands}."
+        "Guarded decision (ISO 14253-1): accepted when the 95 % value plus U lies within the limit,"
+        " rejected when the 5 % value less U lies beyond it; U (k = 2) of the coming test, with"
+        " what the first one has put into the table: {bands}."
     ),
     "rule.guarded_after": (
         "Guarded decision (ISO 14253-1): accepted when the value plus U lies within the limit,"
@@ -496,9 +501,9 @@ SENTENCES: Final[dict[str, str]] = {
         " {tests:plural|was|were} evaluated to {standards:if|{standards:and}|no standard}. The"
         " error was estimated over the travel{tables:if|; the best table that"
         " {control:if|{control}|the control} can hold was fitted, written in the control's own"
-        " form, and read back from the files to predict the next test. Nothing has been loaded"
-        " yet: load the table with the commissioning card, measure again, and run compwright"
-        " verify.|. No table was written: predicted is the next test without one.}"
+        " form, and read back from the files to predict the next test. Nothing has been loaded yet:"
+        " load the table with the commissioning card, measure again, and run compwright verify.|."
+        " No table was written: predicted is the next test without one.}"
     ),
     "run.estimate": "Axis {axis}: estimated error",
     "run.estimate_note": (
@@ -508,10 +513,9 @@ SENTENCES: Final[dict[str, str]] = {
     "run.files": "Files",
     "run.files_written": "Files written",
     "run.in_english": (
-        "Findings, doubts and reasons, statements of the job and of the files, the name of the"
-        " control, assumed facts, what limits an axis, the worth of points, periods, the list of"
-        " changed entries, the names in the certificate of the fit, the words in figures, the"
-        " parameters of circular tests and the commissioning card are in English."
+        "Texts of the job, of the files and of the control's definition are as they were given;"
+        " assumed facts, reasons why an axis gets no table, and the names in the certificate of the"
+        " fit are in English."
     ),
     "run.legend": (
         "Grey: before. Blue: 5 to 95 % of fresh tests at the same targets, upright line: median."
@@ -527,8 +531,8 @@ SENTENCES: Final[dict[str, str]] = {
     "run.no_axis_table": "No table for this axis{reason:if|: {reason}}.",
     "run.no_limits": "Predicted result; no limits were given to decide against",
     "run.no_statement": (
-        "Statement of conformity: none. The decisions are about the predicted next test; the"
-        " report of compwright verify decides about the machine."
+        "Statement of conformity: none. The decisions are about the predicted next test; the report"
+        " of compwright verify decides about the machine."
     ),
     "run.no_table": "No table was written",
     "run.no_table_for": "No table was written for axis {axes}",
@@ -563,9 +567,8 @@ SENTENCES: Final[dict[str, str]] = {
     "verify.factor": "factor",
     "verify.further_table": "further table",
     "verify.in_english": (
-        "The result on top, loading and the next round, findings, doubts and reasons, statements"
-        " of the job and of the files, the name of the control, the words in figures and the"
-        " parameters of circular tests are in English."
+        "Texts of the job, of the files and of the control's definition are as they were given; the"
+        " reasons of the next round are in English."
     ),
     "verify.legend": (
         "Grey: before. Blue: predicted 5 to 95 %, upright line: measured after loading. Dashed:"

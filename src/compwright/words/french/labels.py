@@ -198,6 +198,17 @@ SENTENCES: Final[dict[str, str]] = {
     "given.budget": "voir le bilan de l'incertitude",
     "given.centre": "centre {places:join|; } mm",
     "given.coefficient": "{value} µm/(m K)",
+    "given.compensation": (
+        "{how:choose|off=non active ; la commande contenait|active=active, comme"
+        " dans|stored=active, comme enregistrée dans} {files} (dossier de travail, states.{state})"
+    ),
+    "given.compensation_loaded": (
+        "active, telle que chargée après le calcul de ce dossier ; ce que l'essai en montre : voir"
+        " Chargement"
+    ),
+    "given.compensation_none": (
+        "non active : rien n'était actif dans la commande (dossier de travail, states.{state})"
+    ),
     "given.estimator": (
         "s : {spread:choose|std=écart-type, n − 1|range=étendue des lectures} ; limites à ±"
         " {coverage} s ; sans lissage"
@@ -429,8 +440,9 @@ SENTENCES: Final[dict[str, str]] = {
     "report.findings": "Constats",
     "report.footer": "Rapport {number}",
     "report.in_english": (
-        "Les constats, les textes des figures et les pages des essais de circularité sont en"
-        " anglais."
+        "Les noms et textes du dossier de travail et des fichiers sont tels qu'ils ont été donnés."
+        " La traduction n'a pas encore été relue par une personne de langue française ; le rapport"
+        " en anglais fait foi."
     ),
     "report.in_file": "Dans le fichier : {name}",
     "report.logo": "Logo",
@@ -529,11 +541,10 @@ SENTENCES: Final[dict[str, str]] = {
     "run.files": "Fichiers",
     "run.files_written": "Fichiers écrits",
     "run.in_english": (
-        "Sont en anglais : les constats, les doutes et les raisons, les indications du dossier de"
-        " travail et des fichiers, le nom de la commande, le contenu des faits supposés, les"
-        " parties sur les causes limitantes, l'utilité des points et les périodes, la liste des"
-        " entrées modifiées, les noms dans la preuve de l'ajustement, les textes des figures, les"
-        " paramètres des essais de circularité et la fiche de mise en service."
+        "Les textes du dossier de travail, des fichiers et de la définition de la commande sont"
+        " tels qu'ils ont été donnés. Sont en anglais les faits supposés, les raisons pour"
+        " lesquelles un axe n'a pas de table et les noms du certificat de l'ajustement. La"
+        " traduction n'a pas encore été relue par une personne de langue française."
     ),
     "run.legend": (
         "Gris : avant. Bleu : 5 à 95 % de nouveaux essais aux mêmes points visés, trait vertical :"
@@ -586,10 +597,9 @@ SENTENCES: Final[dict[str, str]] = {
     "verify.factor": "facteur",
     "verify.further_table": "nouvelle table",
     "verify.in_english": (
-        "Sont en anglais : le résultat en tête, les énoncés sur le chargement et le tour suivant,"
-        " les constats, les doutes et les raisons, les indications du dossier de travail et des"
-        " fichiers, le nom de la commande, les textes des figures et les paramètres des essais de"
-        " circularité."
+        "Les textes du dossier de travail, des fichiers et de la définition de la commande sont"
+        " tels qu'ils ont été donnés. Sont en anglais les raisons du tour suivant. La traduction"
+        " n'a pas encore été relue par une personne de langue française."
     ),
     "verify.legend": (
         "Gris : avant. Bleu : prévision de 5 à 95 %, trait vertical : mesuré après chargement."

@@ -200,6 +200,15 @@ SENTENCES: Final[dict[str, str]] = {
     "given.budget": "siehe Budget der Messunsicherheit",
     "given.centre": "Mittelpunkt {places:join|; } mm",
     "given.coefficient": "{value} µm/(m K)",
+    "given.compensation": (
+        "{how:choose|off=aus; in der Steuerung standen|active=ein, wie aktiv in|stored=ein, wie"
+        " gespeichert in} {files} (Auftrag, states.{state})"
+    ),
+    "given.compensation_loaded": (
+        "ein, wie nach der Berechnung dieses Auftrags geladen; was die Prüfung davon zeigt: siehe"
+        " Laden"
+    ),
+    "given.compensation_none": "aus: In der Steuerung war nichts aktiv (Auftrag, states.{state})",
     "given.estimator": (
         "s: {spread:choose|std=Standardabweichung, n − 1|range=aus der Spannweite der Messwerte};"
         " Grenzen bei ± {coverage} s; keine Glättung"
@@ -429,8 +438,8 @@ SENTENCES: Final[dict[str, str]] = {
     "report.findings": "Befunde",
     "report.footer": "Bericht {number}",
     "report.in_english": (
-        "Die Befunde, die Beschriftung der Bilder und die Seiten der Kreisformprüfungen sind auf"
-        " Englisch."
+        "Namen und Texte aus Auftrag und Dateien stehen, wie sie angegeben sind. Die Übersetzung"
+        " hat noch kein Muttersprachler geprüft; es gilt der englische Bericht."
     ),
     "report.in_file": "In der Datei: {name}",
     "report.logo": "Logo",
@@ -533,11 +542,10 @@ SENTENCES: Final[dict[str, str]] = {
     "run.files": "Dateien",
     "run.files_written": "Geschriebene Dateien",
     "run.in_english": (
-        "Auf Englisch sind: Befunde, Zweifel und Begründungen, Angaben des Auftrags und der"
-        " Dateien, der Name der Steuerung, der Inhalt der Annahmen, die Abschnitte über begrenzende"
-        " Ursachen, den Nutzen der Punkte und Perioden, die Liste der geänderten Einträge, die"
-        " Namen im Nachweis der Anpassung, die Beschriftung der Bilder, die Kennwerte der"
-        " Kreisformprüfungen und die Inbetriebnahmekarte."
+        "Texte aus Auftrag, Dateien und Definition der Steuerung stehen, wie sie angegeben sind."
+        " Auf Englisch sind die angenommenen Tatsachen, die Gründe, warum eine Achse keine Tabelle"
+        " bekommt, und die Namen im Nachweis der Ausgleichung. Die Übersetzung hat noch kein"
+        " Muttersprachler geprüft."
     ),
     "run.legend": (
         "Grau: vorher. Blau: 5 bis 95 % neuer Prüfungen an den gleichen Zielpositionen, senkrechter"
@@ -593,9 +601,9 @@ SENTENCES: Final[dict[str, str]] = {
     "verify.factor": "Faktor",
     "verify.further_table": "weitere Tabelle",
     "verify.in_english": (
-        "Auf Englisch sind: das Ergebnis am Anfang, die Aussagen über das Laden und die nächste"
-        " Runde, Befunde, Zweifel und Begründungen, Angaben des Auftrags und der Dateien, der Name"
-        " der Steuerung, die Beschriftung der Bilder und die Kennwerte der Kreisformprüfungen."
+        "Texte aus Auftrag, Dateien und Definition der Steuerung stehen, wie sie angegeben sind."
+        " Auf Englisch sind die Gründe der nächsten Runde. Die Übersetzung hat noch kein"
+        " Muttersprachler geprüft."
     ),
     "verify.legend": (
         "Grau: vorher. Blau: Vorhersage 5 bis 95 %, senkrechter Strich: nach dem Laden gemessen."

@@ -70,4 +70,29 @@ SENTENCES: Final[dict[str, str]] = {
         " {reason}; die Steuerung lief damit. table.spacing: auto wählt eines, das die Regel"
         " einhält"
     ),
+    "mode.one_asked": "Eine Tabelle und ein Umkehrwert, wie der Auftrag verlangt",
+    "mode.one_constant": (
+        "Eine Tabelle und eine Konstante zwischen den Richtungen: Der gewünschte Verlauf ändert"
+        " sich nicht mehr (logarithmische Chancen {odds:.1f}, stark ab {strong:g})"
+    ),
+    "mode.one_drift": (
+        "Eine Tabelle und ein Umkehrwert: Die Umkehrspanne ändert sich über den Verfahrweg etwa so,"
+        " wie es die Drift innerhalb jedes Laufs bei gleichem Spiel zeigte"
+    ),
+    "mode.one_held": (
+        "Eine Tabelle und ein Umkehrwert: Die Steuerung hat eine Tabelle für beide Richtungen"
+    ),
+    "mode.one_unless_asked": (
+        "Eine Tabelle und ein Umkehrwert: zwei Tabellen nur, wo der Auftrag sie verlangt (mode:"
+        " bidirectional)"
+    ),
+    "mode.slope": "Eine Steigung und ein Umkehrwert: Die Steuerung hat keine Tabelle",
+    "mode.two_asked": "Zwei Tabellen, wie der Auftrag verlangt",
+    "mode.two_cost": (
+        "Zwei Tabellen: Eine Konstante zwischen den Richtungen kostete {cost} (Effektivwert)"
+    ),
+    "mode.two_vary": (
+        "Zwei Tabellen: Die Umkehrspanne ändert sich mit der Position (logarithmische Chancen"
+        " {odds:.1f}, stark ab {strong:g})"
+    ),
 }

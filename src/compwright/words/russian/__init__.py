@@ -4,8 +4,28 @@ from __future__ import annotations
 
 from typing import Final
 
-from compwright.words.russian import labels
+from compwright.words.russian import (
+    estimates,
+    jobs,
+    labels,
+    loading,
+    measurements,
+    parts,
+    plans,
+    states,
+    tables,
+    tests,
+)
 
 SENTENCES: Final[dict[str, str]] = {
+    **estimates.SENTENCES,
+    **jobs.SENTENCES,
     **labels.SENTENCES,
+    **loading.SENTENCES,
+    **measurements.SENTENCES,
+    **parts.SENTENCES,
+    **plans.SENTENCES,
+    **states.SENTENCES,
+    **tables.SENTENCES,
+    **tests.SENTENCES,
 }

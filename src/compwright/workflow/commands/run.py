@@ -129,7 +129,13 @@ def write_planned(
     ]
     recorded, outdated = recorded_run(session, finished, results, given, out, draft=draft)
     files = {**results.files, **recorded, **draft}
-    elsewhere = answer_files(files["prediction.json"], json_path, files.get("report.html"), report)
+    elsewhere = answer_files(
+        files["prediction.json"],
+        json_path,
+        files.get("report.html"),
+        report,
+        files.get("card/card.html"),
+    )
     refuse_other_kinds(session, elsewhere, force=force, results=[out / name for name in files])
     sets = [f"{name}/{finished.measured.control.id}" for name in ("tables", "rollback")]
     any_there = any(storage.is_there(session, path) for path in elsewhere)

@@ -40,16 +40,24 @@ def as_named(page: bytes, path: Path) -> bytes:
 
 
 def answer_files(
-    document: bytes, json_path: Path | None, page: bytes | None, report: Path | None
+    document: bytes,
+    json_path: Path | None,
+    page: bytes | None,
+    report: Path | None,
+    card: bytes | None = None,
 ) -> dict[Path, bytes]:
     """Return the files of ``--json`` and ``--report``. Raises UsageError for one name of both.
 
-    ``page``: the report as HTML; None where it could not be made.
+    ``page``: the report as HTML; None where it could not be made. ``card``: the commissioning card,
+    which is written next to the report: ``out.pdf``, ``out-card.pdf``.
     """
     files: dict[Path, bytes] = {} if json_path is None else {json_path: document}
     if report is None or page is None:
         return files
-    if report in files:
+    pages = {report: page}
+    if card is not None:
+        pages[report.with_stem(f"{report.stem}-card")] = card
+    if json_path in pages:
         raise UsageError(
             Fault(
                 message="is already the file of --json",
@@ -58,4 +66,4 @@ def answer_files(
                 hint="give two different files",
             )
         )
-    return {**files, report: as_named(page, report)}
+    return {**files, **{path: as_named(one, path) for path, one in pages.items()}}

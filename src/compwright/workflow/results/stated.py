@@ -10,6 +10,7 @@ from typing import Any
 
 from compwright.records.axis import Axis
 from compwright.records.job import NONE_STATE, Job
+from compwright.words.sentences import Sentence, say
 
 
 def report_document(job: Job) -> dict[str, Any]:
@@ -30,7 +31,7 @@ def report_document(job: Job) -> dict[str, Any]:
     }
 
 
-def stated_of_axes(job: Job) -> dict[str, dict[str, Mapping[str, str]]]:
+def stated_of_axes(job: Job) -> dict[str, dict[str, Mapping[str, str | Sentence]]]:
     """Return by axis and test what the job states of each positioning test."""
     return {
         name: {
@@ -45,7 +46,7 @@ def stated_of_axes(job: Job) -> dict[str, dict[str, Mapping[str, str]]]:
     }
 
 
-def stated_of_circles(job: Job) -> dict[str, Mapping[str, str]]:
+def stated_of_circles(job: Job) -> dict[str, Mapping[str, str | Sentence]]:
     """Return by its name what the job states of each circular test."""
     return {
         request.name: {
@@ -56,7 +57,7 @@ def stated_of_circles(job: Job) -> dict[str, Mapping[str, str]]:
     }
 
 
-def compensation_text(job: Job, state: str) -> str:
+def compensation_text(job: Job, state: str) -> str | Sentence:
     """Return whether compensation was on or off in a state of the control, as the job states it;
     empty where the job does not.
     """
@@ -64,12 +65,10 @@ def compensation_text(job: Job, state: str) -> str:
     if files is None:
         return ""
     if files == NONE_STATE:
-        return f"off: nothing was active in the control (job, states.{state})"
+        return say("given.compensation_none", state=state)
     active = job.active.get(state)
-    where = f"{', '.join(files)} (job, states.{state})"
-    if active is False:
-        return f"off; the control held {where}"
-    return f"on, as {'active' if active else 'stored'} in {where}"
+    how = "off" if active is False else "active" if active else "stored"
+    return say("given.compensation", how=how, files=list(files), state=state)
 
 
 def _of_job(job: Job) -> dict[str, str]:

@@ -1,0 +1,49 @@
+"""Sentences and parts of sentences of several findings."""
+
+from __future__ import annotations
+
+from typing import Final
+
+SENTENCES: Final[dict[str, str]] = {
+    "as_written": "{text}",
+    "backlash_compensation_larger": (
+        "{finding} Компенсация люфта в файлах УЧПУ больше мёртвого хода."
+    ),
+    "better_targets": "заданные позиции, которые показали бы её: {targets:g} {unit}",
+    "between.deviation": "измеренное отклонение {output} по {input} ({slope:+.1f} мкм/м)",
+    "between.squareness": "перпендикулярность {output} к {input} ({slope:+.1f} мкм/м)",
+    "compared_not_removed": "{parameters:join|; }. Не исключено.",
+    "direct_squareness": (
+        "{input} и {output}: перпендикулярность {squareness:+.1f} мкм/м по прямому измерению"
+    ),
+    "doubts.acknowledged": "Подтверждено в задании: {reason}. {message}",
+    "doubts.first": "Сначала проверить: от этого зависит результат",
+    "doubts.step": (
+        "Ничего не решается, пока это не выяснено. Исправьте проверку или задание и повторите"
+        " расчёт, или укажите в задании причину, почему это верно: acknowledged: {{{codes:join|:"
+        " причина, }: причина}}"
+    ),
+    "in_direction": "{value} в направлении {direction}",
+    "increments": "{symmetric:if|±{largest}|{least} … {largest}}",
+    "listed": "{items:join|; }{more:if|; и ещё {more}}",
+    "listed_places": "{items}{more:if| и ещё {more}}",
+    "odds.1_to": "шансы 1 к {odds:2sig}",
+    "odds.above_1000": "шансы более 1000 к 1",
+    "odds.over_1000": "шансы более 1000 к 1",
+    "odds.to_1": "шансы {odds:2sig} к 1",
+    "of_axis": "Ось {axis}: {finding}",
+    "of_circle": "Окружность {circle}: {finding}",
+    "of_test": "Ось {axis}, проверка {test}: {finding}",
+    "paragraph": "{sentences:join| }",
+    "parameter": "{parameter} {value}",
+    "range": "{low} … {high}",
+    "read_back": (
+        "Прочитано обратно, независимо не проверено: что делают файлы, сказано только в вашем"
+        " собственном определении {definition}"
+    ),
+    "reading_off": "{traverse} в {target} (отклонение {off})",
+    "scale_by": "{axis}: масштаб {scale} по {tests:join|; }",
+    "traverse": "проход {run} в направлении {direction}",
+    "value_with_error": "{value:+.1f} ± {error:.1f} {unit}",
+    "with_and_without": "{parameter} {value} с ними, {without} без них",
+}
