@@ -134,3 +134,22 @@ def test_numbers_of_the_repeating_command_and_of_json_keep_their_point(tmp_path:
     assert "--lang de" in code
     assert "axis-by-hand.csv" in code
     assert isinstance(document["results"][0]["parameters"]["A"], float)
+
+
+@pytest.mark.parametrize(
+    ("language", "date"),
+    [("en", "2026-11-24"), ("de", "24.11.2026"), ("fr", "24/11/2026"), ("ru", "24.11.2026")],
+)
+def test_the_date_of_a_test_is_that_of_the_language(
+    tmp_path: Path, language: str, date: str
+) -> None:
+    """DIN 5008, the French and the Russian short forms of CLDR 45; a name stays as it is."""
+    dated = tmp_path / "x.csv"
+    dated.write_text(
+        "# axis: X\n# date: 2026-11-24 10:30\n# operator: 2026-11-24\n" + AXIS.read_text("utf-8"),
+        encoding="utf-8",
+    )
+    page, _ = page_and_document(tmp_path, language, dated)
+    shown = [text_of(cell) for cell in page.iter("dd")]
+    assert f"{date} 10:30" in shown
+    assert "2026-11-24" in shown

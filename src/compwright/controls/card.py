@@ -14,6 +14,7 @@ from compwright.controls.control import Control
 from compwright.controls.decoded_state import DecodedState
 from compwright.controls.judged_corrections import applied_correction
 from compwright.formats.card import (
+    CardStep,
     card_steps_of_all,
     gantry_words,
     points_needed,
@@ -220,25 +221,51 @@ def step_documents(
     """Return the steps in the order of the definition; what is the same for all axes stands
     once.
     """
-    axes, both = [], []
     tells = any("{gantry}" in rule.text for rule in control.definition.card)
+    steps = [
+        {
+            "title": f"{axis.name} and {axis.gantry} together",
+            "text": gantry_words(axis),
+            "evidence": "inferred",
+            "heads": (),
+            "rows": (),
+        }
+        for axis in (work.planned.axis for work in written.values())
+        if axis.gantry is not None and not tells
+    ]
+    steps += _plain(card_steps_of_all(control.definition, _with_values(control, written, loaded)))
+    return _with_all_files(steps, loaded.files)
+
+
+def restore_steps(
+    control: Control, written: Mapping[str, AxisWork], loaded: DecodedState
+) -> list[dict[str, Any]]:
+    """Return the steps that bring the old values back by file and parameter, as far as the
+    definition states them.
+    """
+    axes = _with_values(control, written, loaded)
+    return _plain(card_steps_of_all(control.definition, axes, control.definition.restore))
+
+
+def _with_values(
+    control: Control, written: Mapping[str, AxisWork], loaded: DecodedState
+) -> list[tuple[Axis, Mapping[str, str]]]:
+    """Return the axes with the values of the card's texts; after each the synchronised one of its
+    gantry: the same table or the same change, on numbers and in files of its own.
+    """
+    axes: list[tuple[Axis, Mapping[str, str]]] = []
     for work in written.values():
         axis = work.planned.axis
         axes.append((axis, _card(control, axis, work, loaded).values))
         if axis.gantry is not None:
-            # the same table or the same change, on numbers and in files of its own
             partner = partner_of(axis, axis.gantry)
             own = {"sheet": f"{axis.name}_{axis.gantry}", "gantry": gantry_words(axis)}
             axes.append((partner, {**_card(control, partner, work, loaded).values, **own}))
-        if axis.gantry is not None and not tells:
-            both.append(
-                {
-                    "title": f"{axis.name} and {axis.gantry} together",
-                    "text": gantry_words(axis),
-                    "evidence": "inferred",
-                }
-            )
-    steps = [{**step, "heads": (), "rows": ()} for step in both] + [
+    return axes
+
+
+def _plain(steps: Sequence[CardStep]) -> list[dict[str, Any]]:
+    return [
         {
             "title": step.title,
             "text": step.text,
@@ -246,9 +273,8 @@ def step_documents(
             "heads": step.heads,
             "rows": step.rows,
         }
-        for step in card_steps_of_all(control.definition, axes)
+        for step in steps
     ]
-    return _with_all_files(steps, loaded.files)
 
 
 def _with_all_files(
@@ -280,22 +306,28 @@ def _card(control: Control, axis: Axis, work: AxisWork, loaded: DecodedState) ->
 
 
 def restore_texts(
-    control: Control, files: Sequence[ControlFile], back: Sequence[ControlFile]
+    control: Control,
+    files: Sequence[ControlFile],
+    back: Sequence[ControlFile],
+    *,
+    steps: bool,
 ) -> list[str]:
-    """Return how the old state comes back, step by step: the control's own ``files``, or the small
-    ones that bring it ``back``.
+    """Return how the old state comes back: the control's own ``files``, or the small ones that
+    bring it ``back``. ``steps``: `restore_steps` say the rest.
     """
     if not files:
         off = (
             "switch the compensation of these axes off as in the steps above (an empty table), set"
             " the backlash by the parameter in column Old of each axis, restart and reference"
         )
-        return [f"The job says that nothing was active. To go back: {off}."]
+        nothing = "The job says that nothing was active."
+        return [nothing if steps else f"{nothing} To go back: {off}."]
     names = ", ".join(loading_order(control.definition, files))
     folder = f"rollback/{control.id}/"
     load = f"load the untouched copies in {folder} ({names}) the same way, restart and reference."
     if not back:
-        return [f"L{load[1:]}"]
+        kept = f"The untouched copies of the old files are in {folder} ({names})."
+        return [kept if steps else f"L{load[1:]}"]
     small = ", then ".join(loading_order(control.definition, back))
     return [
         (

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from compwright.formats.definition.schema import Definition, LookRule, Measure
+from compwright.formats.definition.schema import CardRule, Definition, LookRule, Measure
 from compwright.formats.definition.statements import field_names, print_form
 from compwright.formats.families.card_texts import CURVES, REFERENCING, UNKNOWN, numbered_files
 from compwright.formats.families.family import Family
@@ -49,9 +49,12 @@ def card_steps(
 
 
 def card_steps_of_all(
-    definition: Definition, axes: Sequence[tuple[Axis, Mapping[str, str]]]
+    definition: Definition,
+    axes: Sequence[tuple[Axis, Mapping[str, str]]],
+    rules: Sequence[CardRule] | None = None,
 ) -> tuple[CardStep, ...]:
-    """Return the steps for these axes, in the order of the definition.
+    """Return the steps for these axes by the ``rules`` of the definition (those of its card), in
+    their order.
 
     The values of each axis fill the fields of the text (see `AxisCard`); a missing one reads "(not
     known)"; a step without any text is left out. A text that is the same for all axes is printed
@@ -60,7 +63,7 @@ def card_steps_of_all(
     known = [{**axis_values(definition, axis), **values} for axis, values in axes]
     return tuple(
         CardStep(rule.title, text, rule.evidence.state, rule.evidence.source, heads, rows)
-        for rule in definition.card
+        for rule in (definition.card if rules is None else rules)
         for text, heads, rows in (
             _for_all(
                 [rule.two_curves if of.get(CURVES) == "2" else rule.text for of in known], known

@@ -5,6 +5,7 @@ A card holds ``title``, ``machine`` (name -> text), ``format`` (``id``, ``title`
 ``steps`` (``title``, ``text``, ``evidence``; ``heads`` and ``rows``: what differs by axis, where it
 does), ``changes`` (``entries`` of ``entry``, ``old``, ``new``; ``untouched``: lines that stay; None
 where the control's own files were not given), ``unconfirmed`` and ``restore`` (sentences),
+``restore_steps`` (as ``steps``),
 ``assumed`` (``fact``, ``value``, ``evidence``), ``files`` (names) and ``proven`` (a sentence). Each
 axis holds ``name``, ``address``, ``unit`` (um or arcsec), ``rows`` (``quantity``, ``old``, ``new``,
 ``typed`` and ``typed_old``: the values as the control's parameter), ``numbering`` (see `numbering`;
@@ -137,7 +138,10 @@ def _content(card: Document) -> dict[str, Any]:
         "steps": [_step(step) for step in card.get("steps") or []],
         "axes": [_axis_content(axis) for axis in card.get("axes") or []],
         "changes": changes_content(card.get("changes")),
-        "restore": [plain(text) for text in card.get("restore") or []],
+        "restore": [
+            *(plain(text) for text in card.get("restore") or []),
+            *(line["text"] for step in card.get("restore_steps") or [] for line in _lines(step)),
+        ],
         "assumed": [
             fact
             for fact in assumed(card.get("assumed"))

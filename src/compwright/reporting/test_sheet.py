@@ -10,7 +10,7 @@ from typing import Any, Final
 
 from compwright.reporting.numbers import plain
 from compwright.reporting.report_items import READ_EDITION, ReportItem, items_of
-from compwright.words.sentences import Sentence, say
+from compwright.words.sentences import DateText, NumberText, Sentence, say
 
 Document = Mapping[str, Any]
 
@@ -68,7 +68,7 @@ def further_statements(result: Document) -> list[tuple[str, str]]:
 
 def _from_header(item: ReportItem, header: Mapping[str, list[str]]) -> list[str | Sentence]:
     return [
-        _at_end(_with_unit(text, unit), end)
+        _at_end(DateText(text) if item.key == "date" else _with_unit(text, unit), end)
         for key, unit in item.headers.items()
         for end in _ENDS
         for text in header.get(f"{key}{end}", ())
@@ -80,7 +80,7 @@ def _at_end(text: str, end: str) -> str | Sentence:
 
 
 def _with_unit(text: str, unit: str) -> str:
-    return f"{text}{unit}" if _NUMBER.fullmatch(text) else text
+    return NumberText(f"{text}{unit}") if _NUMBER.fullmatch(text) else text
 
 
 def _by_key(header: Mapping[str, Any]) -> dict[str, list[str]]:

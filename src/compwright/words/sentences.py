@@ -15,6 +15,7 @@ A template is text with fields. ``{name}`` inserts a value, in the form behind a
 
 from __future__ import annotations
 
+import re
 import string
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
@@ -51,6 +52,13 @@ _PLURAL: Final[dict[Language, Callable[[float], int]]] = {
     "ru": _russian_plural,
 }
 _DECIMAL_MARK: Final[dict[Language, str]] = {"en": ".", "de": ",", "fr": ",", "ru": ","}
+_ISO_DATE: Final = re.compile(r"\b(\d{4})-(\d{2})-(\d{2})")
+_DATE: Final[dict[Language, str]] = {
+    "en": r"\g<0>",
+    "de": r"\3.\2.\1",
+    "fr": r"\3/\2/\1",
+    "ru": r"\3.\2.\1",
+}
 _AND: Final[dict[Language, str]] = {"en": " and ", "de": " und ", "fr": " et ", "ru": " и "}
 #: Units and symbols that a language writes in its own way, where English has words in them.
 _SYMBOLS: Final = {
@@ -85,6 +93,16 @@ class NumberText(str):
     def text(self, language: Language) -> str:
         """Return it with the decimal mark of the language."""
         return str(self).replace(".", _DECIMAL_MARK[language])
+
+
+class DateText(str):
+    """A text with a date as ISO 8601 writes it."""
+
+    __slots__ = ()
+
+    def text(self, language: Language) -> str:
+        """Return it with the date as the language writes it."""
+        return _ISO_DATE.sub(_DATE[language], self)
 
 
 @dataclass(frozen=True, slots=True)
@@ -174,7 +192,7 @@ def number_text(value: float, form: str, language: Language = "en") -> str:
 
 def in_language(value: object, language: Language) -> str:
     """Return a value as a text of the language: sentences, numbers, and a unit or symbol alone."""
-    if isinstance(value, Amount | Sentence | NumberText | SentenceText):
+    if isinstance(value, Amount | Sentence | NumberText | DateText | SentenceText):
         return value.text(language)
     text = str(value)
     return _OWN_NAMES[language].get(text, text)

@@ -193,9 +193,9 @@ _ANSWERED: Final = mapping(
 _FORMS: Final[Mapping[type, RecordForm]] = {
     Definition: RecordForm(
         nested={"sample": {"options": "sample_options", "files": "sample_files"}},
-        absent=frozenset({"maker", "aliases", "parameters", "look_at"}),
+        absent=frozenset({"maker", "aliases", "parameters", "restore", "look_at"}),
         constant={"file": "", "text": None, "own": (), "maker": "", "aliases": (), "parameters": {}}
-        | {"look_at": {}},
+        | {"restore": (), "look_at": {}},
         types={
             "proven": listed(mapping(dict.fromkeys(_PROVEN, _TEXT), dict)),
         },

@@ -335,9 +335,10 @@ class Definition:
     ``maker``: the control's maker, the heading of lists; empty where unknown. ``aliases``: further
     names by which users look for it; other definitions may have the same. ``parameters``: those in
     addition to the table, by the names that the family of its shape uses. ``look_at``: by verdict
-    of loading, what to check; empty where the definition does not state it. ``text``: the place of
-    each key, for faults. ``own``: of a user's definition, its text and what it extends; empty for
-    those that ship.
+    of loading, what to check; empty where the definition does not state it. ``restore``: steps that
+    bring the old values back, by file and parameter; empty where it does not state them. ``text``:
+    the place of each key, for faults. ``own``: of a user's definition, its text and what it
+    extends; empty for those that ship.
     """
 
     id: str
@@ -360,6 +361,7 @@ class Definition:
     options: Mapping[str, OptionRule]
     writing: tuple[WrittenFile, ...]
     card: tuple[CardRule, ...]
+    restore: tuple[CardRule, ...]
     look_at: Mapping[LoadingName, tuple[LookRule, ...]]
     sample_files: Mapping[str, str]
     sample_options: Mapping[str, object]

@@ -12,6 +12,7 @@ from typing import Any
 from compwright.controls.card import (
     axis_documents,
     changes_document,
+    restore_steps,
     restore_texts,
     step_documents,
     unconfirmed_diameters,
@@ -52,6 +53,7 @@ def card_document(
     """
     written = {name: work for name, work in works.items() if work.planned.fitted is not None}
     facts = assumed_documents(assumed)
+    restoring = [] if loaded is None or back else restore_steps(control, written, loaded)
     old = inputs.states[AS_FOUND]
     return {
         "schema": SCHEMA,
@@ -78,7 +80,8 @@ def card_document(
             *unconfirmed_diameters(control, [work.planned.axis for work in written.values()]),
         ],
         "assumed": [*_as_read(written), *facts],
-        "restore": restore_texts(control, old.files, back),
+        "restore": restore_texts(control, old.files, back, steps=bool(restoring)),
+        "restore_steps": restoring,
         "files": [f"tables/{control.id}/{file.name}" for file in (loaded.files if loaded else ())],
         "proven": (
             "; ".join(
