@@ -70,7 +70,7 @@ def test_the_worth_of_points_is_drawn_to_scale() -> None:
     assert (third - second) / (second - first) == pytest.approx(1.0, abs=0.01)  # 2, 6, 18
     assert [fill == "#ffffff" for _, _, fill in dots] == [True, True, False, True]
     assert "ring: the grid that is in the control" in str(block["caption"])
-    assert block["words"][2] == "18 points, every 50 mm: A 4.89 µm (3.91 to 6.36)"
+    assert str(block["words"][2]) == "18 points, every 50 mm: A 4.89 µm (3.91 to 6.36)"
 
 
 def test_the_worth_of_points_stands_in_the_report_once() -> None:

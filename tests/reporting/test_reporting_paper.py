@@ -343,9 +343,9 @@ def test_head_and_stated_items_are_those_of_the_job() -> None:
     assert stated["x"]["travel"] == "0 to 500 mm (job)"
     assert stated["x"]["machine"] == "VMC 850, 4711 (job)"
     assert stated["x"]["machine_type"] == "vertical spindle (job)"
-    assert stated["x"]["compensation"].startswith("off: nothing was active")
-    assert stated["y"]["compensation"].startswith("off; the control held a.comp")
-    assert stated["z"]["compensation"].startswith("on, as stored in b.comp")
+    assert str(stated["x"]["compensation"]).startswith("off: nothing was active")
+    assert str(stated["y"]["compensation"]).startswith("off; the control held a.comp")
+    assert str(stated["z"]["compensation"]).startswith("on, as stored in b.comp")
     view = {
         **run_view(),
         "report": report_document(given),

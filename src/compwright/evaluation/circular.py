@@ -29,7 +29,7 @@ from compwright.records.circular import (
     CircularTest,
     Sense,
 )
-from compwright.words.sentences import Amount, say
+from compwright.words.sentences import Amount, SentenceText, say
 
 DEFAULT_CIRCULAR_STANDARD: Final = "iso230-4:2005"
 #: The shortest arc of a circular test, deg (ISO 230-4:1996, 3.1).
@@ -56,18 +56,13 @@ CIRCULAR_STANDARDS: Final[Mapping[str, CircularStandard]] = {
             title="ISO 230-4:1996",
             undefined=dict.fromkeys(
                 ("G_bidirectional", "G_bidirectional_lsc", "D"),
-                "not defined by ISO 230-4:1996 (clauses 3.3 to 3.5: H, G and F)",
+                SentenceText(say("reason.undefined_1996")),
             ),
         ),
         CircularStandard(
             id=DEFAULT_CIRCULAR_STANDARD,
             title="ISO 230-4:2005",
-            undefined={
-                "H": (
-                    "not defined by ISO 230-4:2005, which has the bidirectional circular deviation"
-                    " in its place"
-                )
-            },
+            undefined={"H": SentenceText(say("reason.undefined_2005"))},
         ),
     )
 }
@@ -221,11 +216,11 @@ def _reasons(
         if name in standard.undefined:
             reasons[name] = standard.undefined[name]
         elif missing:
-            reasons[name] = f"not measured in the {missing[0]} direction"
+            reasons[name] = SentenceText(say("reason.not_measured", direction=missing[0]))
         elif name.startswith("F_") and not name.endswith("_lsc") and not test.calibrated:
-            reasons[name] = "the length of the bar was not calibrated (ISO 230-4:1996, clause 4.5)"
+            reasons[name] = SentenceText(say("reason.not_calibrated"))
         elif not np.isfinite(values[name]):
-            reasons[name] = "the two directions have no angle in common"
+            reasons[name] = SentenceText(say("reason.no_common_angle"))
     return reasons
 
 

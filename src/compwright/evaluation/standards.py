@@ -40,7 +40,7 @@ from compwright.records.axis import Direction, FloatArray
 from compwright.records.conditions import Thermal, UncertaintyBudget
 from compwright.records.positioning import PositioningTest
 from compwright.records.result import Extreme, PositioningResult, TargetColumns
-from compwright.words.sentences import Sentence, say
+from compwright.words.sentences import Sentence, SentenceText, say
 
 Spread = Literal["std", "range"]
 Entry = TypeVar("Entry")
@@ -68,7 +68,7 @@ class Standard:
 
 _NOT_IN_1988: Final = dict.fromkeys(
     ("E", "E_positive", "E_negative", "M", "B"),
-    "not defined by ISO 230-2:1988 (clauses 2 and 6: R, A and the mean reversal value)",
+    SentenceText(say("reason.undefined_1988")),
 )
 
 #: The standards by the ids of the command line.
@@ -338,25 +338,31 @@ def _reason(
     measured: np.ndarray[tuple[int, ...], np.dtype[np.bool_]],
 ) -> str:
     """Say why ``name`` cannot be formed."""
+    return SentenceText(_why(name, test, standard, measured))
+
+
+def _why(
+    name: str,
+    test: PositioningTest,
+    standard: Standard,
+    measured: np.ndarray[tuple[int, ...], np.dtype[np.bool_]],
+) -> Sentence:
     for direction in _needed(name):
         if not np.any(np.isfinite(test.deviations(direction))):
-            return f"not measured in the {sign_text(direction)} direction"
+            return say("reason.not_measured", direction=sign_text(direction))
     for direction in _needed(name):
         number = test.readings(direction)
         if np.any(number[measured] == 0):
             where = position_text(float(test.targets[measured & (number == 0)][0]), test)
-            return f"no reading in the {sign_text(direction)} direction at {where}"
+            return say("reason.no_reading", direction=sign_text(direction), position=where)
     counts = {direction: test.readings(direction)[measured] for direction in _needed(name)}
     if name in _NEED_S and all(number.max() == 1 for number in counts.values()):
-        return f"one approach per direction ({standard.single_approach})"
+        return say("reason.one_approach", clause=standard.single_approach)
     for direction, number in counts.items():
         if name in _NEED_S and number.min() < 2:
             where = position_text(float(test.targets[measured][number < 2][0]), test)
-            return (
-                f"only one reading in the {sign_text(direction)} direction at {where}, so no"
-                " standard deviation there"
-            )
-    return "cannot be formed from these readings"
+            return say("reason.one_reading", direction=sign_text(direction), position=where)
+    return say("reason.cannot_be_formed")
 
 
 def _located(

@@ -85,7 +85,7 @@ def _reasons(result: Document) -> list[tuple[Sentence, str]]:
     reasons: dict[str, list[Sentence]] = {}
     for key, reason in (result.get("not_applicable") or {}).items():
         words = say("head.causes") if key == "diagnosis" else _words(plain(key), result)
-        reasons.setdefault(plain(reason).rstrip("."), []).append(words)
+        reasons.setdefault(plain(reason), []).append(words)
     return [
         (say("given.listed", items=list(dict.fromkeys(names))), reason)
         for reason, names in reasons.items()

@@ -163,7 +163,10 @@ class _Tree:
             node["level"] = self._level
         if element.tag == "table":
             return {**node, **self._table(element)}
-        return {**node, "children": self.children(element)}
+        children = self.children(element)
+        if "badge" in node["class"]:
+            children = list(map(_unbroken, children))
+        return {**node, "children": children}
 
     def _table(self, element: ET.Element) -> dict[str, Any]:
         head = [self._row(row) for row in element.iterfind("thead/tr")]
@@ -178,10 +181,7 @@ class _Tree:
         children = self.children(cell)
         names = cell.get("class", "").split()
         if cell.tag == "td" and set(names) & {"n", "range"}:
-            children = [
-                child.replace(" ", "\u00a0") if isinstance(child, str) else child
-                for child in children
-            ]
+            children = list(map(_unbroken, children))
         more = {
             "span": int(cell.get("colspan", "1")),
             "marked": marked,
@@ -212,6 +212,13 @@ def _left_out(element: ET.Element) -> bool:
     return element.tag in {"nav", "style"} or (
         element.tag == "details" and element.get("open") is None
     )
+
+
+def _unbroken(child: Any) -> Any:
+    """Return a node whose words stay in one line."""
+    if isinstance(child, str):
+        return child.replace(" ", "\u00a0")
+    return {**child, "children": list(map(_unbroken, child["children"]))}
 
 
 def _with_break(found: re.Match[str]) -> str:

@@ -235,7 +235,7 @@ def parameter_block(
     ]
     reasons: dict[str, list[str]] = {}
     for key, reason in (not_applicable or {}).items():
-        reasons.setdefault(str(reason).rstrip("."), []).append(edition_symbol(key, standard))
+        reasons.setdefault(plain(reason), []).append(edition_symbol(key, standard))
     return {
         "standard": standard_text(standard),
         "columns": [

@@ -63,7 +63,7 @@ _AND: Final[dict[Language, str]] = {"en": " and ", "de": " und ", "fr": " et ", 
 #: Units and symbols that a language writes in its own way, where English has words in them.
 _SYMBOLS: Final = {
     "mean B": "B̄", "Ps mean": "P̄s", "U mean": "Ū", "Ps max": "Ps,max", "U max": "Umax",
-    "arcsec": "″", "deg": "°",
+    "arcsec": "″", "deg": "°", "ccw": "↺", "cw": "↻",
 }  # fmt: skip
 _RUSSIAN_UNITS: Final = {
     "µm": "мкм", "mm": "мм", "m": "м", "µm/m": "мкм/м", "µm/(m K)": "мкм/(м·К)",

@@ -314,4 +314,22 @@ SENTENCES: Final[dict[str, str]] = {
         " µm sur {length:.5g} mm, et les mesures peuvent être fausses d'autant. Ajouter une colonne"
         " `time` au fichier de mesure, ou donner l'enregistrement de la seule durée de l'essai."
     ),
+    "reason.cannot_be_formed": "ne peut être formé de ces mesures",
+    "reason.no_common_angle": "les deux sens n'ont aucun angle en commun",
+    "reason.no_reading": "aucune mesure dans le sens {direction} à {position}",
+    "reason.not_calibrated": (
+        "la longueur de l'instrument n'était pas étalonnée (ISO 230-4:1996, 4.5)"
+    ),
+    "reason.not_measured": "non mesuré dans le sens {direction}",
+    "reason.one_approach": "une approche par sens ({clause})",
+    "reason.one_reading": (
+        "une seule mesure dans le sens {direction} à {position}, donc pas d'écart-type à ce point"
+    ),
+    "reason.undefined_1988": (
+        "non défini par l'ISO 230-2:1988 (2 et 6 : R, A et la valeur moyenne de réversibilité)"
+    ),
+    "reason.undefined_1996": "non défini par l'ISO 230-4:1996 (3.3 à 3.5 : H, G et F)",
+    "reason.undefined_2005": (
+        "non défini par l'ISO 230-4:2005, qui a l'écart circulaire bidirectionnel à la place"
+    ),
 }

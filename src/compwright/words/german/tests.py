@@ -315,4 +315,22 @@ SENTENCES: Final[dict[str, str]] = {
         " Messdatei eine Spalte `time` geben, oder nur die Aufzeichnung aus der Zeit der Prüfung"
         " angeben."
     ),
+    "reason.cannot_be_formed": "lässt sich aus diesen Messwerten nicht bilden",
+    "reason.no_common_angle": "die beiden Richtungen haben keinen gemeinsamen Winkel",
+    "reason.no_reading": "kein Messwert in Richtung {direction} bei {position}",
+    "reason.not_calibrated": "die Länge des Messgeräts war nicht kalibriert (ISO 230-4:1996, 4.5)",
+    "reason.not_measured": "in Richtung {direction} nicht gemessen",
+    "reason.one_approach": "eine Anfahrt je Richtung ({clause})",
+    "reason.one_reading": (
+        "nur ein Messwert in Richtung {direction} bei {position}, dort also keine"
+        " Standardabweichung"
+    ),
+    "reason.undefined_1988": (
+        "in ISO 230-2:1988 nicht definiert (2 und 6: R, A und die mittlere Umkehrspanne)"
+    ),
+    "reason.undefined_1996": "in ISO 230-4:1996 nicht definiert (3.3 bis 3.5: H, G und F)",
+    "reason.undefined_2005": (
+        "in ISO 230-4:2005 nicht definiert; an ihrer Stelle steht die zweiseitige"
+        " Kreisformabweichung"
+    ),
 }
