@@ -10,8 +10,7 @@ from dataclasses import dataclass
 from html import escape
 from typing import Any, Final
 
-from compwright.reporting.charts import quantiles
-from compwright.reporting.numbers import plain, position_unit, symbol, unit_text
+from compwright.reporting.numbers import number, plain, position_unit, symbol, unit_text
 from compwright.words.sentences import Language, Sentence, number_text, say
 
 Document = Mapping[str, Any]
@@ -39,7 +38,10 @@ def worth_block(predicted: Document, unit: object) -> dict[str, Any] | None:
             points=one["points"],
             spacing=plain(round(one["spacing"], 4)),
             place=place,
-            parameter=quantiles(name, one),
+            symbol=name,
+            median=number(one["median"]),
+            p05=number(one["p05"]),
+            p95=number(one["p95"]),
             unit=small,
         )
         for one in sizes

@@ -588,6 +588,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "worth.described": "{quantity} over the number of points",
     "worth.over": "points of the table",
-    "worth.points": "{points} points, every {spacing} {place}: {parameter} {unit}",
+    "worth.points": (
+        "{points} points, every {spacing} {place}: {symbol} {median} {unit} ({p05} to {p95})"
+    ),
     "worth.quantity": "{symbol} in {unit}",
 }

@@ -619,6 +619,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "worth.described": "{quantity} selon le nombre de points",
     "worth.over": "points de la table",
-    "worth.points": "{points} points, tous les {spacing} {place} : {parameter} {unit}",
+    "worth.points": (
+        "{points} points, tous les {spacing} {place} : {symbol} {median} {unit} ({p05} à {p95})"
+    ),
     "worth.quantity": "{symbol} en {unit}",
 }

@@ -45,6 +45,38 @@ SENTENCES: Final[dict[str, str]] = {
     "reading_off": "{traverse} à {target} (écart {off})",
     "scale_by": "{axis} : échelle {scale} d'après {tests:join|; }",
     "traverse": "parcours {run} dans le sens {direction}",
+    "undetermined.causes": (
+        "{circle} : ses causes ne peuvent être déterminées à partir de {samples} points de mesure"
+        " sur {arc:g}° dans {directions:plural|un sens|les deux sens}"
+    ),
+    "undetermined.few_at_reversal": (
+        "l'arc a trop peu de points de mesure là où l'axe {axis} s'inverse"
+    ),
+    "undetermined.few_in_time": "les {time:3sig} s du parcours ont trop peu de points de mesure",
+    "undetermined.few_near_reversals": (
+        "trop peu de points de mesure près des inversions de l'axe {axis} : mesurer à plus faible"
+        " avance"
+    ),
+    "undetermined.full_circle": "{reasons:join|; } : mesurer un cercle entier dans les deux sens",
+    "undetermined.lobes": "les lobes appartiennent à un cercle fermé",
+    "undetermined.no_reversal": "{axis} ne s'inverse pas dans l'arc",
+    "undetermined.of_circle": "{circle} : {reason}",
+    "undetermined.one_direction": "un seul sens ne peut le séparer du retard et du jeu",
+    "undetermined.one_reversal": "l'arc ne contient qu'un point d'inversion de l'axe",
+    "undetermined.prior": (
+        "{value:+3sig} ± {error:2sig} {unit} n'est pas assez bien connu : les points de mesure"
+        " ajoutent peu à ce qu'ont les machines (±{width:g}, écart-type)"
+    ),
+    "undetermined.spike": (
+        "les points de mesure après l'inversion sont trop peu pour distinguer un pic d'un jeu :"
+        " échantillonner plus vite ou réduire l'avance"
+    ),
+    "undetermined.square": "un arc ne montre pas les erreurs du carré entier",
+    "undetermined.value": (
+        "{value:+.1f} ± {error:.1f} µm/m n'est pas assez bien connu : l'incertitude (k = 2) doit"
+        " être inférieure à la moitié de la valeur et à {most:g} µm/m. Mesurer des cercles entiers"
+        " dans les deux sens, et les donner tous"
+    ),
     "value_with_error": "{value:+.1f} ± {error:.1f} {unit}",
     "with_and_without": "{parameter} {value} avec, {without} sans",
 }

@@ -6,6 +6,33 @@ from typing import Final
 
 SENTENCES: Final[dict[str, str]] = {
     "CW-P001": "Aucune table n'est écrite pour l'axe {axis} : {why}.",
+    "CW-P001.measured": (
+        "l'essai mesuré, évalué de nouveau avec la table, donne {parameter} {with_table}, sans elle"
+        " {without}"
+    ),
+    "CW-P001.new_targets": (
+        "à de nouveaux points visés, {parameter} devrait être {with_table} avec la table, {without}"
+        " sans elle"
+    ),
+    "CW-P001.not_seen": (
+        "à de nouveaux points visés, {parameter} devrait être {with_table} avec une autre table,"
+        " {without} sans elle, et diffère de {spread} d'un essai à l'autre : le gain est dans"
+        " l'incertitude"
+    ),
+    "CW-P001.old_table": (
+        "les essais {off} et {on} contredisent ce que disent les fichiers (sûr à {percent:.1f} %) :"
+        " la table de l'état {state} {did:choose|not_active=n'était pas active|inverted=était"
+        " active avec le signe opposé|scaled=était active avec le facteur"
+        " {factor:2sig}|shifted=était active, décalée de {shift:+d} points|mirrored=était active,"
+        " en miroir sur la course|wrong_axis=n'était pas celle qui était active : c'était celle"
+        " d'un autre axe|one_direction=n'était active que dans un sens|backlash=était active avec"
+        " un autre jeu|partial=n'était active que sur une partie de la course|measurement=convient,"
+        " mais pas les mesures entre elles : un des essais a été mal mesuré|undecided=a fait autre"
+        " chose ({likely:join|, ou })}{detail:if| ({detail})} dans {on}{off_too:if|, ou elle était"
+        " active aussi dans {off} : les deux montrent le même axe (était-elle désactivée pour {off}"
+        " ?)}{exchanged:if|, ou les deux essais sont permutés}. Une somme de l'ancien et du nouveau"
+        " serait fausse d'autant{look_at:if|. Regarder : {look_at:join|. }}"
+    ),
     "CW-P101": (
         "Cercle {circle} : sa place dans la machine n'est pas donnée ; le milieu de la course est"
         " supposé ({centre}). Donner son centre : l'effet des tables en dépend."
@@ -28,10 +55,7 @@ SENTENCES: Final[dict[str, str]] = {
         "apply.squareness.{plane} n'est pas corrigé : le dossier de travail n'a pas de cercle de ce"
         " plan. En mesurer un dans les deux sens."
     ),
-    "CW-P106.uncertain": (
-        "apply.squareness.{plane} n'est pas corrigé : perpendicularité {why}. Pour la corriger :"
-        " {repeat}."
-    ),
+    "CW-P106.uncertain": "apply.squareness.{plane} n'est pas corrigé : perpendicularité {why}.",
     "CW-P106.undetermined": (
         "apply.squareness.{plane} n'est pas corrigé : sa perpendicularité n'est pas déterminée."
         " {reasons:join|; }."
@@ -91,13 +115,25 @@ SENTENCES: Final[dict[str, str]] = {
         " seulement."
     ),
     "CW-P119.impossible": "{scale} ; non corrigée : {reasons:join|; }.",
+    "CW-P119.lag": (
+        "le retard des axes peut réduire {circle} de {lag:.0f} µm/m à son avance (une faible"
+        " avance, deux avances, ou un essai de positionnement de son autre axe en décideraient)"
+    ),
+    "CW-P119.low_feed": "{circle} à faible avance",
+    "CW-P119.mismatch": "la différence de {circle} et le laser sur {axis}",
     "CW-P119.negligible": "{scale} ; rien à corriger.",
+    "CW-P119.not_calibrated": (
+        "l'instrument de {circle} n'était pas étalonné, et son autre axe n'a pas d'essai de"
+        " positionnement"
+    ),
     "CW-P119.not_taken": (
         "{axis} : son échelle n'est pas prise d'un cercle : {reasons:if|{reasons:join|; }|aucun"
         " cercle n'est sur lui}."
     ),
+    "CW-P119.two_feeds": "{slow} et {fast} extrapolés à une avance nulle",
     "CW-P119.undetermined": (
-        "{axis} : son échelle n'est pas corrigée : {why}. Elle vient de {tests:join|; }. {measure}"
+        "{axis} : son échelle n'est pas corrigée : {why}. Elle vient de {tests:join|; }. Ou mesurer"
+        " l'axe au laser, ou répéter le cercle à faible avance."
     ),
     "CW-P120": (
         "{scale} ; sa table la corrige. La température de l'instrument et de la règle pendant"
@@ -141,9 +177,9 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-P133.parameter": "{parameter} {value} (limite {limit:g})",
     "CW-P133.period": "tous les {period:.5g} {unit} ({probability:.0%})",
     "CW-P134": (
-        "Cercle {circle} : ses causes ne sont pas connues ({why}), la bande prévue est donc trop"
-        " étroite pour décider de ses limites : non décidé. Mesurer un cercle entier dans les deux"
-        " sens, ou décider d'après l'essai après chargement."
+        "Cercle {causes}, la bande prévue est donc trop étroite pour décider de ses limites : non"
+        " décidé. Mesurer un cercle entier dans les deux sens, ou décider d'après l'essai après"
+        " chargement."
     ),
     "CW-P135": (
         "Cercles {circles} comme une seule machine : {machine:if|{machine}|ils ne montrent rien}."

@@ -5,6 +5,10 @@ from __future__ import annotations
 from typing import Final
 
 SENTENCES: Final[dict[str, str]] = {
+    "CW-F011.feed": (
+        "à {feed:g} {unit}/min ({of:choose|option=option max_feed|rapid=rapide 1420}), la commande"
+        " demande au moins {least:g} : avance / {rule} ({evidence})"
+    ),
     "CW-S001": (
         "{file} : la dernière ligne n'a pas de fin de ligne ; vérifier que le fichier est complet"
     ),

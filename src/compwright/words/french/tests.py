@@ -238,7 +238,7 @@ SENTENCES: Final[dict[str, str]] = {
         " ({equation:choose|ciddor=Ciddor|edlen=Edlén} ; air en moyenne à {air_c:.4g} °C,"
         " {pressure_hpa:.6g} hPa, {humidity_percent:.3g} %). L'afficheur de l'instrument"
         " {assumed:if|est supposé utiliser|utilise} l'indice de réfraction"
-        " {counted:.9f}{assumed:if|, air à 20 °C, 1013,25 hPa et 50 % : donner `instrument_air`"
+        " {counted:.9f}{assumed:if|, air à 20 °C, 1 013,25 hPa et 50 % : donner `instrument_air`"
         " sous `environment` s'il en utilise un autre|}."
     ),
     "CW-T029": (

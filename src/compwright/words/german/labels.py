@@ -623,6 +623,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "worth.described": "{quantity} über der Anzahl der Punkte",
     "worth.over": "Punkte der Tabelle",
-    "worth.points": "{points} Punkte, alle {spacing} {place}: {parameter} {unit}",
+    "worth.points": (
+        "{points} Punkte, alle {spacing} {place}: {symbol} {median} {unit} ({p05} bis {p95})"
+    ),
     "worth.quantity": "{symbol} in {unit}",
 }

@@ -54,9 +54,10 @@ SENTENCES: Final[dict[str, str]] = {
         " umkehrt"
     ),
     "undetermined.few_in_time": "die {time:3sig} s des Laufs haben zu wenige Messpunkte",
-    "undetermined.full_circle": (
-        "{reasons:join|; }: einen vollen Kreis in beiden Richtungen messen"
+    "undetermined.few_near_reversals": (
+        "zu wenige Messpunkte nahe der Umkehr der Achse {axis}: mit kleinerem Vorschub messen"
     ),
+    "undetermined.full_circle": "{reasons:join|; }: einen vollen Kreis in beiden Richtungen messen",
     "undetermined.lobes": "Vielecke gehören zu einem geschlossenen Kreis",
     "undetermined.no_reversal": "{axis} kehrt im Bogen nicht um",
     "undetermined.of_circle": "{circle}: {reason}",
@@ -67,6 +68,10 @@ SENTENCES: Final[dict[str, str]] = {
     "undetermined.prior": (
         "{value:+3sig} ± {error:2sig} {unit} ist nicht genau genug bekannt: Die Messpunkte sagen"
         " wenig mehr als das Übliche (±{width:g}, Standardabweichung)"
+    ),
+    "undetermined.spike": (
+        "die Messpunkte nach der Umkehr sind zu wenige, um eine Spitze von Umkehrspiel zu"
+        " unterscheiden: schneller abtasten oder den Vorschub senken"
     ),
     "undetermined.square": "ein Bogen zeigt nicht die Fehler des ganzen Quadrats",
     "undetermined.value": (

@@ -8,8 +8,7 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-P001": "Für Achse {axis} wird keine Tabelle geschrieben: {why}.",
     "CW-P001.measured": (
         "die gemessene Prüfung ergibt mit der Tabelle neu ausgewertet {parameter} {with_table},"
-        " ohne"
-        " sie {without}"
+        " ohne sie {without}"
     ),
     "CW-P001.new_targets": (
         "an neuen Zielpositionen wird {parameter} {with_table} mit der Tabelle erwartet, {without}"
@@ -19,6 +18,20 @@ SENTENCES: Final[dict[str, str]] = {
         "an neuen Zielpositionen wird {parameter} {with_table} mit einer weiteren Tabelle erwartet,"
         " {without} ohne sie; von Prüfung zu Prüfung ändert es sich um {spread}: Der Gewinn liegt"
         " innerhalb der Unsicherheit"
+    ),
+    "CW-P001.old_table": (
+        "die Prüfungen {off} und {on} widersprechen dem, was die Dateien sagen (zu {percent:.1f} %"
+        " sicher): Die Tabelle des Zustands {state} {did:choose|not_active=war nicht"
+        " aktiv|inverted=war mit umgekehrtem Vorzeichen aktiv|scaled=war mit dem Faktor"
+        " {factor:2sig} aktiv|shifted=war aktiv, um {shift:+d} Punkte verschoben|mirrored=war"
+        " aktiv, über den Verfahrweg gespiegelt|wrong_axis=war nicht die aktive: Es war die einer"
+        " anderen Achse|one_direction=war nur in einer Richtung aktiv|backlash=war mit anderer Lose"
+        " aktiv|partial=war nur über einen Teil des Verfahrwegs aktiv|measurement=passt, aber die"
+        " Messwerte nicht zueinander: Eine der Prüfungen wurde falsch gemessen|undecided=tat etwas"
+        " anderes ({likely:join|, oder })}{detail:if| ({detail})} in {on}{off_too:if|, oder sie war"
+        " auch in {off} aktiv: Beide zeigen dieselbe Achse (war sie für {off} aus?)}{exchanged:if|,"
+        " oder die beiden Prüfungen sind vertauscht}. Eine Summe aus alt und neu wäre um so viel"
+        " falsch{look_at:if|. Ansehen: {look_at:join|. }}"
     ),
     "CW-P101": (
         "Kreis {circle}: Sein Ort in der Maschine ist nicht angegeben; angenommen wird die Mitte"
@@ -43,9 +56,7 @@ SENTENCES: Final[dict[str, str]] = {
         "apply.squareness.{plane} wird nicht korrigiert: Der Auftrag hat keinen Kreis dieser Ebene."
         " Einen in beiden Richtungen messen."
     ),
-    "CW-P106.uncertain": (
-        "apply.squareness.{plane} wird nicht korrigiert: Rechtwinkligkeit {why}."
-    ),
+    "CW-P106.uncertain": "apply.squareness.{plane} wird nicht korrigiert: Rechtwinkligkeit {why}.",
     "CW-P106.undetermined": (
         "apply.squareness.{plane} wird nicht korrigiert: Die Rechtwinkligkeit ist nicht bestimmt."
         " {reasons:join|; }."
@@ -103,15 +114,6 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P118": "{axis}: Der Maßstab ist der der Positionierprüfung; Kreise prüfen ihn nur.",
     "CW-P119.impossible": "{scale}; nicht korrigiert: {reasons:join|; }.",
-    "CW-P119.negligible": "{scale}; nichts zu korrigieren.",
-    "CW-P119.not_taken": (
-        "{axis}: Der Maßstab wird nicht aus einem Kreis genommen: {reasons:if|{reasons:join|;"
-        " }|kein Kreis liegt auf ihr}."
-    ),
-    "CW-P119.undetermined": (
-        "{axis}: Der Maßstab wird nicht korrigiert: {why}. Er kommt aus {tests:join|; }. Oder die"
-        " Achse mit einem Laser messen, oder den Kreis bei kleinem Vorschub wiederholen."
-    ),
     "CW-P119.lag": (
         "der Schleppabstand der Achsen verkleinert {circle} bei seinem Vorschub vielleicht um"
         " {lag:.0f} µm/m (kleiner Vorschub, zwei Vorschübe oder eine Positionierprüfung der anderen"
@@ -119,11 +121,20 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P119.low_feed": "{circle} bei kleinem Vorschub",
     "CW-P119.mismatch": "dem Maßstabsunterschied von {circle} und dem Laser auf {axis}",
+    "CW-P119.negligible": "{scale}; nichts zu korrigieren.",
     "CW-P119.not_calibrated": (
         "das Messgerät von {circle} war nicht kalibriert, und die andere Achse hat keine"
         " Positionierprüfung"
     ),
+    "CW-P119.not_taken": (
+        "{axis}: Der Maßstab wird nicht aus einem Kreis genommen: {reasons:if|{reasons:join|;"
+        " }|kein Kreis liegt auf ihr}."
+    ),
     "CW-P119.two_feeds": "{slow} und {fast}, auf Vorschub null extrapoliert",
+    "CW-P119.undetermined": (
+        "{axis}: Der Maßstab wird nicht korrigiert: {why}. Er kommt aus {tests:join|; }. Oder die"
+        " Achse mit einem Laser messen, oder den Kreis bei kleinem Vorschub wiederholen."
+    ),
     "CW-P120": (
         "{scale}; die Tabelle korrigiert ihn. Die Temperatur von Messgerät und Maßstab bei der"
         " Prüfung ist darin: 1 K sind 11 µm/m Stahl."

@@ -5,6 +5,10 @@ from __future__ import annotations
 from typing import Final
 
 SENTENCES: Final[dict[str, str]] = {
+    "CW-F011.feed": (
+        "bei {feed:g} {unit}/min ({of:choose|option=Option max_feed|rapid=Eilgang 1420}) braucht"
+        " die Steuerung mindestens {least:g}: Vorschub / {rule} ({evidence})"
+    ),
     "CW-S001": "{file}: Die letzte Zeile hat kein Zeilenende; prüfen, ob die Datei vollständig ist",
     "CW-S002": "{file}: kein {mark} am Ende; prüfen, ob die Datei vollständig ist",
     "CW-S003": (

@@ -236,7 +236,7 @@ SENTENCES: Final[dict[str, str]] = {
         " mm, wo die Anzeige 0 ist, wurden entfernt ({equation:choose|ciddor=Ciddor|edlen=Edlén};"
         " Luft im Mittel {air_c:.4g} °C, {pressure_hpa:.6g} hPa, {humidity_percent:.3g} %). Die"
         " Anzeige des Messgeräts rechnet {assumed:if|vermutlich |}mit dem Brechungsindex"
-        " {counted:.9f}{assumed:if|, Luft bei 20 °C, 1013,25 hPa und 50 %: `instrument_air` unter"
+        " {counted:.9f}{assumed:if|, Luft bei 20 °C, 1 013,25 hPa und 50 %: `instrument_air` unter"
         " `environment` angeben, wo sie mit einem anderen rechnet|}."
     ),
     "CW-T029": (

@@ -596,6 +596,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "worth.described": "{quantity} в зависимости от числа точек",
     "worth.over": "точки таблицы",
-    "worth.points": "точек: {points}, шаг {spacing} {place}: {parameter} {unit}",
+    "worth.points": (
+        "точек: {points}, шаг {spacing} {place}: {symbol} {median} {unit} ({p05} … {p95})"
+    ),
     "worth.quantity": "{symbol}, {unit}",
 }

@@ -44,6 +44,39 @@ SENTENCES: Final[dict[str, str]] = {
     "reading_off": "{traverse} в {target} (отклонение {off})",
     "scale_by": "{axis}: масштаб {scale} по {tests:join|; }",
     "traverse": "проход {run} в направлении {direction}",
+    "undetermined.causes": (
+        "{circle}: причины нельзя определить по {samples} точкам измерения на {arc:g}° в"
+        " {directions:plural|одном направлении|обоих направлениях|обоих направлениях}"
+    ),
+    "undetermined.few_at_reversal": (
+        "на дуге слишком мало точек измерения там, где реверсирует ось {axis}"
+    ),
+    "undetermined.few_in_time": "за {time:3sig} с прохода слишком мало точек измерения",
+    "undetermined.few_near_reversals": (
+        "слишком мало точек измерения вблизи реверса оси {axis}: измерьте с меньшей подачей"
+    ),
+    "undetermined.full_circle": (
+        "{reasons:join|; }: измерьте полную окружность в обоих направлениях"
+    ),
+    "undetermined.lobes": "волны относятся к замкнутой окружности",
+    "undetermined.no_reversal": "{axis} не реверсирует на дуге",
+    "undetermined.of_circle": "{circle}: {reason}",
+    "undetermined.one_direction": "одно направление не отделяет это от отставания и мёртвого хода",
+    "undetermined.one_reversal": "на дуге только одна точка реверса оси",
+    "undetermined.prior": (
+        "{value:+3sig} ± {error:2sig} {unit} известно недостаточно: точки измерения мало добавляют"
+        " к обычному для станков (±{width:g}, стандартное отклонение)"
+    ),
+    "undetermined.spike": (
+        "точек измерения после реверса слишком мало, чтобы отличить выброс от мёртвого хода:"
+        " снимайте чаще или уменьшите подачу"
+    ),
+    "undetermined.square": "дуга не показывает погрешностей всего квадрата",
+    "undetermined.value": (
+        "{value:+.1f} ± {error:.1f} мкм/м известно недостаточно: неопределенность (k = 2) должна"
+        " быть меньше половины значения и меньше {most:g} мкм/м. Измерьте полные окружности в обоих"
+        " направлениях и дайте их все"
+    ),
     "value_with_error": "{value:+.1f} ± {error:.1f} {unit}",
     "with_and_without": "{parameter} {value} с ними, {without} без них",
 }

@@ -5,6 +5,10 @@ from __future__ import annotations
 from typing import Final
 
 SENTENCES: Final[dict[str, str]] = {
+    "CW-F011.feed": (
+        "при {feed:g} {unit}/мин ({of:choose|option=опция max_feed|rapid=быстрый ход 1420}) УЧПУ"
+        " требует не менее {least:g}: подача / {rule} ({evidence})"
+    ),
     "CW-S001": "{file}: последняя строка без конца строки; проверьте, полон ли файл",
     "CW-S002": "{file}: в конце нет {mark}; проверьте, полон ли файл",
     "CW-S003": (

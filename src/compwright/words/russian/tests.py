@@ -218,8 +218,8 @@ SENTENCES: Final[dict[str, str]] = {
         " {zero:.10g} мм, где показание 0 ({equation:choose|ciddor=Ciddor|edlen=Edlén}; воздух в"
         " среднем {air_c:.4g} °C, {pressure_hpa:.6g} гПа, {humidity_percent:.3g} %). Прибор"
         " {assumed:if|предположительно |}использует показатель преломления"
-        " {counted:.9f}{assumed:if|, воздух при 20 °C, 1013,25 гПа и 50 %: укажите `instrument_air`"
-        " в `environment`, если он использует другой|}."
+        " {counted:.9f}{assumed:if|, воздух при 20 °C, 1 013,25 гПа и 50 %: укажите"
+        " `instrument_air` в `environment`, если он использует другой|}."
     ),
     "CW-T029": (
         "От первого отсчёта к последнему длина волны изменилась на {light:+.2f} мкм, расширение на"
