@@ -146,10 +146,10 @@ def _typed_before(
     if new is not None and table.positions.size < 2:
         zero = np.zeros_like(new.positions)
         table = replace(new, positive=zero, negative=zero, backlash=table.backlash, slope=0.0)
-    asked = CardRequest(
+    request = CardRequest(
         axis=axis, table=table, facts=old.state.facts_of(axis.address), check_at=np.zeros(1)
     )
-    return _typed(control, axis, control.format.card(asked))
+    return _typed(control, axis, control.format.card(request))
 
 
 def _rows(

@@ -57,7 +57,7 @@ from compwright.records.verification import LoadingName
 _DIGITS = bytes(ord("0") if chr(byte) in "0123456789" else ord(" ") for byte in range(256))
 #: Options of decode that the axes of a job say themselves, and that the reading of files without a
 #: job lists itself.
-_SAID_ELSEWHERE = frozenset({KIND, REFERENCE, REFERENCE_RETURN})
+_STATED_ELSEWHERE = frozenset({KIND, REFERENCE, REFERENCE_RETURN})
 
 
 def _shown(value: object) -> str:
@@ -126,7 +126,7 @@ class Control:
 
     @property
     def options(self) -> Mapping[str, object]:
-        """Every option, settled."""
+        """Every option, resolved."""
         return self.format.options
 
     @property
@@ -178,12 +178,14 @@ class Control:
         answered = {
             name for state in states for facts in state.facts.values() for name in facts.stated
         }
-        settled = {
+        in_files = {
             name
             for name, option in self.definition.options.items()
             if option.settled_by in answered
         }
-        stated = set(self.given) | settled | _SAID_ELSEWHERE | self._given_by_axes(states, axes)
+        stated = (
+            set(self.given) | in_files | _STATED_ELSEWHERE | self._given_by_axes(states, axes)
+        )
         return tuple(
             Assumption(f"option {name}", _shown(value), self._default_evidence(name))
             for name, value in self.options.items()
@@ -417,15 +419,15 @@ def decode(
         listing = reading.listing
         shown = listing.for_draft or listing.for_display if drafting else listing.for_display
         reading = shown(reading)
-    files, beside = without_other_files(control.definition, files)
+    files, left_aside = without_other_files(control.definition, files)
     given = files
     if active is False:
         files, left_out = control.format.listing.executed(control.definition, files)
-        beside += left_out
+        left_aside += left_out
     state = ControlState(format=control.id, axes={})
     if files:
         state = reading.read(files, axes, address=address, activity=activity)
-    state = replace(state, findings=(*state.findings, *beside))
+    state = replace(state, findings=(*state.findings, *left_aside))
     if asking or not axes:
         _check_meaning(control, state, axes)
     named = [

@@ -200,8 +200,8 @@ def _likely(
     likely = {}
     for file in files:
         own = counts.get(file.name, {})
-        beside = [stated for name, stated in counts.items() if _set_of(name) == _set_of(file.name)]
-        totals = {one.id: sum(stated[one.id] for stated in beside) for one in known}
+        of_set = [stated for name, stated in counts.items() if _set_of(name) == _set_of(file.name)]
+        totals = {one.id: sum(stated[one.id] for stated in of_set) for one in known}
         likely[file.name] = sorted(
             (
                 one
@@ -299,16 +299,16 @@ def _ways_to_read(
 def _options(definition: Definition) -> Iterator[dict[str, object]]:
     """Yield answers to what the files of a control leave open, until one lets them be read."""
     rules = definition.options
-    asked: dict[str, object] = {
+    required: dict[str, object] = {
         name: _ANY_UNIT for name, rule in rules.items() if rule.asked is not None
     }
     yield {}
-    if asked:
-        yield asked
+    if required:
+        yield required
     for name, rule in rules.items():
         for choice in rule.choices:
             if choice != rule.default:
-                yield {**asked, name: choice}
+                yield {**required, name: choice}
 
 
 def _decoded(

@@ -197,12 +197,12 @@ def _with_data(
     """Return the files that contain compensation, and the names of those without any entry: a
     folder may contain notes too. A later file may repeat an entry.
     """
-    acting = {entry.file for entry in entries.values() if entry.relevant}
+    relevant = {entry.file for entry in entries.values() if entry.relevant}
     used = {entry.file for entry in entries.values()}
     kept: list[ControlFile] = []
     idle: list[str] = []
     for file in files:
-        if file.name in acting or is_container(file):
+        if file.name in relevant or is_container(file):
             kept.append(file)
             continue
         own = control.format.listing.file_values(control.definition, [file], ())

@@ -159,13 +159,13 @@ def _with_zero_of_homing(job: Job, as_found: DecodedState) -> Job:
             ):
                 if key in entry.stated and abs(given - stated) > _SAME_PLACE:
                     faults.append(_other_zero(job, name, key, axis, facts.reference, home))
-            settled = replace(
+            completed = replace(
                 axis,
                 reference=facts.reference,
                 reference_return=home,
                 zero_at_reference=True,
             )
-            axes[name] = replace(entry, axis=settled)
+            axes[name] = replace(entry, axis=completed)
     raise_all(UsageError, faults)
     return replace(job, axes=axes)
 

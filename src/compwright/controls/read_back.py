@@ -52,16 +52,16 @@ def read_back_differences(
     """
     whole = differences(control, expected, found)
     known = {entry.file for entry in expected.entries.values()}
-    acting = [one for one in whole.entries if one.entry.relevant and _compared(one, known)]
+    compensating = [one for one in whole.entries if one.entry.relevant and _compared(one, known)]
     own: dict[str, list[Difference]] = {}
     others: list[Difference] = []
-    for one in acting:
+    for one in compensating:
         mine = dict.fromkeys(names[address] for address in one.axes if address in names)
         for name in mine:
             own.setdefault(name, []).append(_difference(one, name))
         if not mine:
             others.append(_difference(one, one.axes[0] if one.axes else ""))
-    others += _corrections(whole, acting, names)
+    others += _corrections(whole, compensating, names)
     return ReadBackDifferences(
         {name: tuple(found) for name, found in own.items()},
         Others(tuple(others), tuple(_elsewhere(whole)), tuple(_not_read(whole))),
@@ -86,12 +86,12 @@ def _difference(placed: Placed, axis: str) -> Difference:
 
 
 def _corrections(
-    whole: Differences, acting: list[Placed], names: Mapping[str, str]
+    whole: Differences, compensating: list[Placed], names: Mapping[str, str]
 ) -> Iterator[Difference]:
     """Yield by how much the corrections of neighbours changed, and those between axes, as far as
     entries that were compared explain it.
     """
-    touched = [set(one.axes) for one in acting]
+    touched = [set(one.axes) for one in compensating]
     for address, change in whole.corrections.items():
         if address not in names and any(address in axes for axes in touched):
             yield _largest(address, "correction", "", change)

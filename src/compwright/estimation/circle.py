@@ -67,7 +67,7 @@ _TUNING_ROUNDS: Final = 4
 _NOISE_ROUNDS: Final = 3
 #: Samples of one run that a fitted run holds at most: for pictures.
 _MOST_FITTED: Final = 1_000
-_NOISE_SETTLED: Final = 0.25
+_NOISE_STEADY: Final = 0.25
 
 
 def diagnose(test: CircularTest, *, periods: Mapping[str, float] | None = None) -> Diagnosis:
@@ -375,7 +375,7 @@ def _fit_with_noise(
             abs(np.log(new.density[0] / old.density[0]))
             for new, old in zip(spectra, last, strict=True)
         ]
-        if max(changes) < _NOISE_SETTLED:
+        if max(changes) < _NOISE_STEADY:
             break
     return replace(fitted, spectra=spectra)
 
@@ -421,13 +421,13 @@ def _add_vibration(
     if found.frequency is not None:
         columns = vibration_columns(problem.samples, found.frequency)
         shaken = problem.with_columns(columns)
-        settled = _fit_with_noise(shaken, shapes, fitted.spectra)
+        steady = _fit_with_noise(shaken, shapes, fitted.spectra)
         places = [shaken.names.index(column.name) for column in columns]
-        at = np.flatnonzero(np.isin(settled.active, places))
-        value, covariance = settled.values[at], settled.covariance[np.ix_(at, at)]
+        at = np.flatnonzero(np.isin(steady.active, places))
+        value, covariance = steady.values[at], steady.covariance[np.ix_(at, at)]
         # In correlated noise the residuals alone promise more than the whole fit finds.
         if float(value @ np.linalg.solve(covariance, value)) >= found.least:
-            return shaken, settled, found
+            return shaken, steady, found
         shapes.adopt(problem)
         most = float(np.sqrt(np.sum(value**2) / np.unique(problem.samples.run).size))
         found = replace(found, frequency=None, hidden=max(found.hidden, most))

@@ -129,8 +129,8 @@ def _peaks(gains: FloatArray) -> FloatArray:
     inner = np.flatnonzero((gains[1:-1] >= gains[:-2]) & (gains[1:-1] > gains[2:])) + 1
     ends = [
         index
-        for index, beside in ((0, 1), (gains.size - 1, gains.size - 2))
-        if gains.size > 1 and gains[index] > gains[beside]
+        for index, neighbour in ((0, 1), (gains.size - 1, gains.size - 2))
+        if gains.size > 1 and gains[index] > gains[neighbour]
     ]
     every = np.concatenate([inner, np.array(ends, dtype=inner.dtype)])
     best: FloatArray = every[np.argsort(gains[every])[::-1][:_CANDIDATES]]

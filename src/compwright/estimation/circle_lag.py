@@ -21,7 +21,7 @@ from compwright.estimation.circle_model import SOFTEST_LOOP, CircleSamples
 from compwright.records.axis import FloatArray
 
 #: Samples on either side of a reversal point that are looked at, beyond the largest lag.
-_BESIDE: Final = 14
+_NEIGHBOURS: Final = 14
 #: Decay lengths of the spikes tried, as shares of the radius; two of them imitate those between.
 _DECAYS: Final = (0.012, 0.045)
 _STEPS_PER_SAMPLE: Final = 5
@@ -104,7 +104,7 @@ def _profile(samples: CircleSamples) -> tuple[float, FloatArray, FloatArray, int
     spacing = samples.arc[1] / per_run
     most = samples.speed / (SOFTEST_LOOP * samples.radius) * 1.3 + spacing
     count = int(np.ceil(most / spacing))
-    windows = _windows(samples, _BESIDE + count)
+    windows = _windows(samples, _NEIGHBOURS + count)
     return spacing, windows, np.arange(-count, count + 1, dtype=np.float64) * spacing, count
 
 

@@ -106,8 +106,8 @@ def start_circle(
     """
     test = in_job_names(test, axes)
     given = request.centre if request.centre is not None else test.centre
-    centre, said = _centre(test, given, axes)
-    findings = () if said else (_middle_assumed(test, centre),)
+    centre, stated = _centre(test, given, axes)
+    findings = () if stated else (_middle_assumed(test, centre),)
     result = diagnose_circle(replace(test, centre=given), CIRCULAR_STANDARD)
     planned = PlannedCircle(
         test=result.test,

@@ -26,7 +26,7 @@ from compwright.words.sentences import say
 
 _HEIGHT: Final = 176.0  # points
 _LOW: Final = 104.0
-_BESIDE_EACH_OTHER: Final = 234.0
+_SIDE_BY_SIDE: Final = 234.0
 
 
 def result_figure(result: Document, axis: str) -> Drawing:
@@ -71,7 +71,7 @@ def before_after_figure(
         chart = result_chart(after)
         chart.title, chart.note = say("head.after"), parameter_line(after, most)
         charts.append(chart)
-    return _drawing(charts, _BESIDE_EACH_OTHER, "comparison", axis)
+    return _drawing(charts, _SIDE_BY_SIDE, "comparison", axis)
 
 
 def table_figure(entry: Document, axis: str) -> Drawing:

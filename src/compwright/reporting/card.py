@@ -406,12 +406,12 @@ def _changes(changes: dict[str, Any] | None) -> list[str]:
         return []
     more = [f"{changes['more']} more changes are in changes.csv.", ""] if changes["more"] else []
     rows = [list(map(_escape, row)) for row in changes["rows"]]
-    said = (
+    sentence = (
         f"{changes['count']} entries change; {changes['untouched']} lines of the control's files"
         " stay as they are. The values are those of the files, in the control's own units."
     )
     table = [*_table(["Entry", "Old", "New"], rows), ""] if rows else []
-    return ["## Old to new", "", said, "", *table, *more]
+    return ["## Old to new", "", sentence, "", *table, *more]
 
 
 def _bullets(heading: str, items: Sequence[str | Sentence]) -> list[str]:

@@ -27,7 +27,7 @@ from compwright.words.sentences import Language, Sentence, number_text
 _WIDTH: Final = 518.4
 # Around the panels: the label next to the numbers, one digit, the margin on the right, between
 # panels, and below them position, legend and its title.
-_BESIDE: Final = 27.0
+_LABEL_WIDTH: Final = 27.0
 _DIGIT: Final = 4.9
 _EDGE: Final = 9.0
 _GAP: Final = 17.0
@@ -86,16 +86,16 @@ class Drawing:
         bottom = self.height - (_BELOW if legend_of(charts) else _NO_LEGEND)
         rows, decimals = _ticks(*up, int((bottom - head) / _ROW), _STEPS)
         numbers = [_written(value, decimals, language) for value in rows]
-        left = _BESIDE + _DIGIT * max(map(len, numbers), default=0)
+        left = _LABEL_WIDTH + _DIGIT * max(map(len, numbers), default=0)
         each = (_WIDTH - left - _EDGE - _GAP * (len(charts) - 1)) / len(charts)
         y = _Scale(*up, bottom, head)
         parts = []
         for index, chart in enumerate(charts):
             start = left + index * (each + _GAP)
             x = _Scale(*across, start, start + each)
-            beside = numbers if index == 0 else [""] * len(rows)
+            labels = numbers if index == 0 else [""] * len(rows)
             parts += [
-                *_frame(chart, x, y, list(zip(rows, beside, strict=True)), language),
+                *_frame(chart, x, y, list(zip(rows, labels, strict=True)), language),
                 *_content(chart, x, y),
             ]
             parts += _words(chart, x, y, named=index == 0)
@@ -116,14 +116,14 @@ def _frame(
 ) -> Iterator[str]:
     """Yield grid, lines and numbers of both axes; ``rows``: values with their numbers."""
     columns, decimals = _along(x, _STEPS_OF_A_TURN if chart.degrees else _STEPS)
-    beside, below = y.at([value for value, _ in rows]), x.at(columns)
-    grid = "".join(f"M{x.first:.2f},{at:.2f}H{x.last:.2f}" for at in beside)
+    rows_at, below = y.at([value for value, _ in rows]), x.at(columns)
+    grid = "".join(f"M{x.first:.2f},{at:.2f}H{x.last:.2f}" for at in rows_at)
     grid += "".join(f"M{at:.2f},{y.first:.2f}V{y.last:.2f}" for at in below)
     yield _path(grid, "#e3e3e3", 0.5)
-    marks = "".join(f"M{x.first:.2f},{at:.2f}h-3.5" for at in beside)
+    marks = "".join(f"M{x.first:.2f},{at:.2f}h-3.5" for at in rows_at)
     marks += "".join(f"M{at:.2f},{y.first:.2f}v3.5" for at in below)
     yield _path(f"M{x.first:.2f},{y.last:.2f}V{y.first:.2f}H{x.last:.2f}{marks}", _SOFT, 0.6)
-    for at, (_, written) in zip(beside, rows, strict=True):
+    for at, (_, written) in zip(rows_at, rows, strict=True):
         if written:
             yield _word(x.first - 6.0, at + 2.7, written, anchor="end")
     for at, value in zip(below, columns, strict=True):

@@ -31,10 +31,10 @@ _WORD: Final = re.compile(r"[A-Za-z_][\w./-]*")
 
 def steps_for(causes: Sequence[CircleCause], axes: Sequence[str]) -> list[Sentence]:
     """Return what to do about the largest significant causes, a sentence each."""
-    acting = [cause for cause in causes if cause.significant and cause.shown]
+    significant = [cause for cause in causes if cause.significant and cause.shown]
     return [
         say("circle.to_do", cause=cause.words, share=100.0 * cause.share, step=step)
-        for cause in acting[:_MOST]
+        for cause in significant[:_MOST]
         if (step := next_step(cause.name, axes))
     ]
 

@@ -110,8 +110,8 @@ def _deviation(value: float | None, *, signed: bool) -> str:
 
 def _printed(result: Mapping[str, Any]) -> list[Text]:
     """Return what the instrument's software printed for this edition, in one line."""
-    told = [f"{letter} {values}" for letter, values in printed_parameters(result).items()]
-    return [Text(f"Printed in the file: {', '.join(told)} µm", style="dim")] if told else []
+    printed = [f"{letter} {values}" for letter, values in printed_parameters(result).items()]
+    return [Text(f"Printed in the file: {', '.join(printed)} µm", style="dim")] if printed else []
 
 
 def _not_applicable(result: Mapping[str, Any]) -> list[Text]:

@@ -86,7 +86,7 @@ def diff_tables(document: Mapping[str, Any]) -> list[RenderableType]:
             aside.append(address)
             continue
         called = f" ({axis['name']})" if axis["name"] and axis["name"] != address else ""
-        words = _correction(axis["correction"], told=axis["correction_compared"])
+        words = _correction(axis["correction"], known=axis["correction_compared"])
         shown.append(Text(f"axis {address}{called}: {words}", "bold"))
         shown += entry_tables(axis["entries"])
     if aside:
@@ -109,11 +109,11 @@ def _both(entries: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
     return [entry for entry in entries if None not in (entry["old"], entry["new"])]
 
 
-def _correction(change: Mapping[str, Any] | None, *, told: bool = True) -> str:
-    """Return by how much a correction changed; ``told``: whether that is known."""
+def _correction(change: Mapping[str, Any] | None, *, known: bool = True) -> str:
+    """Return by how much a correction changed; ``known``: whether that is known."""
     if change is None:
         same, entries = "the correction is the same", "only its entries are compared"
-        return same if told else entries
+        return same if known else entries
     unit = next(unit for unit in _UNITS if f"max_change_{unit}" in change)
     most = change[f"max_change_{unit}"]
     return (
@@ -173,14 +173,14 @@ def other_tables(groups: Sequence[Mapping[str, Any]]) -> list[RenderableType]:
     table.add_column("such as")
     for group in both[:_MOST_ROWS]:
         first = group["examples"][0]
-        told = " -> ".join(
+        values = " -> ".join(
             _ABSENT if first[key] is None else str(first[key])[:30] for key in ("old", "new")
         )
         table.add_row(
             group["quantity"],
             group["meaning"] or "",
             *(str(group[key] or "") for key in ("changed", "only_old", "only_new")),
-            f"{first['quantity']}: {told}",
+            f"{first['quantity']}: {values}",
         )
     return [table, *_rest(len(both)), *(counted if alone else ()), Text()]
 

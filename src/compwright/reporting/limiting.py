@@ -65,5 +65,5 @@ def limits_line(axis: Document) -> str:
         if cause["value"] >= _LEAST_SHOWN
     ]
     name = symbol(limited["parameter"])
-    told = f"{', '.join(causes)} {unit} (each alone; they do not add up)" if causes else "nothing"
-    return f"What limits {name} ({number(limited['then'])} {unit} at new targets): {told}."
+    listed = f"{', '.join(causes)} {unit} (each alone; they do not add up)" if causes else "nothing"
+    return f"What limits {name} ({number(limited['then'])} {unit} at new targets): {listed}."

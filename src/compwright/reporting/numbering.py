@@ -122,12 +122,12 @@ def _cells(numbering: Mapping[str, Any]) -> list[_SectionCell]:
         names.setdefault(int(mark["number"]), []).append(str(mark["name"]))
     zero = _position(numbering["reference"])
     count, first = len(sections), int(sections[0]["number"])
-    beside = [
+    neighbours = [
         place
         for place, one in enumerate(sections)
         if zero in (_position(one["from"]), _position(one["to"]))
     ]
-    shown = range(count) if count <= _ALL else sorted({0, 1, *beside, count - 2, count - 1})
+    shown = range(count) if count <= _ALL else sorted({0, 1, *neighbours, count - 2, count - 1})
     cells, before = [], -1
     for place in shown:
         one = sections[place]

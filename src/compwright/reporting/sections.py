@@ -99,9 +99,9 @@ def doubts(items: Iterable[Document] | None) -> dict[str, Any] | None:
     """Return what has to be clear before anything else, with its heading and what to do then; None
     where there is nothing.
     """
-    told = findings(items)
-    step = next_step(item["code"] for item in told)
-    return {"heading": DOUBTS_FIRST, "items": told, "step": step} if told else None
+    open_doubts = findings(items)
+    step = next_step(item["code"] for item in open_doubts)
+    return {"heading": DOUBTS_FIRST, "items": open_doubts, "step": step} if open_doubts else None
 
 
 def acknowledged(items: Iterable[Document] | None) -> list[Sentence]:

@@ -60,9 +60,11 @@ def evaluation_tables(
     file. Deviations are shown as the document holds them, in µm or arcsec.
     """
     shown: list[RenderableType] = []
-    told: dict[str, set[str]] = {}
+    shown_codes: dict[str, set[str]] = {}
     for result in document["results"]:
-        seen = told.setdefault(str([source["sha256"] for source in result["sources"]]), set())
+        seen = shown_codes.setdefault(
+            str([source["sha256"] for source in result["sources"]]), set()
+        )
         new = [entry for entry in result["findings"] if entry["message"] not in seen]
         if result["kind"] == "environment":
             shown.append(_stand_still(result, new))
@@ -162,12 +164,12 @@ def _runs(runs: Mapping[str, int]) -> str:
             if runs["positive"] != 1
             else "1 run in each direction"
         )
-    told = [
+    counts = [
         f"{runs[key]} in {sign}"
         for key, sign in (("positive", "+"), ("negative", "−"))
         if runs[key]
     ]
-    return f"runs: {', '.join(told)}"
+    return f"runs: {', '.join(counts)}"
 
 
 def _position(value: float) -> str:
