@@ -183,9 +183,7 @@ class Control:
             for name, option in self.definition.options.items()
             if option.settled_by in answered
         }
-        stated = (
-            set(self.given) | in_files | _STATED_ELSEWHERE | self._given_by_axes(states, axes)
-        )
+        stated = set(self.given) | in_files | _STATED_ELSEWHERE | self._given_by_axes(states, axes)
         return tuple(
             Assumption(f"option {name}", _shown(value), self._default_evidence(name))
             for name, value in self.options.items()
