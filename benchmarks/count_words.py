@@ -3,6 +3,7 @@
 
     python benchmarks/count_words.py            a line for each room
     python benchmarks/count_words.py --list messages [ROOM]     every place, to work through
+    python benchmarks/count_words.py --pages    words of the hand-written pages: prose, samples
 """
 
 from __future__ import annotations
@@ -99,8 +100,39 @@ def room(path: Path) -> str:
     return inside[0] if len(inside) > 1 else "(top)"
 
 
+#: Pages that are made from code, definitions or saved results.
+GENERATED = {
+    *("options.md", "job-keys.md", "json-keys.md", "definition-keys.md", "findings.md"),
+    *("control-facts.md", "open-facts.md", "quality.md"),
+}
+
+
+def count_pages() -> None:
+    """Print how many words (with a letter or digit) each kind of hand-written page has, outside and
+    inside of blocks of code.
+    """
+    found = [PROJECT / "README.md", PROJECT / "CONTRIBUTING.md"]
+    found += [*(PROJECT / "docs").rglob("*.md"), *(PROJECT / "examples").rglob("*.md")]
+    counts: Counter[tuple[str, str]] = Counter()
+    for page in found:
+        place = page.relative_to(PROJECT)
+        if page.name in GENERATED or "reference" in place.parts:
+            continue
+        text = page.read_text(encoding="utf-8")
+        prose = re.sub(r"^```.*?^```", "", text, flags=re.DOTALL | re.MULTILINE)
+        whole, outside = (sum(bool(re.search(r"\w", w)) for w in t.split()) for t in (text, prose))
+        for kind in (place.parent.as_posix(), "all"):
+            counts[kind, "prose"] += outside
+            counts[kind, "samples"] += whole - outside
+    for kind in sorted({kind for kind, _ in counts}):
+        print(f"{kind:<22}{counts[kind, 'prose']:>8}{counts[kind, 'samples']:>8}")
+
+
 def main() -> None:
     """Print the counts, or every place of one kind."""
+    if sys.argv[1:] == ["--pages"]:
+        count_pages()
+        return
     wanted = sys.argv[2:] if sys.argv[1:2] == ["--list"] else []
     counts: Counter[tuple[str, str]] = Counter()
     for path in sorted(SOURCE.rglob("*.py")):
