@@ -222,7 +222,7 @@ def formats() -> None:
 
 @formats.command(
     "list",
-    examples=("compwright formats list", "compwright formats list | more"),
+    examples=("compwright formats list",),
     page="docs/controls.md",
 )
 @exiting
