@@ -20,8 +20,9 @@ def require_report_form(path: Path | None, *forms: str) -> None:
                 message="unknown format of a report",
                 file=shown_path(path),
                 place="--report",
+                expected=f"a name that ends in {' or '.join(forms)}",
                 found=path.suffix or path.name,
-                hint=f"give `--report` a name that ends in {' or '.join(forms)}",
+                hint=f"give `--report {shown_path(path.with_suffix(forms[0]))}`",
             )
         )
     if path.suffix.lower() == ".pdf":
