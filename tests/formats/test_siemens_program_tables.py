@@ -220,6 +220,9 @@ ASSIGNED = {
     "both": (f"R50=1\nIF (R50==1) AND (R51==2)\n{ONE}ENDIF\n{GRID}", READ, READ),
     "not both": (f"R50=0\nIF (R50==1) AND (R51==2)\n{ONE}ENDIF\n{GRID}", "! A.MPF line 3", READ),
     "without brackets": (f"R50=2\nIF R50==1 OR R50\n{ONE}ENDIF\n{GRID}", READ, READ),
+    # AND before XOR, XOR before OR; two comparisons in one row: no answer
+    "with XOR": (f"R50=0\nIF R50 AND R51 XOR R52\n{ONE}ENDIF\n{GRID}", READ, READ),
+    "compared twice": (f"R50=0\nIF R50<2<1\n{ONE}ENDIF\n{GRID}", READ, READ),
     "perhaps in a branch": (
         f"R50=0\nIF R1==1\nR50=1\nENDIF\nIF R50==1\n{ONE}ENDIF\n{GRID}",
         READ,

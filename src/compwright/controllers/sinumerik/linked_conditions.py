@@ -193,16 +193,20 @@ def _open_ways(every: int, fork: Fork | None, values: Mapping[str, frozenset[flo
 def _result(words: Words, values: Mapping[str, float | None]) -> float | None:
     """Return the value of an expression of comparisons, OR, AND and NOT; None if it is unknown.
 
-    A comparison next to OR or AND without brackets is not taken apart.
+    A comparison next to another, or to OR or AND, without brackets is not taken apart; XOR is
+    never.
     """
     words = _without_brackets(words)
     depth, outer = 0, list[tuple[str, int]]()
     for at, word in enumerate(words):
         depth += (word == "(") - (word == ")")
         outer += [(word, at)] if depth == 0 else []
-    compared = next((place for word, place in outer if word in _TURNED), None)
+    comparisons = [place for word, place in outer if word in _TURNED]
+    if len(comparisons) > 1 or any(word == "XOR" for word, _ in outer):
+        return None
     joints = [at for joint in ("OR", "AND") for word, at in outer if word == joint]
-    if compared is not None:
+    if comparisons:
+        (compared,) = comparisons
         one = _result(words[:compared], values)
         other = _result(words[compared + 1 :], values)
         if joints or one is None or other is None:

@@ -24,6 +24,7 @@ _SINGLE = re.compile(
 )
 _NAME = re.compile(r"[A-Z_]\w*")
 _COMPARISON = re.compile(r"==|<>|<=|>=|<|>")
+_JOINT = re.compile(r"\b(?:AND|OR|XOR)\b")
 #: A bracket with at most two more inside of it.
 _BRACKETED = re.compile(r"\((?:[^()]|\((?:[^()]|\([^()]*\))*\))*\)")
 _PLAIN_NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)")
@@ -99,12 +100,16 @@ def number_of(word: str) -> float | None:
 
 def value_of(text: str, values: Mapping[str, float]) -> float | None:
     """Return the value of a condition without blanks, 1 if it is true; None if it is unknown, or
-    if it depends on the order of a comparison and AND or OR without brackets.
+    if it depends on the order of operators without brackets: two comparisons, a comparison and
+    AND or OR, or XOR and AND.
     """
     text = _bare(text)
     masked = _BRACKETED.sub(lambda found: f"({'0' * (len(found[0]) - 2)})", text)
     comparison = _COMPARISON.search(masked)
-    if comparison is not None and re.search(r"\b(?:AND|OR|XOR)\b", masked):
+    joints = set(_JOINT.findall(masked))
+    if "XOR" in joints or (comparison is not None and joints):
+        return None
+    if len(_COMPARISON.findall(masked)) > 1:
         return None
     if comparison is not None:
         left = value_of(text[: comparison.start()].strip(), values)
