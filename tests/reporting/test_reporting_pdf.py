@@ -273,3 +273,15 @@ def test_printed_table_of_the_standard(tmp_path: Path) -> None:
         == 0
     )
     assert "ISO 230-2:1988" in text_of(report.read_bytes())
+
+
+def test_words_next_to_a_bar_keep_their_width() -> None:
+    words = "error that the test did not show between the targets"
+    bar = '<svg viewBox="0 0 200 18" aria-hidden="true"><rect width="9" height="9"></rect></svg>'
+    page = (
+        '<html lang="en"><head><title>Bars</title></head><body><h1>Bars</h1><table><thead><tr>'
+        '<th>Cause</th><th class="n">Part</th><th class="bar"></th></tr></thead><tbody><tr>'
+        f'<td class="words">{words}</td><td class="n">1.2</td><td class="bar">{bar}</td></tr>'
+        "</tbody></table></body></html>"
+    )
+    assert words in text_of(pdf_of_page(page.encode()))

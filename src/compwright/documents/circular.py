@@ -15,6 +15,7 @@ from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE
 from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularEffect, CircularResult, CircularRun, Diagnosis
 from compwright.records.rounding import OUTSIDE
+from compwright.words.sentences import SentenceText
 
 #: Digits after the decimal point: takes away the noise of binary numbers and the last bits of the
 #: fit, keeps every real digit.
@@ -65,7 +66,7 @@ def circular_document(result: CircularResult) -> dict[str, Any]:
         "not_applicable": {
             **result.not_applicable,
             **{
-                name: str(reason)
+                name: SentenceText(reason)
                 for name, reason in (result.diagnosis.not_given if result.diagnosis else {}).items()
             },
         },

@@ -425,11 +425,11 @@ def _symptoms(test: CircularTest, solution: Solution) -> Iterator[_ReportedCause
         )
 
     yield _vibration(solution)
-    for axis in AXES:
+    for axis, name in zip(AXES, test.axes, strict=True):
         reason = (
-            say("undetermined.few_near_reversals", axis=axis)
+            say("undetermined.few_near_reversals", axis=name)
             if test.full_circle
-            else by_full_circle(say("undetermined.few_at_reversal", axis=axis))
+            else by_full_circle(say("undetermined.few_at_reversal", axis=name))
         )
         yield stated(f"stick_slip_{axis}", stick_slip(solution, axis), reason, detail=False)
     for order in (2, 3):

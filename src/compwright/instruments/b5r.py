@@ -36,6 +36,7 @@ from compwright.instruments.reading_findings import stray_finding
 from compwright.instruments.safe_xml import Element, read_xml
 from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularRun, CircularTest, Sense
+from compwright.words.sentences import NumberText
 
 _SENSES: Final[Mapping[str, Sense]] = {"CCW": "ccw", "CW": "cw"}
 _INDEX: Final = re.compile(r"[0-9]{1,8}")
@@ -344,6 +345,10 @@ def _indices(
     return first, last
 
 
+def _number_or_text(text: str) -> str:
+    return shown(text) if finite(text) is None else NumberText(text)
+
+
 def _findings(
     bar: Element, elements: Sequence[Element], spec: _Spec, runs: Sequence[_FeedRun], feed: float
 ) -> list[Finding]:
@@ -359,8 +364,8 @@ def _findings(
             Finding.of(
                 "CW-R030",
                 "info",
-                expansion=shown(coefficient),
-                temperatures=map(shown, temperatures),
+                expansion=_number_or_text(coefficient),
+                temperatures=map(_number_or_text, temperatures),
             )
         )
     if abs(feed / spec.feed - 1.0) > _FEED_SHARE:

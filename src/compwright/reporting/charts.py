@@ -402,7 +402,7 @@ def title_of(result: Document) -> Sentence:
     counts = sorted({int(runs[key]) for key in ("positive", "negative") if runs.get(key)})
     count = "–".join(str(value) for value in counts)
     name = str(result.get("name") or "")
-    axis = str(result.get("axis") or "?")
+    axis = str(result.get("axis") or "")
     parts: list[str | Sentence] = [
         say("report.axis", axis=_one_line(axis, 10), name=""),
         _one_line(name, 20),

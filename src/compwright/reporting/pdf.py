@@ -260,8 +260,8 @@ def _columns(rows: list[list[dict[str, Any]]], *, narrow: bool) -> list[dict[str
             if cell["span"] == 1:
                 text = "".join(_texts(cell["children"]))
                 longest = max(map(len, re.split("[ \u200b]", text)), default=0)
-                if "pen" in cell["class"]:
-                    shares[place] = _LONG_COLUMN  # room to write
+                if {"pen", "bar"} & set(cell["class"]):
+                    shares[place] = _LONG_COLUMN  # room to write or to draw
                 elif "n" in cell["class"] and len(text) < _LONG_COLUMN:
                     letters[place] = max(letters[place], longest)
                 else:

@@ -56,7 +56,7 @@ class ReportItem:
     key: str
     label: Sentence
     clauses: Mapping[str, str]
-    headers: Mapping[str, str] = field(default_factory=dict)
+    headers: Mapping[str, str | Sentence] = field(default_factory=dict)
     given: Callable[[Document], str | Sentence] | None = None
     kinds: tuple[str, ...] = ("positioning",)
 
@@ -133,9 +133,9 @@ def _radius(result: Document) -> str | Sentence:
     return "" if radius is None else say("given.radius", radius=plain(radius))
 
 
-def _feed(result: Document) -> str:
+def _feed(result: Document) -> str | Sentence:
     feed = result.get("feed")
-    return "" if feed is None else f"{number(feed, 0)} mm/min"
+    return "" if feed is None else say("label.with_unit", value=number(feed, 0), unit="mm/min")
 
 
 def _senses(result: Document) -> str | Sentence:
@@ -159,7 +159,11 @@ def _range(result: Document) -> str | Sentence:
 
 def _samples(result: Document) -> str | Sentence:
     counts = [
-        f"{run.get('direction')}: {len(run.get('angles') or ())}"
+        say(
+            "label.coded",
+            code=say("circle.sense", sense=run.get("direction")),
+            text=len(run.get("angles") or ()),
+        )
         for run in result.get("runs") or ()
     ]
     return say("given.samples", counts=counts) if counts else ""
@@ -210,8 +214,8 @@ ITEMS: Final[tuple[ReportItem, ...]] = (
         _ALL_LISTS,
         {
             "measuring_line": "",
-            "tool_offset": " mm",
-            "workpiece_offset": " mm",
+            "tool_offset": "mm",
+            "workpiece_offset": "mm",
             "axis_location": "",
         },
     ),
@@ -227,7 +231,7 @@ ITEMS: Final[tuple[ReportItem, ...]] = (
         "scale_expansion",
         say("item.scale_expansion"),
         _ISO_LIST,
-        {"scale_expansion": " µm/(m K)", "alpha_m": " µm/(m K)"},
+        {"scale_expansion": "µm/(m K)", "alpha_m": "µm/(m K)"},
         _expansion_coefficient,
     ),
     ReportItem(
@@ -253,7 +257,7 @@ ITEMS: Final[tuple[ReportItem, ...]] = (
             "calibrated_until": "",
             "ballbar_certificate": "",
             "ballbar_last_calibrated": "",
-            "calibrated_length_mm": " mm",
+            "calibrated_length_mm": "mm",
         },
         kinds=_BOTH,
     ),
@@ -275,26 +279,26 @@ ITEMS: Final[tuple[ReportItem, ...]] = (
         "temperatures",
         say("item.temperatures"),
         _ISO_LIST,
-        {"t_m": " °C", "run_temperature_c": " °C", "machine_temperature": " °C"},
+        {"t_m": "°C", "run_temperature_c": "°C", "machine_temperature": "°C"},
     ),
     ReportItem(
         "temperatures_instrument",
         say("item.temperatures_instrument"),
         {"iso230-2:2006": "7.1"},
-        {"t_d": " °C"},
+        {"t_d": "°C"},
     ),
     ReportItem(
         "temperatures_circle",
         say("item.temperatures_circle"),
         {_CIRCLE: "4.4 f"},
         {
-            "air_temperature": " °C",
-            "air_temp": " °C",
-            "run_temperature_c": " °C",
-            "calibrator_temperature_c": " °C",
-            "t_m": " °C",
-            "t_d": " °C",
-            "machine_temperature": " °C",
+            "air_temperature": "°C",
+            "air_temp": "°C",
+            "run_temperature_c": "°C",
+            "calibrator_temperature_c": "°C",
+            "t_m": "°C",
+            "t_d": "°C",
+            "machine_temperature": "°C",
         },
         kinds=_CIRCULAR,
     ),
@@ -302,19 +306,19 @@ ITEMS: Final[tuple[ReportItem, ...]] = (
         "air_temperature",
         say("item.air_temperature"),
         _ALL_LISTS,
-        {"air_temperature": " °C", "air_temp": " °C", "temperature": " °C", "temperatur": " °C"},
+        {"air_temperature": "°C", "air_temp": "°C", "temperature": "°C", "temperatur": "°C"},
     ),
     ReportItem(
         "air_pressure",
         say("item.air_pressure"),
         _ALL_LISTS,
-        {"air_pressure": " hPa", "air_press": " hPa"},
+        {"air_pressure": "hPa", "air_press": "hPa"},
     ),
     ReportItem(
         "humidity",
         say("item.humidity"),
         _ALL_LISTS,
-        {"humidity": " %", "air_humidity": " %"},
+        {"humidity": "%", "air_humidity": "%"},
     ),
     ReportItem(
         "expansion",
@@ -344,11 +348,11 @@ ITEMS: Final[tuple[ReportItem, ...]] = (
             "feed": "",
             "feed_rate": "",
             "feedrate": "",
-            "feed_mm_min": " mm/min",
-            "feed_deg_min": " deg/min",
+            "feed_mm_min": "mm/min",
+            "feed_deg_min": "deg/min",
         },
     ),
-    ReportItem("dwell", say("item.dwell"), _ALL_LISTS, {"dwell_s": " s", "dwell": ""}),
+    ReportItem("dwell", say("item.dwell"), _ALL_LISTS, {"dwell_s": "s", "dwell": ""}),
     ReportItem("targets", say("item.targets"), _ALL_LISTS, given=_targets),
     ReportItem(
         "approaches",
@@ -374,7 +378,7 @@ ITEMS: Final[tuple[ReportItem, ...]] = (
         "path_feed",
         say("item.path_feed"),
         {_CIRCLE: "4.4 b"},
-        {"programmed_feed_mm_min": " mm/min programmed"},
+        {"programmed_feed_mm_min": say("given.programmed_feed")},
         _feed,
         kinds=_CIRCULAR,
     ),

@@ -41,6 +41,7 @@ _SEVERITIES: Final = {
 }
 _BAR_WIDTH: Final = 200.0
 _COLUMNS: Final = 10  # traverses that fit across a page
+_LINE: Final = 105  # letters that fit across a page, three of them between two columns
 
 
 def decision_mark(decision: object) -> Mark:
@@ -386,7 +387,7 @@ def _statistics(result: Document, unit: str, where: str) -> TextTable:
 
 def _readings(result: Document, unit: str, where: str, *, reduced: bool = False) -> list[TextTable]:
     """Return the readings with every digit, as they were measured or ``reduced`` to 20 °C, in
-    tables of at most `_COLUMNS` traverses; empty without any.
+    tables no wider than a page; empty without any.
     """
     targets = result.get("targets", [])
     if reduced and not any(
@@ -407,7 +408,8 @@ def _readings(result: Document, unit: str, where: str, *, reduced: bool = False)
     runs = [(name, [number(value, most) for value in column]) for name, column in columns]
     digits = decimals_of(target.get("position") for target in targets)
     positions = [number(target.get("position"), digits) for target in targets]
-    count = -(-len(runs) // _COLUMNS)
+    widest = max((len(value) for _, column in runs for value in column), default=0)
+    count = -(-len(runs) // min(_COLUMNS, _LINE // (widest + 3)))
     each = -(-len(runs) // count) if count else 1
     return [
         {

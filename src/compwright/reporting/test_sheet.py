@@ -75,12 +75,14 @@ def _from_header(item: ReportItem, header: Mapping[str, list[str]]) -> list[str 
     ]
 
 
-def _at_end(text: str, end: str) -> str | Sentence:
+def _at_end(text: str | Sentence, end: str) -> str | Sentence:
     return say("given.at_end", text=text, end=end) if end else text
 
 
-def _with_unit(text: str, unit: str) -> str:
-    return NumberText(f"{text}{unit}") if _NUMBER.fullmatch(text) else text
+def _with_unit(text: str, unit: str | Sentence) -> str | Sentence:
+    if not (unit and _NUMBER.fullmatch(text)):
+        return text
+    return say("label.with_unit", value=NumberText(text), unit=unit)
 
 
 def _by_key(header: Mapping[str, Any]) -> dict[str, list[str]]:

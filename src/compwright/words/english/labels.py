@@ -206,6 +206,7 @@ SENTENCES: Final[dict[str, str]] = {
     "given.list": "{others:if|{others} and |}{last:if|{last}|none}",
     "given.listed": "{items}",
     "given.of_tests": "{names}: {statement}",
+    "given.programmed_feed": "mm/min programmed",
     "given.radius": "radius {radius} mm",
     "given.samples": "{counts} samples",
     "given.sense": "{sense:choose|ccw=counter-clockwise|cw=clockwise}",
@@ -318,7 +319,9 @@ SENTENCES: Final[dict[str, str]] = {
         " {extremes:join|; }.}{uncertainty:if|| No measurement uncertainty: no contributors were"
         " given.}"
     ),
-    "label.test_title": "Axis {axis}, {name:if|{name}|test}{label:if|, {label}}",
+    "label.test_title": (
+        "Axis {axis:if|{axis}|not named}, {name:if|{name}|test}{label:if|, {label}}"
+    ),
     "label.traverses": "{count} in {sign}",
     "label.unconfirmed": "! unconfirmed",
     "label.value_error": "{value} ± {error}",
@@ -402,7 +405,7 @@ SENTENCES: Final[dict[str, str]] = {
     "report.acknowledged": "Acknowledged doubts",
     "report.annex_a": "Annex A: target positions and raw readings",
     "report.annex_b": "Annex B: provenance",
-    "report.axis": "Axis {axis}{name:if|, {name}}",
+    "report.axis": "Axis {axis:if|{axis}|not named}{name:if|, {name}}",
     "report.both": "both",
     "report.circle": "Circle {plane}{name:if|, {name}}",
     "report.compensation": "Compensation of {axes:if|{axes}|{count} axes}",

@@ -62,7 +62,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-R030": (
         "The readings hold the ballbar's calibration and its temperature correction already"
-        " (expansion {expansion} um/(m K), {temperatures} °C): nothing was applied again."
+        " (expansion {expansion} µm/(m K), {temperatures} °C): nothing was applied again."
     ),
     "CW-R031": (
         "The true feed, from sample rate and number of samples, is {feed:.4g} mm/min and not"

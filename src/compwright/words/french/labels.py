@@ -221,9 +221,13 @@ SENTENCES: Final[dict[str, str]] = {
     "given.list": "{others:if|{others} et |}{last:if|{last}|aucun}",
     "given.listed": "{items}",
     "given.of_tests": "{names} : {statement}",
+    "given.programmed_feed": "mm/min programmés",
     "given.radius": "rayon {radius} mm",
     "given.samples": "{counts} points de mesure",
-    "given.sense": "{sense:choose|ccw=sens inverse des aiguilles|cw=sens des aiguilles}",
+    "given.sense": (
+        "{sense:choose|ccw=sens inverse des aiguilles d'une montre|cw=sens des aiguilles d'une"
+        " montre}"
+    ),
     "given.sentences": "{sentences:join| }",
     "given.smoothing": "aucun par compwright : chaque point compte",
     "given.statements": "{statements:join| ; }",
@@ -335,7 +339,9 @@ SENTENCES: Final[dict[str, str]] = {
         " à ± {coverage} s.{extremes:if| Extremums : {extremes:join| ; }.}{uncertainty:if|| Pas"
         " d'incertitude de mesure : aucune composante n'est indiquée.}"
     ),
-    "label.test_title": "Axe {axis}, {name:if|{name}|essai}{label:if|, {label}}",
+    "label.test_title": (
+        "Axe {axis:if|{axis}|non nommé}, {name:if|{name}|essai}{label:if|, {label}}"
+    ),
     "label.traverses": "{count} en {sign}",
     "label.unconfirmed": "! non confirmé",
     "label.value_error": "{value} ± {error}",
@@ -421,7 +427,7 @@ SENTENCES: Final[dict[str, str]] = {
     "report.acknowledged": "Doutes pris en compte",
     "report.annex_a": "Annexe A : points visés et lectures brutes",
     "report.annex_b": "Annexe B : origine des données",
-    "report.axis": "Axe {axis}{name:if|, {name}}",
+    "report.axis": "Axe {axis:if|{axis}|non nommé}{name:if|, {name}}",
     "report.both": "les deux",
     "report.circle": "Cercle {plane}{name:if|, {name}}",
     "report.compensation": "Compensation de {axes:if|{axes}|{count} axes}",

@@ -221,6 +221,7 @@ SENTENCES: Final[dict[str, str]] = {
     "given.list": "{others:if|{others} und |}{last:if|{last}|keine}",
     "given.listed": "{items}",
     "given.of_tests": "{names}: {statement}",
+    "given.programmed_feed": "mm/min programmiert",
     "given.radius": "Radius {radius} mm",
     "given.samples": "{counts} Messpunkte",
     "given.sense": "{sense:choose|ccw=Gegenuhrzeigersinn|cw=Uhrzeigersinn}",
@@ -329,11 +330,13 @@ SENTENCES: Final[dict[str, str]] = {
     "label.range": "{low} bis {high}",
     "label.test_sentence": (
         "{standard}, {cycle:choose|standard=Standardzyklus|step=Schrittzyklus}, {targets}"
-        " {targets:plural|Zielposition|Zielpositionen}, Messreihen: {counts:if|{counts}|keine},"
+        " {targets:plural|Zielposition|Zielpositionen}, Läufe: {counts:if|{counts}|keine},"
         " Grenzen bei ± {coverage} s.{extremes:if| Extremwerte: {extremes:join|;"
         " }.}{uncertainty:if|| Keine Messunsicherheit: Es sind keine Beiträge angegeben.}"
     ),
-    "label.test_title": "Achse {axis}, {name:if|{name}|Prüfung}{label:if|, {label}}",
+    "label.test_title": (
+        "Achse {axis:if|{axis}|ohne Namen}, {name:if|{name}|Prüfung}{label:if|, {label}}"
+    ),
     "label.traverses": "{count} in {sign}",
     "label.unconfirmed": "! unbestätigt",
     "label.value_error": "{value} ± {error}",
@@ -418,7 +421,7 @@ SENTENCES: Final[dict[str, str]] = {
     "report.acknowledged": "Zur Kenntnis genommene Zweifel",
     "report.annex_a": "Anhang A: Zielpositionen und Rohmesswerte",
     "report.annex_b": "Anhang B: Herkunft der Daten",
-    "report.axis": "Achse {axis}{name:if|, {name}}",
+    "report.axis": "Achse {axis:if|{axis}|ohne Namen}{name:if|, {name}}",
     "report.both": "beide",
     "report.circle": "Kreis {plane}{name:if|, {name}}",
     "report.compensation": "Kompensation von {axes:if|{axes}|{count} Achsen}",

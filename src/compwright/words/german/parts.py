@@ -50,8 +50,7 @@ SENTENCES: Final[dict[str, str]] = {
         " {directions:plural|einer Richtung|beiden Richtungen} nicht bestimmbar"
     ),
     "undetermined.few_at_reversal": (
-        "der Bogen hat zu wenige Messpunkte, wo die Achse {axis:choose|first=eins|second=zwei}"
-        " umkehrt"
+        "der Bogen hat zu wenige Messpunkte, wo die Achse {axis} umkehrt"
     ),
     "undetermined.few_in_time": "die {time:3sig} s des Laufs haben zu wenige Messpunkte",
     "undetermined.few_near_reversals": (

@@ -34,12 +34,12 @@ SENTENCES: Final[dict[str, str]] = {
     "budget.device": "Измерительный прибор (свидетельство)",
     "budget.distribution": (
         "{distribution:choose|normal=нормальное, k = 2|rectangular=равномерное, √12};"
-        " {per:choose|length=по длине|test=на проверку|reading=на отсчет}"
+        " {per:choose|length=по длине|test=на проверку|reading=на отсчёт}"
     ),
     "budget.expanded": "Расширенная неопределенность, k = {k}",
     "budget.misalignment_mm": "Отклонение линии измерения от направления оси",
     "budget.note": (
-        "Составляющие по ISO 230-2:2006, приложение A. Сумма относится к одному отсчету в конце"
+        "Составляющие по ISO 230-2:2006, приложение A. Сумма относится к одному отсчёту в конце"
         " хода. Она не равна U параметров (см. выше): там те же распределения проведены через"
         " определение параметра (JCGM 101). Все значения взяты из задания; отсутствующие считаются"
         " равными 0. Из примера стандарта не взято ни одного значения."
@@ -86,8 +86,8 @@ SENTENCES: Final[dict[str, str]] = {
     "chart.position": "Позиция, {unit}",
     "chart.quantiles": "{symbol} {median} ({p05} … {p95})",
     "chart.quantity": (
-        "{quantity:choose|deviation=Отклонение|reversal=Зона нечувствительности"
-        " B|correction=Коррекция}, {unit}"
+        "{quantity:choose|deviation=Отклонение|reversal=Зона нечувств. B|correction=Коррекция},"
+        " {unit}"
     ),
     "chart.radius": "Радиус, мкм",
     "chart.readings": "отсчёты ({sign})",
@@ -190,7 +190,7 @@ SENTENCES: Final[dict[str, str]] = {
     "given.axis": "{axis}, {kind:choose|linear=линейная ось|rotary=ось вращения}",
     "given.budget": "см. бюджет неопределенности",
     "given.centre": "центр {places:join|; } мм",
-    "given.coefficient": "{value} мкм/(m K)",
+    "given.coefficient": "{value} мкм/(м·К)",
     "given.compensation": (
         "{how:choose|off=выключена; в УЧПУ было|active=включена, как действует в|stored=включена,"
         " как сохранено в} {files} (задание, states.{state})"
@@ -201,17 +201,18 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "given.compensation_none": "выключена: в УЧПУ ничего не действовало (задание, states.{state})",
     "given.estimator": (
-        "s: {spread:choose|std=среднеквадратическое отклонение, n − 1|range=по размаху отсчетов};"
+        "s: {spread:choose|std=среднеквадратическое отклонение, n − 1|range=по размаху отсчётов};"
         " границы ± {coverage} s; без сглаживания"
     ),
     "given.expansion": (
-        "введена compwright: отсчеты приведены к 20 °C, {what:choose|scale=шкала|workpiece=деталь}"
-        " {alpha_m} мкм/(m K) при {T_m} °C, прибор {alpha_d} мкм/(m K) при {T_d} °C, неподвижная"
+        "введена compwright: отсчёты приведены к 20 °C, {what:choose|scale=шкала|workpiece=деталь}"
+        " {alpha_m} мкм/(м·К) при {T_m} °C, прибор {alpha_d} мкм/(м·К) при {T_d} °C, неподвижная"
         " точка {x_fix} мм"
     ),
     "given.list": "{others:if|{others} и |}{last:if|{last}|нет}",
     "given.listed": "{items}",
     "given.of_tests": "{names}: {statement}",
+    "given.programmed_feed": "мм/мин задано",
     "given.radius": "радиус {radius} мм",
     "given.samples": "точек измерения: {counts}",
     "given.sense": "{sense:choose|ccw=против часовой стрелки|cw=по часовой стрелке}",
@@ -325,7 +326,9 @@ SENTENCES: Final[dict[str, str]] = {
         " {extremes:join|; }.}{uncertainty:if|| Неопределенности измерений нет: составляющие не"
         " указаны.}"
     ),
-    "label.test_title": "Ось {axis}, {name:if|{name}|проверка}{label:if|, {label}}",
+    "label.test_title": (
+        "Ось {axis:if|{axis}|без обозначения}, {name:if|{name}|проверка}{label:if|, {label}}"
+    ),
     "label.traverses": "{count} в {sign}",
     "label.unconfirmed": "! не подтверждено",
     "label.value_error": "{value} ± {error}",
@@ -337,7 +340,7 @@ SENTENCES: Final[dict[str, str]] = {
         "{cause:choose|noise=разброс отсчётов: та же позиция не повторяется (повторяемость)|single"
         " outliers=отдельные выбросы|shifts between traverses=целые проходы со сдвигом|drift=дрейф:"
         " ось меняется во время измерения|temperature within its uncertainty=температура: наклон в"
-        " пределах заявленной в задании неопределённости|error that the test leaves"
+        " пределах заявленной в задании неопределенности|error that the test leaves"
         " open=погрешность, которую проверка не показала: между заданными позициями и скрытая в"
         " разбросе|steps that the control never applies=ступени коррекции (реверс), которые УЧПУ не"
         " выполняет из-за ускорения и такта привода|no table is written=измеренная погрешность,"
@@ -406,9 +409,9 @@ SENTENCES: Final[dict[str, str]] = {
         " приборов."
     ),
     "report.acknowledged": "Принятые к сведению сомнения",
-    "report.annex_a": "Приложение A: заданные позиции и исходные отсчеты",
+    "report.annex_a": "Приложение A: заданные позиции и исходные отсчёты",
     "report.annex_b": "Приложение B: происхождение данных",
-    "report.axis": "Ось {axis}{name:if|, {name}}",
+    "report.axis": "Ось {axis:if|{axis}|без обозначения}{name:if|, {name}}",
     "report.both": "оба",
     "report.circle": "Окружность {plane}{name:if|, {name}}",
     "report.compensation": "Коррекция: {axes:if|{axes}|осей {count}}",
@@ -448,10 +451,10 @@ SENTENCES: Final[dict[str, str]] = {
     "report.provenance": (
         "Обработано compwright {version}.{command:if| Команда, которая повторяет протокол:}"
     ),
-    "report.readings": "Отсчеты",
-    "report.readings_air": "Отсчеты без влияния воздуха на свет",
-    "report.readings_measured": "Отсчеты, как измерено",
-    "report.readings_reduced": "Отсчеты, приведенные к 20 °C",
+    "report.readings": "Отсчёты",
+    "report.readings_air": "Отсчёты без влияния воздуха на свет",
+    "report.readings_measured": "Отсчёты, как измерено",
+    "report.readings_reduced": "Отсчёты, приведенные к 20 °C",
     "report.results": "Результаты",
     "report.see_tests": "см. страницы проверок",
     "report.sign_checked": "Проверил",
@@ -459,7 +462,7 @@ SENTENCES: Final[dict[str, str]] = {
     "report.sign_place": "Место, дата",
     "report.signs": (
         "Отклонение: действительная позиция минус заданная. Подход +: в положительном направлении"
-        " станка. Зона нечувствительности в целевой позиции: среднее при подходе + минус среднее"
+        " станка. Зона нечувствительности в заданной позиции: среднее при подходе + минус среднее"
         " при подходе −; B: наибольшее по модулю."
     ),
     "report.statistics": (
@@ -496,7 +499,7 @@ SENTENCES: Final[dict[str, str]] = {
     "run.bends": "{input} корректирует {output}",
     "run.bidirectional": "По одной кривой на каждое направление подхода",
     "run.card": "Карта ввода (на английском языке)",
-    "run.certificate": "Подтверждение расчета",
+    "run.certificate": "Подтверждение расчёта",
     "run.changes": "Старое и новое",
     "run.check_first": "Не решено: сначала проверить указанное выше",
     "run.circle_worse": "Не решено: по прогнозу одна окружность ухудшится",
@@ -535,7 +538,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "run.limit_missed": "По прогнозу хотя бы один допуск не будет выдержан",
     "run.limit_open": "Хотя бы для одного допуска неясно, будет ли он выдержан",
-    "run.limits": "Ось {axis}: что ее ограничивает",
+    "run.limits": "Ось {axis}: что её ограничивает",
     "run.limits_met": "По прогнозу все допуски будут выдержаны",
     "run.limits_met_if": "По прогнозу все допуски будут выдержаны, если указанное выше верно",
     "run.no_axis_table": "Для этой оси нет таблицы{reason:if|: {reason}}.",
@@ -549,7 +552,7 @@ SENTENCES: Final[dict[str, str]] = {
     "run.periods": "Ось {axis}: периоды погрешности",
     "run.points": "Таблица в числах: {count} {count:plural|точка|точки|точек}",
     "run.provenance": "Происхождение данных",
-    "run.raw_readings": "Исходные отсчеты",
+    "run.raw_readings": "Исходные отсчёты",
     "run.refusal": "Ось {axis}: {reason}.",
     "run.single": "Одна кривая и одно значение зоны нечувствительности",
     "run.state": "Ось {axis}: принятое состояние УЧПУ",
@@ -573,7 +576,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "verify.equivalent": "неотличимо от",
     "verify.factor": "множитель",
-    "verify.further_table": "еще одна таблица",
+    "verify.further_table": "ещё одна таблица",
     "verify.in_english": (
         "Тексты задания, файлов и определения УЧПУ приведены как даны. На английском языке: причины"
         " следующего этапа. Перевод ещё не проверен носителем языка."
