@@ -12,6 +12,7 @@ from one_test import read_positioning
 
 TARGETS = (0.0, 100.5, 200.25, 300.75)
 BY_RUN = [(t, d, r) for r in (1, 2, 3) for d in "+-" for t in TARGETS]
+IN_TURN = [(t, d, r) for r in (1, 2, 3) for t in TARGETS for d in "+-"]
 BY_TARGET = [(t, d, r) for t in TARGETS for d in "+-" for r in (1, 2, 3)]
 CUT = {"CW-R006", "CW-R007", "CW-R050", "CW-R051", "CW-R053"}
 
@@ -41,7 +42,18 @@ def test_the_last_run_or_target_lacks_readings(
     assert words in told(read(text(rows[:-2])))["CW-R053"]
 
 
-@pytest.mark.parametrize(("rows", "hole"), [(BY_RUN, 5), (BY_RUN, -3), (BY_TARGET, 11)])
+@pytest.mark.parametrize("lost", [1, 2, 3, 4])
+def test_the_last_run_lacks_readings_where_each_target_is_approached_from_both_sides(
+    lost: int,
+) -> None:
+    assert not CUT & told(read(text(IN_TURN))).keys()
+    said = told(read(text(IN_TURN[:-lost])))["CW-R053"]
+    assert f"The last rows are of run 3, which lacks {lost} of 8 readings" in said
+
+
+@pytest.mark.parametrize(
+    ("rows", "hole"), [(BY_RUN, 5), (BY_RUN, -3), (BY_TARGET, 11), (IN_TURN, 5), (IN_TURN, -3)]
+)
 def test_a_hole_elsewhere_is_no_cut(rows: list[tuple[float, str, int]], hole: int) -> None:
     """Also a hole in the last run: a file that ends there would lack the rows behind it too."""
     assert "CW-R053" not in told(read(text([row for row in rows if row != rows[hole]])))
@@ -72,6 +84,7 @@ MEANS = [(str(target), f"{0.001 + target * 1e-5:.4f}") for target in TARGETS]
 TABLE = [["1", "-250", "0", "-0.0002"], ["2", "-225", "0.0013", "0.0008"]]
 FILES = {
     "by run": text(BY_RUN, "# axis: X", f"# targets: {len(TARGETS)}", "# runs: 3"),
+    "in turn": text(IN_TURN, "# axis: X", f"# targets: {len(TARGETS)}", "# runs: 3"),
     "by target": text(BY_TARGET, "# axis: X", f"# targets: {len(TARGETS)}", "# runs: 3"),
     "runs of a laser": laser_file([str(target) for target in TARGETS], LASER),
     "means of a laser": mean_file({"Forward Directional": MEANS, "Reverse Directional": MEANS}),

@@ -42,6 +42,11 @@ def _unfinished(readings: Readings, kind: AxisKind) -> Sentence | None:
         number, of = lacking
         place = Amount(last.target, kind.unit, ".10g")
         return say("CW-R053.last_target", target=place, lacking=number, readings=of)
+    _, run = np.unique(readings.runs, return_inverse=True)
+    in_turn = np.count_nonzero(np.diff(traverse)) > traverse.max()  # + and - at each target
+    if in_turn and (lacking := _lacking(run, 2 * target + readings.positive)):
+        number, of = lacking
+        return say("CW-R053.last_run", run=f"{last.run}", lacking=number, readings=of)
     return None
 
 
@@ -49,9 +54,9 @@ def _lacking(groups: IntArray, others: IntArray) -> tuple[int, int] | None:
     """Return how many readings are missing of how many in the group of the last reading, if only
     that group has fewer than the others and its end is what is missing.
 
-    ``groups``, ``others`` (n,): traverse and target of each reading, or the reverse, from 0. Groups
-    go through the others in one order, or back and forth. A reading that is missing anywhere else
-    was left out, not cut off.
+    ``groups``, ``others`` (n,): traverse and target of each reading, or the reverse, or run and
+    approach to a target, from 0. Groups go through the others in one order, or back and forth. A
+    reading that is missing anywhere else was left out, not cut off.
     """
     counts = np.bincount(groups)
     mine = groups[-1]
