@@ -15,7 +15,7 @@ import yaml
 from backup_files_fanuc import FOLDER, PARAMETERS, PITCH, Backup
 from backup_jobs_fanuc import RUNS, axis_job, csv, dithered
 from compwright.formats.families.shapes import control_format
-from compwright.foundations.errors import UsageError
+from compwright.foundations.errors import InputError, UsageError
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.correction import ControlFile, ControlState
 from format_samples import DEFINITIONS
@@ -83,6 +83,16 @@ def test_the_detection_unit_is_the_least_command_increment_over_cmr(
     facts = read({1820: setting, 1013: system}).facts["1"]
     assert facts.stated["detection_unit"] == pytest.approx(expected, rel=1e-12)
     assert f"1820 = {setting}" in facts.unit_evidence
+
+
+@pytest.mark.parametrize(("number", "more"), [(1001, {1001: "1"}), (1800, {1800: "16", 1852: "5"})])
+def test_bits_in_another_form_are_refused_where_the_table_depends_on_them(
+    number: int, more: dict[int, str]
+) -> None:
+    """Inch or metric, and the backlash at rapid traverse: bits 1001#0 and 1800#4."""
+    with pytest.raises(InputError, match=f"{number}#[0-9] cannot be read"):
+        read(more, unit=0.001)
+    read({number: "0"}, unit=0.001)  # all bits are 0
 
 
 @pytest.mark.parametrize(

@@ -123,6 +123,7 @@ class IncrementReader:
         values, own, notes = self.values, self.values.own, self.values.notes
         notes.faults.extend((*own.contradictions(), *parameter_checks.refusals(own)))
         if values.axis is not None or values.does_anything():
+            notes.faults.extend(parameter_checks.unread_bits(own, kind))
             notes.faults.extend(parameter_checks.unclear_path(own, kind))
         parameter_checks.note_unconfirmed_bits(own, notes)
         for function in left_alone(functions(own), self.options):

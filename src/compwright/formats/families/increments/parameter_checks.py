@@ -66,6 +66,26 @@ def note_unconfirmed_bits(own: AxisParameters, notes: Notes) -> None:
         notes.find("CW-S040", "warning", label=own.label, bits=names, value=bits.text)
 
 
+def _deciding_bits(own: AxisParameters, kind: AxisKind) -> dict[int, tuple[int, ...]]:
+    """Return the bits that the axis' table depends on, by parameter."""
+    return {
+        known.INCH: (0,) if kind is AxisKind.LINEAR else (),
+        known.BACKLASH_BITS: () if own.get(known.BACKLASH_RAPID) is None else (4,),
+        known.SYSTEM_OF_MACHINE: (0, 1) if own.get(known.SYSTEM) is None else (),
+    }
+
+
+def unread_bits(own: AxisParameters, kind: AxisKind) -> Iterator[Fault]:
+    """Yield a fault for each parameter that the axis' table depends on and that is not written as
+    eight bits.
+    """
+    for number, bits in _deciding_bits(own, kind).items():
+        value = own.get(number)
+        if bits and value is not None and value.nonzero and not value.is_bits:
+            names = ", ".join(f"{number}#{bit}" for bit in bits)
+            yield value.fault(f"{own.label}: {names} cannot be read", "eight binary digits")
+
+
 def unclear_path(own: AxisParameters, kind: AxisKind) -> Iterator[Fault]:
     """Yield a fault for each parameter of a path that the axis' table depends on, if the paths
     differ and 981 is in no file.
@@ -73,13 +93,7 @@ def unclear_path(own: AxisParameters, kind: AxisKind) -> Iterator[Fault]:
     Inches (1001#0) decide lengths and detection unit of a linear axis, the increment system (1004)
     that of an axis without 1013; 1800#4 decides whether 1852 is active, if that is in the files.
     """
-    deciding = {
-        known.INCH: (0,) if kind is AxisKind.LINEAR else (),
-        known.BACKLASH_BITS: () if own.get(known.BACKLASH_RAPID) is None else (4,),
-        known.SYSTEM_OF_MACHINE: (0, 1) if own.get(known.SYSTEM) is None else (),
-        known.TOTALS: tuple(range(8)),
-    }
-    for number, bits in deciding.items():
+    for number, bits in {**_deciding_bits(own, kind), known.TOTALS: tuple(range(8))}.items():
         rivals = own.rivals(number, bits)
         odd = [bit for bit in bits if len({value.bit(bit) for value in rivals}) > 1]
         described = "; ".join(
