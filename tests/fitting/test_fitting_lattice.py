@@ -532,8 +532,9 @@ def test_a_slope_that_two_magnifications_hold_exactly_takes_the_smaller() -> Non
     # With 1 a straight line of 7/8 of the slope remains: 16 µm at the end, zero at the reference;
     # the reversal value takes its mean out of one direction: 16 sqrt((1/3 + 1/12) / 2) = 7.3 µm
     # rms.
-    assert "Magnification 1 (increments of ±7 times 1 µm) would leave at least 7.3 µm rms" in says(
-        steep, "CW-F009"
+    assert (
+        "Magnification 2 is set in place of 1: it leaves nothing. Magnification 1 (increments of ±7"
+        " times 1 µm) would leave at least 7.3 µm rms" in says(steep, "CW-F009")
     )
 
 

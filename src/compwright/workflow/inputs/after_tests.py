@@ -263,6 +263,7 @@ def _axis_of_file(
                 message="the file does not state its axis",
                 file=spec,
                 place="--after",
+                expected=f"TEST=FILE with TEST one of {', '.join(names)}",
                 hint=(
                     "give `--after TEST=FILE`, such as `--after "
                     f"{next(iter(names), 'TEST')}={spec}`"
