@@ -27,7 +27,10 @@ def common(
     return {
         "page_title": title,
         "title": title,
-        "machine": sections.pairs(view.get("machine")),
+        "machine": [
+            (say("label.machine", key=key), text)
+            for key, text in sections.pairs(view.get("machine"))
+        ],
         "format": {
             "id": plain((view.get("format") or {}).get("id", "")),
             "title": plain((view.get("format") or {}).get("title", "")),

@@ -308,6 +308,7 @@ SENTENCES: Final[dict[str, str]] = {
     "label.decision_rule": "Decision rule: {rule}",
     "label.extreme_at": "{symbol} at {place} {unit}",
     "label.kind": "{kind}",
+    "label.machine": "{key:choose|name=name|serial=serial|type=type|={key}}",
     "label.median": "median",
     "label.not_stated": "not stated",
     "label.of_the_prediction": "of the prediction",

@@ -20,8 +20,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-D004": (
         "à {feed:g} mm/min, une boucle de position souple rend le cercle plus petit de {most:.1f}"
-        " µm au plus : l'échelle des axes seuls est incertaine de {doubt:.0f} µm/m pour cela ; un"
-        " second essai à faible avance en décide"
+        " µm au plus : de ce fait, l'échelle des axes seuls est incertaine de {doubt:.0f} µm/m ; un"
+        " second essai à faible avance tranche"
     ),
     "CW-D005.none": (
         "l'arc ne contient aucun point d'inversion de {name} : son jeu, son jeu latéral et son pic"

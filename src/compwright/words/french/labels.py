@@ -328,6 +328,7 @@ SENTENCES: Final[dict[str, str]] = {
     "label.decision_rule": "Règle de décision : {rule}",
     "label.extreme_at": "{symbol} à {place} {unit}",
     "label.kind": "{kind:choose|linear=axe linéaire|rotary=axe rotatif}",
+    "label.machine": "{key:choose|name=machine|serial=numéro de série|type=type|={key}}",
     "label.median": "médiane",
     "label.not_stated": "non indiqué",
     "label.of_the_prediction": "de la prévision",
@@ -335,7 +336,7 @@ SENTENCES: Final[dict[str, str]] = {
     "label.range": "{low} à {high}",
     "label.test_sentence": (
         "{standard}, {cycle:choose|standard=cycle normal|step=cycle en pas}, {targets}"
-        " {targets:plural|point visé|points visés}, passages : {counts:if|{counts}|aucun}, limites"
+        " {targets:plural|point visé|points visés}, parcours : {counts:if|{counts}|aucun}, limites"
         " à ± {coverage} s.{extremes:if| Extremums : {extremes:join| ; }.}{uncertainty:if|| Pas"
         " d'incertitude de mesure : aucune composante n'est indiquée.}"
     ),
@@ -352,7 +353,7 @@ SENTENCES: Final[dict[str, str]] = {
     "limits.cause": (
         "{cause:choose|noise=dispersion des mesures : la même position ne revient pas à l'identique"
         " (répétabilité)|single outliers=valeurs aberrantes isolées|shifts between"
-        " traverses=courses entières décalées|drift=dérive : l'axe change pendant la"
+        " traverses=parcours entiers décalés|drift=dérive : l'axe change pendant la"
         " mesure|temperature within its uncertainty=température : une pente dans les limites de ce"
         " que le dossier de travail déclare incertain|error that the test leaves open=erreur que"
         " l'essai n'a pas montrée : entre les points visés et cachée dans la dispersion|steps that"

@@ -100,8 +100,8 @@ SENTENCES: Final[dict[str, str]] = {
         "{targets} points visés sur {turns:.4g} tours : il en faut au moins huit par tour."
     ),
     "CW-T006.rotary": (
-        "Le plus grand intervalle des points visés est de {interval:.5g}° ; sur 360° il doit être"
-        " de 45° au plus."
+        "Le plus grand intervalle des points visés est de {interval:.5g}° ; au-delà de 360° il doit"
+        " être de 45° au plus."
     ),
     "CW-T006.turns": (
         "{length:.10g}° ont été mesurés ; la norme demande 1 800° (cinq tours) au plus."
@@ -117,8 +117,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-T008.equal": (
         "Les points visés sont équidistants ({interval}) : une erreur périodique (pas de vis, pas"
-        " de règle) qui divise l'intervalle reste cachée. La norme demande des décalages aléatoires"
-        " ; {better}"
+        " de règle) dont la période divise l'intervalle reste cachée. La norme demande des"
+        " décalages aléatoires ; {better}"
     ),
     "CW-T008.period": (
         "Les points visés tombent toujours aux mêmes phases de la période de {period} : une erreur"

@@ -323,6 +323,7 @@ SENTENCES: Final[dict[str, str]] = {
     "label.decision_rule": "Entscheidungsregel: {rule}",
     "label.extreme_at": "{symbol} bei {place} {unit}",
     "label.kind": "{kind:choose|linear=Linearachse|rotary=Drehachse}",
+    "label.machine": "{key:choose|name=Maschine|serial=Seriennummer|type=Typ|={key}}",
     "label.median": "Median",
     "label.not_stated": "nicht angegeben",
     "label.of_the_prediction": "der Vorhersage",

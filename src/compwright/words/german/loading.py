@@ -173,7 +173,7 @@ SENTENCES: Final[dict[str, str]] = {
         " ± {declared:.1f} µm/m, k = 2)}. Die Temperatur des Maßstabs in den Dateien beider"
         " Prüfungen (T_m) und seinen Koeffizienten im Auftrag (thermal) angeben, oder neu messen,"
         " wenn Maschine und Messgerät zur Ruhe gekommen sind; den Temperaturfühler des Messgeräts"
-        " ansehen."
+        " prüfen."
     ),
     "loading.straight_line": (
         "Die Prüfung nach dem Laden ist die der geladenen Tabelle und einer Steigung. {slope} Die"

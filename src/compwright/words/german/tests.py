@@ -144,8 +144,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-T012": (
         "Die Messwerte driften: {how}; in Läufen ohne Drift hat eine solche Reihenfolge eine"
-        " Wahrscheinlichkeit von {chance:.1f} %. Die Achse warmfahren und neu messen: Die Drift ist"
-        " Teil von R und A."
+        " Wahrscheinlichkeit von {chance:.1f} %. Die Achse warmlaufen lassen und neu messen: Die"
+        " Drift ist Teil von R und A."
     ),
     "CW-T012.ends": "{lower} und {upper} in {direction}",
     "CW-T012.growing": (

@@ -314,6 +314,7 @@ SENTENCES: Final[dict[str, str]] = {
     "label.decision_rule": "Правило решения: {rule}",
     "label.extreme_at": "{symbol} на {place} {unit}",
     "label.kind": "{kind:choose|linear=линейная ось|rotary=ось вращения}",
+    "label.machine": "{key:choose|name=станок|serial=заводской номер|type=тип|={key}}",
     "label.median": "медиана",
     "label.not_stated": "не указано",
     "label.of_the_prediction": "прогноза",
