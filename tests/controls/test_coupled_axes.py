@@ -97,6 +97,9 @@ def test_a_coupling_that_a_program_switches_can_be_off() -> None:
         assert "CW-S035" in {finding.code for finding in state.findings}
     with pytest.raises(UsageError, match="1817"):
         read(TANDEM, axis("1", alone=True))
+    for fixed in ({1817: "P01000000"}, {1817: "A1P64"}, {8200: "L1P1", 8211: "L1P1", 8212: "L1P2"}):
+        with pytest.raises(InputError, match=str(min(fixed))):  # no program switches these
+            read(fixed, axis("1", alone=True))
 
 
 @pytest.mark.parametrize(

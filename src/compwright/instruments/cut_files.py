@@ -42,9 +42,9 @@ def _unfinished(readings: Readings, kind: AxisKind) -> Sentence | None:
         number, of = lacking
         place = Amount(last.target, kind.unit, ".10g")
         return say("CW-R053.last_target", target=place, lacking=number, readings=of)
-    _, run = np.unique(readings.runs, return_inverse=True)
+    _, runs = np.unique(readings.runs, return_inverse=True)
     in_turn = np.count_nonzero(np.diff(traverse)) > traverse.max()  # + and - at each target
-    if in_turn and (lacking := _lacking(run, 2 * target + readings.positive)):
+    if in_turn and (lacking := _lacking(runs, 2 * target + readings.positive)):
         number, of = lacking
         return say("CW-R053.last_run", run=f"{last.run}", lacking=number, readings=of)
     return None

@@ -55,7 +55,7 @@ def _mastered(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coup
         if not value.nonzero or own_number:
             continue
         if value.owner != "A":
-            yield from _every(addresses, value, _NO_AXIS)
+            yield from _every(addresses, value, _NO_AXIS, switched=True)
             continue
         leads = _masters(parameters, value, addresses)
         own = AxisParameters(parameters, str(value.index))
@@ -68,10 +68,12 @@ def _mastered(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coup
         yield _parameter(value).coupling(leads, str(value.index), switched=True, unlike=unlike)
 
 
-def _every(addresses: Sequence[str], value: ParameterValue, unlike: str) -> Iterator[Coupling]:
-    """Yield couplings of every axis by a parameter that does not tell which axes it couples."""
+def _every(
+    addresses: Sequence[str], value: ParameterValue, unlike: str, *, switched: bool = False
+) -> Iterator[Coupling]:
+    """Yield couplings of every axis by a parameter that does not state which axes it couples."""
     for each in addresses:
-        yield _parameter(value).coupling((), each, switched=True, unlike=unlike)
+        yield _parameter(value).coupling((), each, switched=switched, unlike=unlike)
 
 
 def _others(addresses: Sequence[str], value: ParameterValue) -> tuple[str, ...]:
@@ -130,7 +132,7 @@ def _flexible(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coup
                 continue
             leads, follows = (_named(parameters, one, addresses) for one in (master, slave))
             if not (leads and follows):
-                yield from _every(addresses, slave, _NO_AXIS)
+                yield from _every(addresses, slave, _NO_AXIS, switched=True)
             for each in follows:
                 yield _parameter(slave).coupling(leads, each, switched=True, unlike=unlike)
 
