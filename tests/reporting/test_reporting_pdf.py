@@ -285,3 +285,16 @@ def test_words_next_to_a_bar_keep_their_width() -> None:
         "</tbody></table></body></html>"
     )
     assert words in text_of(pdf_of_page(page.encode()))
+
+
+def test_a_long_value_breaks_in_its_column() -> None:
+    value = "MD32450 $MA_BACKLASH[0,MA_Y] = 0.006005 mm (6.00 µm)"
+    page = (
+        '<html lang="en"><head><title>Values</title></head><body><h1>Values</h1><table><thead><tr>'
+        '<th>Quantity</th><th class="n">Old</th><th class="n">New</th></tr></thead><tbody><tr>'
+        f'<td>backlash in addition to the table</td><td class="n">{value}</td>'
+        f'<td class="n">{value}</td></tr></tbody></table></body></html>'
+    )
+    text = text_of(pdf_of_page(page.encode())).replace("\u00a0", " ")
+    assert squeezed(value) in squeezed(text)
+    assert value not in text  # in one line it runs over the column next to it

@@ -180,12 +180,13 @@ class _Tree:
     def _cell(self, cell: ET.Element, *, marked: bool) -> dict[str, Any]:
         children = self.children(cell)
         names = cell.get("class", "").split()
-        if cell.tag == "td" and set(names) & {"n", "range"}:
+        length = sum(map(len, _texts(children)))
+        if cell.tag == "td" and set(names) & {"n", "range"} and length < _LONG_COLUMN:
             children = list(map(_unbroken, children))
         more = {
             "span": int(cell.get("colspan", "1")),
             "marked": marked,
-            "whole": sum(map(len, _texts(children))) < _LONGEST_CELL,
+            "whole": length < _LONGEST_CELL,
         }
         return {**_made(cell.tag, children, **more), "class": names}
 
