@@ -205,7 +205,7 @@ def test_readings_with_fewer_digits_are_the_same_test(
 ) -> None:
     state = written_again(folder, what)
     assert run(folder, "--force", as_found=state, axes="X", entry="again.csv") == 2
-    assert "a test that was taken with these tables loaded" in capsys.readouterr().err
+    assert "a test taken with these tables loaded" in capsys.readouterr().err
 
 
 def test_the_plan_next_to_the_measurements_is_found(folder: Path, tmp_path: Path) -> None:
