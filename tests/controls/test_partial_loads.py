@@ -44,6 +44,7 @@ def shown(bench: Bench) -> float:
     return float(prediction["axes"]["X"]["predicted_new_targets"]["A"]["median"])
 
 
+@pytest.mark.whole  # whether a finer step shows is what the prediction says
 def test_the_magnification_stays_where_a_test_shows_nothing_of_a_better_one(
     tmp_path: Path,
 ) -> None:

@@ -704,6 +704,8 @@ DECIDES_NOTHING = {
     r"texts\.control\.blank_lines": "lines that say nothing are passed over, empty ones too",
     r"writing\[0\]\.set: one_curve -> complete": "a pair takes no file with rows of one table",
     r"diameter\.tables": "decides a question of the job",
+    r"texts\.control\.claims\.anywhere: without \$(MA_ENC_COMP_ENABLE|SN_CEC_TABLE)": "a line of a"
+    " known variable that is not read is refused as a line of a program, too",
 }
 #: Every sixth mutant, in so many shares; all of them: benchmarks/bench_facts.py.
 EVERY, SHARES = 6, 8
