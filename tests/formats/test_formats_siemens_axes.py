@@ -279,7 +279,7 @@ def test_two_axes_with_the_same_table_are_asked_about() -> None:
 def test_the_card_warns_of_a_gantry() -> None:
     for axis, words in (
         (gantry(), "synchronised axis ax5 too"),
-        (axis_of("AX1"), "leads no gantry as far as the job says"),
+        (axis_of("AX1"), "is not a gantry master axis"),
     ):
         steps = card_steps(
             SIEMENS,

@@ -142,9 +142,9 @@ def gantry_words(axis: Axis) -> str:
     """Return the card's text on the synchronised axis of a gantry."""
     if axis.gantry is None:
         return (
-            f"Axis {axis.name} leads no gantry as far as the job says. If it does, stop: a table on"
-            " the leading axis alone racks the bridge. Name its synchronised axis in the job"
-            " (gantry), so that it gets the same table."
+            f"The job says that {axis.name} is not a gantry master axis. If it is one, stop: a"
+            " table on the master axis alone racks the bridge. Name its synchronised axis in the"
+            " job (gantry), so that it gets the same table."
         )
     own = " It has values of its own." if axis.gantry_table == "change" else ""
     return (
