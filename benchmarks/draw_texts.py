@@ -59,7 +59,7 @@ def main() -> None:
         for path in sorted((Path(tree) / "src" / "compwright").rglob("*.py"))
     ]
     drawn = random.Random(int(seed))  # noqa: S311 - a draw of texts
-    said = sorted(
+    sentences = sorted(
         {
             text
             for path, module in modules
@@ -69,7 +69,7 @@ def main() -> None:
     )
     documented = sorted({text for _, module in modules for text in docstrings(module)})
     for kind, texts, count in (
-        ("message", said, MESSAGES),
+        ("message", sentences, MESSAGES),
         ("docstring", documented, DOCSTRINGS),
     ):
         for number, text in enumerate(drawn.sample(texts, count), start=1):

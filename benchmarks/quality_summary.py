@@ -83,7 +83,7 @@ HEAD = (
 
 def summary(name: str, records: Sequence[Record]) -> Record:
     """Return the numbers of a kind: how often bands hold in % and their width, all parameters and A
-    alone; A as ratio to the oracle's, ours and the rivals'; periods named of those nobody told.
+    alone; A as ratio to the oracle's, ours and the rivals'; periods named of those not given.
     """
     good = [one for one in records if "failed" not in one]
     right = [hit for one in good if not one["told"] for hit in found(one)[0]]

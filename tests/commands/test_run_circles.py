@@ -192,9 +192,9 @@ def standard(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("standard") / "folder"
     folder.mkdir()
     measure(folder, Bent())
-    with redirect_stdout(io.StringIO()) as said:
+    with redirect_stdout(io.StringIO()) as output:
         assert compwright(["run", str(job(folder))]) == 0
-    (folder / "said.txt").write_text(" ".join(said.getvalue().split()), encoding="utf-8")
+    (folder / "output.txt").write_text(" ".join(output.getvalue().split()), encoding="utf-8")
     return folder
 
 
@@ -210,9 +210,9 @@ def unapplied(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("unapplied") / "folder"
     folder.mkdir()
     measure(folder, Bent())
-    with redirect_stdout(io.StringIO()) as said:
+    with redirect_stdout(io.StringIO()) as output:
         assert compwright(["run", str(job(folder, apply="{}"))]) == 0
-    (folder / "said.txt").write_text(" ".join(said.getvalue().split()), encoding="utf-8")
+    (folder / "output.txt").write_text(" ".join(output.getvalue().split()), encoding="utf-8")
     return folder
 
 
@@ -312,7 +312,7 @@ def test_the_reference_of_the_input_axis_is_where_the_ramp_is_zero(folder: Path)
 def test_nothing_is_corrected_from_a_circle_unless_asked(unapplied: Path) -> None:
     prediction = document(unapplied / "job" / "prediction.json")
     assert prediction["cross"] == []
-    assert "CW-P108" in (unapplied / "said.txt").read_text(encoding="utf-8")
+    assert "CW-P108" in (unapplied / "output.txt").read_text(encoding="utf-8")
     circle = prediction["circles"]["xy-150"]
     assert circle["predicted"]["squareness"]["median"] == pytest.approx(
         circle["before"]["squareness"], abs=0.2
@@ -794,8 +794,8 @@ def test_lost_motion_of_the_circle_when_asked_and_the_disagreement(
 
 
 def test_agreement_of_laser_and_circle_is_not_reported(done: Path) -> None:
-    said = (done / "said.txt").read_text(encoding="utf-8")
-    assert not {code for code in ("CW-P114", "CW-P115", "CW-P116") if code in said}
+    output = (done / "output.txt").read_text(encoding="utf-8")
+    assert not {code for code in ("CW-P114", "CW-P115", "CW-P116") if code in output}
 
 
 def test_disagreement_about_the_mismatch_of_scale(

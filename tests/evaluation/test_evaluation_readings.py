@@ -171,11 +171,11 @@ def test_a_shifted_traverse_is_found_and_named() -> None:
         test = noisy(np.random.default_rng(seed))
         shifted = test.negative.copy()
         shifted[:, 3] -= 10.0 * UM
-        told = suspect_traverse_findings(replace(test, negative=shifted), no_comparison)
+        findings = suspect_traverse_findings(replace(test, negative=shifted), no_comparison)
         found.append(
-            len(told) == 1
-            and (told[0].values["run"], told[0].values["direction"]) == (4, "−")
-            and told[0].values["off"].value < 0.0
+            len(findings) == 1
+            and (findings[0].values["run"], findings[0].values["direction"]) == (4, "−")
+            and findings[0].values["off"].value < 0.0
         )
     assert share(found) >= 0.95
 
@@ -195,12 +195,12 @@ def test_a_run_off_in_both_directions_is_one_finding_shown_without_both() -> Non
         up, down = test.positive.copy(), test.negative.copy()
         up[:, 2] += 8.0 * UM
         down[:, 2] += 8.0 * UM
-        told = suspect_traverse_findings(replace(test, positive=up, negative=down), kept)
+        findings = suspect_traverse_findings(replace(test, positive=up, negative=down), kept)
         found.append(
-            len(told) == 1
-            and told[0].sentence.name == "CW-T013.run"
-            and told[0].values["run"] == 3
-            and told[0].sentence.outside()["off"][0]["value"]["value"] > 0.0
+            len(findings) == 1
+            and findings[0].sentence.name == "CW-T013.run"
+            and findings[0].values["run"] == 3
+            and findings[0].sentence.outside()["off"][0]["value"]["value"] > 0.0
         )
     assert share(found) >= 0.95
     for left in compared:
@@ -217,11 +217,11 @@ def test_a_three_s_rule_could_not_see_it() -> None:
     spoilt[2, 1] += 1000.0 * UM
     row = spoilt[2]
     assert np.abs(row - row.mean()).max() / row.std(ddof=1) < 1.7889
-    told = suspect_reading_findings(replace(test, positive=spoilt), no_comparison)
-    assert len(told) == 1
+    findings = suspect_reading_findings(replace(test, positive=spoilt), no_comparison)
+    assert len(findings) == 1
     assert (
-        f"run 2 in + at {test.targets[2]:.10g} mm (+100" in told[0].message
-        or "run 2 in + at" in told[0].message
+        f"run 2 in + at {test.targets[2]:.10g} mm (+100" in findings[0].message
+        or "run 2 in + at" in findings[0].message
     )
 
 
@@ -262,12 +262,12 @@ def test_a_traverse_of_zeros_is_told_once() -> None:
     test = noisy(np.random.default_rng(2))
     zeros = test.positive.copy()
     zeros[:, 1] = 0.0
-    told = [
+    findings = [
         finding
         for finding in reading_findings(replace(test, positive=zeros), no_comparison)
         if finding.code == "CW-T011"
     ]
-    assert [finding.message[:23] for finding in told] == ["Traverse 2 in + is exac"]
+    assert [finding.message[:23] for finding in findings] == ["Traverse 2 in + is exac"]
     assert not [f for f in reading_findings(test, no_comparison) if f.code == "CW-T011"]
 
 
@@ -275,12 +275,12 @@ def test_run_numbers_of_the_file_are_used() -> None:
     test = replace(noisy(np.random.default_rng(2)), runs_positive=(1, 2, 3, 4, 7))
     zeros = test.positive.copy()
     zeros[:, 4] = 0.0
-    told = [
+    findings = [
         finding.message
         for finding in reading_findings(replace(test, positive=zeros), no_comparison)
         if finding.code == "CW-T011"
     ]
-    assert told[0].startswith("Traverse 7 in +")
+    assert findings[0].startswith("Traverse 7 in +")
 
 
 def test_rotary_findings_speak_of_arcsec() -> None:
@@ -288,8 +288,8 @@ def test_rotary_findings_speak_of_arcsec() -> None:
     readings = np.random.default_rng(1).normal(size=(2, 11, 5)) / 3600.0
     readings[0, :, 0] += 30.0 / 3600.0
     test = axis_test(targets, readings[0], readings[1], kind=AxisKind.ROTARY)
-    told = next(finding for finding in evaluate(test).findings if finding.code == "CW-T013")
-    off = told.sentence.outside()["off"]
+    finding = next(each for each in evaluate(test).findings if each.code == "CW-T013")
+    off = finding.sentence.outside()["off"]
     assert off["unit"] == "arcsec"
     assert off["value"] == pytest.approx(
         30.0, abs=2.0

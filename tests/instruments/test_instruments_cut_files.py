@@ -27,7 +27,7 @@ def read(content: str) -> PositioningTest:
     return read_positioning(content.encode(), "x.csv")
 
 
-def told(test: PositioningTest) -> dict[str, str]:
+def messages_by_code(test: PositioningTest) -> dict[str, str]:
     return {finding.code: finding.message for finding in test.findings}
 
 
@@ -38,17 +38,17 @@ def told(test: PositioningTest) -> dict[str, str]:
 def test_the_last_run_or_target_lacks_readings(
     rows: list[tuple[float, str, int]], words: str
 ) -> None:
-    assert not CUT & told(read(text(rows))).keys()
-    assert words in told(read(text(rows[:-2])))["CW-R053"]
+    assert not CUT & messages_by_code(read(text(rows))).keys()
+    assert words in messages_by_code(read(text(rows[:-2])))["CW-R053"]
 
 
 @pytest.mark.parametrize("lost", [1, 2, 3, 4])
 def test_the_last_run_lacks_readings_where_each_target_is_approached_from_both_sides(
     lost: int,
 ) -> None:
-    assert not CUT & told(read(text(IN_TURN))).keys()
-    said = told(read(text(IN_TURN[:-lost])))["CW-R053"]
-    assert f"The last rows are of run 3, which lacks {lost} of 8 readings" in said
+    assert not CUT & messages_by_code(read(text(IN_TURN))).keys()
+    message = messages_by_code(read(text(IN_TURN[:-lost])))["CW-R053"]
+    assert f"The last rows are of run 3, which lacks {lost} of 8 readings" in message
 
 
 @pytest.mark.parametrize(
@@ -56,7 +56,7 @@ def test_the_last_run_lacks_readings_where_each_target_is_approached_from_both_s
 )
 def test_a_hole_elsewhere_is_no_cut(rows: list[tuple[float, str, int]], hole: int) -> None:
     """Also a hole in the last run: a file that ends there would lack the rows behind it too."""
-    assert "CW-R053" not in told(read(text([row for row in rows if row != rows[hole]])))
+    assert "CW-R053" not in messages_by_code(read(text([row for row in rows if row != rows[hole]])))
 
 
 @pytest.mark.parametrize(
@@ -64,9 +64,9 @@ def test_a_hole_elsewhere_is_no_cut(rows: list[tuple[float, str, int]], hole: in
     [("# targets: 5", "has 5 targets"), ("# Number of runs: 4", "has 4 runs"), ("# runs: 3", "")],
 )
 def test_less_than_a_key_says(key: str, words: str) -> None:
-    said = told(read(text(BY_RUN, key))).get("CW-R053", "")
-    assert words in said
-    assert bool(words) == bool(said)
+    message = messages_by_code(read(text(BY_RUN, key))).get("CW-R053", "")
+    assert words in message
+    assert bool(words) == bool(message)
 
 
 def same(one: PositioningTest, other: PositioningTest) -> bool:
@@ -96,10 +96,10 @@ FILES = {
 def test_cut_at_every_byte(form: str) -> None:
     whole = FILES[form]
     full = read(whole)
-    assert not CUT & told(full).keys()
+    assert not CUT & messages_by_code(full).keys()
     for end in range(len(whole)):
         try:
             test = read(whole[:end])
         except InputError:
             continue
-        assert same(test, full) or CUT & told(test).keys(), whole[:end][-60:]
+        assert same(test, full) or CUT & messages_by_code(test).keys(), whole[:end][-60:]

@@ -374,8 +374,8 @@ def test_a_turned_test_of_a_table_that_leaves_something() -> None:
         3
     ).standard_normal((2, TARGETS.size, RUNS))
     after = means_of((readings[0], readings[1]), NOISE, math.inf, TARGETS)
-    told = judge_loading(after, [view, *measurement_cases(view)], declared_slope=0.0)
-    assert (told.verdict, told.of) == ("measurement", "sign")
+    verdict = judge_loading(after, [view, *measurement_cases(view)], declared_slope=0.0)
+    assert (verdict.verdict, verdict.of) == ("measurement", "sign")
 
 
 @pytest.mark.parametrize("end", [260.0, 400.0], ids=["bump", "step"])

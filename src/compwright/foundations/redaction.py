@@ -125,7 +125,7 @@ def telling(text: str, allowed: frozenset[str]) -> Iterator[str]:
 
 
 def _whole(text: str, allowed: frozenset[str]) -> str:
-    """Return a text of several words in small letters; empty where it identifies nobody."""
+    """Return a text of several words in small letters; empty where it identifies no one."""
     whole = " ".join(text.casefold().split())
     return whole if " " in whole and any(telling(whole, allowed)) else ""
 

@@ -153,6 +153,7 @@ def _check_form(comments: Comments, lines: Sequence[tuple[int, str]], file: str)
             Fault(
                 message="contains comment lines only",
                 file=file,
+                expected="a header row and samples",
                 hint="add a header row and the samples",
             )
         )

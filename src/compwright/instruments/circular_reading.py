@@ -113,6 +113,7 @@ def merge_circular(tests: Sequence[CircularTest], name: str) -> CircularTest:
             Fault(
                 message="a circular test has no file",
                 place=name,
+                expected="at least one",
                 hint="give `file`, or `ccw` and `cw`",
             )
         )

@@ -95,6 +95,7 @@ def form_of(text: Sequence[str], file: str) -> MeasurementForm:
             Fault(
                 message="has two forms at once, whose meanings may differ",
                 file=file,
+                expected="a file of one form",
                 found=" and ".join(form.name for form in found),
                 hint="keep the lines of one form only",
             )

@@ -48,6 +48,7 @@ def refuse_other_files(lines: Sequence[tuple[int, str]], comments: Comments, fil
             Fault(
                 message="contains comment lines only",
                 file=file,
+                expected="a header row and readings",
                 hint="add a header row and the readings",
             )
         )

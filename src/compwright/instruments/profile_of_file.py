@@ -73,6 +73,7 @@ def _of_workbook(content: bytes, file: str) -> Proposed:
         Fault(
             message="contains no sheet with a table of numbers",
             file=file,
+            expected="rows of at least two columns, one of them with targets",
             hint="give a file with a table: targets in one column, readings in others",
         )
     )

@@ -294,6 +294,7 @@ def _refuse_dynamic_data(content: bytes, file: str) -> None:
             Fault(
                 message="contains dynamic data (samples over time), not positions",
                 file=file,
+                expected="the positioning test (.rtl or .rta)",
                 found="File type: rtx",
                 hint="give the file of the positioning test (.rtl or .rta)",
             )

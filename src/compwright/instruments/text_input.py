@@ -120,7 +120,12 @@ def _refuse_other_files(content: bytes, file: str) -> None:
 def _lines(text: str, file: str) -> list[str]:
     if not text.strip("\ufeff \t\r\n"):
         raise InputError(
-            Fault(message="is empty", file=file, hint="add a header row and the readings")
+            Fault(
+                message="is empty",
+                file=file,
+                expected="a header row and readings",
+                hint="add a header row and the readings",
+            )
         )
     control = _CONTROL.search(text)
     if control:

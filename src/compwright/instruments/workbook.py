@@ -83,6 +83,7 @@ def sheets_of(content: bytes, file: str) -> tuple[WorkbookSheet, ...]:
             Fault(
                 message="is an Excel workbook that cannot be opened",
                 file=file,
+                expected="it saved anew by a spreadsheet program, or the sheet as CSV UTF-8",
                 hint=(
                     "save the workbook again in a spreadsheet program, or save the "
                     "sheet as CSV UTF-8"
@@ -109,6 +110,7 @@ def _check_size(content: bytes, file: str) -> bool:
             Fault(
                 message="is a damaged archive",
                 file=file,
+                expected="an Excel workbook (.xlsx), or the sheet saved as CSV UTF-8",
                 found="an Excel workbook or another zip archive that cannot be opened",
                 hint="give an undamaged copy, or save the sheet as CSV UTF-8",
             )
@@ -118,6 +120,7 @@ def _check_size(content: bytes, file: str) -> bool:
             Fault(
                 message="is a zip archive",
                 file=file,
+                expected="the files in it, unpacked; or an Excel workbook (.xlsx)",
                 found=f"{', '.join(sorted(names)[:3])}, ..",
                 hint="unpack it and give the files in it",
             )
@@ -169,6 +172,7 @@ def _look_into(archive: zipfile.ZipFile, names: Sequence[str], file: str) -> boo
                     ),
                     file=file,
                     place=name,
+                    expected="a workbook as a spreadsheet program saves it",
                     hint="save the workbook again in a spreadsheet program",
                 )
             )
@@ -210,6 +214,8 @@ def _sheets(values: Any, formulas: Any | None, file: str) -> Iterator[WorkbookSh
                             message="contains a formula without a result",
                             file=file,
                             place=f"sheet {sheet.title}, row {row}",
+                            expected="a workbook that a spreadsheet program has calculated and"
+                            " saved",
                             found=str(formula.value),
                             hint=(
                                 "open the workbook in a spreadsheet program, let it calculate, "

@@ -84,6 +84,7 @@ def job_from_options(
             Fault(
                 message="is an answer about a state, but none is given",
                 place=f"--option {ACTIVE}",
+                expected="--state FILE",
                 found=active,
                 hint="add `--state FILE` with the control's files",
             )

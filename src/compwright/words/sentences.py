@@ -139,11 +139,8 @@ class Sentence:
         return self.text("en")
 
     def text(self, language: Language) -> str:
-        """Return the sentence; in English where the language lacks it."""
-        template = catalogue(language).get(self.name)
-        if template is None:
-            language, template = "en", catalogue("en")[self.name]
-        return filled(template, dict(self.values), language)
+        """Return the sentence in the language."""
+        return filled(catalogue(language)[self.name], dict(self.values), language)
 
     def outside(self) -> dict[str, Any]:
         """Return the values as JSON holds them."""

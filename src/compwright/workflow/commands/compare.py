@@ -233,6 +233,7 @@ def _unsaid(axes: Sequence[Axis], found: DecodedState, loaded: Sequence[Path]) -
                     f"{axis.address}); missing values do not count as zero"
                 ),
                 file=", ".join(map(str, loaded)),
+                expected="the data of each axis of the plan, as read back from the control",
                 hint=f"give `--loaded` the file with the data of {axis.address} too",
             )
 

@@ -115,7 +115,9 @@ def evaluate_files(
     if not paths:
         raise UsageError(
             Fault(
-                message="nothing to evaluate", hint="give at least one measurement file or folder"
+                message="nothing to evaluate",
+                expected="at least one measurement file or folder",
+                hint="give at least one measurement file or folder",
             )
         )
     mapping = None if profile is None else load_profile(session, profile)
@@ -246,6 +248,7 @@ def write_evaluation(
                     message=f"is already the file of {named[path]}",
                     file=shown_path(path),
                     place=option,
+                    expected="another file",
                     hint="give two different files",
                 )
             )
@@ -307,6 +310,7 @@ def _report(document: Mapping[str, Any], path: Path, language: Language, command
         raise UsageError(
             Fault(
                 message="nothing to report",
+                expected="a test that could be evaluated",
                 hint="correct the faults of the tests first, or leave `--report` out",
             )
         )

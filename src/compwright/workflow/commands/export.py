@@ -228,6 +228,7 @@ def _state(
             Fault(
                 message="names files and none at the same time",
                 place="--state",
+                expected="the word none, or the control's files",
                 hint="give `--state none`, or `--state` with the control's files",
             )
         )
@@ -247,6 +248,7 @@ def _state(
             message="the state of the control is unknown",
             file=file,
             place="--state",
+            expected="--state none, or --state with each file of the control",
             found=f"a plan made for {plan.format}",
             hint="give `--state none`, or `--state` with each file of the control",
         )

@@ -84,6 +84,7 @@ def check_formats(session: Session, paths: Sequence[Path]) -> tuple[str, ...]:
             Fault(
                 message="no definition was found",
                 file=", ".join(str(path) for path in paths),
+                expected="*.yaml",
                 hint="give the path of a definition (*.yaml), or no path for those that ship",
             )
         )

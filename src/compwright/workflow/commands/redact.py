@@ -130,6 +130,7 @@ def redact_files(
                     "folder of the copies"
                 ),
                 file=shown_path(json_path),
+                expected="a path outside of the folder of the copies",
                 hint="give `--json` a path outside of the folder of the copies",
             )
         )

@@ -151,6 +151,7 @@ def _loaded(
                 message="the machine file contains no control",
                 file=file,
                 place="controller.format",
+                expected="a format, to load tables into",
                 hint="add `controller: {format: ID}` to the machine file",
             )
         )

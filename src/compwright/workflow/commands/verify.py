@@ -76,6 +76,7 @@ VERIFICATION = "verification.json"
 NOT_READ_BACK = Fault(
     message="needs the existing tables of the control as the start of the next round",
     place="--update",
+    expected="--loaded with the files that the control holds now",
     hint="add `--loaded` with the files read back from the control",
 )
 

@@ -29,6 +29,7 @@ from compwright.workflow.inputs.measurement_files import load_profile
 _OTHER_PROFILE = Fault(
     message="no profile fits the test after loading",
     place="--profile",
+    expected="a profile of this file",
     hint="make one with `compwright profile FILE --out P.yaml`, then add `--profile P.yaml`",
 )
 
@@ -190,6 +191,7 @@ def _unfit(plan: Plan, axes: Sequence[str]) -> Iterator[Fault]:
         yield Fault(
             message="no test to verify was given",
             place="--after",
+            expected="the tests made after loading",
             hint="give the test taken after loading: `--after FILE`",
         )
 
@@ -207,6 +209,7 @@ def _assign(
             Fault(
                 message="contains no file name",
                 place="--after",
+                expected="FILE or TEST=FILE",
                 found=repr(spec),
                 hint="give `--after FILE` or `--after TEST=FILE`",
             )
@@ -219,6 +222,7 @@ def _assign(
             Fault(
                 message="is not a test of the job",
                 place="--after",
+                expected=f"{known} before the =",
                 found=repr(spec),
                 hint=f"write {known} before the `=`",
             )

@@ -153,6 +153,8 @@ def _same_numbers(linear: DecodedState, rotary: DecodedState | None) -> None:
                 Fault(
                     message=f"axis {name}: the files do not state whether it is linear or rotary",
                     place=f"--option {KIND}",
+                    expected="linear or rotary",
+                    found="nothing",
                     hint=f"give `--option {KIND}=linear` or `--option {KIND}=rotary`",
                 )
             )

@@ -91,6 +91,7 @@ def _read_part(session: Session, path: Path) -> CircularTest:
             Fault(
                 message="is not a circular test",
                 file=file,
+                expected="a .b5r file or CSV with angle_deg",
                 hint="give a .b5r file, or CSV with the column angle_deg",
             )
         )

@@ -197,6 +197,7 @@ def _check_one_map(entry: AxisJob, request: TestRequest, parts: Sequence[Positio
         Fault(
             message="the positions are mapped twice, by the profile and by the job",
             place=f"axes.{entry.axis.name}, test {request.name}",
+            expected="a position_map in one of them",
             found=f"profile {request.profile}",
             hint="remove `position_map` from the job or from the profile",
         )
@@ -389,6 +390,7 @@ def _missing_axes(job: Job, states: Mapping[str, DecodedState]) -> list[Fault]:
                 ),
                 file=job.file,
                 place=f"states.{name}",
+                expected="the file that holds its table or backlash, or the word none",
                 found=f"only {', '.join(sorted(decoded.state.axes)) or 'no axis at all'}",
                 hint=(
                     f"add the file with the table of {entry.axis.address} to this state, or write"

@@ -131,6 +131,7 @@ def _with_environment(session: Session, job: Job, folder: Path) -> Job:
             message="has no column material_c, and no key states the temperature T_m",
             file=", ".join(request.files),
             place="environment",
+            expected="a column material_c, or T_m under thermal",
             hint="add `T_m` under `thermal` of the job, or a column `material_c` to the record",
         )
         raise InputError(fault)

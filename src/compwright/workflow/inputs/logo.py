@@ -37,6 +37,7 @@ def read_logo(session: Session, name: str, folder: Path) -> Logo:
             message="is not a picture for a report, or is incomplete",
             file=name,
             place="report.logo",
+            expected="a whole .png, .jpg or .svg file",
             hint="give a whole .png, .jpg or .svg file under `report.logo`",
         )
     )

@@ -94,6 +94,10 @@ def _inside_out(job: Job, folder: Path, out: Path) -> Iterator[Fault]:
                 message="is an output of this run, so it cannot be its input",
                 file=job.file,
                 place="states.as_found",
+                expected=(
+                    "the control's files in a folder of their own (read back from the control, or a"
+                    " copy), with a test that was taken with them loaded"
+                ),
                 found=f"{text}, inside {out}",
                 hint=(
                     "copy the files that are read back from the control into a "
@@ -298,6 +302,10 @@ def _fault(job: Job, place: str, test: str, state: str, earlier: _Earlier) -> Fa
         message=f"an earlier run made the files of the state {state} from this very test: {_AGAIN}",
         file=job.file,
         place=place,
+        expected=(
+            f"a test that was taken with these tables loaded, or the state in which {test} was"
+            " taken (measured_in, states)"
+        ),
         found=f"{test}, the test of {earlier.path}",
         hint=(
             "give a test taken with these tables loaded, or under "
@@ -318,6 +326,7 @@ def refuse_added_again(plan: Plan, path: Path, state: DecodedState) -> None:
                 message=f"the run of this plan made these files: {_AGAIN} between the axes",
                 file=str(path),
                 place="--state",
+                expected="the files that were in the control before, or the word none",
                 found=", ".join(again),
                 hint="give the files that were in the control before the run, or `--state none`",
             )

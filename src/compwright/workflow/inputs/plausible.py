@@ -85,6 +85,7 @@ def _outside(axis: Axis, test: PositioningTest, file: str) -> Iterator[Fault]:
         message=f"the targets are outside the travel of the axis, {low:.10g} to {high:.10g} {unit}",
         file=file,
         place="targets",
+        expected="targets within the travel, in machine coordinates",
         found=f"{first:.10g} to {last:.10g} {unit}",
         hint="set `position_map: {sense: 1, offset: ...}` of the test, or correct `travel`",
     )

@@ -64,6 +64,7 @@ def answer_files(
                 message="is already the file of --json",
                 file=shown_path(report),
                 place="--report",
+                expected="another file",
                 hint="give two different files",
             )
         )

@@ -377,6 +377,7 @@ def refuse_later_rounds(session: Session, out: Path) -> None:
                     "replaced, not even with --force"
                 ),
                 file=str(gone_on),
+                expected=f"another --out, or {FOLDER} moved elsewhere",
                 hint=f"give another `--out`, or move {FOLDER} to another place",
             )
         )

@@ -1,0 +1,340 @@
+"""Sentences of the pages of `run`, `verify` and circles."""
+
+from __future__ import annotations
+
+from typing import Final
+
+SENTENCES: Final[dict[str, str]] = {
+    "circle.about": "{centre:choose|set_up= (set-up centre)|own= (own centre)}",
+    "circle.agreement": "{how:choose|agrees=agrees|differs=differs|not_valid=not valid}",
+    "circle.cause": "{cause}  {value} {unit}",
+    "circle.centre": (
+        "{name:choose|common=common least-squares centre|set-up=set-up centre|ccw=least-squares"
+        " centre of ccw|cw=least-squares centre of cw}: {first} {x}, {second} {y} µm{H:if|; H {H}"
+        " µm|}"
+    ),
+    "circle.compared": "Comparison",
+    "circle.comparison": (
+        "Software of the instrument: agrees: within two standard errors of our value. Not valid, in"
+        " brackets: the software itself says so. Differs: its model is not published; ours fits"
+        " every cause at once, with step and spike of each reversal point of their own."
+    ),
+    "circle.detail": "– {part}",
+    "circle.effect": "Effect on the radius",
+    "circle.effects": "Effect, peak to peak, in µm; whiskers 95 %",
+    "circle.fit": "fit: what all causes together make of each run",
+    "circle.job": (
+        "These lines of a job put into tables and backlash compensation what they can correct. Make"
+        " the job with `compwright new --from FILE... --format ID --out job.yaml` from the files of"
+        " the control, name a positioning test of each axis in it (its slope corrects the scale),"
+        " add the lines{file:if| with the file of each direction for FILE|}, then `compwright run"
+        " job.yaml`."
+    ),
+    "circle.least_squares": "least-squares circle, {base} µm from nominal",
+    "circle.magnified": "{setting}\nMagnification {magnification} : 1, rings in µm",
+    "circle.next": "What to do next",
+    "circle.no_table": "No table corrects these causes. Repeat the test after the work.",
+    "circle.nominal": "nominal circle",
+    "circle.parameter": (
+        "{name:choose|G=Circular deviation, minimum zone|G_lsc=by the least-squares"
+        " circle|F_max=Radial deviation, largest|F_min=Radial deviation,"
+        " smallest|F_max_lsc=largest, least-squares centre|F_min_lsc=smallest, least-squares"
+        " centre|H=Circular hysteresis|D=Mean radial deviation}"
+    ),
+    "circle.ranked": "Causes, the largest effect first",
+    "circle.run": "{sense}: G {G}, F{centre} {highest} / {lowest} µm",
+    "circle.sense": "{sense:choose|ccw=ccw|cw=cw|both=both}",
+    "circle.setting": (
+        "R {radius} mm{feed:if|, {feed:.5g} mm/min|}{extent:if|, arc {extent:.4g}° from"
+        " {start:.4g}°|}"
+    ),
+    "circle.share": "Share",
+    "circle.shares": "Causes, share of all\npale: less than twice its standard error",
+    "circle.software": "Software of the instrument",
+    "circle.start": "start of {sense}",
+    "circle.step": (
+        "{kind:choose|squareness=Mechanic: check level and alignment of the guideways. Table: a job"
+        " with `apply` corrects it where the control can.|scale_mismatch=Check the temperature of"
+        " both axes. Table: measure {first} and {second} with a laser and run a job with both"
+        " tests.|servo_mismatch=Servo: give {first} and {second} the same position loop gain (Kv)"
+        " and feedforward.|radius_change=Measurement: repeat both directions with the same feed;"
+        " check the seat of the bar.|backlash=Mechanic: check nut, support bearing and coupling of"
+        " the {axis} screw. Then correct the control's backlash compensation of"
+        " {axis}.|lateral_play=Mechanic: check preload and gibs of the {axis}"
+        " guideway.|reversal_spike=Servo: adjust the friction compensation of {axis} at reversal."
+        " Mechanic: check its lubrication and wipers.|cyclic=Mechanic: check screw, its bearing and"
+        " the encoder mount of {axis}. Table: at least three points in each period correct what is"
+        " left.|straightness=Mechanic: check the alignment of the {axis} guideway. Table: a table"
+        " between the axes corrects it where the control has one"
+        " (cross).|offset_change=Measurement: check the centre mount and the magnet cups; then"
+        " repeat.|spiral=Measurement: let machine and bar reach a stable temperature; then"
+        " repeat.|vibration=Look for the source by its frequency: pump, fan, motor. Servo: lower"
+        " the gain for a trial.|stick_slip=Mechanic: check lubrication, wipers and preload of the"
+        " {axis} guideway.|master_slave=Servo: check the interpolation parameters of {first} and"
+        " {second}.}"
+    ),
+    "circle.symbol": (
+        "{letter}{sense:if| {sense:choose|ccw=ccw|cw=cw|bidirectional=both}|}{centre:if|,"
+        " {centre:choose|G=least-squares circle|F=least-squares centre}|}"
+    ),
+    "circle.to_do": "{cause} ({share:.0f} % of all effects). {step}",
+    "circle.unexplained": "What the causes below leave unexplained: {rms} µm rms.",
+    "circle.value_error": "Value ± standard error",
+    "circle.zone": (
+        "minimum zone{sense:choose|both= of both|ccw=, ccw|cw=, cw}: G {G} µm{D:if|; D {D} µm|}"
+    ),
+    "given.approaches": "{counts}; {cycle} cycle",
+    "given.arc": "from {start}° to {end}°, {extent}°",
+    "given.at_end": "{text} {end:choose|_start=at the start|_end=at the end}",
+    "given.axis": "{axis}, {kind}",
+    "given.budget": "see the budget of the uncertainty",
+    "given.centre": "centre at {places:join|; } mm",
+    "given.coefficient": "{value} µm/(m K)",
+    "given.compensation": (
+        "{how:choose|off=off; the control held|active=on, as active in|stored=on, as stored in}"
+        " {files} (job, states.{state})"
+    ),
+    "given.compensation_loaded": (
+        "on, as loaded after the run of this job; what the test shows of it: see Loading"
+    ),
+    "given.compensation_none": "off: nothing was active in the control (job, states.{state})",
+    "given.estimator": (
+        "s: {spread:choose|std=standard deviation, n − 1|range=range of the readings}; limits at ±"
+        " {coverage} s; no smoothing"
+    ),
+    "given.expansion": (
+        "applied by compwright: readings reduced to 20 °C, {what} {alpha_m} µm/(m K) at {T_m} °C,"
+        " instrument {alpha_d} µm/(m K) at {T_d} °C, fixed point {x_fix} mm"
+    ),
+    "given.list": "{others:if|{others} and |}{last:if|{last}|none}",
+    "given.listed": "{items}",
+    "given.of_tests": "{names}: {statement}",
+    "given.programmed_feed": "mm/min programmed",
+    "given.radius": "radius {radius} mm",
+    "given.samples": "{counts} samples",
+    "given.sense": "{sense:choose|ccw=counter-clockwise|cw=clockwise}",
+    "given.sentences": "{sentences:join| }",
+    "given.smoothing": "none by compwright: every sample counts",
+    "given.statements": "{statements:join|; }",
+    "given.targets": "{count} from {first} to {last} {unit}; listed in annex A",
+    "limits.all": "all together",
+    "limits.cause": (
+        "{cause:choose|noise=readings scatter: the same position does not come back the same"
+        " (repeatability)|single outliers=single outliers|shifts between traverses=whole traverses"
+        " that are shifted|drift=drift: the axis changes while it is measured|temperature within"
+        " its uncertainty=temperature: a slope within what the job declares uncertain|error that"
+        " the test leaves open=error that the test did not show: between targets, and hidden in the"
+        " scatter|steps that the control never applies=steps of the correction (reversal) that the"
+        " control never applies, because of its acceleration and servo period|no table is"
+        " written=error that was measured, and that no table takes away|spacing too wide for the"
+        " period=periodic error: the points are too far apart for it|spacing of the points=what"
+        " bends between the points of the table|number of points=what bends between the points: the"
+        " control has too few of them|one table for both directions=reversal that changes along the"
+        " travel: one table and one reversal value cannot hold it|no backlash value=reversal: the"
+        " control has no value for it|quantum=resolution of the table's values|value range=largest"
+        " value that the control takes|backlash range=largest reversal value that the control"
+        " takes|largest increment=largest step from point to point that the control takes|a"
+        " straight line instead of a table=what bends: the control holds a straight line, no"
+        " table|={cause}}"
+    ),
+    "limits.left": "Left by the control",
+    "limits.note": (
+        "Each bar: by how much {parameter} would be smaller without this cause alone, from the same"
+        " draws. The parts do not add up, because {parameter} is a range: what two causes do at"
+        " different places counts once."
+    ),
+    "limits.part": "Part of {parameter}",
+    "limits.summary": (
+        "{parameter} at new targets: {then} {unit} expected, {before} {unit} with what is in the"
+        " control now. Scatter alone, without any error of the axis, would give {least} {unit}: no"
+        " table goes below that."
+    ),
+    "period.alike": "These targets cannot tell apart: {periods} {unit}.",
+    "period.caption": (
+        "How much more likely the readings are with an error that repeats at each period than with"
+        " none, before it is counted how usual the period is. Dashed: periods that count."
+    ),
+    "period.described": "odds of each period",
+    "period.none": "None is known, and none was found.",
+    "period.over": "period / {unit}",
+    "period.source": (
+        "{source:choose|job=given by the job|found=found in the readings|files=given by the"
+        " control's files|={source}}"
+    ),
+    "report.accreditation": (
+        "This is a test report, not a calibration certificate of an accredited laboratory. The"
+        " traceability of the values rests on the calibration certificates of the measuring"
+        " instruments that are named."
+    ),
+    "report.acknowledged": "Acknowledged doubts",
+    "report.annex_a": "Annex A: target positions and raw readings",
+    "report.annex_b": "Annex B: provenance",
+    "report.axis": "Axis {axis:if|{axis}|not named}{name:if|, {name}}",
+    "report.both": "both",
+    "report.circle": "Circle {plane}{name:if|, {name}}",
+    "report.compensation": "Compensation of {axes:if|{axes}|{count} axes}",
+    "report.conditions": "Conditions of the test, {standard}",
+    "report.conform": "The machine conforms to every limit of the table above.",
+    "report.conformity_open": (
+        "Conformity is not stated: at least one decision, or what it rests on, is open."
+    ),
+    "report.customer": "Customer",
+    "report.date": "Date of the test",
+    "report.extreme": (
+        "{end:choose|highest=highest|lowest=lowest} mean{what:choose|A="
+        " {end:choose|highest=+|lowest=−} {coverage} s|E=|M= ±}"
+    ),
+    "report.extremes": "Extremes: rings in the figure",
+    "report.findings": "Findings",
+    "report.footer": "Report {number}",
+    "report.in_english": "Names and texts of the job and of the files are as they were given.",
+    "report.in_file": "In the file: {name}",
+    "report.logo": "Logo",
+    "report.no_limits": (
+        "No limit was given. This report states values; it does not state conformity."
+    ),
+    "report.no_number": "Report without a number",
+    "report.not_conform": "The machine does not conform to every limit of the table above.",
+    "report.number": "Report number",
+    "report.open_sections": "Sections that stand open are printed.",
+    "report.operator": "Operator",
+    "report.other_findings": "Other findings",
+    "report.page": "Page",
+    "report.page_of": "of",
+    "report.parameters": "Parameters",
+    "report.place": "Place",
+    "report.provenance": (
+        "Evaluated by compwright {version}.{command:if| This command repeats the report:}"
+    ),
+    "report.readings": "Single readings",
+    "report.readings_air": "Single readings, the effect of the air on the light removed",
+    "report.readings_measured": "Single readings, as measured",
+    "report.readings_reduced": "Single readings, reduced to 20 °C",
+    "report.results": "Results",
+    "report.see_tests": "see the pages of the tests",
+    "report.sign_checked": "Checked by",
+    "report.sign_measured": "Measured by",
+    "report.sign_place": "Place, date",
+    "report.signs": (
+        "Deviation: measured minus target. Approach +: in the positive machine direction. B is the"
+        " mean at + minus the mean at −."
+    ),
+    "report.statistics": "Means, standard deviations and repeatability at {count} target positions",
+    "report.test": "Test {name}",
+    "report.title": "Test report{tests:plural|| of {tests} tests}",
+    "report.unread": "Files that were not evaluated",
+    "report.verification": "Verification of {axes}",
+    "run.annex_c": "Annex C: compensation",
+    "run.assumed": "Assumed facts",
+    "run.assumed_note": (
+        "Not in the files that were given; the results hold only where these are true."
+    ),
+    "run.axis_table": "Axis {axis}: table",
+    "run.bends": "{input} bends {output}",
+    "run.bidirectional": "One curve for each direction of approach",
+    "run.card": "Commissioning card",
+    "run.certificate": "Certificate of the fit",
+    "run.changes": "Old to new",
+    "run.check_first": "Undecided: check first what is named above",
+    "run.circle_worse": "Undecided: a circle is predicted to get worse",
+    "run.comparison": "Before and predicted",
+    "run.comparison_note": (
+        "Before and, on the same scale, what a test at the same targets is expected to show."
+    ),
+    "run.compensation": "Compensation",
+    "run.correction": "Correction: what the control adds to the command.",
+    "run.cross": "Cross tables",
+    "run.done": (
+        "{tests:plural|1 test|{tests} tests} of {count:plural|axis|axes} {axes}"
+        " {tests:plural|was|were} evaluated to {standards:if|{standards:and}|no standard}. The"
+        " error was estimated over the travel{tables:if|; the best table that"
+        " {control:if|{control}|the control} can hold was fitted, written in the control's own"
+        " form, and read back from the files to predict the next test. Nothing has been loaded yet:"
+        " load the table with the commissioning card, measure again, and run compwright verify.|."
+        " No table was written: predicted is the next test without one.}"
+    ),
+    "run.estimate": "Axis {axis}: estimated error",
+    "run.estimate_note": (
+        "What the table is meant to remove: the deviation over the travel in the state in which it"
+        " was measured, with its uncertainty."
+    ),
+    "run.files": "Files",
+    "run.files_written": "Files written",
+    "run.in_english": (
+        "Texts of the job, of the files and of the control's definition are as they were given;"
+        " assumed facts, reasons why an axis gets no table, and the names in the certificate of the"
+        " fit are in English."
+    ),
+    "run.legend": (
+        "Grey: before. Blue: 5 to 95 % of fresh tests at the same targets, upright line: median."
+        " Dashed: limit."
+    ),
+    "run.limit_missed": "At least one limit is predicted to be missed",
+    "run.limit_open": "At least one limit may or may not be met",
+    "run.limits": "Axis {axis}: what limits it",
+    "run.limits_met": "All limits are predicted to be met",
+    "run.limits_met_if": (
+        "All limits are predicted to be met, as far as what is named above is right"
+    ),
+    "run.no_axis_table": "No table for this axis{reason:if|: {reason}}.",
+    "run.no_limits": "Predicted result; no limits were given to decide against",
+    "run.no_statement": (
+        "Statement of conformity: none. The decisions are about the predicted next test; the report"
+        " of compwright verify decides about the machine."
+    ),
+    "run.no_table": "No table was written",
+    "run.no_table_for": "No table was written for axis {axes}",
+    "run.periods": "Axis {axis}: periods of the error",
+    "run.points": "Table in numbers: {count} points",
+    "run.provenance": "Provenance",
+    "run.raw_readings": "Raw readings",
+    "run.refusal": "Axis {axis}: {reason}.",
+    "run.single": "One curve and one reversal value",
+    "run.state": "Axis {axis}: state of the control that was taken",
+    "run.state_files": (
+        "As in {files}; the table is the total of what was there and what is to be added."
+    ),
+    "run.state_none": "None: nothing was active in the control when the axis was measured.",
+    "run.state_not_given": (
+        "Not given. Without it no table is written: the new total has to hold what is active"
+        " already."
+    ),
+    "run.table": (
+        "{count} nodes, as read back from the files.{wanted:if| Broad line: what was wanted before"
+        " rounding and limits.}"
+    ),
+    "run.worth": "Axis {axis}: what the points of the table are worth",
+    "verify.comparison": "Before, predicted and after",
+    "verify.comparison_note": (
+        "One scale. Predicted: expected means at the targets of the first test."
+    ),
+    "verify.equivalent": "cannot be distinguished from",
+    "verify.factor": "factor",
+    "verify.further_table": "further table",
+    "verify.in_english": (
+        "Texts of the job, of the files and of the control's definition are as they were given; the"
+        " reasons of the next round are in English."
+    ),
+    "verify.legend": (
+        "Grey: before. Blue: predicted 5 to 95 %, upright line: measured after loading. Dashed:"
+        " limit."
+    ),
+    "verify.look_at": "Look at:",
+    "verify.next_round": "{written:if|Next round|No next round}",
+    "verify.no_further_table": "no further table",
+    "verify.outside": "outside",
+    "verify.shift": "shift in nodes",
+    "verify.table_of": "table of axis",
+    "verify.within": "within",
+    "worth.caption": (
+        "Predicted {symbol} at new targets over the number of points, median and 5 to 95 %. Filled"
+        " dot: the table that is written{grid:if|, {grid:choose|ring=ring: the grid that is in the"
+        " control|on_it=on the grid that is in the control}|}."
+    ),
+    "worth.described": "{quantity} over the number of points",
+    "worth.over": "points of the table",
+    "worth.points": (
+        "{points} points, every {spacing} {place}: {symbol} {median} {unit} ({p05} to {p95})"
+    ),
+    "worth.quantity": "{symbol} in {unit}",
+}

@@ -1,0 +1,368 @@
+"""Sentences of the pages of `run`, `verify` and circles, in French."""
+
+from __future__ import annotations
+
+from typing import Final
+
+SENTENCES: Final[dict[str, str]] = {
+    "circle.about": "{centre:choose|set_up= (centre de montage)|own= (centre propre)}",
+    "circle.agreement": "{how:choose|agrees=concorde|differs=diffère|not_valid=non valable}",
+    "circle.cause": "{cause}  {value} {unit}",
+    "circle.centre": (
+        "{name:choose|common=centre commun des moindres carrés|set-up=centre de montage|ccw=centre"
+        " des moindres carrés ↺|cw=centre des moindres carrés ↻} : {first} {x}, {second} {y}"
+        " µm{H:if| ; H {H} µm|}"
+    ),
+    "circle.compared": "Comparaison",
+    "circle.comparison": (
+        "Logiciel de l'instrument : concorde : à moins de deux erreurs types de notre valeur. Non"
+        " valable, entre parenthèses : le logiciel le dit lui-même. Diffère : son modèle n'est pas"
+        " publié ; le nôtre ajuste toutes les causes à la fois, avec un saut et un pic propres à"
+        " chaque point d'inversion."
+    ),
+    "circle.detail": "– {part}",
+    "circle.effect": "Effet sur le rayon",
+    "circle.effects": "Effet, crête à crête, en µm ; traits : 95 %",
+    "circle.fit": "ajustement : effet de toutes les causes ensemble",
+    "circle.job": (
+        "Ces lignes d'un dossier de travail mettent dans les tables et la compensation de jeu ce"
+        " qu'elles peuvent corriger. Créer le dossier de travail avec `compwright new --from"
+        " FILE... --format ID --out job.yaml` à partir des fichiers de la commande, y nommer un"
+        " essai de positionnement de chaque axe (sa pente corrige l'échelle), ajouter les"
+        " lignes{file:if| avec le fichier de chaque sens pour FILE|}, puis `compwright run"
+        " job.yaml`."
+    ),
+    "circle.least_squares": "cercle des moindres carrés, {base} µm du rayon nominal",
+    "circle.magnified": "{setting}\nGrossissement {magnification} : 1, cercles en µm",
+    "circle.next": "Que faire ensuite",
+    "circle.no_table": "Aucune table ne corrige ces causes. Répéter l'essai après les travaux.",
+    "circle.nominal": "trajectoire nominale",
+    "circle.parameter": (
+        "{name:choose|G=Écart circulaire, zone minimale|G_lsc=selon le cercle des moindres"
+        " carrés|F_max=Écart radial, le plus grand|F_min=Écart radial, le plus petit|F_max_lsc=le"
+        " plus grand, centre des moindres carrés|F_min_lsc=le plus petit, centre des moindres"
+        " carrés|H=Hystérésis circulaire|D=Écart radial moyen}"
+    ),
+    "circle.ranked": "Causes, le plus grand effet d'abord",
+    "circle.run": "{sense} : G {G}, F{centre} {highest} / {lowest} µm",
+    "circle.sense": "{sense:choose|ccw=↺|cw=↻|both=les deux}",
+    "circle.setting": (
+        "R {radius} mm{feed:if|, {feed:.5g} mm/min|}{extent:if|, arc de {extent:.4g}° depuis"
+        " {start:.4g}°|}"
+    ),
+    "circle.share": "Part",
+    "circle.shares": "Causes, part de l'ensemble\npâle : moins de deux erreurs types",
+    "circle.software": "Logiciel de l'instrument",
+    "circle.start": "départ {sense}",
+    "circle.step": (
+        "{kind:choose|squareness=Mécanique : vérifier le nivellement et l'alignement des guidages."
+        " Table : un dossier de travail avec `apply` la corrige là où la commande le"
+        " peut.|scale_mismatch=Vérifier la température des deux axes. Table : mesurer {first} et"
+        " {second} au laser et exécuter un dossier de travail avec les deux"
+        " essais.|servo_mismatch=Asservissement : donner à {first} et {second} le même gain de"
+        " boucle de position (Kv) et la même anticipation.|radius_change=Mesure : répéter les deux"
+        " sens à la même vitesse ; vérifier l'assise de l'instrument.|backlash=Mécanique : vérifier"
+        " l'écrou, le palier et l'accouplement de la vis {axis}. Corriger ensuite la compensation"
+        " de jeu de {axis} dans la commande.|lateral_play=Mécanique : vérifier la précharge et les"
+        " lardons du guidage {axis}.|reversal_spike=Asservissement : régler la compensation de"
+        " frottement de {axis} à l'inversion. Mécanique : vérifier la lubrification et les"
+        " racleurs.|cyclic=Mécanique : vérifier la vis, son palier et la fixation du codeur de"
+        " {axis}. Table : au moins trois points par période corrigent ce qui"
+        " reste.|straightness=Mécanique : vérifier l'alignement du guidage {axis}. Table : une"
+        " table entre les axes la corrige là où la commande en a une (cross).|offset_change=Mesure"
+        " : vérifier le support du centre et les coupelles magnétiques ; puis"
+        " répéter.|spiral=Mesure : laisser la machine et l'instrument atteindre une température"
+        " stable ; puis répéter.|vibration=Chercher la source par sa fréquence : pompe,"
+        " ventilateur, moteur. Asservissement : baisser le gain à titre"
+        " d'essai.|stick_slip=Mécanique : vérifier la lubrification, les racleurs et la précharge"
+        " du guidage {axis}.|master_slave=Asservissement : vérifier les paramètres d'interpolation"
+        " de {first} et {second}.}"
+    ),
+    "circle.symbol": (
+        "{letter}{sense:if| {sense:choose|ccw=↺|cw=↻|bidirectional=les deux}|}{centre:if|,"
+        " {centre:choose|G=cercle des moindres carrés|F=centre des moindres carrés}|}"
+    ),
+    "circle.to_do": "{cause} ({share:.0f} % de tous les effets). {step}",
+    "circle.unexplained": (
+        "Ce que les causes ci-dessous n'expliquent pas : {rms} µm (valeur efficace)."
+    ),
+    "circle.value_error": "Valeur ± erreur type",
+    "circle.zone": (
+        "zone minimale{sense:choose|both= des deux|ccw=, ↺|cw=, ↻} : G {G} µm{D:if| ; D {D} µm|}"
+    ),
+    "given.approaches": "{counts} ; {cycle:choose|standard=cycle normal|step=cycle en pas}",
+    "given.arc": "de {start}° à {end}°, {extent}°",
+    "given.at_end": "{text} {end:choose|_start=au début|_end=à la fin}",
+    "given.axis": "{axis}, {kind:choose|linear=axe linéaire|rotary=axe rotatif}",
+    "given.budget": "voir le bilan de l'incertitude",
+    "given.centre": "centre {places:join|; } mm",
+    "given.coefficient": "{value} µm/(m K)",
+    "given.compensation": (
+        "{how:choose|off=non active ; la commande contenait|active=active, comme"
+        " dans|stored=active, comme enregistrée dans} {files} (dossier de travail, states.{state})"
+    ),
+    "given.compensation_loaded": (
+        "active, telle que chargée après le calcul de ce dossier ; ce que l'essai en montre : voir"
+        " Chargement"
+    ),
+    "given.compensation_none": (
+        "non active : rien n'était actif dans la commande (dossier de travail, states.{state})"
+    ),
+    "given.estimator": (
+        "s : {spread:choose|std=écart-type, n − 1|range=étendue des lectures} ; limites à ±"
+        " {coverage} s ; sans lissage"
+    ),
+    "given.expansion": (
+        "appliquée par compwright : lectures ramenées à 20 °C,"
+        " {what:choose|scale=règle|workpiece=pièce} {alpha_m} µm/(m K) à {T_m} °C, instrument"
+        " {alpha_d} µm/(m K) à {T_d} °C, point fixe {x_fix} mm"
+    ),
+    "given.list": "{others:if|{others} et |}{last:if|{last}|aucun}",
+    "given.listed": "{items}",
+    "given.of_tests": "{names} : {statement}",
+    "given.programmed_feed": "mm/min programmés",
+    "given.radius": "rayon {radius} mm",
+    "given.samples": "{counts} points de mesure",
+    "given.sense": (
+        "{sense:choose|ccw=sens inverse des aiguilles d'une montre|cw=sens des aiguilles d'une"
+        " montre}"
+    ),
+    "given.sentences": "{sentences:join| }",
+    "given.smoothing": "aucun par compwright : chaque point compte",
+    "given.statements": "{statements:join| ; }",
+    "given.targets": "{count} de {first} à {last} {unit} ; liste en annexe A",
+    "limits.all": "toutes ensemble",
+    "limits.cause": (
+        "{cause:choose|noise=dispersion des mesures : la même position ne revient pas à l'identique"
+        " (répétabilité)|single outliers=valeurs aberrantes isolées|shifts between"
+        " traverses=parcours entiers décalés|drift=dérive : l'axe change pendant la"
+        " mesure|temperature within its uncertainty=température : une pente dans les limites de ce"
+        " que le dossier de travail déclare incertain|error that the test leaves open=erreur que"
+        " l'essai n'a pas montrée : entre les points visés et cachée dans la dispersion|steps that"
+        " the control never applies=sauts de la correction (inversion) que la commande n'applique"
+        " jamais, à cause de son accélération et de sa période d'asservissement|no table is"
+        " written=erreur mesurée qu'aucune table n'enlève|spacing too wide for the period=erreur"
+        " périodique : les points sont trop espacés pour elle|spacing of the points=courbure entre"
+        " les points de la table|number of points=courbure entre les points : la commande en a trop"
+        " peu|one table for both directions=réversibilité qui varie le long de la course : une"
+        " table et une valeur ne peuvent la contenir|no backlash value=réversibilité : la commande"
+        " n'a pas de valeur pour elle|quantum=résolution des valeurs de la table|value range=plus"
+        " grande valeur que la commande accepte|backlash range=plus grande valeur de jeu que la"
+        " commande accepte|largest increment=plus grand pas d'un point à l'autre que la commande"
+        " accepte|a straight line instead of a table=courbure : la commande a une droite, pas de"
+        " table|={cause}}"
+    ),
+    "limits.left": "Reste dû à la commande",
+    "limits.note": (
+        "Chaque barre : de combien {parameter} serait plus petit sans cette seule cause, d'après"
+        " les mêmes tirages. Les parts ne s'additionnent pas, car {parameter} est une étendue : ce"
+        " que deux causes font à des endroits différents compte une fois."
+    ),
+    "limits.part": "Part de {parameter}",
+    "limits.summary": (
+        "{parameter} à de nouveaux points visés : {then} {unit} attendus, {before} {unit} avec le"
+        " contenu actuel de la commande. La dispersion seule, sans aucune erreur de l'axe,"
+        " donnerait {least} {unit} : aucune table ne descend plus bas."
+    ),
+    "period.alike": "Ces points visés ne distinguent pas : {periods} {unit}.",
+    "period.caption": (
+        "Combien de fois les mesures sont plus vraisemblables avec une erreur qui se répète à"
+        " chaque période que sans, avant de compter si la période est courante. Tirets : périodes"
+        " qui comptent."
+    ),
+    "period.described": "rapport de vraisemblance de chaque période",
+    "period.none": "Aucune n'est connue et aucune n'a été trouvée.",
+    "period.over": "période / {unit}",
+    "period.source": (
+        "{source:choose|job=donnée par le dossier de travail|found=trouvée dans les"
+        " mesures|files=donnée par les fichiers de la commande|={source}}"
+    ),
+    "report.accreditation": (
+        "Ceci est un rapport d'essai et non un certificat d'étalonnage d'un laboratoire accrédité."
+        " La traçabilité des valeurs repose sur les certificats d'étalonnage des instruments de"
+        " mesure cités."
+    ),
+    "report.acknowledged": "Doutes pris en compte",
+    "report.annex_a": "Annexe A : points visés et lectures brutes",
+    "report.annex_b": "Annexe B : origine des données",
+    "report.axis": "Axe {axis:if|{axis}|non nommé}{name:if|, {name}}",
+    "report.both": "les deux",
+    "report.circle": "Cercle {plane}{name:if|, {name}}",
+    "report.compensation": "Compensation de {axes:if|{axes}|{count} axes}",
+    "report.conditions": "Conditions d'essai, {standard}",
+    "report.conform": "La machine respecte toutes les limites du tableau ci-dessus.",
+    "report.conformity_open": (
+        "La conformité n'est pas déclarée : au moins une décision, ou sa base, est ouverte."
+    ),
+    "report.customer": "Client",
+    "report.date": "Date de l'essai",
+    "report.extreme": (
+        "moyenne {end:choose|highest=max.|lowest=min.}{what:choose|A="
+        " {end:choose|highest=+|lowest=−} {coverage} s|E=|M= ±}"
+    ),
+    "report.extremes": "Extremums : cercles sur la figure",
+    "report.findings": "Constats",
+    "report.footer": "Rapport {number}",
+    "report.in_english": (
+        "Les noms et textes du dossier de travail et des fichiers sont tels qu'ils ont été donnés."
+        " La traduction n'a pas encore été relue par une personne de langue française ; le rapport"
+        " en anglais fait foi."
+    ),
+    "report.in_file": "Dans le fichier : {name}",
+    "report.logo": "Logo",
+    "report.no_limits": (
+        "Aucune limite n'est indiquée. Ce rapport donne des valeurs ; il ne déclare pas la"
+        " conformité."
+    ),
+    "report.no_number": "Rapport sans numéro",
+    "report.not_conform": "La machine ne respecte pas toutes les limites du tableau ci-dessus.",
+    "report.number": "Numéro du rapport",
+    "report.open_sections": "Les parties dépliées sont imprimées.",
+    "report.operator": "Opérateur",
+    "report.other_findings": "Autres constats",
+    "report.page": "Page",
+    "report.page_of": "sur",
+    "report.parameters": "Paramètres",
+    "report.place": "Lieu",
+    "report.provenance": (
+        "Évalué par compwright {version}.{command:if| Cette commande refait le rapport :}"
+    ),
+    "report.readings": "Lectures",
+    "report.readings_air": "Lectures corrigées de l'effet de l'air sur la lumière",
+    "report.readings_measured": "Lectures telles que mesurées",
+    "report.readings_reduced": "Lectures ramenées à 20 °C",
+    "report.results": "Résultats",
+    "report.see_tests": "voir les pages des essais",
+    "report.sign_checked": "Vérifié par",
+    "report.sign_measured": "Mesuré par",
+    "report.sign_place": "Lieu, date",
+    "report.signs": (
+        "Écart : position mesurée moins point visé. Approche + : dans le sens positif de la"
+        " machine. Erreur de réversibilité à un point visé : moyenne à + moins moyenne à − ; B en"
+        " est la plus grande valeur absolue."
+    ),
+    "report.statistics": (
+        "Moyennes, écarts-types et répétabilité en {count} {count:plural|point visé|points visés}"
+    ),
+    "report.test": "Essai {name}",
+    "report.title": "Rapport d'essai{tests:plural|| de {tests} essais}",
+    "report.unread": "Fichiers non évalués",
+    "report.verification": "Vérification de {axes}",
+    "run.annex_c": "Annexe C : compensation",
+    "run.assumed": "Faits supposés",
+    "run.assumed_note": (
+        "Absents des fichiers fournis ; les résultats ne valent que si ces faits sont vrais."
+    ),
+    "run.axis_table": "Axe {axis} : table",
+    "run.bends": "{input} corrige {output}",
+    "run.bidirectional": "Une courbe par sens d'approche",
+    "run.card": "Fiche de mise en service (en anglais)",
+    "run.certificate": "Preuve de l'ajustement",
+    "run.changes": "Ancien et nouveau",
+    "run.check_first": "Indécis : vérifier d'abord ce qui est cité ci-dessus",
+    "run.circle_worse": "Indécis : la prévision est qu'un cercle se dégrade",
+    "run.comparison": "Avant et prévu",
+    "run.comparison_note": (
+        "Avant et, à la même échelle, ce qu'un essai aux mêmes points visés devrait montrer."
+    ),
+    "run.compensation": "Compensation",
+    "run.correction": "Correction : ce que la commande ajoute à la consigne.",
+    "run.cross": "Tables entre axes",
+    "run.done": (
+        "{tests:plural|1 essai|{tests} essais} {count:plural|de l'axe|des axes} {axes}"
+        " {tests:plural|a été évalué|ont été évalués} selon {standards:if|{standards:and}|aucune"
+        " norme}. L'erreur a été estimée sur la course{tables:if| ; la meilleure table que"
+        " {control:if|{control}|la commande} peut contenir a été calculée, écrite dans la forme de"
+        " la commande et relue dans les fichiers pour prévoir l'essai suivant. Rien n'est encore"
+        " chargé : charger la table avec la fiche de mise en service, mesurer de nouveau et lancer"
+        " compwright verify.|. Aucune table n'a été écrite : la prévision est celle de l'essai"
+        " suivant sans table.}"
+    ),
+    "run.estimate": "Axe {axis} : erreur estimée",
+    "run.estimate_note": (
+        "Ce que la table doit enlever : l'écart sur la course dans l'état où il a été mesuré, avec"
+        " son incertitude."
+    ),
+    "run.files": "Fichiers",
+    "run.files_written": "Fichiers écrits",
+    "run.in_english": (
+        "Les textes du dossier de travail, des fichiers et de la définition de la commande sont"
+        " tels qu'ils ont été donnés. Sont en anglais les faits supposés, les raisons pour"
+        " lesquelles un axe n'a pas de table et les noms du certificat de l'ajustement. La"
+        " traduction n'a pas encore été relue par une personne de langue française."
+    ),
+    "run.legend": (
+        "Gris : avant. Bleu : 5 à 95 % de nouveaux essais aux mêmes points visés, trait vertical :"
+        " médiane. Tirets : limite."
+    ),
+    "run.limit_missed": "D'après la prévision, au moins une limite ne sera pas respectée",
+    "run.limit_open": "Pour au moins une limite, il est incertain qu'elle soit respectée",
+    "run.limits": "Axe {axis} : causes limitantes",
+    "run.limits_met": "D'après la prévision, toutes les limites seront respectées",
+    "run.limits_met_if": (
+        "D'après la prévision, toutes les limites seront respectées, si ce qui est cité ci-dessus"
+        " est vrai"
+    ),
+    "run.no_axis_table": "Pas de table pour cet axe{reason:if| : {reason}}.",
+    "run.no_limits": "Résultat prévu ; aucune limite n'est indiquée pour décider",
+    "run.no_statement": (
+        "Déclaration de conformité : aucune. Les décisions portent sur l'essai suivant tel qu'il"
+        " est prévu ; le rapport de compwright verify décide de la machine."
+    ),
+    "run.no_table": "Aucune table n'a été écrite",
+    "run.no_table_for": "Aucune table n'a été écrite pour l'axe {axes}",
+    "run.periods": "Axe {axis} : périodes de l'erreur",
+    "run.points": "Table en chiffres : {count:plural|{count} point|{count} points}",
+    "run.provenance": "Origine des données",
+    "run.raw_readings": "Lectures brutes",
+    "run.refusal": "Axe {axis} : {reason}.",
+    "run.single": "Une courbe et une valeur de réversibilité",
+    "run.state": "Axe {axis} : état de la commande pris en compte",
+    "run.state_files": (
+        "Comme dans {files} ; la table est la somme de ce qui y était et de ce qui s'ajoute."
+    ),
+    "run.state_none": "Aucun : rien n'était actif dans la commande quand l'axe a été mesuré.",
+    "run.state_not_given": (
+        "Non indiqué. Sans lui, aucune table n'est écrite : la nouvelle somme doit contenir ce qui"
+        " est déjà actif."
+    ),
+    "run.table": (
+        "{count} nœuds, tels que relus dans les fichiers.{wanted:if| Trait large : le tracé voulu"
+        " avant arrondi et limites.}"
+    ),
+    "run.worth": "Axe {axis} : utilité des points de la table",
+    "verify.comparison": "Avant, prévu et après",
+    "verify.comparison_note": (
+        "Une seule échelle. Prévu : moyennes attendues aux points visés du premier essai."
+    ),
+    "verify.equivalent": "impossible à distinguer de",
+    "verify.factor": "facteur",
+    "verify.further_table": "nouvelle table",
+    "verify.in_english": (
+        "Les textes du dossier de travail, des fichiers et de la définition de la commande sont"
+        " tels qu'ils ont été donnés. Sont en anglais les raisons du tour suivant. La traduction"
+        " n'a pas encore été relue par une personne de langue française."
+    ),
+    "verify.legend": (
+        "Gris : avant. Bleu : prévision de 5 à 95 %, trait vertical : mesuré après chargement."
+        " Tirets : limite."
+    ),
+    "verify.look_at": "À vérifier :",
+    "verify.next_round": "{written:if|Tour suivant|Pas de tour suivant}",
+    "verify.no_further_table": "pas de nouvelle table",
+    "verify.outside": "hors",
+    "verify.shift": "décalage en nœuds",
+    "verify.table_of": "table de l'axe",
+    "verify.within": "dans",
+    "worth.caption": (
+        "{symbol} prévu à de nouveaux points visés selon le nombre de points, médiane et 5 à 95 %."
+        " Point plein : la table écrite{grid:if|, {grid:choose|ring=anneau : la grille de la"
+        " commande|on_it=sur la grille de la commande}|}."
+    ),
+    "worth.described": "{quantity} selon le nombre de points",
+    "worth.over": "points de la table",
+    "worth.points": (
+        "{points} points, tous les {spacing} {place} : {symbol} {median} {unit} ({p05} à {p95})"
+    ),
+    "worth.quantity": "{symbol} en {unit}",
+}

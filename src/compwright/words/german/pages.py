@@ -1,0 +1,366 @@
+"""Sentences of the pages of `run`, `verify` and circles, in German."""
+
+from __future__ import annotations
+
+from typing import Final
+
+SENTENCES: Final[dict[str, str]] = {
+    "circle.about": "{centre:choose|set_up= (Aufbaumittelpunkt)|own= (eigener Mittelpunkt)}",
+    "circle.agreement": (
+        "{how:choose|agrees=stimmt überein|differs=weicht ab|not_valid=nicht gültig}"
+    ),
+    "circle.cause": "{cause}  {value} {unit}",
+    "circle.centre": (
+        "{name:choose|common=gemeinsamer Mittelpunkt der"
+        " Ausgleichskreise|set-up=Aufbaumittelpunkt|ccw=Mittelpunkt des Ausgleichskreises"
+        " ↺|cw=Mittelpunkt des Ausgleichskreises ↻}: {first} {x}, {second} {y} µm{H:if|; H {H} µm|}"
+    ),
+    "circle.compared": "Vergleich",
+    "circle.comparison": (
+        "Software des Messgeräts: stimmt überein: innerhalb von zwei Standardfehlern unseres Werts."
+        " Nicht gültig, in Klammern: Das sagt die Software selbst. Weicht ab: Ihr Modell ist nicht"
+        " veröffentlicht; unseres gleicht alle Ursachen zugleich aus, mit eigener Stufe und Spitze"
+        " an jedem Umkehrpunkt."
+    ),
+    "circle.detail": "– {part}",
+    "circle.effect": "Wirkung auf den Radius",
+    "circle.effects": "Wirkung, Spitze zu Spitze, in µm; Striche: 95 %",
+    "circle.fit": "Ausgleich: was alle Ursachen zusammen ergeben",
+    "circle.job": (
+        "Diese Zeilen eines Auftrags bringen in Tabellen und Losekompensation, was sie korrigieren"
+        " können. Den Auftrag mit `compwright new --from FILE... --format ID --out job.yaml` aus"
+        " den Dateien der Steuerung anlegen, für jede Achse eine Positionierprüfung nennen (ihre"
+        " Steigung korrigiert den Maßstab), die Zeilen ergänzen{file:if| und für FILE die Datei"
+        " jeder Richtung einsetzen|}, dann `compwright run job.yaml`."
+    ),
+    "circle.least_squares": "Ausgleichskreis, {base} µm vom Sollradius",
+    "circle.magnified": "{setting}\nVergrößerung {magnification} : 1, Kreise in µm",
+    "circle.next": "Was jetzt zu tun ist",
+    "circle.no_table": (
+        "Keine Tabelle korrigiert diese Ursachen. Die Prüfung nach den Arbeiten wiederholen."
+    ),
+    "circle.nominal": "Sollbahn",
+    "circle.parameter": (
+        "{name:choose|G=Kreisformabweichung, kleinste Ringzone|G_lsc=nach dem"
+        " Ausgleichskreis|F_max=Radialabweichung, größte|F_min=Radialabweichung,"
+        " kleinste|F_max_lsc=größte, um den Ausgleichsmittelpunkt|F_min_lsc=kleinste, um den"
+        " Ausgleichsmittelpunkt|H=Kreisumkehrspanne|D=Mittlere Radialabweichung}"
+    ),
+    "circle.ranked": "Ursachen, die größte Wirkung zuerst",
+    "circle.run": "{sense}: G {G}, F{centre} {highest} / {lowest} µm",
+    "circle.sense": "{sense:choose|ccw=↺|cw=↻|both=beide}",
+    "circle.setting": (
+        "R {radius} mm{feed:if|, {feed:.5g} mm/min|}{extent:if|, Bogen {extent:.4g}° ab"
+        " {start:.4g}°|}"
+    ),
+    "circle.share": "Anteil",
+    "circle.shares": "Ursachen, Anteil an allen\nblass: unter dem doppelten Standardfehler",
+    "circle.software": "Software des Messgeräts",
+    "circle.start": "Beginn {sense}",
+    "circle.step": (
+        "{kind:choose|squareness=Mechanik: Ausrichtung und Fluchtung der Führungen prüfen. Tabelle:"
+        " Ein Auftrag mit `apply` korrigiert sie, wo die Steuerung es"
+        " kann.|scale_mismatch=Temperatur beider Achsen prüfen. Tabelle: {first} und {second} mit"
+        " dem Laser messen und einen Auftrag mit beiden Prüfungen rechnen.|servo_mismatch=Regelung:"
+        " {first} und {second} dieselbe Kreisverstärkung der Lageregelung (Kv) und Vorsteuerung"
+        " geben.|radius_change=Messung: beide Richtungen mit demselben Vorschub wiederholen; den"
+        " Sitz des Messgeräts prüfen.|backlash=Mechanik: Mutter, Stützlager und Kupplung der"
+        " Spindel {axis} prüfen. Dann die Losekompensation der Steuerung für {axis}"
+        " korrigieren.|lateral_play=Mechanik: Vorspannung und Leisten der Führung {axis}"
+        " prüfen.|reversal_spike=Regelung: Reibungskompensation von {axis} bei der Umkehr"
+        " einstellen. Mechanik: Schmierung und Abstreifer prüfen.|cyclic=Mechanik: Spindel, ihre"
+        " Lagerung und den Sitz des Gebers von {axis} prüfen. Tabelle: Mindestens drei Punkte je"
+        " Periode korrigieren, was bleibt.|straightness=Mechanik: Ausrichtung der Führung {axis}"
+        " prüfen. Tabelle: Eine Tabelle zwischen den Achsen korrigiert sie, wo die Steuerung eine"
+        " hat (cross).|offset_change=Messung: Mittelpunkthalter und Magnetpfannen prüfen; dann"
+        " wiederholen.|spiral=Messung: Maschine und Messgerät auf eine gleichbleibende Temperatur"
+        " kommen lassen; dann wiederholen.|vibration=Quelle nach ihrer Frequenz suchen: Pumpe,"
+        " Lüfter, Motor. Regelung: Verstärkung probeweise senken.|stick_slip=Mechanik: Schmierung,"
+        " Abstreifer und Vorspannung der Führung {axis} prüfen.|master_slave=Regelung:"
+        " Interpolationsparameter von {first} und {second} prüfen.}"
+    ),
+    "circle.symbol": (
+        "{letter}{sense:if| {sense:choose|ccw=↺|cw=↻|bidirectional=beide}|}{centre:if|,"
+        " {centre:choose|G=Ausgleichskreis|F=Ausgleichsmittelpunkt}|}"
+    ),
+    "circle.to_do": "{cause} ({share:.0f} % aller Wirkungen). {step}",
+    "circle.unexplained": "Was die Ursachen unten nicht erklären: {rms} µm (Effektivwert).",
+    "circle.value_error": "Wert ± Standardfehler",
+    "circle.zone": (
+        "kleinste Ringzone{sense:choose|both= beider|ccw=, ↺|cw=, ↻}: G {G} µm{D:if|; D {D} µm|}"
+    ),
+    "given.approaches": "{counts}; {cycle:choose|standard=Standardzyklus|step=Schrittzyklus}",
+    "given.arc": "von {start}° bis {end}°, {extent}°",
+    "given.at_end": "{text} {end:choose|_start=zu Beginn|_end=am Ende}",
+    "given.axis": "{axis}, {kind:choose|linear=Linearachse|rotary=Drehachse}",
+    "given.budget": "siehe Budget der Messunsicherheit",
+    "given.centre": "Mittelpunkt {places:join|; } mm",
+    "given.coefficient": "{value} µm/(m K)",
+    "given.compensation": (
+        "{how:choose|off=aus; in der Steuerung standen|active=ein, wie aktiv in|stored=ein, wie"
+        " gespeichert in} {files} (Auftrag, states.{state})"
+    ),
+    "given.compensation_loaded": (
+        "ein, wie nach der Berechnung dieses Auftrags geladen; was die Prüfung davon zeigt: siehe"
+        " Laden"
+    ),
+    "given.compensation_none": "aus: In der Steuerung war nichts aktiv (Auftrag, states.{state})",
+    "given.estimator": (
+        "s: {spread:choose|std=Standardabweichung, n − 1|range=aus der Spannweite der Messwerte};"
+        " Grenzen bei ± {coverage} s; keine Glättung"
+    ),
+    "given.expansion": (
+        "von compwright angewendet: Messwerte auf 20 °C umgerechnet,"
+        " {what:choose|scale=Maßstab|workpiece=Werkstück} {alpha_m} µm/(m K) bei {T_m} °C,"
+        " Messgerät {alpha_d} µm/(m K) bei {T_d} °C, Festpunkt {x_fix} mm"
+    ),
+    "given.list": "{others:if|{others} und |}{last:if|{last}|keine}",
+    "given.listed": "{items}",
+    "given.of_tests": "{names}: {statement}",
+    "given.programmed_feed": "mm/min programmiert",
+    "given.radius": "Radius {radius} mm",
+    "given.samples": "{counts} Messpunkte",
+    "given.sense": "{sense:choose|ccw=Gegenuhrzeigersinn|cw=Uhrzeigersinn}",
+    "given.sentences": "{sentences:join| }",
+    "given.smoothing": "keine durch compwright: Jeder Messpunkt zählt",
+    "given.statements": "{statements:join|; }",
+    "given.targets": "{count} von {first} bis {last} {unit}; Liste in Anhang A",
+    "limits.all": "alle zusammen",
+    "limits.cause": (
+        "{cause:choose|noise=Messwerte streuen: Dieselbe Position kommt nicht gleich wieder"
+        " (Wiederholpräzision)|single outliers=einzelne Ausreißer|shifts between traverses=ganze"
+        " Durchläufe, die verschoben sind|drift=Drift: Die Achse ändert sich während der"
+        " Messung|temperature within its uncertainty=Temperatur: eine Steigung innerhalb dessen,"
+        " was der Auftrag als unsicher angibt|error that the test leaves open=Fehler, den die"
+        " Prüfung nicht zeigte: zwischen den Zielpositionen und in der Streuung verborgen|steps"
+        " that the control never applies=Stufen der Korrektur (Umkehr), die die Steuerung wegen"
+        " ihrer Beschleunigung und ihres Regeltakts nie ausführt|no table is written=gemessener"
+        " Fehler, den keine Tabelle wegnimmt|spacing too wide for the period=periodische"
+        " Abweichung: Die Punkte liegen für sie zu weit auseinander|spacing of the points=Krümmung"
+        " zwischen den Punkten der Tabelle|number of points=Krümmung zwischen den Punkten: Die"
+        " Steuerung hat zu wenige|one table for both directions=Umkehrspanne, die sich über den"
+        " Verfahrweg ändert: Eine Tabelle und ein Wert können sie nicht aufnehmen|no backlash"
+        " value=Umkehrspanne: Die Steuerung hat keinen Wert dafür|quantum=Auflösung der"
+        " Tabellenwerte|value range=größter Wert, den die Steuerung annimmt|backlash range=größter"
+        " Losewert, den die Steuerung annimmt|largest increment=größter Schritt von Punkt zu Punkt,"
+        " den die Steuerung annimmt|a straight line instead of a table=Krümmung: Die Steuerung hat"
+        " eine Gerade, keine Tabelle|={cause}}"
+    ),
+    "limits.left": "Rest der Steuerung",
+    "limits.note": (
+        "Jeder Balken: um wie viel {parameter} ohne diese Ursache allein kleiner wäre, aus"
+        " denselben Ziehungen. Die Teile ergeben nicht die Summe, denn {parameter} ist eine Spanne:"
+        " Was zwei Ursachen an verschiedenen Stellen bewirken, zählt einmal."
+    ),
+    "limits.part": "Teil von {parameter}",
+    "limits.summary": (
+        "{parameter} an neuen Zielpositionen: {then} {unit} erwartet, {before} {unit} mit dem, was"
+        " jetzt in der Steuerung ist. Die Streuung allein, ohne jeden Fehler der Achse, ergäbe"
+        " {least} {unit}: Darunter kommt keine Tabelle."
+    ),
+    "period.alike": "Diese Zielpositionen unterscheiden nicht: {periods} {unit}.",
+    "period.caption": (
+        "Wie viel wahrscheinlicher die Messwerte mit einem Fehler sind, der sich mit der jeweiligen"
+        " Periode wiederholt, als ohne; wie üblich die Periode ist, zählt hier noch nicht."
+        " Gestrichelt: Perioden, die zählen."
+    ),
+    "period.described": "Wahrscheinlichkeitsverhältnis jeder Periode",
+    "period.none": "Keine ist bekannt, und keine wurde gefunden.",
+    "period.over": "Periode / {unit}",
+    "period.source": (
+        "{source:choose|job=im Auftrag angegeben|found=in den Messwerten gefunden|files=in den"
+        " Dateien der Steuerung angegeben|={source}}"
+    ),
+    "report.accreditation": (
+        "Dies ist ein Prüfbericht, kein Kalibrierschein eines akkreditierten Laboratoriums. Die"
+        " Rückführung der Werte beruht auf den Kalibrierscheinen der genannten Messgeräte."
+    ),
+    "report.acknowledged": "Zur Kenntnis genommene Zweifel",
+    "report.annex_a": "Anhang A: Zielpositionen und Rohmesswerte",
+    "report.annex_b": "Anhang B: Herkunft der Daten",
+    "report.axis": "Achse {axis:if|{axis}|ohne Namen}{name:if|, {name}}",
+    "report.both": "beide",
+    "report.circle": "Kreis {plane}{name:if|, {name}}",
+    "report.compensation": "Kompensation von {axes:if|{axes}|{count} Achsen}",
+    "report.conditions": "Prüfbedingungen, {standard}",
+    "report.conform": "Die Maschine hält alle Grenzwerte der obigen Tabelle ein.",
+    "report.conformity_open": (
+        "Es wird keine Konformität erklärt: Mindestens eine Entscheidung oder ihre Grundlage ist"
+        " offen."
+    ),
+    "report.customer": "Kunde",
+    "report.date": "Prüfdatum",
+    "report.extreme": (
+        "{end:choose|highest=größtes|lowest=kleinstes} Mittel{what:choose|A="
+        " {end:choose|highest=+|lowest=−} {coverage} s|E=|M= ±}"
+    ),
+    "report.extremes": "Extremwerte: Ringe im Bild",
+    "report.findings": "Befunde",
+    "report.footer": "Bericht {number}",
+    "report.in_english": (
+        "Namen und Texte aus Auftrag und Dateien stehen, wie sie angegeben sind. Die Übersetzung"
+        " hat noch kein Muttersprachler geprüft; es gilt der englische Bericht."
+    ),
+    "report.in_file": "In der Datei: {name}",
+    "report.logo": "Logo",
+    "report.no_limits": (
+        "Es ist kein Grenzwert angegeben. Dieser Bericht nennt Werte; er erklärt keine Konformität."
+    ),
+    "report.no_number": "Bericht ohne Nummer",
+    "report.not_conform": "Die Maschine hält nicht alle Grenzwerte der obigen Tabelle ein.",
+    "report.number": "Berichtsnummer",
+    "report.open_sections": "Aufgeklappte Abschnitte werden gedruckt.",
+    "report.operator": "Prüfer",
+    "report.other_findings": "Weitere Befunde",
+    "report.page": "Seite",
+    "report.page_of": "von",
+    "report.parameters": "Kennwerte",
+    "report.place": "Ort",
+    "report.provenance": (
+        "Ausgewertet mit compwright {version}.{command:if| Dieser Befehl erzeugt den Bericht"
+        " erneut:}"
+    ),
+    "report.readings": "Einzelwerte",
+    "report.readings_air": "Einzelwerte, Einfluss der Luft auf das Licht herausgerechnet",
+    "report.readings_measured": "Einzelwerte, wie gemessen",
+    "report.readings_reduced": "Einzelwerte, auf 20 °C umgerechnet",
+    "report.results": "Ergebnisse",
+    "report.see_tests": "siehe Seiten der Prüfungen",
+    "report.sign_checked": "Geprüft von",
+    "report.sign_measured": "Gemessen von",
+    "report.sign_place": "Ort, Datum",
+    "report.signs": (
+        "Abweichung: gemessene Position minus Zielposition. Anfahrrichtung +: in positiver"
+        " Maschinenrichtung. Umkehrspanne an einer Zielposition: Mittel bei + minus Mittel bei −; B"
+        " ist ihr größter Betrag."
+    ),
+    "report.statistics": (
+        "Mittelwerte, Standardabweichungen und Wiederholpräzision an {count}"
+        " {count:plural|Zielposition|Zielpositionen}"
+    ),
+    "report.test": "Prüfung {name}",
+    "report.title": "Prüfbericht{tests:plural|| über {tests} Prüfungen}",
+    "report.unread": "Nicht ausgewertete Dateien",
+    "report.verification": "Nachprüfung von {axes}",
+    "run.annex_c": "Anhang C: Kompensation",
+    "run.assumed": "Annahmen",
+    "run.assumed_note": (
+        "Nicht in den vorliegenden Dateien; die Ergebnisse gelten nur, wenn dies zutrifft."
+    ),
+    "run.axis_table": "Achse {axis}: Tabelle",
+    "run.bends": "{input} korrigiert {output}",
+    "run.bidirectional": "Eine Kurve je Anfahrrichtung",
+    "run.card": "Inbetriebnahmekarte (Englisch)",
+    "run.certificate": "Nachweis der Anpassung",
+    "run.changes": "Alt und neu",
+    "run.check_first": "Offen: Zuerst prüfen, was oben genannt ist",
+    "run.circle_worse": "Offen: Für einen Kreis ist eine Verschlechterung vorhergesagt",
+    "run.comparison": "Vorher und Vorhersage",
+    "run.comparison_note": (
+        "Vorher und, im gleichen Maßstab, was eine Prüfung an den gleichen Zielpositionen"
+        " voraussichtlich zeigt."
+    ),
+    "run.compensation": "Kompensation",
+    "run.correction": "Korrektur: was die Steuerung zum Sollwert addiert.",
+    "run.cross": "Tabellen zwischen Achsen",
+    "run.done": (
+        "{tests:plural|1 Prüfung|{tests} Prüfungen} der {count:plural|Achse|Achsen} {axes}"
+        " {tests:plural|wurde|wurden} nach {standards:if|{standards:and}|keiner Norm} ausgewertet."
+        " Der Fehler wurde über den Verfahrweg geschätzt{tables:if|. Die beste Tabelle, die"
+        " {control:if|{control}|die Steuerung} aufnehmen kann, wurde berechnet, in der Form der"
+        " Steuerung geschrieben und aus den Dateien zurückgelesen, um die nächste Prüfung"
+        " vorherzusagen. Noch ist nichts geladen: Die Tabelle nach der Inbetriebnahmekarte laden,"
+        " erneut messen und compwright verify ausführen.|. Es wurde keine Tabelle geschrieben:"
+        " Vorhergesagt ist die nächste Prüfung ohne Tabelle.}"
+    ),
+    "run.estimate": "Achse {axis}: geschätzter Fehler",
+    "run.estimate_note": (
+        "Was die Tabelle beseitigen soll: die Abweichung über den Verfahrweg in dem Zustand, in dem"
+        " gemessen wurde, mit ihrer Unsicherheit."
+    ),
+    "run.files": "Dateien",
+    "run.files_written": "Geschriebene Dateien",
+    "run.in_english": (
+        "Texte aus Auftrag, Dateien und Definition der Steuerung stehen, wie sie angegeben sind."
+        " Auf Englisch sind die angenommenen Tatsachen, die Gründe, warum eine Achse keine Tabelle"
+        " bekommt, und die Namen im Nachweis der Ausgleichung. Die Übersetzung hat noch kein"
+        " Muttersprachler geprüft."
+    ),
+    "run.legend": (
+        "Grau: vorher. Blau: 5 bis 95 % neuer Prüfungen an den gleichen Zielpositionen, senkrechter"
+        " Strich: Median. Gestrichelt: Grenzwert."
+    ),
+    "run.limit_missed": "Nach der Vorhersage wird mindestens ein Grenzwert nicht eingehalten",
+    "run.limit_open": "Bei mindestens einem Grenzwert ist offen, ob er eingehalten wird",
+    "run.limits": "Achse {axis}: begrenzende Ursachen",
+    "run.limits_met": "Nach der Vorhersage werden alle Grenzwerte eingehalten",
+    "run.limits_met_if": (
+        "Nach der Vorhersage werden alle Grenzwerte eingehalten, soweit zutrifft, was oben genannt"
+        " ist"
+    ),
+    "run.no_axis_table": "Keine Tabelle für diese Achse{reason:if|: {reason}}.",
+    "run.no_limits": (
+        "Vorhergesagtes Ergebnis; es sind keine Grenzwerte für eine Entscheidung angegeben"
+    ),
+    "run.no_statement": (
+        "Konformitätserklärung: keine. Die Entscheidungen betreffen die vorhergesagte nächste"
+        " Prüfung; über die Maschine entscheidet der Bericht von compwright verify."
+    ),
+    "run.no_table": "Es wurde keine Tabelle geschrieben",
+    "run.no_table_for": "Für Achse {axes} wurde keine Tabelle geschrieben",
+    "run.periods": "Achse {axis}: Perioden des Fehlers",
+    "run.points": "Tabelle in Zahlen: {count:plural|{count} Punkt|{count} Punkte}",
+    "run.provenance": "Herkunft der Daten",
+    "run.raw_readings": "Rohmesswerte",
+    "run.refusal": "Achse {axis}: {reason}.",
+    "run.single": "Eine Kurve und ein Wert der Umkehrspanne",
+    "run.state": "Achse {axis}: angenommener Zustand der Steuerung",
+    "run.state_files": (
+        "Wie in {files}; die Tabelle ist die Summe aus dem, was vorhanden war, und dem, was"
+        " hinzukommt."
+    ),
+    "run.state_none": "Keiner: In der Steuerung war nichts aktiv, als die Achse gemessen wurde.",
+    "run.state_not_given": (
+        "Nicht angegeben. Ohne ihn wird keine Tabelle geschrieben: Die neue Summe muss enthalten,"
+        " was schon aktiv ist."
+    ),
+    "run.table": (
+        "{count} Stützpunkte, wie aus den Dateien zurückgelesen.{wanted:if| Breite Linie: der"
+        " gewünschte Verlauf vor Rundung und Begrenzung.}"
+    ),
+    "run.worth": "Achse {axis}: Nutzen der Tabellenpunkte",
+    "verify.comparison": "Vorher, Vorhersage und nachher",
+    "verify.comparison_note": (
+        "Ein Maßstab. Vorhersage: erwartete Mittelwerte an den Zielpositionen der ersten Prüfung."
+    ),
+    "verify.equivalent": "nicht zu unterscheiden von",
+    "verify.factor": "Faktor",
+    "verify.further_table": "weitere Tabelle",
+    "verify.in_english": (
+        "Texte aus Auftrag, Dateien und Definition der Steuerung stehen, wie sie angegeben sind."
+        " Auf Englisch sind die Gründe der nächsten Runde. Die Übersetzung hat noch kein"
+        " Muttersprachler geprüft."
+    ),
+    "verify.legend": (
+        "Grau: vorher. Blau: Vorhersage 5 bis 95 %, senkrechter Strich: nach dem Laden gemessen."
+        " Gestrichelt: Grenzwert."
+    ),
+    "verify.look_at": "Zu prüfen:",
+    "verify.next_round": "{written:if|Nächste Runde|Keine nächste Runde}",
+    "verify.no_further_table": "keine weitere Tabelle",
+    "verify.outside": "außerhalb",
+    "verify.shift": "Verschiebung in Stützpunkten",
+    "verify.table_of": "Tabelle der Achse",
+    "verify.within": "innerhalb",
+    "worth.caption": (
+        "Vorhergesagtes {symbol} an neuen Zielpositionen über der Anzahl der Punkte, Median und 5"
+        " bis 95 %. Voller Punkt: die geschriebene Tabelle{grid:if|, {grid:choose|ring=Ring: das"
+        " Raster in der Steuerung|on_it=auf dem Raster in der Steuerung}|}."
+    ),
+    "worth.described": "{quantity} über der Anzahl der Punkte",
+    "worth.over": "Punkte der Tabelle",
+    "worth.points": (
+        "{points} Punkte, alle {spacing} {place}: {symbol} {median} {unit} ({p05} bis {p95})"
+    ),
+    "worth.quantity": "{symbol} in {unit}",
+}
