@@ -538,7 +538,7 @@ class TestNumbers:
     @example("0x 2 3")
     @example("0x.p1 0x1p3 0X1.8P-1")
     @example("1e400 1e-400 0x1p9999")
-    @settings(max_examples=400, deadline=None)
+    @settings(max_examples=1500, deadline=None)
     def test_as_scanf_does(self, text: str) -> None:
         assert self.libc is not None
         found = [ctypes.c_double() for _ in range(3)]

@@ -15,8 +15,8 @@ from compwright.foundations.errors import InputError, UsageError
 from damage import SAMPLES, Sample, cut_points, damaged, read, said_incomplete, trials
 
 #: Trials by format: those in which one array is shared by all axes have most to go wrong.
-TRIALS = {"fanuc-30i": 400, "fanuc-0i-16i": 400}
-TRIALS_ELSE = 200
+TRIALS = {"fanuc-30i": 600, "fanuc-0i-16i": 600}
+TRIALS_ELSE = 300
 #: Files without an end mark: a cut behind a whole line cannot be seen. An archive may hold one
 #: program or several, and of an empty file nothing is missed where another one speaks of the axis.
 NO_END_MARK = ("linuxcnc", "heidenhain-itnc530", "pmac", "isg-kernel")
