@@ -6,8 +6,8 @@ Circles are looked at in the tests of the reporting room, of the examples and of
 `evaluate` writes. Most of the time of a run is sampling. Where a measured axis or circle is only the
 way to a control's files, the same stages run with fewer sweeps and fewer fresh tests; what the
 estimate and the prediction say is tested where nothing is brief. Commands estimate the same readings
-once, but in tests that ask for it afresh. Fixed seeds: a test fails every time or never; new cases
-are tried in ``benchmarks/``.
+and fit the same table once, but in tests that ask for it afresh. Fixed seeds: a test fails every
+time or never; new cases are tried in ``benchmarks/``.
 
 No power fails while tests run: nothing waits until it is on the disk. Processes that tests start
 share what one of them has compiled, also where nothing is to be written beside the modules.
@@ -33,6 +33,7 @@ from compwright.estimation import (
     posterior_peaks,
     step_evidence,
 )
+from compwright.fitting import fit
 from compwright.foundations.processors import look_for_garbage_seldom
 from compwright.planning import (
     circle_diagnosis,
@@ -40,6 +41,7 @@ from compwright.planning import (
     point_count_tradeoff,
     sign_and_unit_doubts,
     simulated_repeat_tests,
+    tables,
     wanted_correction,
 )
 from compwright.verification import likelihood as after_tests
@@ -81,6 +83,7 @@ _BRIEF_ESTIMATES, _WHOLE_ESTIMATES = (
         (wanted_correction, "estimate_axis", remembered(axis.estimate_axis)),
         (sign_and_unit_doubts, "log_likelihood", remembered(likelihood.log_likelihood)),
         (circle_diagnosis, "diagnose", remembered(circle.diagnose)),
+        (tables, "fit_table", remembered(fit.fit_table)),
     )
     for infer_noise in (remembered(noise.infer_noise), remembered(noise.infer_noise))
 )

@@ -1,4 +1,4 @@
-"""What a function of the estimate returned for the same readings, returned once more.
+"""What a function of the estimate or the fit returned for the same readings, returned once more.
 
 Many tests of a module run a command on one measurement with other files of the control: the same
 readings give the same estimate, from whichever file they were read. That they do so when they are

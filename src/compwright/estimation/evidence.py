@@ -149,6 +149,18 @@ class Evidence:
         self.typical = data.typical()
         self.values = data.values[self.typical]
         self.together = np.nonzero(data.seats[:, np.newaxis] == data.seats)
+        self.frequencies, self.reversal_frequencies = basis.frequencies, basis.reversal_frequencies
+        waves = [(i, n) for i, some in enumerate(basis.harmonics) for n in some for _ in range(2)]
+        self.wave_of = np.array([PERIODIC + index for index, _ in waves], dtype=np.intp)
+        self.falls = np.log([harmonic for _, harmonic in waves])
+        self.smooth = slice(2, 2 + basis.sines)
+        self.waves = slice(self.smooth.stop, self.smooth.stop + len(waves))
+        self.varying = slice(self.waves.stop + 2, basis.size)
+        # What no hyperparameter changes of the slopes of the log variances.
+        self.slopes = np.zeros((prior.centre.size, basis.size))
+        self.slopes[SMOOTH, self.smooth] = 2.0
+        self.slopes[self.wave_of, np.arange(self.waves.start, self.waves.stop)] = 2.0
+        self.slopes[REVERSAL, self.waves.stop + 1 :] = 2.0
 
     def rows_under(self, draw: int) -> FloatArray:
         """Return the columns (c, j) of all weights at the cells under a draw of the noise: those of
@@ -161,30 +173,20 @@ class Evidence:
         j): the spectral density at each sine (Solin and Särkkä, Statistics and Computing 30, 2020),
         1 / harmonic^2 for those of a period.
         """
-        basis = self.basis
-        logs = np.full(basis.size, 2.0 * np.log(VAGUE))
-        slopes = np.zeros((h.size, basis.size))
-        smooth = slice(2, 2 + basis.sines)
+        smooth, varying = self.smooth, self.varying
+        slopes = self.slopes.copy()
+        logs = np.full(slopes.shape[1], 2.0 * np.log(VAGUE))
         logs[smooth], slopes[LENGTH, smooth], slopes[EXCESS, smooth] = smooth_density(
-            basis.frequencies, h[LENGTH], h[EXCESS]
+            self.frequencies, h[LENGTH], h[EXCESS]
         )
         logs[smooth] += 2.0 * h[SMOOTH]
-        slopes[SMOOTH, smooth] = 2.0
-        start = smooth.stop
-        for index, harmonics in enumerate(basis.harmonics):
-            for harmonic in harmonics:
-                pair = slice(start, start + 2)
-                logs[pair] = 2.0 * (h[PERIODIC + index] - np.log(harmonic))
-                slopes[PERIODIC + index, pair] = 2.0
-                start += 2
-        if basis.bidirectional:
-            logs[start + 1] = 2.0 * h[REVERSAL]
-            varying = slice(start + 2, basis.size)
+        logs[self.waves] = 2.0 * (h[self.wave_of] - self.falls)
+        if self.basis.bidirectional:
+            logs[varying.start - 1] = 2.0 * h[REVERSAL]
             logs[varying], slopes[REVERSAL_LENGTH, varying] = log_density(
-                basis.reversal_frequencies, h[REVERSAL_LENGTH]
+                self.reversal_frequencies, h[REVERSAL_LENGTH]
             )
             logs[varying] += 2.0 * h[REVERSAL]
-            slopes[REVERSAL, start + 1 :] = 2.0
         return logs, slopes
 
     def variances(self, h: FloatArray) -> tuple[float, float]:

@@ -38,7 +38,7 @@ from compwright.estimation.period_candidates import PEAK, PeriodOdds
 from compwright.estimation.period_likelihood import (
     BidirectionalMeans,
     PeriodLikelihood,
-    log_gain,
+    log_gains,
     log_smooth,
     log_sums,
 )
@@ -293,13 +293,12 @@ def _hypotheses(
     width = width[:, np.newaxis, np.newaxis]
     gram, moment = likelihood.moments(1.0 / periods, likelihood.everything())
     smooth = np.where(np.isfinite(long), likelihood.roughness**2, 0.0)
-    gains = log_gain(gram, moment[:2], width + smooth)
+    (gains,) = log_gains(gram, moment[:2], width + smooth)
     logs = np.concatenate([node.log for node in likelihood.nodes])
     logs = logs - log_sum(logs)
-    without = logs[:, np.newaxis] + log_gain(
-        gram, moment[:2], np.broadcast_to(smooth, gains.shape[1:])
-    )
-    each = gains + logs[:, np.newaxis] - log_sums(without) + log_odds - np.log(width.size)
+    (without,) = log_gains(gram, moment[:2], np.broadcast_to(smooth, gains.shape[1:]))
+    without = log_sums(logs[:, np.newaxis] + without)
+    each = gains + logs[:, np.newaxis] - without + log_odds - np.log(width.size)
     together = log_sum(each.ravel())
     fit = _SmoothFit(likelihood, middles, free, curve)
     nodes = _evenly(np.exp(logs), _KEPT // 4)

@@ -234,9 +234,8 @@ class PeriodLikelihood:
         variances = np.exp(2.0 * (self.amplitude[0] + self.amplitude[1] * steps))
         gram, moment = self.moments(frequencies, choice)
         return [
-            log_gain(gram, moment[:size], variances[:, np.newaxis, np.newaxis])
-            + log_prior[:, np.newaxis, np.newaxis]
-            for size in (2, 4)
+            gain + log_prior[:, np.newaxis, np.newaxis]
+            for gain in log_gains(gram, moment, variances[:, np.newaxis, np.newaxis])
         ]
 
     def moments(
@@ -303,12 +302,13 @@ class PeriodLikelihood:
         return _Waves(along, across, [self.rest @ column for column in columns])
 
 
-def log_gain(
+def log_gains(
     gram: dict[tuple[int, int], FloatArray], moment: list[FloatArray], variance: FloatArray
-) -> FloatArray:
+) -> list[FloatArray]:
     """Return b' (G + D^-1)^-1 b / 2 - ln det(I + D G) / 2 elementwise, by elimination without
     pivoting of I + ``variance`` ``gram`` (Golub and Van Loan, Matrix Computations, 4th ed. 2013,
-    algorithm 4.1.2)."""
+    algorithm 4.1.2): with the first harmonic, with the first two and so on.
+    """
     size = len(moment)
     work = {key: variance * value for key, value in gram.items() if max(key) < size}
     for i in range(size):
@@ -316,17 +316,19 @@ def log_gain(
     right = [np.sqrt(variance) * part for part in moment]
     gain = np.zeros_like(right[0])
     determinant = np.ones_like(right[0])
+    gains = []
     for i in range(size):
         pivot = work[i, i]
         determinant = determinant * pivot
         gain = gain + right[i] ** 2 / pivot
+        if i % 2:  # cosine and sine of a harmonic are in
+            gains.append(0.5 * gain - 0.5 * np.log(determinant))
         for j in range(i + 1, size):
             factor = work[j, i] / pivot
             right[j] = right[j] - factor * right[i]
             for k in range(i + 1, j + 1):
                 work[j, k] = work[j, k] - factor * work[k, i]
-    total: FloatArray = 0.5 * gain - 0.5 * np.log(determinant)
-    return total
+    return gains
 
 
 def log_smooth(frequencies: FloatArray, length: float, smoothness: float) -> FloatArray:

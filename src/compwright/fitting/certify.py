@@ -36,7 +36,7 @@ def certificate(problem: QuadraticProblem, x: FloatArray, y: FloatArray) -> dict
     that pushes, where only limits in touch may push.
     """
     stiffness = np.maximum(np.abs(problem.P.diagonal()), 1e-300)
-    gradient = problem.P @ x + problem.q + problem.A.transposed @ y
+    gradient = problem.P @ x + problem.q + problem.A.transposed_times(y)
     held = problem.A @ x
     force = _in_lengths(problem, y, stiffness)
     above, below = problem.upper - held, held - problem.lower
@@ -85,7 +85,7 @@ def range_gap(
     ``multipliers`` (r,).
     """
     y = np.maximum(multipliers, 0.0)
-    left = float(np.sum(np.abs(cost + G.transposed @ y)))
+    left = float(np.sum(np.abs(cost + G.transposed_times(y))))
     bound = -float(h @ y) - box * left
     return max(0.0, reached - bound)
 

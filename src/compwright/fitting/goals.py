@@ -120,7 +120,7 @@ def _of_changes(
     held = limits.A @ start
     return QuadraticProblem(
         P=product(bends_by.transposed, product(limits.P, bends_by)),
-        q=bends_by.transposed @ (limits.P @ start + limits.q),
+        q=bends_by.transposed_times(limits.P @ start + limits.q),
         constant=limits.constant,
         A=product(limits.A, bends_by),
         lower=limits.lower - held,

@@ -31,6 +31,7 @@ from compwright.fitting.lattice_part import (
     counts_within,
     first_of_part,
     variants_within,
+    whole_bounds,
     with_slack,
 )
 from compwright.records.axis import FloatArray
@@ -250,8 +251,8 @@ class _LatticeSearch:
             if counts.size * shifts.size > _MANY:
                 return relaxed.least  # too rough a ceiling yet: without whole numbers will do
             limits = self.limits(part, magnification)
-            variants = variants_within(part, relaxation, limits, shifts, room)
-            bound = float(np.min(variants.bound, initial=np.inf))
+            _, bounds = whole_bounds(part, relaxation, limits, shifts, counts)
+            bound = float(np.min(bounds[bounds <= with_slack(room)], initial=np.inf))
             known = self.wholes[index, magnification] = _Whole(bound, room, relaxation)
         return known.bound if known.bound <= with_slack(room) else np.inf
 

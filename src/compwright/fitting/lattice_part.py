@@ -169,13 +169,7 @@ def variants_within(
     first.
     """
     counts = counts_within(part, relaxation, room)
-    step = part.constant[0] if part.constant else 0.0
-    distance = counts.astype(np.float64) * step - part.chain.constant
-    bounds = relaxation.bound(distance)
-    centres = relaxation.centres(distance)
-    whole = np.concatenate(
-        [bounds + _whole(part.chain, centres, shift, limits.step) for shift in shifts]
-    )
+    distance, whole = whole_bounds(part, relaxation, limits, shifts, counts)
     every = Variants(
         np.tile(counts, shifts.size),
         np.tile(distance, shifts.size),
@@ -184,6 +178,26 @@ def variants_within(
     )
     kept = np.flatnonzero(whole <= with_slack(room))
     return every.take(kept[np.argsort(whole[kept], kind="stable")])
+
+
+def whole_bounds(
+    part: LatticePart,
+    relaxation: Relaxation,
+    limits: ChainLimits,
+    shifts: FloatArray,
+    counts: IntArray,
+) -> tuple[FloatArray, FloatArray]:
+    """Return the distances (n,) of the whole reversal values ``counts`` (n,) from the optimum, and
+    the lower bounds (shifts * n,) with whole numbers: all of the first shift, then of the next.
+    """
+    step = part.constant[0] if part.constant else 0.0
+    distance = counts.astype(np.float64) * step - part.chain.constant
+    bounds = relaxation.bound(distance)
+    centres = relaxation.centres(distance)
+    whole = np.concatenate(
+        [bounds + _whole(part.chain, centres, shift, limits.step) for shift in shifts]
+    )
+    return distance, whole
 
 
 def with_slack(room: float) -> float:

@@ -14,7 +14,6 @@ from compwright.fitting.sparse import (
     IntArray,
     SparseMatrix,
     differences,
-    from_entries,
     identity,
     stack_rows,
     sum_of,
@@ -89,11 +88,13 @@ def hat_matrix(
     value at ``positions`` (p,): hat functions (de Boor 1978, chapter III).
     """
     rows = rows_at(positions, nodes, below=below, above=above, interpolation=interpolation)
-    return from_entries(
-        (positions.size, nodes.size),
-        np.tile(np.arange(positions.size), 2),
-        np.concatenate([rows.left, rows.left + 1]),
-        np.concatenate([rows.lower, rows.upper]),
+    value = np.column_stack([rows.lower, rows.upper]).ravel()
+    kept = value != 0.0
+    return SparseMatrix(
+        shape=(positions.size, nodes.size),
+        row=np.repeat(np.arange(positions.size), 2)[kept],
+        column=np.column_stack([rows.left, rows.left + 1]).ravel()[kept],
+        value=value[kept],
     )
 
 
@@ -282,7 +283,7 @@ def _objective(
     for direction in BOTH:
         columns = layout.columns(data.matrix, direction)
         parts.append(columns.gram(data.weights))
-        q -= columns.transposed @ (data.weights * data.wanted[direction])
+        q -= columns.transposed_times(data.weights * data.wanted[direction])
         constant += 0.5 * float(data.weights @ data.wanted[direction] ** 2)
     return sum_of(parts), q, constant
 

@@ -241,7 +241,7 @@ def least_squares(matrix: SparseMatrix, weights: FloatArray, values: FloatArray)
     unknowns = matrix.shape[1]
     tie = differences(unknowns).gram(np.full(unknowns - 1, TIE / unknowns))
     normal = sum_of([matrix.gram(weights), tie])
-    solution: FloatArray = splu(by_columns(normal)).solve(matrix.transposed @ (weights * values))
+    solution: FloatArray = splu(by_columns(normal)).solve(matrix.transposed_times(weights * values))
     return solution
 
 

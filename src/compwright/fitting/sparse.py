@@ -32,6 +32,13 @@ class SparseMatrix:
         """The transposed matrix."""
         return from_entries(self.shape[::-1], self.column, self.row, self.value)
 
+    def transposed_times(self, x: FloatArray) -> FloatArray:
+        """Return the product (columns,) of the transposed matrix with the vector ``x`` (rows,)."""
+        product: FloatArray = np.bincount(
+            self.column, self.value * x[self.row], minlength=self.shape[1]
+        ).astype(np.float64)
+        return product
+
     def __matmul__(self, x: FloatArray) -> FloatArray:
         """Return the product (rows,) with the vector ``x`` (columns,)."""
         product: FloatArray = np.bincount(
@@ -118,15 +125,14 @@ def from_entries(
     shape: tuple[int, int], row: IntArray, column: IntArray, value: FloatArray
 ) -> SparseMatrix:
     """Return the matrix of entries in any order; what stands at one place is added up."""
-    place, back = np.unique(row * shape[1] + column, return_inverse=True)
-    total = np.bincount(back, value, minlength=place.size)
+    places = row * shape[1] + column
+    order = np.argsort(places, kind="stable")
+    places = places[order]
+    first = np.diff(places, prepend=-1) != 0
+    total = np.bincount(np.cumsum(first) - 1, value[order])
     kept = total != 0.0
-    return SparseMatrix(
-        shape=shape,
-        row=place[kept] // shape[1],
-        column=place[kept] % shape[1],
-        value=total[kept],
-    )
+    row, column = np.divmod(places[first][kept], shape[1])
+    return SparseMatrix(shape=shape, row=row, column=column, value=total[kept])
 
 
 def from_dense(matrix: FloatArray) -> SparseMatrix:
@@ -145,13 +151,10 @@ def identity(size: int) -> SparseMatrix:
 
 def differences(size: int) -> SparseMatrix:
     """Return the matrix (size - 1, size) of what each value lies above the one before it."""
-    lower = np.arange(size - 1, dtype=np.int64)
-    ones = np.ones(size - 1)
-    return from_entries(
-        (size - 1, size),
-        np.concatenate([lower, lower]),
-        np.concatenate([lower, lower + 1]),
-        np.concatenate([-ones, ones]),
+    row = np.repeat(np.arange(size - 1, dtype=np.int64), 2)
+    sides = np.tile([0, 1], size - 1)
+    return SparseMatrix(
+        shape=(size - 1, size), row=row, column=row + sides, value=2.0 * sides - 1.0
     )
 
 
@@ -170,6 +173,10 @@ def stack_rows(matrices: Sequence[SparseMatrix], columns: int) -> SparseMatrix:
     starts = np.cumsum([0, *(one.shape[0] for one in matrices)])
     shape = (int(starts[-1]), columns)
     blocks = [one.placed(shape, int(start)) for one, start in zip(matrices, starts, strict=False)]
-    empty = np.empty(0, dtype=np.int64)
-    nothing = SparseMatrix(shape=shape, row=empty, column=empty, value=np.empty(0))
-    return sum_of([nothing, *blocks])
+    none = np.empty(0, dtype=np.int64)
+    return SparseMatrix(
+        shape=shape,
+        row=np.concatenate([none, *(one.row for one in blocks)]),
+        column=np.concatenate([none, *(one.column for one in blocks)]),
+        value=np.concatenate([np.empty(0), *(one.value for one in blocks)]),
+    )

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from decimal import Decimal, InvalidOperation
+from typing import NamedTuple
 
 from compwright.formats.definition.consistency import curves
 from compwright.formats.definition.schema import Binding, Definition
@@ -17,8 +18,7 @@ Key = tuple[str | None, str | None]
 _TRUTH = {"TRUE": "1", "FALSE": "0"}
 
 
-@dataclass(frozen=True, slots=True)
-class FoundValue:
+class FoundValue(NamedTuple):
     """One value as written in a file; ``number`` is the index of the file among those given."""
 
     text: str

@@ -12,6 +12,7 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
+from typing import NamedTuple
 
 from compwright.formats.definition.schema import Definition, TextKind
 from compwright.formats.definition.statements import (
@@ -44,8 +45,7 @@ _UTF8_MARK = "\xef\xbb\xbf"  # the byte order mark, seen as single bytes
 KEPT_TEXTS, KEPT_READERS = 256, 16
 
 
-@dataclass(frozen=True, slots=True)
-class TextLine:
+class TextLine(NamedTuple):
     """One line without its end; ``start`` is its place in bytes, ``ended`` whether a line end
     follows.
     """
@@ -107,6 +107,29 @@ class TextReader:
             for end in sorted(definition.dialect.newlines_read, key=len, reverse=True)
         )
         self.newline = re.compile(ends)
+        self.concerning = {kind.name: self._concerning(kind) for kind in definition.texts.values()}
+
+    def of(self, kind: TextKind) -> list[Matcher]:
+        """Return the matchers of a kind of text, without that of its sections."""
+        return [
+            m
+            for m in self.matchers.values()
+            if m.statement.text == kind.name and m.statement.name != kind.sections
+        ]
+
+    def _concerning(self, kind: TextKind) -> re.Pattern[str] | None:
+        """Return the words in every line of a kind that is a statement with one of them, or looks
+        like one; None if other lines are refused too.
+
+        Used to skip lines quickly: an archive has a thousand others for each of them.
+        """
+        matchers = self.of(kind)
+        if kind.other_lines_refused or any(matcher.number is not None for matcher in matchers):
+            return None
+        heads = (matcher.head for matcher in matchers if matcher.head)
+        words = {*heads, *kind.claims_anywhere, *kind.claims_at_start}
+        flags = re.IGNORECASE if self.definition.dialect.case == "ignored" else re.NOFLAG
+        return re.compile("|".join(map(re.escape, sorted(words))) or "(?!)", flags)
 
     def read(self, file: ControlFile, faults: list[Fault], number: int = 0) -> ReadText | None:
         """Return the statements of a file, or None when it cannot be read at all; faults go to
@@ -170,34 +193,17 @@ class _KindReader:
         self.file = file
         self.faults = faults
         self.ignores_case = reader.definition.dialect.case == "ignored"
-        self.matchers = [
-            m
-            for m in reader.matchers.values()
-            if m.statement.text == kind.name and m.statement.name != kind.sections
-        ]
+        self.matchers = reader.of(kind)
         self.sections = reader.matchers.get(kind.sections) if kind.sections is not None else None
         self.numbered = any(matcher.number is not None for matcher in self.matchers)
         self.wordless = [matcher for matcher in self.matchers if not matcher.head]
-        self.concerning = self._concerning()
+        self.concerning = reader.concerning[kind.name]
         self.max_line = (
             reader.definition.limit_number("line_length_read") if kind.other_lines_refused else None
         )
         self.section = ""
         self.section_start = 0
         self.seen_sections: list[str] = []
-
-    def _concerning(self) -> re.Pattern[str] | None:
-        """Return the words in every line that is a statement with one of them, or looks like one;
-        None if other lines are refused too.
-
-        Used to skip lines quickly: an archive has a thousand others for each of them.
-        """
-        if self.numbered or self.kind.other_lines_refused:
-            return None
-        heads = (matcher.head for matcher in self.matchers if matcher.head)
-        words = {*heads, *self.kind.claims_anywhere, *self.kind.claims_at_start}
-        flags = re.IGNORECASE if self.ignores_case else re.NOFLAG
-        return re.compile("|".join(map(re.escape, sorted(words))) or "(?!)", flags)
 
     def _passed_over(self, code: str) -> bool:
         """Return whether a line is irrelevant here."""
