@@ -841,8 +841,8 @@ def test_a_straightedge_gives_its_curve_and_the_mean_slope_beyond_it(folder: Pat
     assert shifted["correction"] == pytest.approx([3.0, 3.0, 0.0, 3.0, 3.0], abs=1e-3)
 
 
-def cross_of_again(folder: Path, **words: str) -> Any:
-    assert compwright(["run", str(job(folder, **words)), "--force"]) == 0
+def cross_of_again(folder: Path, *, code: int = 0, **words: str) -> Any:
+    assert compwright(["run", str(job(folder, **words)), "--force"]) == code
     return document(folder / "job" / "prediction.json")["cross"]
 
 
@@ -850,14 +850,14 @@ def test_the_direct_measurement_wins_and_the_circle_checks_it(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """More than 90°: trued on Y, X runs off towards - Y by 40 µm/m (32 µm over 0.8 m)."""
-    for deviation, code in ((-32, "CW-P105"), (-16, "CW-P104")):
+    for deviation, code, answer in ((-32, "CW-P105", 0), (-16, "CW-P104", 1)):
         measured = (
             f"cross: [{{input: X, output: Y, positions: [0, 800], deviations: [0, {deviation}],"
             " unit: um}]\n"
         )
         for bent in ("Y", "X"):  # never both: the plane would be corrected twice
             (cross,) = cross_of_again(
-                folder, extra=measured, apply=f"{{squareness: {{XY: {bent}}}}}"
+                folder, code=answer, extra=measured, apply=f"{{squareness: {{XY: {bent}}}}}"
             )
             assert (cross["input"], cross["output"]) == ("X", "Y")
             assert cross["correction"] == pytest.approx([0.0, -deviation], abs=1e-3)
@@ -914,12 +914,15 @@ def test_circles_of_one_plane_that_disagree(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     write_circle(folder / "other.csv", replace(Bent(), squareness=60e-6).circle(8))
-    path = job(folder)
+    path = job(folder, x=", accept: {A: 500}")
     path.write_text(
         path.read_text().replace("circles: [", "circles: [{file: other.csv, centre: [400, -250]}, ")
     )
-    assert compwright(["run", str(path)]) == 0
+    assert compwright(["run", str(path)]) == 1
     assert "CW-P110" in codes(capsys)
+    prediction = document(folder / "job" / "prediction.json")
+    assert [one["code"] for one in prediction["doubts"]] == ["CW-P110"]
+    assert prediction["axes"]["X"]["accept"]["A"]["decision"] == "undecided"
     (cross,) = read_plan((folder / "job" / "plan.json").read_bytes(), "").cross
     assert cross.squareness == pytest.approx(50e-6, abs=3e-6)  # rad: the weighted mean of two alike
     assert cross.std_error == pytest.approx(

@@ -19,7 +19,7 @@ import numpy as np
 from compwright.estimation.circle_model import PRIOR_SCALE, PRIORS, SOFTEST_LOOP
 from compwright.foundations.findings import Finding
 from compwright.planning.circles import CircleWork, as_shown_at_feed, effect_of
-from compwright.planning.value_with_error import SIGNIFICANT, ValueWithError
+from compwright.planning.value_with_error import SIGNIFICANT, ValueWithError, contradictory
 from compwright.words.sentences import Sentence, say
 
 _PPM: Final = 1e6
@@ -38,9 +38,6 @@ _PRIOR: Final[Mapping[str, tuple[float, float]]] = {
 }
 #: A standard error above this share of the prior's: the circles do not tell the value.
 _TELLS: Final = 0.5
-#: Standard deviations of the scatter, as of a normal distribution, beyond which circles contradict
-#: each other: one consistent machine in a thousand, because nothing is decided then.
-_CONTRADICT: Final = 3.09
 #: Kinds of observations, in the order of the message, with the unit of their values.
 _UNITS: Final = {"scale": "µm/m", "lost motion": "µm", "servo mismatch": "ms"}
 
@@ -103,7 +100,7 @@ def solve_network(circles: Sequence[CircleWork]) -> CircleNetwork:
         # The errors of values that scatter more grow with it (Birge, Physical Review 40, 1932).
         touched = np.any(matrix[mine] != 0.0, axis=0)
         worse[touched] = np.maximum(worse[touched], np.sqrt(scatter / free))
-        if _normal(scatter, free) > _CONTRADICT:
+        if contradictory(scatter, free):
             contradictions[kind] = tuple(each for each in seen if each.kind == kind)
     errors = worse * np.sqrt(np.diag(covariance))
     values = {
@@ -111,15 +108,6 @@ def solve_network(circles: Sequence[CircleWork]) -> CircleNetwork:
         for name, value, each in zip(unknowns, solution, errors, strict=True)
     }
     return CircleNetwork(values, contradictions)
-
-
-def _normal(scatter: float, free: float) -> float:
-    """Return how many standard deviations a sum of squares of ``free`` degrees of freedom is too
-    large: the cube root of chi-square is nearly normal (Wilson and Hilferty, Proceedings of the
-    National Academy of Sciences 17, 1931).
-    """
-    share = 2.0 / (9.0 * free)
-    return float((np.cbrt(scatter / free) - (1.0 - share)) / np.sqrt(share))
 
 
 def _observations(work: CircleWork) -> Iterator[Observation]:

@@ -16,7 +16,7 @@ import numpy as np
 
 from compwright.foundations.findings import Finding, Severity
 from compwright.planning.circles import CircleWork, effect_of, why_undetermined
-from compwright.planning.value_with_error import SIGNIFICANT
+from compwright.planning.value_with_error import CONTRADICTORY, SIGNIFICANT, contradictory
 from compwright.prediction.active_corrections import ActiveCorrections
 from compwright.prediction.circular import commanded_path
 from compwright.records.axis import Axis, Direction, FloatArray
@@ -99,9 +99,11 @@ class _Planner:
         self.angles = dict(self._angles(circles))
         self.measured_pairs: dict[frozenset[str], PlannedCross] = {}
 
-    def find(self, name: str, severity: Severity, /, **values: object) -> None:
+    def find(
+        self, name: str, severity: Severity, axes: tuple[str, ...] = (), /, **values: object
+    ) -> None:
         """Note a finding (`Finding.of`)."""
-        self.findings.append(Finding.of(name, severity, (), **values))
+        self.findings.append(Finding.of(name, severity, axes, **values))
 
     # --- direct measurements
     # ----------------------------------------------------------------------------------------------
@@ -183,8 +185,15 @@ class _Planner:
             output=planned.output,
             squareness=planned.squareness * _PPM,
         )
-        if difference > max(SIGNIFICANT * circle.std_error, SQUARE):
-            self.find("CW-P104", "warning", measured=named, circle=circle.words, tests=circle.tests)
+        if difference > max(CONTRADICTORY * circle.std_error, SQUARE):
+            self.find(
+                "CW-P104",
+                "warning",
+                (planned.input, planned.output),
+                measured=named,
+                circle=circle.words,
+                tests=circle.tests,
+            )
         elif correction_need(circle.value * _PPM, circle.std_error * _PPM) != "undetermined":
             self.find("CW-P105", "info", measured=named, tests=circle.tests, circle=circle.words)
 
@@ -279,15 +288,15 @@ class _Planner:
         error = float(1.0 / np.sqrt(np.sum(weights)))
         scatter = float(np.sum(weights * (values - mean) ** 2))
         free = len(works) - 1
-        if free and scatter > free + SIGNIFICANT * np.sqrt(
-            2.0 * free
-        ):  # 95 % of the chi-square law, roughly
+        if free and scatter > free:
+            # The error of values that scatter more grows with it (Birge, Physical Review 40, 1932).
             error *= float(np.sqrt(scatter / free))
+        if free and contradictory(scatter, free):
             each = [
                 say("CW-P110.circle", circle=work.name, squareness=value * _PPM)
                 for work, value in zip(works, values, strict=True)
             ]
-            self.find("CW-P110", "warning", plane=plane, values=each)
+            self.find("CW-P110", "warning", works[0].planned.test.axes, plane=plane, values=each)
         diameter = max(2.0 * work.planned.test.nominal_radius for work in works)
         return Squareness(mean, error, tuple(work.name for work in works), diameter)
 

@@ -11,6 +11,9 @@ from compwright.words.sentences import Sentence, say
 #: An effect smaller than this many standard errors is not corrected, two values further apart than
 #: this disagree (95 %).
 SIGNIFICANT = 2.0
+#: Standard deviations, as of a normal distribution, beyond which measurements contradict each
+#: other: one consistent machine in a thousand, because nothing is decided then.
+CONTRADICTORY = 3.09
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,3 +33,12 @@ class ValueWithError:
         """The value as people read it, with its 95 % uncertainty."""
         error = SIGNIFICANT * self.std_error * factor
         return say("value_with_error", value=self.value * factor, error=error, unit=unit)
+
+
+def contradictory(scatter: float, free: float) -> bool:
+    """Return whether a sum of squares of ``free`` degrees of freedom is too large for one machine:
+    the cube root of chi-square is nearly normal (Wilson and Hilferty, Proceedings of the National
+    Academy of Sciences 17, 1931).
+    """
+    share = 2.0 / (9.0 * free)
+    return bool(np.cbrt(scatter / free) - (1.0 - share) > CONTRADICTORY * np.sqrt(share))

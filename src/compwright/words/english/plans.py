@@ -47,7 +47,8 @@ SENTENCES: Final[dict[str, str]] = {
         " {missed:2sig} µm."
     ),
     "CW-P104": (
-        "{measured}, {circle} by {tests}; they disagree. The direct measurement is corrected."
+        "{measured}, {circle} by {tests}; they contradict each other. The direct measurement is"
+        " corrected. Check its sign, and repeat the one that is wrong."
     ),
     "CW-P105": "{measured}, which {tests} confirms ({circle}).",
     "CW-P106.no_circle": (
@@ -64,7 +65,10 @@ SENTENCES: Final[dict[str, str]] = {
         "{plane}: squareness {squareness} by {tests}; nothing asks for its correction (apply)."
     ),
     "CW-P109": "{plane}: squareness {squareness} by {tests}; {output} is to follow {input}.",
-    "CW-P110": "{plane}: its circles disagree about the squareness (µm/m: {values}).",
+    "CW-P110": (
+        "{plane}: its circles contradict each other about the squareness (µm/m: {values}). Repeat"
+        " the circle that deviates."
+    ),
     "CW-P110.circle": "{circle} {squareness:+.1f}",
     "CW-P111": (
         "{pair}: corrected over {travel:g} mm of {axis}, the {what} is {length:g} mm: an"

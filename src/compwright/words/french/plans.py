@@ -47,8 +47,8 @@ SENTENCES: Final[dict[str, str]] = {
         " µm au plus."
     ),
     "CW-P104": (
-        "{measured}, {circle} d'après {tests} ; ils ne concordent pas. La mesure directe est"
-        " corrigée."
+        "{measured}, {circle} d'après {tests} ; ils se contredisent. La mesure directe est"
+        " corrigée. Vérifier son signe et répéter la mesure fausse."
     ),
     "CW-P105": "{measured}, ce que {tests} confirme ({circle}).",
     "CW-P106.no_circle": (
@@ -66,7 +66,10 @@ SENTENCES: Final[dict[str, str]] = {
         " (apply)."
     ),
     "CW-P109": "{plane} : perpendicularité {squareness} d'après {tests} ; {output} suivra {input}.",
-    "CW-P110": "{plane} : ses cercles ne concordent pas sur la perpendicularité (µm/m : {values}).",
+    "CW-P110": (
+        "{plane} : ses cercles se contredisent sur la perpendicularité (µm/m : {values}). Répéter"
+        " le cercle qui s'écarte."
+    ),
     "CW-P110.circle": "{circle} {squareness:+.1f}",
     "CW-P111": (
         "{pair} : corrigé sur {travel:g} mm de {axis}, {what} fait {length:g} mm : une"

@@ -48,8 +48,8 @@ SENTENCES: Final[dict[str, str]] = {
         " bis zu {missed:2sig} µm."
     ),
     "CW-P104": (
-        "{measured}, {circle} nach {tests}; sie stimmen nicht überein. Korrigiert wird die direkte"
-        " Messung."
+        "{measured}, {circle} nach {tests}; sie widersprechen sich. Korrigiert wird die direkte"
+        " Messung. Ihr Vorzeichen prüfen und die falsche Messung wiederholen."
     ),
     "CW-P105": "{measured}, was {tests} bestätigt ({circle}).",
     "CW-P106.no_circle": (
@@ -68,7 +68,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P109": "{plane}: Rechtwinkligkeit {squareness} nach {tests}; {output} soll {input} folgen.",
     "CW-P110": (
-        "{plane}: Die Kreise stimmen in der Rechtwinkligkeit nicht überein (µm/m: {values})."
+        "{plane}: Die Kreise widersprechen sich in der Rechtwinkligkeit (µm/m: {values}). Den Kreis"
+        " wiederholen, der abweicht."
     ),
     "CW-P110.circle": "{circle} {squareness:+.1f}",
     "CW-P111": (
