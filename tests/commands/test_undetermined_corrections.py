@@ -17,6 +17,7 @@ from circle_machine import Machine, Setup, measured
 from compwright.cli import run as compwright
 from compwright.documents.circular import circular_document
 from compwright.planning.circle_diagnosis import diagnose_circle
+from compwright.records.correction_need import correction_need
 from compwright.simulation.circular_files import to_circular_csv
 
 pytestmark = pytest.mark.brief
@@ -104,6 +105,22 @@ def test_a_scale_that_the_path_cannot_separate_is_no_table(
     assert "error CW-P119" in " ".join(capsys.readouterr().out.split())
     assert written(tmp_path) == []
     assert evaluation(tmp_path)["diagnosis"]["scale_error_first"]["value"] is None
+
+
+@pytest.mark.parametrize(
+    ("value", "std_error", "need"),
+    [
+        (100.0, 10.0, "correct"),
+        (-40.0, 9.0, "correct"),
+        (4.0, 5.0, "negligible"),  # -6 to 14 µm/m: nowhere 15
+        (-4.0, 5.0, "negligible"),
+        (12.0, 7.0, "undetermined"),  # -2 to 26 µm/m: nothing at all, or more than 15
+        (-12.0, 7.0, "undetermined"),
+        (100.0, 30.0, "undetermined"),
+    ],
+)
+def test_an_interval_of_95_percent_decides(value: float, std_error: float, need: str) -> None:
+    assert correction_need(value, std_error) == need
 
 
 def test_lost_motion_of_an_axis_that_does_not_reverse_is_not_given() -> None:

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
+from compwright.evaluation.plausibility import certain_fault
 from compwright.evaluation.valid_readings import chance_of_zero, valid_part, zero_traverses
 from compwright.planning.wanted_correction import observed_tests
 from compwright.records.axis import Direction, FloatArray
@@ -55,6 +58,28 @@ def test_chance_of_a_zero_is_that_of_the_table_of_the_normal_distribution(
     rows = np.array([[-width, 0.0, width], [1.0 - width, 1.0, 1.0 + width]])
     test = axis_test([100.0, 500.0], rows * UM, rows * UM)
     assert chance_of_zero(test) == pytest.approx(table, rel=0.008)
+
+
+@pytest.mark.parametrize(("read_as", "certain"), [(1e-3, True), (1.0, False)])
+def test_a_large_error_read_as_micrometres_scatters_less_than_light_can_show(
+    read_as: float, certain: bool
+) -> None:
+    """An error of 300 µm with a scatter of 0.6 µm, its mm taken for µm: 0.6 µm in all, more than a
+    quiet axis may show, but 0.6 nm from run to run; interferometers of machine tools resolve 1 nm.
+    """
+    test = measured(error=300.0)
+    shrunk = replace(test, positive=read_as * test.positive, negative=read_as * test.negative)
+    assert ("1000 times too small" in certain_fault(shrunk)) is certain
+
+
+def test_hardly_any_scatter_about_a_large_error_is_a_simulation() -> None:
+    """20 µm in all: read 1000 times too small, the true error would be 20 mm."""
+    test = measured(step=1e-6, error=0.0)
+    wave = 10.0 * UM * np.sin(TARGETS / 180.0)[:, np.newaxis]
+    quiet = replace(
+        test, positive=wave + 1e-3 * test.positive, negative=wave + 1e-3 * test.negative
+    )
+    assert certain_fault(quiet) == ""
 
 
 def test_readings_far_off_and_runs_not_made_are_left_out_of_what_is_believed() -> None:

@@ -114,6 +114,7 @@ def test_long_linear_axes_have_two_tests() -> None:
     whole = planned(dithered(3000, 13), 1)
     assert codes(whole) == ["CW-T005"]  # says that the test over 2 000 mm belongs to it
     assert codes(planned(dithered(3000, 10), 1)) == ["CW-T005", "CW-T006"]  # mean interval 333 mm
+    assert codes(planned(dithered(3120, 13), 1)) == ["CW-T005", "CW-T006"]  # 12 intervals of 260 mm
     repeated = plan_findings(planned(dithered(3000, 16), 5), "iso230-2:2014", None, ())
     assert [(finding.code, finding.severity) for finding in repeated] == [("CW-T005", "warning")]
     part = codes(planned(500.0 + dithered(2000, 11), 5), travel=(0.0, 3000.0))

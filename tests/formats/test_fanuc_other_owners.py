@@ -107,9 +107,13 @@ def test_two_sets_without_anything_beside_them_are_written(tmp_path: Path) -> No
 def test_a_finer_grid_that_needs_the_old_ends_is_told_them(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
+    """3620 = 40, 3621 = 1, 3622 = 41, 3624 = 40 mm. By the manual the point at the negative end has
+    the number 3620 - travel/3624 + 1: 40 intervals of 40 mm below the reference, one above.
+    """
     bench = BesideBench(tmp_path, INCLINED, inclination(1.0))
     assert bench.run("X", axes={"X": "table: {spacing: 20, start: -200, end: 0}"}) == 4
     told = " ".join(capsys.readouterr().err.split())
     found = re.search(r"table: \{(start: \S+, end: \S+?)\}, the old ends", told)
     assert found is not None, told
+    assert found[1] == "start: -1600, end: 40"
     assert bench.run("X", axes={"X": f"table: {{spacing: 20, {found[1]}}}"}) == 0
