@@ -8,6 +8,7 @@ import json
 import math
 import re
 import statistics
+from collections import Counter
 from html.parser import HTMLParser
 from pathlib import Path
 from types import SimpleNamespace
@@ -25,7 +26,9 @@ from compwright.planning.quick_check import check_positions
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.correction import ControlFile
 from compwright.records.facts import AxisFacts
-from compwright.reporting.card import card_html
+from compwright.reporting import card as reporting_card
+from compwright.reporting.card import card_html, card_markdown
+from compwright.words.sentences import ControlText
 from format_samples import DEFINITIONS, SIEMENS, axis_of, files, table
 from places import PROJECT
 from reporting_samples import sample_card
@@ -276,3 +279,43 @@ def test_no_card_calls_a_sign_confirmed_and_not_confirmed() -> None:
         words = " ".join(rule.text + " " + rule.two_curves for rule in definition.card)
         confirmed = "sign of this table is confirmed" in words
         assert not (confirmed and "its sign, which is not confirmed" in words)
+
+
+@pytest.fixture(scope="module")
+def sinumerik_card(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
+    """The card of an axis with an old table, as data."""
+    given: list[dict[str, Any]] = []
+    out = tmp_path_factory.mktemp("sinumerik") / "out"
+    job = PROJECT / "examples" / "sinumerik-old-table" / "job.yaml"
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(reporting_card, "card_html", lambda card: given.append(card) or b"")
+        assert compwright(["run", str(job), "--out", str(out)]) == 0
+    (card,) = given
+    return card
+
+
+def numbers(text: str) -> Counter[str]:
+    """All numbers of a text, with a decimal point."""
+    return Counter(re.findall(r"\d+(?:\.\d+)?", re.sub(r"(?<=\d),(?=\d)", ".", text)))
+
+
+@pytest.mark.parametrize("language", ["de", "fr", "ru"])
+def test_a_card_in_another_language_has_the_same_numbers_and_names(
+    sinumerik_card: dict[str, Any], language: str
+) -> None:
+    english = card_markdown(sinumerik_card)
+    other = card_markdown({**sinumerik_card, "language": language})
+    assert numbers(other) == numbers(english)
+    names = re.compile(r"\$[\w\\\[\],]+|[\w/]+\.(?:INI|csv|TXT)|`[^`]+`")
+    assert Counter(names.findall(other)) == Counter(names.findall(english))
+    assert not re.search(r"(?<!\w)(?:the|is|of|and) (?=[a-z])", other)
+
+
+def test_steps_of_a_definition_of_ones_own_stay_english_and_the_card_says_so(
+    sinumerik_card: dict[str, Any],
+) -> None:
+    own = {"title": ControlText("Wait", {}), "text": ControlText("Wait a while.", {})}
+    card = {**sinumerik_card, "language": "de", "steps": [*sinumerik_card["steps"], own]}
+    assert "Schritte der eigenen Definition haben keine Übersetzung" in card_markdown(card)
+    translated = card_markdown({**sinumerik_card, "language": "de"})
+    assert "keine Übersetzung" not in translated

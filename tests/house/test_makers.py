@@ -103,7 +103,8 @@ def template_leaks(text: str) -> list[tuple[int, str]]:
 
 
 def all_leaks(source: Path) -> list[str]:
-    sentences = sorted((source / "words").glob("*/states.py"))  # one of each language
+    words = source / "words"  # a module and a folder of each language
+    sentences = (*sorted(words.glob("*/states.py")), *sorted(words.glob("*/controls")))
     know = (source / "formats" / "families", source / "controllers", *sentences)
     numbers = _numbers_of_controls()
     return [

@@ -16,7 +16,16 @@ import jinja2.nodes
 import pytest
 from test_house import trees
 
-from compwright.words.sentences import Language, catalogue, filled, parts, placeholders
+from compwright.formats.definition.schema import Definition
+from compwright.words.sentences import (
+    Language,
+    catalogue,
+    control_texts,
+    filled,
+    parts,
+    placeholders,
+)
+from format_samples import DEFINITIONS
 from places import PROJECT
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "benchmarks"))
@@ -112,6 +121,62 @@ def test_each_name_of_a_sentence_is_written_out_where_it_is_asked_for() -> None:
 @pytest.mark.parametrize("language", OTHERS)
 def test_each_language_has_every_sentence_and_no_name_of_its_own(language: Language) -> None:
     assert set(catalogue(language)) == set(catalogue("en"))
+
+
+@cache
+def texts_of_controls() -> frozenset[str]:
+    """Return the English templates of the families and of every definition that ships."""
+    asked = (
+        node.args[0]
+        for tree in trees().values()
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Call) and ast.unparse(node.func) == "control_text"
+    )
+    of_source = {ast.literal_eval(template) for template in asked}
+    return frozenset(of_source.union(*map(_texts_of, DEFINITIONS.values())) - {""})
+
+
+def _texts_of(definition: Definition) -> set[str]:
+    steps = (*definition.card, *definition.restore)
+    looks = [rule for rules in definition.look_at.values() for rule in rules]
+    typed = {getattr(rule, "typed", "") or "" for rule in definition.bindings.values()}
+    return {
+        *(text.strip() and text for one in (*steps, *looks) for text in (one.text, one.two_curves)),
+        *(step.title for step in steps),
+        definition.diameter.card,
+        definition.between_axes.instead or "",
+        *typed,
+    }
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_each_language_has_every_text_of_the_controls_with_its_fields(language: Language) -> None:
+    texts = control_texts(language)
+    assert set(texts) == texts_of_controls()
+    fields = re.compile(r"[{][a-z_0-9]+[}]")
+    differing = {
+        text for text, own in texts.items() if {*fields.findall(text)} != {*fields.findall(own)}
+    }
+    assert differing == set()
+
+
+#: Words that a language may have of its own.
+COMMON = {"NC", "PC"}
+#: Names in a text that no language translates: parameters, options, files, commands.
+NAMES = re.compile(
+    r"`[^`]+`|[$#]?\b\w*(?:[A-Z]{2}|\d{3}|_)\w*\b|\b\w+\[|\b[a-z]+[A-Z]\w+|(?<!\w)[/.]\w+"
+)
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_each_text_of_the_controls_keeps_its_names_and_numbers(language: Language) -> None:
+    """A parameter that a translation lost, or changed, is typed wrong at a machine."""
+    lost = {
+        text: names
+        for text, own in control_texts(language).items()
+        if (names := {name for name in NAMES.findall(text) if name not in own} - COMMON)
+    }
+    assert lost == {}
 
 
 FORMS: dict[Language, int] = {"en": 2, "de": 2, "fr": 2, "ru": 3}

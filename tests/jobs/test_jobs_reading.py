@@ -199,7 +199,6 @@ def test_example_of_the_contract_is_read() -> None:
     assert read.circles[0].accept == Acceptance(limits={"G_bidirectional": 10.0})
     assert read.environment is not None
     assert read.environment.files == ("hall.csv",)
-    assert "CW-J001" not in [finding.code for finding in read.findings]
 
 
 def test_an_axis_without_a_positioning_test_needs_a_circle() -> None:
@@ -208,7 +207,7 @@ def test_an_axis_without_a_positioning_test_needs_a_circle() -> None:
     assert job(text + "circles: [{file: xy.csv}]\n").axes["X"].before == ()
 
 
-def test_a_language_says_that_the_card_is_in_english() -> None:
+def test_a_language_needs_no_remark() -> None:
     read = job("""
         compwright: 1
         controller: {format: x}
@@ -218,9 +217,7 @@ def test_a_language_says_that_the_card_is_in_english() -> None:
         report: {language: fr}
         cross: [{input: X, output: B, positions: [0, 1], deviations: [0, 1], unit: arcsec}]
         """)
-    (finding,) = read.findings
-    assert (finding.code, finding.severity) == ("CW-J001", "info")
-    assert finding.message.endswith("the commissioning card is in English")
+    assert read.findings == ()
     assert read.report.language == "fr"
 
 

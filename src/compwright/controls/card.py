@@ -20,7 +20,6 @@ from compwright.formats.card import (
     points_needed,
     typed_backlash,
 )
-from compwright.formats.definition.statements import print_form
 from compwright.formats.families.card_texts import AxisCard, CardRequest, loading_order
 from compwright.formats.text.diff import compare_files
 from compwright.foundations.units import outside_factor, outside_unit, shown_unit
@@ -30,6 +29,7 @@ from compwright.records.axis import Axis, partner_of
 from compwright.records.correction import AxisCompensation, ControlFile, no_compensation
 from compwright.records.job import Job
 from compwright.records.numbering import NumberedSections
+from compwright.words.sentences import ControlText, SentenceText, control_text, say
 
 
 def axis_documents(
@@ -167,21 +167,22 @@ def _rows(
     def describe(table: AxisCompensation | None, lost: float) -> dict[str, str]:
         backlash = f"{lost * factor:.2f} {small}"
         if table is None or table.positions.size == 0:
-            return {"points": "none", "range": "-", "largest": "-", "backlash": backlash}
+            none = control_text("none")
+            return {"points": none, "range": "-", "largest": "-", "backlash": backlash}
         curves = np.concatenate([table.positive, table.negative]) * factor
         return {
             "points": str(table.positions.size),
-            "range": f"{table.positions[0]:g} to {table.positions[-1]:g} {unit}",
-            "largest": f"{curves.min():.2f} to {curves.max():.2f} {small}",
+            "range": _range(f"{table.positions[0]:g}", f"{table.positions[-1]:g}", unit),
+            "largest": _range(f"{curves.min():.2f}", f"{curves.max():.2f}", small),
             "backlash": backlash,
         }
 
     before, after = describe(*old), describe(*new)
     titles = {
-        "points": "points of the table",
-        "range": "range of the table",
-        "largest": "corrections from, to",
-        "backlash": "backlash in addition to the table",
+        "points": control_text("points of the table"),
+        "range": control_text("range of the table"),
+        "largest": control_text("corrections from, to"),
+        "backlash": control_text("backlash in addition to the table"),
     }
     rows = [
         {"quantity": title, "old": before[key], "new": after[key], "typed_old": "", "typed": ""}
@@ -189,6 +190,10 @@ def _rows(
     ]
     rows[-1]["typed_old"], rows[-1]["typed"] = typed
     return rows
+
+
+def _range(low: str, high: str, unit: str) -> str:
+    return control_text("{low} to {high} {unit}", low=low, high=high, unit=unit)
 
 
 def changes_document(
@@ -209,7 +214,7 @@ def changes_document(
 def unconfirmed_diameters(control: Control, axes: Sequence[Axis]) -> list[str]:
     """Return what is not confirmed of the tables of ``axes`` in diameter programming."""
     return [
-        print_form(control.definition.diameter.card, {"name": axis.name})
+        ControlText(control.definition.diameter.card, {"name": axis.name})
         for axis in axes
         if axis.programmed == "diameter"
     ]
@@ -224,7 +229,9 @@ def step_documents(
     tells = any("{gantry}" in rule.text for rule in control.definition.card)
     steps = [
         {
-            "title": f"{axis.name} and {axis.gantry} together",
+            "title": control_text(
+                "{name} and {gantry} together", name=axis.name, gantry=axis.gantry
+            ),
             "text": gantry_words(axis),
             "evidence": "inferred",
             "heads": (),
@@ -285,7 +292,8 @@ def _with_all_files(
     left = [file.name for file in files if file.name not in named]
     loading = next((step for step in steps if step["title"].startswith(("Load", "Enter"))), None)
     if left and loading is not None:
-        loading["text"] += f" The files in tables/: {', '.join(left)}."
+        files_too = control_text("The files in tables/: {files}.", files=", ".join(left))
+        loading["text"] = SentenceText(say("paragraph", sentences=(loading["text"], files_too)))
     return steps
 
 
@@ -316,27 +324,38 @@ def restore_texts(
     bring it ``back``. ``steps``: `restore_steps` say the rest.
     """
     if not files:
-        off = (
-            "switch the compensation of these axes off as in the steps above (an empty table), set"
-            " the backlash by the parameter in column Old of each axis, restart and reference"
+        nothing = control_text("The job says that nothing was active.")
+        off = control_text(
+            "To go back: switch the compensation of these axes off as in the steps above (an empty"
+            " table), set the backlash by the parameter in column Old of each axis, restart and"
+            " reference."
         )
-        nothing = "The job says that nothing was active."
-        return [nothing if steps else f"{nothing} To go back: {off}."]
+        return [nothing if steps else SentenceText(say("paragraph", sentences=(nothing, off)))]
     names = ", ".join(loading_order(control.definition, files))
     folder = f"rollback/{control.id}/"
-    load = f"load the untouched copies in {folder} ({names}) the same way, restart and reference."
+    copies = {"folder": folder, "names": names}
     if not back:
-        kept = f"The untouched copies of the old files are in {folder} ({names})."
-        return [kept if steps else f"L{load[1:]}"]
-    small = ", then ".join(loading_order(control.definition, back))
+        kept = control_text(
+            "The untouched copies of the old files are in {folder} ({names}).", **copies
+        )
+        load = control_text(
+            "Load the untouched copies in {folder} ({names}) the same way, restart and reference.",
+            **copies,
+        )
+        return [kept if steps else load]
+    small = SentenceText(say("card.then", names=loading_order(control.definition, back)))
     return [
-        (
-            f"To undo: switch off as in the steps above, load {small} from {folder} (the old values"
+        control_text(
+            "To undo: switch off as in the steps above, load {files} from {folder} (the old values"
             " of these axes and their switches; what was set by hand goes back by hand), activate,"
-            " restart and reference."
+            " restart and reference.",
+            files=small,
+            folder=folder,
         ),
-        (
+        control_text(
             "If more than these axes has to go back: switch off the compensation of every axis in"
-            f" them (what is on is protected), {load}"
+            " them (what is on is protected), load the untouched copies in {folder} ({names}) the"
+            " same way, restart and reference.",
+            **copies,
         ),
     ]

@@ -20,6 +20,7 @@ from compwright.planning.wanted_correction import with_change
 from compwright.prediction.active_corrections import Correction, difference
 from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile
+from compwright.words.sentences import SentenceText, control_text, say
 
 #: Of more files than these no parts are tried: each costs a reading of everything.
 _MOST_FILES = 6
@@ -60,7 +61,10 @@ def harmful_parts(
             if (words := _worse(work, judged_correction(state, work.planned.axis)))
         ]
         if stated:
-            found.append(f"With {part.name} alone {', '.join(stated)}.")
+            effects = SentenceText(say("as_written", text=stated))
+            found.append(
+                control_text("With {file} alone {effects}.", file=part.name, effects=effects)
+            )
     return tuple(found)
 
 
@@ -80,7 +84,14 @@ def _worse(work: AxisWork, new: Correction) -> str:
     if round(becomes) <= round(was):
         return ""
     unit = shown_unit(axis.kind.unit)
-    return f"axis {axis.name} has {name} {becomes:.0f} {unit} (now {was:.0f} {unit})"
+    return control_text(
+        "axis {axis} has {name} {becomes} {unit} (now {was} {unit})",
+        axis=axis.name,
+        name=name,
+        becomes=f"{becomes:.0f}",
+        was=f"{was:.0f}",
+        unit=unit,
+    )
 
 
 def partial_load(before: FileValues, planned: FileValues, back: FileValues) -> PartialLoad | None:

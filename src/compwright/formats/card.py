@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from compwright.formats.definition.schema import CardRule, Definition, LookRule, Measure
-from compwright.formats.definition.statements import field_names, print_form
+from compwright.formats.definition.statements import field_names
 from compwright.formats.families.card_texts import CURVES, REFERENCING, UNKNOWN, numbered_files
 from compwright.formats.families.family import Family
 from compwright.formats.families.resolved_definition import ResolvedDefinition
@@ -18,6 +18,7 @@ from compwright.formats.text.addresses import normal_address
 from compwright.records.axis import Axis
 from compwright.records.correction import AxisCompensation, Evidence
 from compwright.records.verification import LoadingName
+from compwright.words.sentences import ControlText, SentenceText, control_text, say
 
 #: A field with a longer value is a sentence and keeps its place in the text.
 _LONGEST_CELL = 48
@@ -62,7 +63,14 @@ def card_steps_of_all(
     """
     known = [{**axis_values(definition, axis), **values} for axis, values in axes]
     return tuple(
-        CardStep(rule.title, text, rule.evidence.state, rule.evidence.source, heads, rows)
+        CardStep(
+            ControlText(rule.title, {}),
+            text,
+            rule.evidence.state,
+            rule.evidence.source,
+            heads,
+            rows,
+        )
         for rule in (definition.card if rules is None else rules)
         for text, heads, rows in (
             _for_all(
@@ -94,11 +102,9 @@ def _for_all(
                 (of["name"], *(values[name] for name in differing))
                 for of, values in zip(known, filled, strict=True)
             )
-            return print_form(forms[0], {**filled[0], **named}), (AXIS_COLUMN, *heads), rows
-    lines = dict.fromkeys(
-        print_form(form, values) for form, values in zip(forms, filled, strict=True)
-    )
-    return "\n".join(lines), (), ()
+            return ControlText(forms[0], {**filled[0], **named}), (AXIS_COLUMN, *heads), rows
+    lines = dict.fromkeys(map(ControlText, forms, filled))
+    return SentenceText(say("card.lines", texts=lines)), (), ()
 
 
 def axis_values(definition: Definition, axis: Axis) -> dict[str, str]:
@@ -135,22 +141,31 @@ def typed_backlash(definition: Definition, axis: Axis, values: Mapping[str, str]
     rule = definition.bindings.get("backlash")
     if not isinstance(rule, Measure) or not rule.typed:
         return ""
-    return print_form(rule.typed, {**axis_values(definition, axis), **values})
+    return ControlText(rule.typed, _used(rule.typed, {**axis_values(definition, axis), **values}))
 
 
 def gantry_words(axis: Axis) -> str:
     """Return the card's text on the synchronised axis of a gantry."""
     if axis.gantry is None:
-        return (
-            f"The job says that {axis.name} is not a gantry master axis. If it is one, stop: a"
+        return control_text(
+            "The job says that {name} is not a gantry master axis. If it is one, stop: a"
             " table on the master axis alone racks the bridge. Name its synchronised axis in the"
-            " job (gantry), so that it gets the same table."
+            " job (gantry), so that it gets the same table.",
+            name=axis.name,
         )
-    own = " It has values of its own." if axis.gantry_table == "change" else ""
-    return (
-        f"Axis {axis.name} leads a gantry: do every step for the synchronised axis {axis.gantry}"
-        f" too, before anything moves.{own} A table on the leading axis alone racks the bridge."
+    own = axis.gantry_table == "change"
+    return control_text(
+        "Axis {name} leads a gantry: do every step for the synchronised axis {gantry}"
+        " too, before anything moves.{own} A table on the leading axis alone racks the bridge.",
+        name=axis.name,
+        gantry=axis.gantry,
+        own=control_text(" It has values of its own.") if own else "",
     )
+
+
+def _used(form: str, values: Mapping[str, str]) -> dict[str, str]:
+    """Return the values that a form has fields for."""
+    return {name: values[name] for name in field_names(form)}
 
 
 def points_needed(control: ResolvedDefinition, table: AxisCompensation) -> int | None:
@@ -191,6 +206,7 @@ def _sentences(
 ) -> Iterator[str]:
     for rule in rules:
         form = rule.two_curves if pair else rule.text
-        text = print_form(form, {name: values[name] for name in field_names(form)})
+        text = ControlText(form, _used(form, values))
         state = rule.evidence.state
-        yield text if state == "confirmed" else f"{text} ({state})"
+        doubtful = SentenceText(say("card.look_at", text=text, state=state))
+        yield text if state == "confirmed" else doubtful

@@ -157,7 +157,6 @@ def _refuse_other_versions(document: YamlDocument, file: str) -> None:
 def job_of(section: JobSection, file: str) -> Job:
     """Return the record of a job that was found free of faults."""
     findings = (
-        *_partial_findings(section),
         *_idle_findings(section),
         *_absent_axes(section),
         *_state_findings(section),
@@ -372,12 +371,6 @@ def _drifts(section: JobSection) -> dict[AxisKind, DriftRequest]:
         for kind, given in of_kind.items()
         if isinstance(given, DriftSection)
     }
-
-
-def _partial_findings(section: JobSection) -> list[Finding]:
-    """Return a finding for every key that has its effect on some of the files only."""
-    language = section.report.language
-    return [] if language == "en" else [Finding.of("CW-J001", "info", language=language)]
 
 
 def _absent_axes(section: JobSection) -> list[Finding]:

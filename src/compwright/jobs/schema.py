@@ -530,8 +530,8 @@ class JobSection(JobMapping):
     """`language`: `en`, `de`, `fr` or `ru`; `number`, `customer`, `operator`, `place`: text;
     `logo`: a file. Printed at the head of reports, "not stated" where missing. `logo`: a whole
     .png, .jpg or .svg file of at most 500 kB, embedded in the page; any other is refused (3).
-    The report of `run` and the page of `verify` are in the language; their last line names what
-    is still in English. The commissioning card is in English (CW-J001). Default: `en`.
+    The report of `run`, the commissioning card and the page of `verify` are in the language;
+    their last line names what is still in English. Default: `en`.
     """
 
 

@@ -13,13 +13,14 @@ None where points have no numbers), ``quick_check`` (``position``, ``direction``
 compensation that the control itself shows, ``expected``, ``stop``), ``points_needed``, ``rapid``
 (its test was taken at rapid traverse, for which everything here holds) and ``fixed_positions``
 (``name``, ``position``, ``moves``).
-Values to be typed carry a plain minus sign, so that they can be copied.
+Values to be typed carry a plain minus sign, so that they can be copied; the tables and steps have
+a decimal point in each ``language`` (that of the page, English by default).
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from itertools import groupby
 from typing import Any
 
@@ -44,23 +45,16 @@ from compwright.reporting.sections import (
     pairs,
     rule_lines,
 )
-from compwright.words.sentences import Sentence
+from compwright.words.sentences import Language, NumberText, Sentence, in_language, say
 
-#: What a card of a test at rapid traverse holds for: a control may have another backlash there.
-RAPID = (
-    "Measured at rapid traverse: the backlash here, what the control adds and the check positions"
-    " hold at rapid traverse. Check there, not at cutting feed."
-)
 _BOX = "[ ]"
 #: Evidence of what a card leaves to the report; what is not confirmed stands above its steps.
 _DEFAULT = "default of the definition"
-_SENTENCE = re.compile(r"(?<=\.)\s+(?=[A-Z‹])|\n")
-_OF_AXIS = re.compile(r"[Aa]xis (\w+)\b")
-#: What the one table of check positions is for.
-HOW_TO_CHECK = (
-    "Every check of this card is made here: what the control adds, on its compensation display"
-    " where it has one, and after loading the quick check with the instrument."
-)
+_SENTENCE = re.compile(r"(?<=\.)\s+(?=[A-ZÀ-ÞА-Я‹])|\n")
+#: The word before the name of an axis at the beginning of a sentence.
+_AXIS: Mapping[Language, str] = {"en": "Axis", "de": "Achse", "fr": "Axe", "ru": "Ось"}
+#: How sure a step is, in words.
+_EVIDENCE = {"confirmed": say("card.confirmed"), "inferred": say("card.inferred")}
 #: More changes than these are read in changes.csv, not on the card.
 _MOST_CHANGES = 60
 
@@ -69,50 +63,58 @@ def card_html(card: Document) -> bytes:
     """Return the card as a self-contained page. Raises UsageError when the report extra is
     missing.
     """
-    return render_page("card.html", _content(card))
+    return render_page("card.html", _content(card), _language(card))
 
 
 def card_markdown(card: Document) -> str:
     """Return the card as Markdown with boxes to tick; it reads well as plain text too. Needs no
     extra.
     """
-    content = _content(card)
-    lines = [f"# {_escape(content['title'])}", "", *_machine(content), ""]
+    content, language = _content(card), _language(card)
+
+    def words(sentence: Sentence) -> str:
+        return sentence.text(language)
+
+    lines = [f"# {_escape(content['title'])}", "", *_machine(content, language), ""]
     doubts = content["doubts"]
     if doubts:
         lines += _bullets(f"## {doubts['heading']}", [item["message"] for item in doubts["items"]])
         lines += [_escape(str(doubts["step"])), ""] if doubts["step"] else []
-    lines += _bullets("## Acknowledged doubts", content["acknowledged"])
-    lines += _bullets("## Not confirmed: look before the axis moves fast", content["unconfirmed"])
-    lines += _steps(content["steps"])
-    lines += _bullets("## Way back", content["restore"])
-    lines += _bullets("## Limits, as predicted", content["limits"])
+    headings = (
+        ("acknowledged", say("report.acknowledged")),
+        ("unconfirmed", say("card.not_confirmed")),
+    )
+    for key, heading in headings:
+        lines += _bullets(f"## {words(heading)}", content[key])
+    lines += _steps(content["steps"], language)
+    for key, heading in (("restore", say("card.way_back")), ("limits", say("card.limits"))):
+        lines += _bullets(f"## {words(heading)}", content[key])
     for axis in content["axes"]:
-        lines += _axis(axis)
-    lines += _changes(content["changes"])
+        lines += _axis(axis, language)
+    lines += _changes(content["changes"], language)
     if content["assumed"]:
         rows = [
             [
                 _escape(fact["fact"]),
                 _escape(fact["value"]),
-                ("**unconfirmed** " if fact["open"] else "") + _escape(fact["evidence"]),
+                (f"**{words(say('card.unconfirmed'))}** " if fact["open"] else "")
+                + _escape(fact["evidence"]),
             ]
             for fact in content["assumed"]
         ]
-        lines += ["## Assumed facts", "", *_table(["Fact", "Assumed value", "Evidence"], rows), ""]
+        head = [say("head.fact"), say("head.assumed_value"), say("head.evidence")]
+        lines += [f"## {words(say('run.assumed'))}", "", *_table([*map(words, head)], rows), ""]
     if content["files"]:
         lines += [
-            "## Files",
+            f"## {words(say('run.files'))}",
             "",
             *(f"- `{_one_line(file).replace('`', '')}`" for file in content["files"]),
             "",
         ]
     if content["proven"]:
-        lines += ["## Proven", "", _escape(content["proven"]), ""]
-    lines += [
-        "Loaded by: ______________________   Date: ______________   Measured after loading: [ ]",
-        "",
-    ]
+        lines += [f"## {words(say('card.proven'))}", "", _escape(content["proven"]), ""]
+    lines += [words(say("card.signature")), ""]
+    lines += [content["note"], ""] if content["note"] else []
     return "\n".join(lines)
 
 
@@ -120,13 +122,21 @@ def card_markdown(card: Document) -> str:
 # ------------------------------------------------------------------------------------------------
 
 
+def _language(card: Document) -> Language:
+    return card.get("language") or "en"
+
+
 def _content(card: Document) -> dict[str, Any]:
-    title = plain(card.get("title") or "Commissioning card")
-    return {
+    """Return what both forms show, in words of the card's language."""
+    language = _language(card)
+    title = card.get("title") or say("card.no_title")
+    content = {
         "page_title": title,
         "page_class": "card",
         "title": title,
-        "machine": pairs(card.get("machine")),
+        "machine": [
+            (say("label.machine", key=name), value) for name, value in pairs(card.get("machine"))
+        ],
         "format": {
             "id": plain((card.get("format") or {}).get("id", "")),
             "title": plain((card.get("format") or {}).get("title", "")),
@@ -134,13 +144,19 @@ def _content(card: Document) -> dict[str, Any]:
         "doubts": doubts(card.get("doubts")),
         "acknowledged": acknowledged(card.get("acknowledged")),
         "limits": _limits(card.get("limits") or {}, card.get("circle_limits") or {}),
-        "unconfirmed": _alike_once([plain(text) for text in card.get("unconfirmed") or []]),
-        "steps": [_step(step) for step in card.get("steps") or []],
-        "axes": [_axis_content(axis) for axis in card.get("axes") or []],
+        "unconfirmed": _alike_once(
+            [in_language(plain(text), language) for text in card.get("unconfirmed") or []], language
+        ),
+        "steps": [_step(step, language) for step in card.get("steps") or []],
+        "axes": [_axis_content(axis, language) for axis in card.get("axes") or []],
         "changes": changes_content(card.get("changes")),
         "restore": [
             *(plain(text) for text in card.get("restore") or []),
-            *(line["text"] for step in card.get("restore_steps") or [] for line in _lines(step)),
+            *(
+                line["text"]
+                for step in card.get("restore_steps") or []
+                for line in _lines(step, language)
+            ),
         ],
         "assumed": [
             fact
@@ -149,25 +165,55 @@ def _content(card: Document) -> dict[str, Any]:
         ],
         "files": [plain(file) for file in card.get("files") or []],
         "proven": plain(card.get("proven") or ""),
+        "note": _note(card, language),
     }
+    return {key: _resolved(value, language) for key, value in content.items()}
 
 
-def _limits(axes: Document, circles: Document) -> list[str]:
+def _resolved(value: Any, language: Language) -> Any:
+    """Return content with its sentences in the language; numbers keep their decimal point."""
+    if isinstance(value, Mapping):
+        return {key: _resolved(one, language) for key, one in value.items()}
+    if isinstance(value, list | tuple):
+        return [_resolved(one, language) for one in value]
+    if isinstance(value, NumberText):
+        return str(value)
+    return in_language(value, language) if isinstance(value, str | Sentence) else value
+
+
+def _note(card: Document, language: Language) -> str | Sentence:
+    """Return what is not in the language of a translated card, and how its numbers are written."""
+    if language == "en":
+        return ""
+    steps = [*(card.get("steps") or ()), *(card.get("restore_steps") or ())]
+    foreign = any(not getattr(step["text"], "translated", bool)(language) for step in steps)
+    return say("card.note", foreign=foreign)
+
+
+def _limits(axes: Document, circles: Document) -> list[Sentence]:
     """Return a sentence for each limit of the prediction's axes and circles, then the rule where it
     is the guarded one.
     """
-    decisions: list[str] = []
-    rules: list[str] = []
-    limited = [(f"Axis {name}", axis, axis.get("unit", "um")) for name, axis in axes.items()]
-    limited += [(f"Circle {name}", circle, "um") for name, circle in circles.items()]
+    decisions: list[Sentence] = []
+    rules: list[Sentence] = []
+    limited = [
+        (say("card.axis", name=name), axis, axis.get("unit", "um")) for name, axis in axes.items()
+    ]
+    limited += [(say("card.circle", name=name), circle, "um") for name, circle in circles.items()]
     for name, its, its_unit in limited:
         unit, accept = unit_text(its_unit), its.get("accept") or {}
         decided = [
-            f"{symbol(key)} {plain(entry['limit'])} {unit}: {entry['decision']}"
+            say(
+                "card.limit",
+                symbol=symbol(key),
+                limit=plain(entry["limit"]),
+                unit=unit,
+                decision=entry["decision"],
+            )
             for key, entry in accept.items()
         ]
-        decisions += [f"{name}: {'; '.join(decided)}."] if decided else []
-        rules += map(str, rule_lines(accept, unit))
+        decisions += [say("card.decided", name=name, decided=decided)] if decided else []
+        rules += rule_lines(accept, unit)
     return [*decisions, *dict.fromkeys(rules)]
 
 
@@ -192,56 +238,60 @@ def changes_content(changes: Document | None) -> dict[str, Any] | None:
     }
 
 
-def _step(step: Document) -> dict[str, Any]:
+def _step(step: Document, language: Language) -> dict[str, Any]:
+    mark = evidence_mark(step.get("evidence"))
     return {
         "title": plain(step.get("title") or ""),
-        "lines": _lines(step),
-        **evidence_mark(step.get("evidence")),
+        "lines": _lines(step, language),
+        "open": mark["open"],
+        "evidence": _EVIDENCE.get(mark["evidence"], mark["evidence"]),
+        "shown": mark["evidence"] not in ("", "confirmed"),
     }
 
 
-def _lines(step: Document) -> list[dict[str, Any]]:
+def _lines(step: Document, language: Language) -> list[dict[str, Any]]:
     """Return the lines of a step with every number filled in, as ``text`` and whether they have a
     box of their own (``tick``): a sentence about what differs by axis stands once for each row, the
     others once.
     """
-    text = plain(step.get("text") or "")
+    text = in_language(plain(step.get("text") or ""), language)
     heads, rows = step.get("heads") or (), step.get("rows") or ()
     if not rows:
-        lines = _alike_once([line for line in text.splitlines() if line.strip()])
+        lines = _alike_once([line for line in text.splitlines() if line.strip()], language)
         return [{"text": line, "tick": len(lines) > 1} for line in lines]
     ticked = []
     for named, group in groupby(_SENTENCE.split(text), key=lambda sentence: "‹" in sentence):
         words = " ".join(group)
-        each = [_filled(words, heads, row) for row in rows] if named else [words]
+        each = [_filled(words, heads, row, language) for row in rows] if named else [words]
         ticked += [{"text": line, "tick": named} for line in each]
     return ticked
 
 
-def _filled(words: str, heads: Sequence[object], row: Sequence[object]) -> str:
+def _filled(words: str, heads: Sequence[object], row: Sequence[object], language: Language) -> str:
     """Return a sentence with what a row says of each ‹head›, the axis before it."""
     for head, cell in zip(heads, row, strict=True):
-        words = words.replace(f"‹{plain(head)}›", plain(cell))
-    return words if words.startswith("Axis ") else f"{plain(row[0])}: {words}"
+        words = words.replace(f"‹{plain(head)}›", in_language(cell, language))
+    return words if words.startswith(f"{_AXIS[language]} ") else f"{plain(row[0])}: {words}"
 
 
-def _alike_once(lines: Sequence[str]) -> list[str]:
+def _alike_once(lines: Sequence[str], language: Language) -> list[str]:
     """Return the lines, those that say the same of several axes once, with all their names."""
     groups: dict[str, list[tuple[str, str]]] = {}
+    of_axis = re.compile(rf"(?i:{_AXIS[language]}) (\w+)\b")
     for line in lines:
-        found = _OF_AXIS.match(line)
+        found = of_axis.match(line)
         name = found[1] if found else ""
         form = re.sub(rf"\b{re.escape(name)}\b", "‹›", line) if name else line
         groups.setdefault(form, []).append((name, line))
     shown = []
     for group in groups.values():
         others = [name for name, _ in group[1:] if name]
-        more = f". The same holds for axis {', '.join(others)}." if others else ""
-        shown.append(f"{group[0][1].rstrip('.') if more else group[0][1]}{more}")
+        same = say("card.same_holds", axes=others).text(language)
+        shown.append(f"{group[0][1].rstrip('.')}. {same}" if others else group[0][1])
     return shown
 
 
-def _axis_content(axis: Document) -> dict[str, Any]:
+def _axis_content(axis: Document, language: Language) -> dict[str, Any]:
     unit = axis.get("unit", "um")
     checks = axis.get("quick_check") or []
     fixed = axis.get("fixed_positions") or []
@@ -252,8 +302,8 @@ def _axis_content(axis: Document) -> dict[str, Any]:
         "address": plain(axis.get("address")),
         "unit": unit_text(unit),
         "where": position_unit(unit),
-        "points": axis.get("points_needed"),
-        "rapid": RAPID if axis.get("rapid") else "",
+        "points": _around_points(axis.get("points_needed"), language),
+        "rapid": say("card.rapid") if axis.get("rapid") else "",
         "rows": [
             [
                 plain(row.get("quantity")),
@@ -273,8 +323,8 @@ def _axis_content(axis: Document) -> dict[str, Any]:
             ]
             for row in checks
         ],
-        "numbering": _numbering(axis.get("numbering")),
-        "how_to_check": HOW_TO_CHECK,
+        "numbering": _numbering(axis.get("numbering"), language),
+        "how_to_check": say("card.how_to_check"),
         "zeroed": bool(checks) and number(checks[0].get("expected")) == number(0.0),
         "fixed": [
             [plain(row.get("name")), number(row.get("position"), places), _signed(row.get("moves"))]
@@ -283,19 +333,27 @@ def _axis_content(axis: Document) -> dict[str, Any]:
     }
 
 
-def _numbering(numbering: Document | None) -> dict[str, Any] | None:
+def _around_points(points: object, language: Language) -> list[str] | None:
+    """Return the sentence on the points that are needed: before the number, the number, after."""
+    if points is None:
+        return None
+    before, _, after = say("card.points", points="\n").text(language).partition("\n")
+    return [before, plain(points), after]
+
+
+def _numbering(numbering: Document | None, language: Language) -> dict[str, Any] | None:
     if numbering is None:
         return None
     return {
-        "text": numbering_text(numbering),
-        "picture": numbering_svg(numbering),
+        "text": numbering_text(numbering, language),
+        "picture": numbering_svg(numbering, language),
         "words": [plain(words) for words in numbering["words"]],
     }
 
 
-def _with_parameter(value: object, typed: object) -> str:
+def _with_parameter(value: object, typed: object) -> str | Sentence:
     """Return a value, behind the control's parameter that holds it where one does."""
-    return f"{plain(typed)} ({_typed(value)})" if typed else _typed(value)
+    return say("card.with_unit", text=typed, unit=_typed(value)) if typed else _typed(value)
 
 
 def _typed(value: object) -> str:
@@ -323,7 +381,7 @@ def _signed(value: object) -> str:
 # --------------------------------------------------------------------------------------------------
 
 
-def _machine(content: Document) -> list[str]:
+def _machine(content: Document, language: Language) -> list[str]:
     control = " ".join(
         filter(
             None,
@@ -335,14 +393,15 @@ def _machine(content: Document) -> list[str]:
     )
     return [
         f"- {_escape(name)}: {_escape(value)}"
-        for name, value in [*content["machine"], ("control", control)]
+        for name, value in [*content["machine"], (say("label.control").text(language), control)]
     ]
 
 
-def _steps(steps: Iterable[Document]) -> list[str]:
+def _steps(steps: Iterable[Document], language: Language) -> list[str]:
     lines = []
+    unconfirmed = say("card.unconfirmed").text(language)
     for step in steps:
-        mark = " **(unconfirmed)**" if step["open"] else ""
+        mark = f" **({unconfirmed})**" if step["open"] else ""
         lines.append(f"- {_BOX} **{_escape(step['title'])}**{mark}")
         for line in step["lines"]:
             words = line["text"]
@@ -350,68 +409,71 @@ def _steps(steps: Iterable[Document]) -> list[str]:
                 f"  - {_BOX} {_escape(words)}" if line["tick"] else f"  {_paragraph(words)}"
             )
         if step["evidence"]:
-            lines.append(f"  Evidence: {_escape(step['evidence'])}")
-    return ["## Steps", "", *lines, ""] if lines else []
+            evidence = say("card.evidence", evidence=step["evidence"])
+            lines.append(f"  {_escape(evidence.text(language))}")
+    return [f"## {say('card.steps').text(language)}", "", *lines, ""] if lines else []
 
 
-def _axis(axis: Document) -> list[str]:
+def _axis(axis: Document, language: Language) -> list[str]:
+    def words(sentence: Sentence) -> str:
+        return sentence.text(language)
+
+    def with_unit(sentence: Sentence, unit: str) -> str:
+        return words(say("card.with_unit", text=sentence, unit=unit))
+
     unit, where = axis["unit"], axis["where"]
-    lines = [f"## Axis {_escape(axis['name'])}, control address {_escape(axis['address'])}", ""]
+    title = words(say("card.axis_title", axis=axis["name"], address=axis["address"]))
+    lines = [f"## {_escape(title)}", ""]
     if axis["rapid"]:
         lines += [f"**{axis['rapid']}**", ""]
     if axis["points"] is not None:
-        lines += [
-            (
-                f"- {_BOX} The control must hold at least {plain(axis['points'])} points for this"
-                " axis."
-            ),
-            "",
-        ]
+        lines += [f"- {_BOX} {''.join(axis['points'])}", ""]
     if axis["rows"]:
         rows = [
             [_BOX, *map(_escape, row[:2]), _escape(f"{row[3]} ({row[2]})" if row[3] else row[2])]
             for row in axis["rows"]
         ]
-        lines += ["### Values that change", "", *_table(["", "Quantity", "Old", "New"], rows), ""]
+        head = ["", *map(words, (say("card.quantity"), say("head.old"), say("head.new")))]
+        lines += [f"### {words(say('card.values'))}", "", *_table(head, rows), ""]
     if axis["numbering"] is not None:
         drawing = axis["numbering"]
-        lines += ["### Numbers of the sections", "", "```", *drawing["text"], "```", ""]
+        lines += [f"### {words(say('card.sections'))}", "", "```", *drawing["text"], "```", ""]
         lines += [*(f"- {_escape(words)}" for words in drawing["words"]), ""]
     if axis["checks"]:
-        head = [f"Position ({where})", "Approach", f"Control adds ({unit})", "read"]
-        head += [f"Expected deviation ({unit})", f"Stop if off by ({unit})", "measured"]
+        head = [with_unit(say("head.position"), where), words(say("head.approach"))]
+        head += [with_unit(say("card.adds"), unit), words(say("card.read"))]
+        head += [with_unit(say("card.expected"), unit), with_unit(say("card.stop"), unit)]
+        head += [words(say("card.measured"))]
         rows = [
             [*row[:3], "", *row[3:], ""]
             for row in ([_escape(cell) for cell in check] for check in axis["checks"])
         ]
-        zero = (
-            ["In this order, the instrument set to zero at the first row.", ""]
-            if axis["zeroed"]
-            else []
-        )
-        lines += ["### Check positions", "", HOW_TO_CHECK, "", *zero, *_table(head, rows), ""]
+        zero = [words(say("card.zeroed")), ""] if axis["zeroed"] else []
+        lines += [f"### {words(say('card.check_positions'))}", "", axis["how_to_check"], ""]
+        lines += [*zero, *_table(head, rows), ""]
     if axis["fixed"]:
         rows = [list(map(_escape, row)) for row in axis["fixed"]]
-        lines += [
-            "### Fixed positions that move",
-            "",
-            *_table(["Name", f"Position ({where})", f"Moves by ({unit})"], rows),
-            "",
-        ]
+        head = [words(say("card.name")), with_unit(say("head.position"), where)]
+        head += [with_unit(say("card.moves_by"), unit)]
+        lines += [f"### {words(say('card.fixed'))}", "", *_table(head, rows), ""]
     return lines
 
 
-def _changes(changes: dict[str, Any] | None) -> list[str]:
+def _changes(changes: dict[str, Any] | None, language: Language) -> list[str]:
     if changes is None:
         return []
-    more = [f"{changes['more']} more changes are in changes.csv.", ""] if changes["more"] else []
+
+    def words(sentence: Sentence) -> str:
+        return sentence.text(language)
+
+    left = changes["more"]
+    more = [words(say("card.more_changes", more=left)), ""] if left else []
     rows = [list(map(_escape, row)) for row in changes["rows"]]
-    sentence = (
-        f"{changes['count']} entries change; {changes['untouched']} lines of the control's files"
-        " stay as they are. The values are those of the files, in the control's own units."
-    )
-    table = [*_table(["Entry", "Old", "New"], rows), ""] if rows else []
-    return ["## Old to new", "", sentence, "", *table, *more]
+    count, untouched = changes["count"], changes["untouched"]
+    sentence = words(say("changes.summary", count=count, untouched=untouched, more=0))
+    head = [*map(words, (say("head.entry"), say("head.old"), say("head.new")))]
+    table = [*_table(head, rows), ""] if rows else []
+    return [f"## {words(say('run.changes'))}", "", sentence, "", *table, *more]
 
 
 def _bullets(heading: str, items: Sequence[str | Sentence]) -> list[str]:

@@ -12,6 +12,8 @@ from collections.abc import Mapping, Sequence
 from html import escape
 from typing import Any, Final, NamedTuple
 
+from compwright.words.sentences import Language, in_language, say
+
 #: That many sections are all shown.
 _ALL: Final = 8
 _INK: Final = "#222222"
@@ -54,7 +56,7 @@ class _Drawing(NamedTuple):
     gaps: list[int]
 
 
-def numbering_text(numbering: Mapping[str, Any]) -> list[str]:
+def numbering_text(numbering: Mapping[str, Any], language: Language = "en") -> list[str]:
     """Return the lines of the drawing, for a font of one width."""
     cells = _cells(numbering)
     widest = max(len(text) for cell in cells for text in cell[:5]) + 3
@@ -62,27 +64,32 @@ def numbering_text(numbering: Mapping[str, Any]) -> list[str]:
     drawing = _laid_out(
         cells, _position(numbering["reference"]), 12 + widest // 2, widest, widest + 2
     )
-    rows = {
-        label: [*label.ljust(200)]
-        for label in ("parameter", "number", "travel in -", "", "position")
+    labels = {
+        "name": say("numbering.parameter"),
+        "number": say("numbering.number"),
+        "second": say("numbering.travel_negative"),
+        "line": "",
+        "position": say("numbering.position"),
     }
+    rows = {key: [*in_language(label, language).ljust(200)] for key, label in labels.items()}
     for middle, cell in drawing.cells:
-        _put(rows["parameter"], middle, cell.name)
+        _put(rows["name"], middle, cell.name)
         _put(rows["number"], middle, cell.number)
-        _put(rows["travel in -"], middle, cell.second)
-        _put(rows[""], middle, "-" * (widest - 1))
+        _put(rows["second"], middle, cell.second)
+        _put(rows["line"], middle, "-" * (widest - 1))
     for edge in drawing.edges:
-        _put(rows[""], edge.place, "#" if edge.zero else "|")
+        _put(rows["line"], edge.place, "#" if edge.zero else "|")
         _put(rows["position"], edge.place, edge.position)
     for gap in drawing.gaps:
-        _put(rows[""], gap, "...")
+        _put(rows["line"], gap, "...")
     if numbering["second"] is None:
-        del rows["travel in -"]
+        del rows["second"]
     lines = ["".join(row).rstrip() for row in rows.values()]
-    return [*lines[:-1], f"{lines[-1]}  {numbering['unit']}", "# is the reference position"]
+    unit = in_language(numbering["unit"], language)
+    return [*lines[:-1], f"{lines[-1]}  {unit}", f"# {say('numbering.mark').text(language)}"]
 
 
-def numbering_svg(numbering: Mapping[str, Any]) -> str:
+def numbering_svg(numbering: Mapping[str, Any], language: Language = "en") -> str:
     """Return the drawing as markup to stand inside a page."""
     cells = _cells(numbering)
     gaps = sum(cell.gap for cell in cells)
@@ -90,10 +97,13 @@ def numbering_svg(numbering: Mapping[str, Any]) -> str:
     drawing = _laid_out(cells, _position(numbering["reference"]), _LEFT + 24, width, _GAP)
     second = numbering["second"] is not None
     line = (4 if second else 3) * _ROW
-    parts = [_words(4, _ROW, "parameter", "start"), _words(4, 2 * _ROW, "number", "start")]
-    if second:
-        parts.append(_words(4, 3 * _ROW, "travel in -", "start"))
-    parts.append(_words(4, line + 26, f"position, {numbering['unit']}", "start"))
+    heads = [say("numbering.parameter"), say("numbering.number")]
+    heads += [say("numbering.travel_negative")] if second else []
+    parts = [
+        _words(4, row * _ROW, head.text(language), "start") for row, head in enumerate(heads, 1)
+    ]
+    position = say("numbering.position_unit", unit=numbering["unit"])
+    parts.append(_words(4, line + 26, position.text(language), "start"))
     for middle, cell in drawing.cells:
         half = width // 2
         parts.append(_stroke(f"M{middle - half} {line}H{middle + half}", 1.4))
@@ -101,15 +111,17 @@ def numbering_svg(numbering: Mapping[str, Any]) -> str:
         parts.append(_words(middle, 2 * _ROW, cell.number, "middle", bold=bool(cell.name)))
         if second:
             parts.append(_words(middle, 3 * _ROW, cell.second, "middle"))
+    zero = say("numbering.reference").text(language)
     for edge in drawing.edges:
         reach, stroke = (11, 3.2) if edge.zero else (6, 1.0)
         parts.append(_stroke(f"M{edge.place} {line - reach}V{line + reach}", stroke))
         parts.append(_words(edge.place, line + 26, edge.position, "middle", bold=edge.zero))
         if edge.zero:
-            parts.append(_words(edge.place, line + 42, "reference", "middle"))
+            parts.append(_words(edge.place, line + 42, zero, "middle"))
+    label = say("numbering.label").text(language)
     parts += [_words(gap, line + 4, "\u2026", "middle") for gap in drawing.gaps]
     return (
-        f'<svg viewBox="0 0 {_WIDE} {line + 48}" role="img" aria-label="numbers of the sections"'
+        f'<svg viewBox="0 0 {_WIDE} {line + 48}" role="img" aria-label="{escape(label)}"'
         ' font-family="sans-serif" font-size="12" fill="none">' + "".join(parts) + "</svg>"
     )
 

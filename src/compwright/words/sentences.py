@@ -9,6 +9,7 @@ A template is text with fields. ``{name}`` inserts a value, in the form behind a
   format that is given
 - ``plural|target|targets``: the form for this number, as many forms as the language has
 - ``if|text|other text``: text where there is a value that is not zero or empty
+- ``capital``: a text with its first letter as a capital
 - ``choose|key=text|other key=text|=text``: text by a value, the one without a key for any other
   value; each text may contain fields
 """
@@ -28,6 +29,8 @@ _PARSED: Final = string.Formatter()
 #: Digits of a number: more than any instrument has, fewer than the arithmetic.
 _DIGITS: Final = 9
 _OUTSIDE: Final = {"µm": "um"}
+#: A field of a control's text.
+_FIELD: Final = re.compile(r"\{([a-z_][a-z0-9_]*)\}")
 #: Odds beyond which no number is given; capped ones may lie a rounding below.
 _MOST_ODDS: Final = 0.999e6
 
@@ -168,6 +171,44 @@ class SentenceText(str):
         return self.sentence.text(language)
 
 
+class ControlText(str):
+    """A text of a control's definition or family, filled in, in English; each other language
+    translates its template. A value that is a text in several languages stays one.
+    """
+
+    __slots__ = ("template", "values")
+    template: str
+    values: Mapping[str, str]
+
+    def __new__(cls, template: str, values: Mapping[str, str]) -> Self:
+        """Return the English text that still knows its template."""
+        written = super().__new__(cls, _inserted(template, values, "en"))
+        written.template, written.values = template, dict(values)
+        return written
+
+    def __reduce__(self) -> tuple[type[ControlText], tuple[str, Mapping[str, str]]]:
+        """Return how a copy is made."""
+        return ControlText, (self.template, self.values)
+
+    def text(self, language: Language) -> str:
+        """Return the text in the language; in English where the language has none."""
+        template = control_texts(language).get(self.template, self.template)
+        return _inserted(template, self.values, language)
+
+    def translated(self, language: Language) -> bool:
+        """Return whether the language has this text."""
+        return language == "en" or self.template in control_texts(language)
+
+
+def control_text(template: str, /, **values: str) -> ControlText:
+    """Return a text whose English ``template`` is given where it is asked for."""
+    return ControlText(template, values)
+
+
+def _inserted(template: str, values: Mapping[str, str], language: Language) -> str:
+    return _FIELD.sub(lambda field: in_language(values[field[1]], language), template)
+
+
 def say(name: str, /, **values: object) -> Sentence:
     """Return the sentence ``name`` of the catalogue with its values."""
     return Sentence(name, tuple((key, _kept(value)) for key, value in values.items()))
@@ -189,7 +230,7 @@ def number_text(value: float, form: str, language: Language = "en") -> str:
 
 def in_language(value: object, language: Language) -> str:
     """Return a value as a text of the language: sentences, numbers, and a unit or symbol alone."""
-    if isinstance(value, Amount | Sentence | NumberText | DateText | SentenceText):
+    if isinstance(value, Amount | Sentence | NumberText | DateText | SentenceText | ControlText):
         return value.text(language)
     text = str(value)
     return _OWN_NAMES[language].get(text, text)
@@ -204,6 +245,15 @@ def catalogue(language: Language) -> Mapping[str, str]:
     from compwright.words import french, german, russian
 
     return {"de": german.SENTENCES, "fr": french.SENTENCES, "ru": russian.SENTENCES}[language]
+
+
+def control_texts(language: Language) -> Mapping[str, str]:
+    """Return the texts of controls in a language by their English template; none in English."""
+    if language == "en":
+        return {}
+    from compwright.words import french, german, russian
+
+    return {"de": german.TEXTS, "fr": french.TEXTS, "ru": russian.TEXTS}[language]
 
 
 def placeholders(template: str) -> frozenset[str]:
@@ -245,6 +295,9 @@ def _field(value: Any, form: str, values: Mapping[str, Any], language: Language)
         return filled(texts[_PLURAL[language](value)], values, language)
     if how == "if":
         return filled((*texts, "")[0 if value else 1], values, language)
+    if how == "capital":
+        text = in_language(value, language)
+        return text[:1].upper() + text[1:]
     if how == "choose":
         keyed = dict(text.split("=", 1) for text in texts)
         key = str(value)

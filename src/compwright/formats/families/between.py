@@ -9,12 +9,11 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from compwright.formats.definition.schema import Definition
-from compwright.formats.definition.statements import print_form
 from compwright.foundations.findings import Severity
 from compwright.records.axis import Axis
 from compwright.records.correction import ControlFile, ControlState
 from compwright.records.plan import PlannedCross
-from compwright.words.sentences import Sentence, say
+from compwright.words.sentences import ControlText, Sentence, SentenceText, control_text, say
 
 #: A shift of the whole axis by a table between axes is reported from this size on, mm or deg.
 _NO_SHIFT = 2e-6
@@ -99,7 +98,7 @@ def entry_sheet_answer(
     """Return the answer of a control into which ``sheet`` is typed: form and sign are
     unconfirmed.
     """
-    title = f"{entry.output} over {entry.input}: type in"
+    title = control_text("{output} over {input}: type in", output=entry.output, input=entry.input)
     return Between(
         sheets=(sheet,),
         remarks=(("warning", sentence),),
@@ -109,10 +108,10 @@ def entry_sheet_answer(
 
 def cannot_hold(entry: PlannedCross, why: str) -> Between:
     """Return the answer of a control that cannot hold a correction; ``why``, or what would help."""
-    title = f"Not corrected: {error_label(entry)}"
+    title = control_text("Not corrected: {error}", error=SentenceText(error_label(entry)))
     return Between(
         remarks=(("error", say("CW-P113.not_held", what=error_label(entry), why=why)),),
-        steps=({"title": title, "text": f"{why}.", "evidence": "inferred"},),
+        steps=({"title": title, "text": control_text("{why}.", why=why), "evidence": "inferred"},),
     )
 
 
@@ -125,7 +124,7 @@ def alternative_answer(definition: Definition, planned: Iterable[PlannedCross]) 
     line of the angle runs through machine zero, the correction is zero at the reference.
     """
     return combined_answer(
-        cannot_hold(entry, print_form(definition.between_axes.instead, _named(entry)))
+        cannot_hold(entry, ControlText(definition.between_axes.instead, _named(entry)))
         for entry in planned
     )
 
@@ -133,7 +132,11 @@ def alternative_answer(definition: Definition, planned: Iterable[PlannedCross]) 
 def _named(entry: PlannedCross) -> dict[str, str]:
     added = entry.added
     constant = entry.squareness * float(added.positions[0]) - float(added.positive[0])
-    moved = f", which also moves {entry.output} as a whole by {constant * 1e3:+.2f} µm"
+    moved = control_text(
+        ", which also moves {output} as a whole by {constant} µm",
+        output=entry.output,
+        constant=f"{constant * 1e3:+.2f}",
+    )
     return {
         "squareness": f"{entry.squareness:+.9f}",
         "input": entry.input.lower(),

@@ -21,22 +21,23 @@ from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.correction import AxisCompensation, ControlFile
 from compwright.records.facts import AxisFacts
 from compwright.records.numbering import NumberedSections
+from compwright.words.sentences import SentenceText, control_text, say
 
 #: Stands where a card has no value for a field of its text.
-UNKNOWN = "(not known)"
+UNKNOWN = control_text("(not known)")
 #: Among the values of a card: how many curves the table has that is written.
 CURVES = "curves"
 #: What has to be done so that the control knows where the axis is, by the kind of encoder.
 REFERENCING = {
-    "incremental": (
+    "incremental": control_text(
         "Incremental encoder: reference the axis after the power cycle; no compensation "
         "is active before that."
     ),
-    "absolute": (
+    "absolute": control_text(
         "Absolute encoder: no reference return. Leave its adjustment alone: machine zero would be"
         " lost."
     ),
-    "distance_coded": (
+    "distance_coded": control_text(
         "Distance-coded scale: move the axis over two marks after the power cycle; no "
         "compensation is"
         " active before that."
@@ -142,15 +143,20 @@ def named_files(
     ]
     fresh = numbered_files(definition, replace(axis, address=address))
     own = ", ".join(name for name in written if name not in _new_names(control, axis))
-    patched = f"your own {own}, as patched" if own else ""
+    patched = control_text("your own {files}, as patched", files=own) if own else ""
     if not any(name in written for name in named[0].values()):
         return {key: patched for key, name in fresh.items() if name not in written and own}
     return {
-        key: " and ".join(one for names in named if (one := names[key]) in written)
+        key: and_joined([one for names in named if (one := names[key]) in written])
         or patched
         or name
         for key, name in named[0].items()
     }
+
+
+def and_joined(names: Sequence[str]) -> str:
+    """Return several names as one text, "and" between them."""
+    return SentenceText(say("card.and", names=names)) if names else ""
 
 
 def _new_names(control: ResolvedDefinition, axis: Axis) -> set[str]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from compwright.words.english import (
+    card,
     estimates,
     jobs,
     labels,
@@ -19,6 +20,7 @@ from compwright.words.english import (
 )
 
 SENTENCES: Final[dict[str, str]] = {
+    **card.SENTENCES,
     **estimates.SENTENCES,
     **jobs.SENTENCES,
     **labels.SENTENCES,

@@ -5,10 +5,6 @@ from __future__ import annotations
 from typing import Final
 
 SENTENCES: Final[dict[str, str]] = {
-    "CW-J001": (
-        "report.language: {language} applies to the report of run and the page of verify, as far as"
-        " their last line says; the commissioning card is in English"
-    ),
     "CW-J002": "states names {states} but not as_found: no table is written without it",
     "CW-J003": "axes.{axis}.modulo has no meaning on a linear axis and is not used",
     "CW-J004": (

@@ -5,10 +5,6 @@ from __future__ import annotations
 from typing import Final
 
 SENTENCES: Final[dict[str, str]] = {
-    "CW-J001": (
-        "report.language : {language} vaut pour le rapport de run et la page de verify, dans la"
-        " mesure où leur dernière ligne le dit ; la fiche de mise en service est en anglais"
-    ),
     "CW-J002": "states nomme {states} mais pas as_found : sans lui, aucune table n'est écrite",
     "CW-J003": "axes.{axis}.modulo n'a pas de sens sur un axe linéaire et n'est pas utilisé",
     "CW-J004": (

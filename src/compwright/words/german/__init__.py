@@ -5,6 +5,8 @@ from __future__ import annotations
 from typing import Final
 
 from compwright.words.german import (
+    card,
+    controls,
     estimates,
     jobs,
     labels,
@@ -19,6 +21,7 @@ from compwright.words.german import (
 )
 
 SENTENCES: Final[dict[str, str]] = {
+    **card.SENTENCES,
     **estimates.SENTENCES,
     **jobs.SENTENCES,
     **labels.SENTENCES,
@@ -31,3 +34,4 @@ SENTENCES: Final[dict[str, str]] = {
     **tables.SENTENCES,
     **tests.SENTENCES,
 }
+TEXTS: Final = controls.TEXTS

@@ -5,10 +5,6 @@ from __future__ import annotations
 from typing import Final
 
 SENTENCES: Final[dict[str, str]] = {
-    "CW-J001": (
-        "report.language: {language} gilt für den Bericht von run und die Seite von verify, so weit"
-        " deren letzte Zeile sagt; die Inbetriebnahmekarte ist auf Englisch"
-    ),
     "CW-J002": (
         "states nennt {states}, aber nicht as_found: ohne ihn wird keine Tabelle geschrieben"
     ),

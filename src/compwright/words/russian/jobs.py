@@ -5,10 +5,6 @@ from __future__ import annotations
 from typing import Final
 
 SENTENCES: Final[dict[str, str]] = {
-    "CW-J001": (
-        "report.language: {language} относится к протоколу run и странице verify, насколько сказано"
-        " в их последней строке; карта ввода в действие — на английском"
-    ),
     "CW-J002": "states называет {states}, но не as_found: без него таблица не записывается",
     "CW-J003": "axes.{axis}.modulo не имеет смысла для линейной оси и не используется",
     "CW-J004": (

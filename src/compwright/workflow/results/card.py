@@ -24,10 +24,11 @@ from compwright.foundations.utf8 import encoded, visible_lines
 from compwright.planning.axis_work import AxisWork
 from compwright.records.correction import Assumption, ControlFile
 from compwright.records.job import AS_FOUND, Job
+from compwright.words.sentences import SentenceText, control_text, say
 from compwright.workflow.inputs.job_inputs import JobInputs
 
 SCHEMA = "compwright/card/1"
-_NOTHING_PROVEN = (
+_NOTHING_PROVEN = control_text(
     "nothing yet on a machine: not the form of the files, not sign, size, places and order of the"
     " values, not the backlash. The first good verification on this one with what was read back"
     " (compwright verify --loaded) proves what it can, and writes it down in proven/"
@@ -57,7 +58,8 @@ def card_document(
     old = inputs.states[AS_FOUND]
     return {
         "schema": SCHEMA,
-        "title": f"Commissioning card: {', '.join(written or job.axes)}",
+        "language": job.report.language,
+        "title": SentenceText(say("card.title", axes=list(written or job.axes))),
         "machine": dict(job.machine),
         "format": {"id": control.id, "title": control.definition.title},
         "axes": [
@@ -73,7 +75,7 @@ def card_document(
         "changes": changes_document(control, old.files, entered),
         "unconfirmed": [
             *(
-                f"{entry['fact']}: {entry['value']}"
+                SentenceText(say("label.coded", code=entry["fact"], text=entry["value"]))
                 for entry in facts
                 if "unconfirmed" in entry["evidence"]
             ),
@@ -101,9 +103,9 @@ def _as_read(works: Mapping[str, AxisWork]) -> list[dict[str, str]]:
     """Return how the measurements were read that the tables come from, as assumed facts."""
     return [
         {
-            "fact": f"axis {name}, test {result.test.name}",
+            "fact": control_text("axis {axis}, test {test}", axis=name, test=result.test.name),
             "value": finding.message,
-            "evidence": f"as the file was read ({finding.code})",
+            "evidence": control_text("as the file was read ({code})", code=finding.code),
         }
         for name, work in works.items()
         for result in work.results
@@ -125,14 +127,14 @@ def _in_one_step(harmful: Sequence[str]) -> list[dict[str, Any]]:
     """Return the step that comes before all others where a part of the files does harm."""
     if not harmful:
         return []
-    rule = (
+    rule = control_text(
         "The files of this card belong together: go through all steps in one go. Move no axis"
         " before all files are loaded and active."
     )
     return [
         {
-            "title": "All files or none",
-            "text": " ".join((rule, *harmful)),
+            "title": control_text("All files or none"),
+            "text": SentenceText(say("paragraph", sentences=(rule, *harmful))),
             "evidence": "confirmed",
             "heads": (),
             "rows": (),

@@ -27,11 +27,11 @@ from compwright.formats.text.scale import NotHeld
 from compwright.formats.text.values import name_of
 from compwright.records.correction import ControlFile
 from compwright.records.plan import PlannedCross
-from compwright.words.sentences import say
+from compwright.words.sentences import SentenceText, control_text, say
 
 #: More points than these are typed from the sheet.
 _MOST_SHOWN = 8
-_CHECK = (
+_CHECK = control_text(
     "The sign is unconfirmed: check it with a square or a dial gauge, on and off, before"
     " production."
 )
@@ -71,11 +71,17 @@ def _in_the_table(family: Family, request: BetweenRequest, filled: Filled) -> Be
     """Return the remark on a correction in the user's own table."""
     entry, form = filled.entry, _form(family, request, filled.entry)
     rows = _rows(entry, form)
-    where = f"{filled.file}, column {filled.column}"
-    text = (
-        f"{error_label(entry)} is in {where}, added to what was there: {_shown(entry, rows)}"
-        f" (values are {form}s). Load that file; no other column of it changes."
-        f" {_selected(family, entry)}{_CHECK}"
+    where = control_text("{file}, column {column}", file=filled.file, column=str(filled.column))
+    text = control_text(
+        "{error} is in {where}, added to what was there: {values}"
+        " (values are {form}s). Load that file; no other column of it changes."
+        " {selected}{check}",
+        error=SentenceText(error_label(entry)),
+        where=where,
+        values=_shown(entry, rows),
+        form=form,
+        selected=_selected(family, entry),
+        check=_CHECK,
     )
     return Between(
         remarks=(
@@ -83,7 +89,12 @@ def _in_the_table(family: Family, request: BetweenRequest, filled: Filled) -> Be
         ),
         steps=(
             {
-                "title": f"{entry.output} over {entry.input}: {where}",
+                "title": control_text(
+                    "{output} over {input}: {where}",
+                    output=entry.output,
+                    input=entry.input,
+                    where=where,
+                ),
                 "text": text,
                 "evidence": "unconfirmed",
             },
@@ -95,7 +106,9 @@ def _typed(family: Family, request: BetweenRequest, entry: PlannedCross, why: st
     """Return the column to be typed in; ``why``: the reason for which no file can hold it."""
     form = _form(family, request, entry)
     rows = _rows(entry, form)
-    where = f"the table (.COM) of {entry.input}, column of {entry.output}"
+    where = control_text(
+        "the table (.COM) of {input}, column of {output}", input=entry.input, output=entry.output
+    )
     sentence = say(
         "CW-P113.typed",
         what=error_label(entry),
@@ -104,9 +117,15 @@ def _typed(family: Family, request: BetweenRequest, entry: PlannedCross, why: st
         rows=_shown(entry, rows),
         values=form,
     )
-    text = (
-        f"{error_label(entry)}. Add to the values in {where}, on a straight line between:"
-        f" {_shown(entry, rows)} (values are {form}s). {_selected(family, entry)}{_CHECK}"
+    text = control_text(
+        "{error}. Add to the values in {where}, on a straight line between:"
+        " {values} (values are {form}s). {selected}{check}",
+        error=SentenceText(error_label(entry)),
+        where=where,
+        values=_shown(entry, rows),
+        form=form,
+        selected=_selected(family, entry),
+        check=_CHECK,
     )
     return entry_sheet_answer(entry, _sheet(entry, form, rows), sentence, text)
 
@@ -164,7 +183,20 @@ def _rows(entry: PlannedCross, form: str) -> list[tuple[float, float]]:
 def _shown(entry: PlannedCross, rows: list[tuple[float, float]]) -> str:
     unit = entry.added.output_kind.unit
     shown = rows if len(rows) <= _MOST_SHOWN else [rows[0], rows[-1]]
-    return ", ".join(f"{value:+.4f} {unit} at {position:g}" for position, value in shown)
+    return SentenceText(
+        say(
+            "as_written",
+            text=[
+                control_text(
+                    "{value} {unit} at {position}",
+                    value=f"{value:+.4f}",
+                    unit=unit,
+                    position=f"{position:g}",
+                )
+                for position, value in shown
+            ],
+        )
+    )
 
 
 def _sheet(entry: PlannedCross, form: str, rows: list[tuple[float, float]]) -> ControlFile:

@@ -23,6 +23,7 @@ from compwright.foundations.errors import CapacityError, Fault, raise_all
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.capacity import Capacity
 from compwright.records.correction import Assumption, AxisCompensation
+from compwright.words.sentences import control_text
 
 
 def by_line(options: Mapping[str, object]) -> bool:
@@ -264,6 +265,10 @@ def _turn_faults(label: str, compensation: AxisCompensation, capacity: Capacity)
         )
 
 
+#: In the place of the number of an axis that no file gives.
+_NO_NUMBER = control_text("(see the axis list of the machine)")
+
+
 def card_values(control: Family, axis: Axis, compensation: AxisCompensation) -> dict[str, str]:
     """Return the card's values in addition to the general ones: the table in words, the axis'
     number, its bit, its parameters.
@@ -274,19 +279,24 @@ def card_values(control: Family, axis: Axis, compensation: AxisCompensation) -> 
     unit = axis.kind.unit
     nodes = compensation.positions
     values = {
-        "number": "(see the axis list of the machine)" if number is None else str(number),
-        "bit": "(see the axis list of the machine)" if number is None else str(number - 1),
+        "number": _NO_NUMBER if number is None else str(number),
+        "bit": _NO_NUMBER if number is None else str(number - 1),
         "nonlinear": "1" if nodes.size else "0",
         "linear": column_scale(control.definition, AxisKind.LINEAR, own).write(
             "slope", compensation.slope
         ),
         "table_values": str(own["table_values"]),
-        "table": (
-            "no table"
-            if not nodes.size
-            else f"{nodes.size} points from {nodes[0]:.10g} to {nodes[-1]:.10g} {unit}"
-        ),
+        "table": control_text("no table"),
     }
-    if nodes.size > 1:
-        values["table"] += f", every {(nodes[-1] - nodes[0]) / (nodes.size - 1):.10g} {unit}"
+    if nodes.size:
+        spacing = (nodes[-1] - nodes[0]) / max(nodes.size - 1, 1)
+        every = control_text(", every {spacing} {unit}", spacing=f"{spacing:.10g}", unit=unit)
+        values["table"] = control_text(
+            "{points} points from {start} to {end} {unit}{every}",
+            points=str(nodes.size),
+            start=f"{nodes[0]:.10g}",
+            end=f"{nodes[-1]:.10g}",
+            unit=unit,
+            every=every if nodes.size > 1 else "",
+        )
     return values

@@ -30,6 +30,7 @@ from compwright.foundations.errors import CapacityError, raise_all
 from compwright.records.axis import Axis
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
+from compwright.words.sentences import control_text
 
 _COLUMN: Final = r"(?:AXISPOS|BACKLASH|ACTIVE|[A-Z]{1,2}[0-9]?|[0-9]{1,2}=F\([A-Z]?[0-9]?\))"
 
@@ -129,12 +130,19 @@ class ColumnsFamily(Family):
         read = (read_sheet(file, []) for file in request.files if is_entry_sheet(file))
         mine = [sheet.comments for sheet in read if sheet is not None and sheet.axis == address]
         if request.files and all(comments.get("points") == "0" for comments in mine):
-            rest = f" {name} holds the parameters that are in no file of yours." if mine else ""
-            return f"Load your own .COM file of tables/: it holds the table.{rest}"
-        return (
-            f"Type the sheet {name} into the .COM file that the active line of the .CMA names for"
-            f" the motion of axis {address}; where it names none, into a new one. Never into one"
-            " that it names for another axis."
+            rest = control_text(
+                " {file} holds the parameters that are in no file of yours.", file=name
+            )
+            return control_text(
+                "Load your own .COM file of tables/: it holds the table.{rest}",
+                rest=rest if mine else "",
+            )
+        return control_text(
+            "Type the sheet {file} into the .COM file that the active line of the .CMA names for"
+            " the motion of axis {address}; where it names none, into a new one. Never into one"
+            " that it names for another axis.",
+            file=name,
+            address=address,
         )
 
     def between(self, request: BetweenRequest) -> Between:

@@ -19,6 +19,7 @@ from compwright.formats.families.increments.increment_facts import IncrementFact
 from compwright.formats.families.increments.parameters import AxisParameters, ParameterValue
 from compwright.formats.text.notes import ADD_FILE, Notes
 from compwright.records.axis import Axis, AxisKind
+from compwright.words.sentences import control_text
 
 #: A test turns further outside its first and last target than this, mm or deg: the standard's
 #: cycles overrun by more, so that its targets see the whole backlash.
@@ -135,8 +136,12 @@ def backlash_words(facts: IncrementFacts) -> str:
     if facts.backlash_rapid is None:
         return ""
     active = {
-        True: "at rapid traverse; 1851 is active at cutting feed, because 1800#4 = 1",
-        False: "is not active and stays as it is: 1851 is active at all feeds, because 1800#4 = 0",
-        None: "is active at rapid traverse if 1800#4 = 1, which is in no file",
+        True: control_text("at rapid traverse; 1851 is active at cutting feed, because 1800#4 = 1"),
+        False: control_text(
+            "is not active and stays as it is: 1851 is active at all feeds, because 1800#4 = 0"
+        ),
+        None: control_text("is active at rapid traverse if 1800#4 = 1, which is in no file"),
     }[facts.separate_rapid]
-    return f"1852 = {facts.backlash_rapid} detection units ({active})"
+    return control_text(
+        "1852 = {value} detection units ({active})", value=str(facts.backlash_rapid), active=active
+    )

@@ -30,7 +30,7 @@ from compwright.formats.text.patching import BytesChange, apply_changes
 from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile, ControlState
 from compwright.records.plan import PlannedCross
-from compwright.words.sentences import say
+from compwright.words.sentences import SentenceText, control_text, say
 
 
 def straightness_between(family: Family, request: BetweenRequest) -> Between:
@@ -44,12 +44,15 @@ def straightness_between(family: Family, request: BetweenRequest) -> Between:
     state = request.read(request.tables) if request.tables else None
     rows = None if others else _rows(family, request, entry, state)
     if rows is None:
-        why = "straightness compensation is known for one straight line over a table only"
+        why = control_text(
+            "straightness compensation is known for one straight line over a table only"
+        )
         return combined_answer(cannot_hold(each, why) for each in request.planned)
     sheet = _sheet(entry, rows)
     sentence = say("CW-P113.sheet", what=error_label(entry), sheet=sheet.name)
-    text = (
-        f"{sentence} Prove the sign with a square or a dial gauge, on and off, before production."
+    text = control_text(
+        "{sentence} Prove the sign with a square or a dial gauge, on and off, before production.",
+        sentence=SentenceText(sentence),
     )
     return entry_sheet_answer(entry, sheet, sentence, text)
 
@@ -80,11 +83,14 @@ def _filled(family: Family, request: BetweenRequest, entry: PlannedCross) -> Bet
     named = {places[place].number: text for place, text in enumerate(texts)}
     values = [f"{number} = {text}" for number, text in named.items()]
     sentence = say("CW-P113.straightness", what=error_label(entry), values=values)
-    text = (
-        f"{sentence} Its numbers and its sign are unconfirmed: prove them with a square or a dial"
-        " gauge, on and off, before production."
+    text = control_text(
+        "{sentence} Its numbers and its sign are unconfirmed: prove them with a square or a dial"
+        " gauge, on and off, before production.",
+        sentence=SentenceText(sentence),
     )
-    title = f"{entry.output} over {entry.input}: straightness compensation"
+    title = control_text(
+        "{output} over {input}: straightness compensation", output=entry.output, input=entry.input
+    )
     return Between(
         files=_patched(request.base, places, texts),
         remarks=(("warning", sentence),),

@@ -17,8 +17,9 @@ from compwright.records.axis import Axis
 from compwright.records.correction import AxisCompensation
 from compwright.records.facts import AxisFacts
 from compwright.records.numbering import NumberedSections, Section
+from compwright.words.sentences import SentenceText, control_text, say
 
-_ABSOLUTE = (
+_ABSOLUTE = control_text(
     "Absolute encoder: no reference return. Leave its adjustment alone (1815): machine zero would"
     " be lost."
 )
@@ -48,8 +49,14 @@ def increment_values(
         "unit": axis.kind.unit,
         "detection_unit": f"{scale.quantum('value'):g} {axis.kind.unit}",
         "backlash": _feed_backlash(scale.write("backlash", compensation.backlash), facts),
-        "further": "; ".join(
-            filter(None, (_further(family, axis, own), *_neighbours(family, axis, facts)))
+        "further": SentenceText(
+            say(
+                "listed",
+                items=[
+                    *filter(None, (_further(family, axis, own), *_neighbours(family, axis, facts)))
+                ],
+                more=0,
+            )
         ),
         "other_sign": "'+'" if scale.options.get("pitch_sign") == "-" else "'-'",
     }
@@ -76,24 +83,30 @@ def _neighbours(family: Family, axis: Axis, facts: AxisFacts) -> Iterator[str]:
     old = {point.number for each in before.hung for point in each.points or ()}
     new = [point for each in now.hung for point in each.points or ()]
     if now.waved and not before.waved:
-        yield (
-            f"set too: {now.waved}, whose points are in the sheet; its sign and where"
+        yield control_text(
+            "set too: {function}, whose points are in the sheet; its sign and where"
             " its period starts are unconfirmed, so measure one period in its sections with it and"
-            " with 14985 to 14987 = 0 (power cycle each time) before production"
+            " with 14985 to 14987 = 0 (power cycle each time) before production",
+            function=str(now.waved),
         )
     if now.inclined and not before.inclined:
-        yield (
-            f"set too: {now.inclined}; its sign and unit are unconfirmed, so measure"
+        yield control_text(
+            "set too: {function}; its sign and unit are unconfirmed, so measure"
             " both ends of the travel with these amounts and with 0 (power cycle each "
             "time) before you switch"
-            " on the whole table"
+            " on the whole table",
+            function=str(now.inclined),
         )
     elif {point.number for point in new} != old:
         kept = ", ".join(point.label for point in new)
-        yield f"set too, because the grid moves and these positions stay: {kept}"
+        yield control_text(
+            "set too, because the grid moves and these positions stay: {kept}", kept=kept
+        )
     if facts.other_functions:
         kept = "; ".join(each for each in facts.other_functions.split("; ") if "parameter" in each)
-        yield f"leave unchanged what is active in addition to the table: {kept}"
+        yield control_text(
+            "leave unchanged what is active in addition to the table: {kept}", kept=kept
+        )
 
 
 def _further(family: Family, axis: Axis, facts: IncrementFacts) -> str:
@@ -106,11 +119,21 @@ def _further(family: Family, axis: Axis, facts: IncrementFacts) -> str:
     if facts.two_sets:
         first, offset = facts.negative_first, facts.negative_offset
         words["3626"] = UNKNOWN if first is None else str(first)
-        words["3627"] = UNKNOWN if offset is None else f"{offset} detection units"
+        words["3627"] = (
+            UNKNOWN
+            if offset is None
+            else control_text("{value} detection units", value=str(offset))
+        )
     if axis.modulo is not None and facts.turn is not None:
         words[name_of(family.definition, "turn")] = f"{facts.turn:g} {axis.kind.unit}"
-    lines = [*(f"{name} = {value}" for name, value in words.items()), backlash_words(facts)]
-    return ", ".join(filter(None, lines))
+    lines = [
+        *(
+            SentenceText(say("card.parameter", name=name, value=value))
+            for name, value in words.items()
+        ),
+        backlash_words(facts),
+    ]
+    return SentenceText(say("as_written", text=[*filter(None, lines)]))
 
 
 def numbered_sections(
@@ -180,38 +203,59 @@ def _words(
         for name in ("reference", "first", "last")
     }
     by_number = {section.number: section for section in numbered.sections}
-    yield (
+    yield control_text(
         "A point holds the change of the correction over its own section, looking from - to +, in"
-        f" detection units times the magnification; at the reference position ({zero} {unit}) the"
-        " correction is 0."
+        " detection units times the magnification; at the reference position ({zero} {unit}) the"
+        " correction is 0.",
+        zero=zero,
+        unit=unit,
     )
     if axis.modulo is not None:
-        owns = (
-            f"it stands for the same section as point {last} and must hold the same value"
-            if first == reference
-            else "it owns no section"
+        same = control_text(
+            "it stands for the same section as point {last} and must hold the same value",
+            last=str(last),
         )
-        yield (
-            f"{at['reference']} = {reference} is the number of the reference: {owns};"
-            f" {reference + 1} to {last} are the sections of one turn and add up to 0."
+        yield control_text(
+            "{parameter} = {reference} is the number of the reference: {owns};"
+            " {next} to {last} are the sections of one turn and add up to 0.",
+            parameter=at["reference"],
+            reference=str(reference),
+            owns=same if first == reference else control_text("it owns no section"),
+            next=str(reference + 1),
+            last=str(last),
         )
     elif reference in by_number:
-        span = _span(by_number[reference], unit)
-        yield f"{at['reference']} = {reference} {span}, at the reference."
+        yield control_text(
+            "{parameter} = {number} {owns}, at the reference.",
+            **_owning(at["reference"], by_number[reference], unit),
+        )
     if axis.modulo is None:
-        yield f"{at['first']} = {first} {_span(by_number[first], unit)}, the first."
-    yield f"{at['last']} = {last} {_span(by_number[last], unit)}, the last."
+        yield control_text(
+            "{parameter} = {number} {owns}, the first.",
+            **_owning(at["first"], by_number[first], unit),
+        )
+    yield control_text(
+        "{parameter} = {number} {owns}, the last.", **_owning(at["last"], by_number[last], unit)
+    )
     for number in sorted({first, last} & set(held)):
         section = by_number[number]
         if section.high <= axis.travel[0] or section.low >= axis.travel[1]:
-            yield f"Point {number} holds {held[number]}: its section lies beyond the travel."
+            yield control_text(
+                "Point {number} holds {value}: its section lies beyond the travel.",
+                number=str(number),
+                value=str(held[number]),
+            )
     if numbered.second is not None:
-        end = numbered.second + last - first
-        yield (
-            f"For travel in - the same sections have the numbers {numbered.second} to {end}"
-            f" ({name_of(family.definition, 'negative_first')})."
+        yield control_text(
+            "For travel in - the same sections have the numbers {first} to {last} ({parameter}).",
+            first=str(numbered.second),
+            last=str(numbered.second + last - first),
+            parameter=name_of(family.definition, "negative_first"),
         )
 
 
-def _span(section: Section, unit: str) -> str:
-    return f"owns {section.low:.10g} to {section.high:.10g} {unit}"
+def _owning(parameter: str, section: Section, unit: str) -> dict[str, str]:
+    """Return a parameter, its number and the section of it, in words."""
+    low, high = f"{section.low:.10g}", f"{section.high:.10g}"
+    owns = control_text("owns {low} to {high} {unit}", low=low, high=high, unit=unit)
+    return {"parameter": parameter, "number": str(section.number), "owns": owns}

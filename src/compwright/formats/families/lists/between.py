@@ -13,6 +13,7 @@ from compwright.formats.families.between import (
     combined_answer,
     error_label,
 )
+from compwright.formats.families.card_texts import and_joined
 from compwright.formats.families.family import Family
 from compwright.formats.families.lists.cross import CROSS_ROOM, CROSS_VALUES
 from compwright.formats.families.lists.table import TENTH
@@ -22,6 +23,7 @@ from compwright.foundations.units import outside_factor, shown_unit
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.correction import ControlFile, ControlState, CrossCompensation
 from compwright.records.plan import PlannedCross
+from compwright.words.sentences import SentenceText, control_text
 
 #: Straight is what a curve misses by less than this, mm or deg.
 _STRAIGHT = 1e-9
@@ -159,21 +161,25 @@ def _corners(positions: FloatArray, values: FloatArray) -> list[int]:
 def _steps(entry: PlannedCross, files: Sequence[ControlFile], meaning: str) -> list[dict[str, str]]:
     """Return the steps that load a table: the sign first, then the data."""
     added = entry.added
-    named = " and ".join(file.name for file in files)
-    texts = {
-        "check the sign": _checking(entry, meaning),
-        "load": (
-            f"Load {named}: {error_label(entry)} is in the list of axis {added.output}, whose"
-            f" master is axis {added.input}. lr_param.crosscomp 1 in the parameter list of axis"
-            f" {added.output}; restart or reload, and reference both axes: no "
-            "compensation is active before that"
-            f" {entry.input} is referenced. Outside the table its end values should stay; no page"
-            f" says it. Work offsets of {entry.output} shift with {entry.input}: probe them again."
-        ),
-    }
+    axes = {"output": entry.output, "input": entry.input}
+    loading = control_text(
+        "Load {files}: {error} is in the list of axis {corrected}, whose"
+        " master is axis {master}. lr_param.crosscomp 1 in the parameter list of axis"
+        " {corrected}; restart or reload, and reference both axes: no "
+        "compensation is active before that"
+        " {input} is referenced. Outside the table its end values should stay; no page"
+        " says it. Work offsets of {output} shift with {input}: probe them again.",
+        files=and_joined([file.name for file in files]),
+        error=SentenceText(error_label(entry)),
+        corrected=added.output,
+        master=added.input,
+        **axes,
+    )
+    sign = control_text("{output} over {input}: check the sign", **axes)
+    load = control_text("{output} over {input}: load", **axes)
     return [
-        {"title": f"{entry.output} over {entry.input}: {step}", "text": text, "evidence": evidence}
-        for (step, text), evidence in zip(texts.items(), ("unconfirmed", "inferred"), strict=True)
+        {"title": sign, "text": _checking(entry, meaning), "evidence": "unconfirmed"},
+        {"title": load, "text": loading, "evidence": "inferred"},
     ]
 
 
@@ -183,13 +189,20 @@ def _checking(entry: PlannedCross, meaning: str) -> str:
     factor, unit = outside_factor(added.output_kind.unit), shown_unit(added.output_kind.unit)
     low, high = (float(value) for value in added.positive[[0, -1]])
     change = (high - low) * factor
-    return (
-        f"No page says in which direction a value of kw.crosscomp moves axis {entry.output};"
-        f" cross_values: {meaning} is what the job says. Before production, keep clear of"
-        f" everything, with a dial gauge on {entry.output}: {entry.output}[COMP OFF CROSS], go with"
-        f" {entry.input} from {added.positions[0]:g} to {added.positions[-1]:g}, read it; then the"
-        f" same with {entry.output}[COMP ON CROSS]. What is new must move {entry.output} by"
-        f" {change:+.1f} {unit} on this way, in addition to the effect of the old list. "
+    return control_text(
+        "No page says in which direction a value of kw.crosscomp moves axis {output};"
+        " cross_values: {meaning} is what the job says. Before production, keep clear of"
+        " everything, with a dial gauge on {output}: {output}[COMP OFF CROSS], go with"
+        " {input} from {start} to {end}, read it; then the"
+        " same with {output}[COMP ON CROSS]. What is new must move {output} by"
+        " {change} {unit} on this way, in addition to the effect of the old list. "
         "If it is the opposite:"
-        " restore the old list and run again with the other one."
+        " restore the old list and run again with the other one.",
+        output=entry.output,
+        input=entry.input,
+        meaning=meaning,
+        start=f"{added.positions[0]:g}",
+        end=f"{added.positions[-1]:g}",
+        change=f"{change:+.1f}",
+        unit=unit,
     )

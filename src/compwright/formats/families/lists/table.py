@@ -15,13 +15,14 @@ from compwright.formats.text.scale import NumberScale, in_range
 from compwright.foundations.errors import Fault
 from compwright.records.axis import FloatArray
 from compwright.records.options import DETECTION_UNIT
+from compwright.words.sentences import control_text
 
 #: What a whole number counts where the list does not count in increments, mm or deg.
 TENTH = 0.0001
 #: What such a count and an increment are called, as people read it.
 COUNTS = {
-    "tenths": "0.1 µm (rotary 0.0001 deg)",
-    "increments": "encoder increments (kw.ssfk.unit 0)",
+    "tenths": control_text("0.1 µm (rotary 0.0001 deg)"),
+    "increments": control_text("encoder increments (kw.ssfk.unit 0)"),
 }
 #: Type of a value -> the largest number that it holds.
 VALUE_TYPES = {"sgn16": 32767, "sgn32": 2147483647}

@@ -18,10 +18,16 @@ from compwright.formats.families.between import (
     error_label,
     merged_files,
 )
-from compwright.formats.families.card_texts import file_stem
+from compwright.formats.families.card_texts import and_joined, file_stem
 from compwright.formats.families.control_texts import gathered_files
 from compwright.formats.families.family import Family
-from compwright.formats.families.pairs.options import available, reserving, too_few, unit_unknown
+from compwright.formats.families.pairs.options import (
+    available,
+    reserving,
+    tables_in_words,
+    too_few,
+    unit_unknown,
+)
 from compwright.formats.families.pairs.writing import CecWriter, PairEntry
 from compwright.formats.text.own_files import OwnFiles
 from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
@@ -34,6 +40,7 @@ from compwright.records.correction import (
     CrossCompensation,
 )
 from compwright.records.plan import PlannedCross
+from compwright.words.sentences import SentenceText, control_text, say
 
 
 def write_cross(
@@ -250,7 +257,7 @@ def _written(
 def _named(family: Family, entry: PlannedCross, new: Sequence[ControlFile], *, small: bool) -> str:
     """Return the names of the delivered files that hold a new table."""
     if not small:
-        return " and ".join(file.name for file in new)
+        return and_joined([file.name for file in new])
     form = next(file.name for file in family.definition.writing if file.when == "cross")
     return print_form(form, {"axis": file_stem(family, entry.added.output)})
 
@@ -274,23 +281,21 @@ def _steps(
         for index, axes in sorted(after.tables.used.items())
         if axes == pair and index not in others
     ]
-    tables = " and ".join(mine)
-    which = f"table {tables}" if len(mine) == 1 else f"tables {tables}"
-    texts = {
-        "reserve and switch off": _reserving(
-            added.output, reserving(family.definition, added.positions.size, which), which
+    which = tables_in_words(mine)
+    room = reserving(family.definition, added.positions.size, which)
+    each = control_text("it") if len(mine) == 1 else control_text("each of them")
+    axes = {"output": entry.output, "input": entry.input}
+    steps = {
+        control_text("{output} over {input}: reserve and switch off", **axes): _reserving(
+            added.output, room, which
         ),
-        "check the sign": _checking(
-            entry, named, which, "it" if len(mine) == 1 else "each of them"
+        control_text("{output} over {input}: check the sign", **axes): _checking(
+            entry, named, which, each
         ),
-        "load": _loading(entry, named),
-        "switch on": _switching(entry, which),
+        control_text("{output} over {input}: load", **axes): _loading(entry, named),
+        control_text("{output} over {input}: switch on", **axes): _switching(entry, which),
     }
-    title = f"{entry.output} over {entry.input}"
-    return [
-        {"title": f"{title}: {step}", "text": text, "evidence": "inferred"}
-        for step, text in texts.items()
-    ]
+    return [{"title": title, "text": text, "evidence": "inferred"} for title, text in steps.items()]
 
 
 def _switches(address: str) -> tuple[str, str]:
@@ -299,45 +304,70 @@ def _switches(address: str) -> tuple[str, str]:
 
 def _reserving(address: str, room: str, which: str) -> str:
     enable, switch = _switches(address)
-    return (
-        f"{room} Set {enable} = 0 and {switch} = 0 for {which}, NEW CONF. Note what MD32710 was"
-        f" before: if it was 0, find out what else sleeps on axis {address} (every other table"
+    return control_text(
+        "{room} Set {enable} = 0 and {switch} = 0 for {which}, NEW CONF. Note what MD32710 was"
+        " before: if it was 0, find out what else sleeps on axis {address} (every other table"
         " with this output axis and a value that is not 0), and switch it off (SD41300 = 0)"
-        " before anything else. MD32710 would wake it."
+        " before anything else. MD32710 would wake it.",
+        room=room,
+        enable=enable,
+        switch=switch,
+        which=which,
+        address=address,
     )
 
 
 def _checking(entry: PlannedCross, named: str, which: str, each: str) -> str:
     unit = entry.added.output_kind.unit
-    return (
-        f"Before {named} is loaded: write 0.1 {unit} into every point of {which} and switch"
-        f" {each} on for this check: MD32710, NEW CONF, SD41300, NEW CONF, NCK reset. A dial"
-        f" gauge on {entry.added.output} must show +0.1 {unit} for cec_sign: correction, -0.1"
-        f" {unit} for cec_sign: error. If it does not: load nothing, and run again with the"
-        " other one. Write 0 again and switch off as in the step before."
+    return control_text(
+        "Before {files} is loaded: write 0.1 {unit} into every point of {which} and switch"
+        " {each} on for this check: MD32710, NEW CONF, SD41300, NEW CONF, NCK reset. A dial"
+        " gauge on {address} must show +0.1 {unit} for cec_sign: correction, -0.1"
+        " {unit} for cec_sign: error. If it does not: load nothing, and run again with the"
+        " other one. Write 0 again and switch off as in the step before.",
+        files=named,
+        unit=unit,
+        which=which,
+        each=each,
+        address=entry.added.output,
     )
 
 
 def _loading(entry: PlannedCross, named: str) -> str:
     added, own = entry.added, entry.added.output_kind.unit
     factor, unit = outside_factor(own), shown_unit(own)
-    ends = ", ".join(
-        f"{value * factor:+.2f} {unit} at {entry.input} {position:g}"
+    ends = [
+        control_text(
+            "{value} {unit} at {input} {position}",
+            value=f"{value * factor:+.2f}",
+            unit=unit,
+            input=entry.input,
+            position=f"{position:g}",
+        )
         for position, value in zip(added.positions[[0, -1]], added.positive[[0, -1]], strict=True)
-    )
-    text = str(error_label(entry))
-    return (
-        f"Load {named}. {text[:1].upper()}{text[1:]}: {entry.output} is moved by {ends}, 0 at the"
-        f" reference of {entry.input}."
+    ]
+    return control_text(
+        "Load {files}. {error}: {output} is moved by {ends}, 0 at the reference of {input}.",
+        files=named,
+        error=SentenceText(say("card.capital", text=error_label(entry))),
+        output=entry.output,
+        ends=SentenceText(say("as_written", text=ends)),
+        input=entry.input,
     )
 
 
 def _switching(entry: PlannedCross, which: str) -> str:
     address = entry.added.output
     enable, switch = _switches(address)
-    return (
-        f"If MD32710 was 0 before: SD41300 = 0 for what else sleeps on axis {address}, first."
-        f" Set {enable} = 1, NEW CONF, then {switch} = 1 for {which}, NEW CONF, NCK reset. Work"
-        f" offsets of {entry.output} shift with {entry.input}: probe them again. Compare the result"
-        " with a square or a dial gauge before production."
+    return control_text(
+        "If MD32710 was 0 before: SD41300 = 0 for what else sleeps on axis {address}, first."
+        " Set {enable} = 1, NEW CONF, then {switch} = 1 for {which}, NEW CONF, NCK reset. Work"
+        " offsets of {output} shift with {input}: probe them again. Compare the result"
+        " with a square or a dial gauge before production.",
+        address=address,
+        enable=enable,
+        switch=switch,
+        which=which,
+        output=entry.output,
+        input=entry.input,
     )

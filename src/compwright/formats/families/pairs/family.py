@@ -18,6 +18,7 @@ from compwright.formats.families.card_texts import (
     CURVES,
     AxisCard,
     CardRequest,
+    and_joined,
     loading_order,
     named_files,
     numbered_files,
@@ -33,6 +34,7 @@ from compwright.formats.families.pairs.options import (
     allowed_tables,
     available,
     reserving,
+    tables_in_words,
 )
 from compwright.formats.families.pairs.program_flow import scanned
 from compwright.formats.families.pairs.programs import not_carried_out
@@ -47,6 +49,7 @@ from compwright.records.axis import Axis
 from compwright.records.capacity import Capacity
 from compwright.records.correction import Assumption, AxisCompensation, ControlFile, ControlState
 from compwright.records.delivery import Delivery
+from compwright.words.sentences import control_text
 
 
 def with_sign_unknown(state: ControlState) -> ControlState:
@@ -252,7 +255,7 @@ class PairsFamily(GridFamily):
         names, written = named_files(self, axis, files), [file.name for file in files]
         table, emptied = names.get("file_1", ""), names.get("file_3", "")
         if table in written and emptied in written:
-            names["file_1"] = f"{emptied} and {table}"
+            names["file_1"] = and_joined([emptied, table])
         fresh = numbered_files(self.definition, replace(axis, address=self.address(axis)[0]))
         if fresh["file_3"] in written:
             indices = "|".join(map(str, allowed_tables(self.definition, self.options_of(axis))))
@@ -261,7 +264,9 @@ class PairsFamily(GridFamily):
             with_rows = [file for file in own if row.search(file.content)]
             if with_rows:
                 also = ", ".join(loading_order(self.definition, with_rows))
-                names["file_3"] = f"{fresh['file_3']}, then your own {also}, as patched"
+                names["file_3"] = control_text(
+                    "{file}, then your own {files}, as patched", file=fresh["file_3"], files=also
+                )
         return names
 
     def _around_emptied(self, axis: Axis) -> dict[str, str]:
@@ -276,15 +281,19 @@ class PairsFamily(GridFamily):
         mine = [one for one in mine if int(one) in allowed]
         if not mine:
             return {}
-        which = f"{'table' if len(mine) == 1 else 'tables'} {' and '.join(mine)}"
+        which = tables_in_words(mine)
         switch = f"MD32710 $MA_CEC_ENABLE[{address}]"
         return {
-            "emptied": (
-                f" Set {switch} = 0 (note what it was) and SD41300 $SN_CEC_TABLE_ENABLE = 0 for the"
-                f" {which}, NEW CONF: what the new table takes the place of is emptied, and"
-                " protected while it is on."
+            "emptied": control_text(
+                " Set {switch} = 0 (note what it was) and SD41300 $SN_CEC_TABLE_ENABLE = 0 for the"
+                " {which}, NEW CONF: what the new table takes the place of is emptied, and"
+                " protected while it is on.",
+                switch=switch,
+                which=which,
             ),
-            "woken": f"If MD32710 was on: set {switch} = 1 again, NEW CONF. ",
+            "woken": control_text(
+                "If MD32710 was on: set {switch} = 1 again, NEW CONF. ", switch=switch
+            ),
         }
 
     def card(self, request: CardRequest) -> AxisCard:
@@ -292,7 +301,7 @@ class PairsFamily(GridFamily):
         axis, compensation = request.axis, request.table
         values = {**super().card(request).values, **self._named_files(axis, request.files)}
         if axis.gantry is None and request.facts.stated.get("gantry_type") == 0:
-            values["gantry"] = "No gantry: MD37100 = 0 in the control's files."
+            values["gantry"] = control_text("No gantry: MD37100 = 0 in the control's files.")
         if not np.array_equal(compensation.positive, compensation.negative):
             values[CURVES] = "2"
         else:
@@ -301,24 +310,28 @@ class PairsFamily(GridFamily):
         protected = str(known.stated.get("others_protected", ""))
         if self.options.get("files") == "patched" and protected:
             off, on = (protected.replace(";", f" = {state}, ") for state in ("0", "1"))
-            values["others"] = (
+            values["others"] = control_text(
                 " The patched files assign other tables again, which a control protects while they"
-                f" are on. Set {off} = 0 too and activate it (NEW CONF)."
+                " are on. Set {switches} = 0 too and activate it (NEW CONF).",
+                switches=off,
             )
-            values["others_back"] = f" Then set {on} = 1 again and activate it (NEW CONF)."
+            values["others_back"] = control_text(
+                " Then set {switches} = 1 again and activate it (NEW CONF).", switches=on
+            )
         archive = known.stated.get("archive")
         if archive is not None:
-            values["archive"] = (
+            values["archive"] = control_text(
                 "The contents of the archive are not verified. Compare on the control, before"
-                f" anything is changed: {archive}. If one differs, load nothing: export the archive"
-                " again, and run again."
+                " anything is changed: {archive}. If one differs, load nothing: export the archive"
+                " again, and run again.",
+                archive=str(archive),
             )
         own = request.facts.pairs.own
         if own is not None:
             if CURVES in values:  # a CEC table counts in its own unit, whatever the control's is
                 scale = self.scale_of(axis)
                 values |= table_values(self.definition, scale, compensation, "cross_start")
-            which = f"the tables {' and '.join(map(str, own))}"
+            which = control_text("the tables {tables}", tables=and_joined([*map(str, own)]))
             values["room"] = reserving(self.definition, int(compensation.positions.size), which)
             names = ("table_positive", "table_negative")
             values |= dict(zip(names, map(str, own), strict=True))

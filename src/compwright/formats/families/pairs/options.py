@@ -9,6 +9,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 import numpy as np
 
 from compwright.formats.definition.schema import Definition
+from compwright.formats.families.card_texts import and_joined
 from compwright.formats.families.family import Family
 from compwright.formats.families.pairs.lines import IN_INCH, MAYBE_INCH, SAYING_METRIC
 from compwright.formats.families.pairs.places import Pair, as_table
@@ -16,6 +17,7 @@ from compwright.formats.text.scale import NumberScale
 from compwright.foundations.errors import Fault, UsageError
 from compwright.records.axis import AxisKind
 from compwright.records.correction import AxisCompensation
+from compwright.words.sentences import control_text
 
 #: The check that answers the option cec_sign, in words.
 _SIGN_CHECK = (
@@ -91,15 +93,30 @@ def allowed_tables(definition: Definition, options: Mapping[str, object]) -> tup
     return tuple(dict.fromkeys(int(index) for index in given))
 
 
+def tables_in_words(indices: Sequence[str]) -> str:
+    """Return the name of one table or of several by their indices."""
+    tables = and_joined(indices)
+    if len(indices) == 1:
+        return control_text("table {tables}", tables=tables)
+    return control_text("tables {tables}", tables=tables)
+
+
 def reserving(definition: Definition, points: int, which: str) -> str:
     """Return the instruction to reserve memory for ``points`` in tables (``which``, in words)."""
     fixed = definition.limit_number("cross_points")
     if fixed is None:
-        return (
-            f"MD18342 $MN_MM_CEC_MAX_POINTS must be at least {points} for {which}. If it is"
-            " smaller: set it, save an archive, power on, load the archive back."
+        return control_text(
+            "MD18342 $MN_MM_CEC_MAX_POINTS must be at least {points} for {which}. If it is"
+            " smaller: set it, save an archive, power on, load the archive back.",
+            points=str(points),
+            which=which,
         )
-    return f"{points} points are needed for {which}: each has room for {fixed}, none are reserved."
+    return control_text(
+        "{points} points are needed for {which}: each has room for {room}, none are reserved.",
+        points=str(points),
+        which=which,
+        room=str(fixed),
+    )
 
 
 def free_tables(allowed: Sequence[int], in_use: Mapping[int, Pair], address: str) -> list[int]:

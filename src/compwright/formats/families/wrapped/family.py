@@ -14,6 +14,7 @@ from compwright.formats.families.between import Between, BetweenRequest, alterna
 from compwright.formats.families.card_texts import (
     AxisCard,
     CardRequest,
+    and_joined,
     named_files,
     sign_check,
 )
@@ -39,6 +40,7 @@ from compwright.records.correction import (
     ControlState,
 )
 from compwright.records.options import LeftOpen
+from compwright.words.sentences import control_text
 
 
 def table_words(axis: Axis, table: MotorTable, counts: Counts, rate: str) -> dict[str, str]:
@@ -47,14 +49,17 @@ def table_words(axis: Axis, table: MotorTable, counts: Counts, rate: str) -> dic
     """
     unit = axis.kind.unit
     spacing = table.length / len(table.entries) * counts.count
-    gap = "the length is one turn, and there is no gap"
+    gap = control_text("the length is one turn, and there is no gap")
     if table.gap is not None:
         turn = table.length * counts.count
-        gap = (
-            f"what lies beyond {table.gap[0]:.10g} {unit} and below {table.gap[1]:.10g} "
-            f"{unit} is the gap"
-            f" that must stay unused (the table repeats after {turn:.10g} {unit}): keep the"
-            " software limits inside"
+        gap = control_text(
+            "what lies beyond {low} {unit} and below {high} {unit} is the gap"
+            " that must stay unused (the table repeats after {turn} {unit}): keep the"
+            " software limits inside",
+            low=f"{table.gap[0]:.10g}",
+            high=f"{table.gap[1]:.10g}",
+            turn=f"{turn:.10g}",
+            unit=unit,
         )
     at_zero = table.constant / PARTS * counts.count
     return {
@@ -65,9 +70,9 @@ def table_words(axis: Axis, table: MotorTable, counts: Counts, rate: str) -> dic
         "gap": gap,
         "constant": str(table.constant),
         "backlash": f"{at_zero:.6f}",
-        "rate": rate if table.takes_up else "0 or as it is (there is no backlash)",
+        "rate": (rate if table.takes_up else control_text("0 or as it is (there is no backlash)")),
         "counts": f"{counts.per_unit:.10g}",
-        "tables": "COMP and BLCOMP" if table.varies else "COMP",
+        "tables": and_joined(["COMP", "BLCOMP"] if table.varies else ["COMP"]),
     }
 
 

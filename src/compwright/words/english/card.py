@@ -1,0 +1,77 @@
+"""The commissioning card: its labels and fixed sentences."""
+
+from __future__ import annotations
+
+from typing import Final
+
+SENTENCES: Final[dict[str, str]] = {
+    "card.adds": "Control adds",
+    "card.and": "{names:and}",
+    "card.axis": "Axis {name}",
+    "card.axis_title": "Axis {axis}, control address {address}",
+    "card.capital": "{text:capital}",
+    "card.check_positions": "Check positions",
+    "card.circle": "Circle {name}",
+    "card.confirmed": "confirmed",
+    "card.date": "date",
+    "card.decided": "{name}: {decided:join|; }.",
+    "card.evidence": "Evidence: {evidence}",
+    "card.expected": "Expected deviation",
+    "card.fixed": "Fixed positions that move",
+    "card.how_to_check": (
+        "Every check of this card is made here: what the control adds, on its compensation display"
+        " where it has one, and after loading the quick check with the instrument."
+    ),
+    "card.inferred": "inferred",
+    "card.limit": (
+        "{symbol} {limit} {unit}: {decision:choose|accept=accept|reject=reject|=undecided}"
+    ),
+    "card.limits": "Limits, as predicted",
+    "card.lines": "{texts:join|\n}",
+    "card.loaded_by": "loaded by",
+    "card.look_at": "{text} ({state:choose|inferred=inferred|=unconfirmed})",
+    "card.measured": "measured",
+    "card.measured_by": "measured after loading, by",
+    "card.more_changes": "{more} more changes are in changes.csv.",
+    "card.moves_by": "Moves by",
+    "card.name": "Name",
+    "card.no_title": "Commissioning card",
+    "card.not_confirmed": "Not confirmed: look before the axis moves fast",
+    "card.note": (
+        "Numbers in tables and steps have a decimal point, as they are typed at a control. Names of"
+        " parameters, options and files are as in the control and in the job.{foreign:if| Steps of"
+        " your own definition have no translation and are in English.}"
+    ),
+    "card.parameter": "{name} = {value}",
+    "card.points": "The control must hold at least {points} points for this axis.",
+    "card.proven": "Proven",
+    "card.quantity": "Quantity",
+    # A control may have another backlash at rapid traverse.
+    "card.rapid": (
+        "Measured at rapid traverse: the backlash here, what the control adds and the check"
+        " positions hold at rapid traverse. Check there, not at cutting feed."
+    ),
+    "card.read": "read",
+    "card.same_holds": "The same holds for axis {axes}.",
+    "card.sections": "Numbers of the sections",
+    "card.signature": (
+        "Loaded by: ______________________   Date: ______________   Measured after loading: [ ]"
+    ),
+    "card.steps": "Steps",
+    "card.stop": "Stop if off by",
+    "card.then": "{names:join|, then }",
+    "card.title": "Commissioning card: {axes}",
+    "card.unconfirmed": "unconfirmed",
+    "card.values": "Values that change",
+    "card.way_back": "Way back",
+    "card.with_unit": "{text} ({unit})",
+    "card.zeroed": "In this order, the instrument set to zero at the first row.",
+    "numbering.label": "numbers of the sections",
+    "numbering.mark": "is the reference position",
+    "numbering.number": "number",
+    "numbering.parameter": "parameter",
+    "numbering.position": "position",
+    "numbering.position_unit": "position, {unit}",
+    "numbering.reference": "reference",
+    "numbering.travel_negative": "travel in -",
+}

@@ -1,0 +1,25 @@
+"""German texts of controls: of their definitions and families, by their English template."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from compwright.words.german.controls import (
+    columns,
+    grid,
+    increments,
+    lists,
+    pairs,
+    shared,
+    wrapped,
+)
+
+TEXTS: Final[dict[str, str]] = {
+    **columns.TEXTS,
+    **grid.TEXTS,
+    **increments.TEXTS,
+    **lists.TEXTS,
+    **pairs.TEXTS,
+    **shared.TEXTS,
+    **wrapped.TEXTS,
+}

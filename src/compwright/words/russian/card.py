@@ -1,0 +1,76 @@
+"""The commissioning card: its labels and fixed sentences."""
+
+from __future__ import annotations
+
+from typing import Final
+
+SENTENCES: Final[dict[str, str]] = {
+    "card.adds": "УЧПУ прибавляет",
+    "card.and": "{names:and}",
+    "card.axis": "Ось {name}",
+    "card.axis_title": "Ось {axis}, адрес в УЧПУ {address}",
+    "card.capital": "{text:capital}",
+    "card.check_positions": "Контрольные позиции",
+    "card.circle": "Окружность {name}",
+    "card.confirmed": "подтверждено",
+    "card.date": "дата",
+    "card.decided": "{name}: {decided:join|; }.",
+    "card.evidence": "Основание: {evidence}",
+    "card.expected": "Ожидаемое отклонение",
+    "card.fixed": "Постоянные позиции, которые сдвигаются",
+    "card.how_to_check": (
+        "Каждая проверка этой карты выполняется здесь: что прибавляет УЧПУ — на его индикации"
+        " компенсации, где она есть, а после загрузки быстрая проверка прибором."
+    ),
+    "card.inferred": "выведено",
+    "card.limit": (
+        "{symbol} {limit} {unit}: {decision:choose|accept=принято|reject=отклонено|=не решено}"
+    ),
+    "card.limits": "Допуски по прогнозу",
+    "card.lines": "{texts:join|\n}",
+    "card.loaded_by": "загрузил",
+    "card.look_at": "{text} ({state:choose|inferred=выведено|=не подтверждено})",
+    "card.measured": "измерено",
+    "card.measured_by": "измерил после загрузки",
+    "card.more_changes": "Ещё изменений в changes.csv: {more}.",
+    "card.moves_by": "Сдвиг",
+    "card.name": "Имя",
+    "card.no_title": "Карта ввода в эксплуатацию",
+    "card.not_confirmed": "Не подтверждено: посмотрите, прежде чем ось поедет быстро",
+    "card.note": (
+        "Числа в таблицах и шагах написаны с десятичной точкой, как их вводят в УЧПУ. Имена"
+        " параметров, опций и файлов — как в УЧПУ и в задании.{foreign:if| Шаги вашего"
+        " собственного определения не переведены и даны по-английски.}"
+    ),
+    "card.parameter": "{name} = {value}",
+    "card.points": "УЧПУ должно вмещать не менее {points} точек для этой оси.",
+    "card.proven": "Доказано",
+    "card.quantity": "Величина",
+    "card.rapid": (
+        "Измерено на быстром ходу: люфт здесь, то, что прибавляет УЧПУ, и контрольные позиции"
+        " относятся к быстрому ходу. Проверяйте на нём, а не на рабочей подаче."
+    ),
+    "card.read": "прочитано",
+    "card.same_holds": "То же для оси {axes}.",
+    "card.sections": "Номера участков",
+    "card.signature": (
+        "Загрузил: ______________________   Дата: ______________   Измерено после загрузки: [ ]"
+    ),
+    "card.steps": "Шаги",
+    "card.stop": "Стоп при расхождении на",
+    "card.then": "{names:join|, затем }",
+    "card.title": "Карта ввода в эксплуатацию: {axes}",
+    "card.unconfirmed": "не подтверждено",
+    "card.values": "Изменяемые значения",
+    "card.way_back": "Путь назад",
+    "card.with_unit": "{text} ({unit})",
+    "card.zeroed": "В этом порядке, прибор установлен на ноль в первой строке.",
+    "numbering.label": "номера участков",
+    "numbering.mark": "— опорная позиция",
+    "numbering.number": "номер",
+    "numbering.parameter": "параметр",
+    "numbering.position": "положение",
+    "numbering.position_unit": "положение, {unit}",
+    "numbering.reference": "опорная",
+    "numbering.travel_negative": "ход в -",
+}
