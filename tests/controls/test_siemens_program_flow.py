@@ -27,6 +27,7 @@ from compwright.foundations.errors import InputError, UsageError
 from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile
 from format_samples import SIEMENS, axis_of
+from harm_sinumerik import Control
 from sinumerik_archive import ARCHIVE, needs_archive
 
 pytestmark = pytest.mark.brief
@@ -407,6 +408,127 @@ def test_programs_of_a_real_machine(read: Reader) -> None:
     read(calls, None)  # behind the last value
     with pytest.raises(UsageError):
         read(calls.split("M17")[0] + "$MA_ENC_COMP_ENABLE[1,AX1]=1\nM17\n", None)
+
+
+# -- conditions that the program's own numbers decide
+# --------------------------------------------------------------------------------------------------
+
+#: Programs whose own assignments let no run carry out every value, whatever the control holds.
+CONTRADICTED = {
+    "copy": "R50=0\nR51=R50\nIF R51==1\n{}ENDIF\n",
+    "difference": "R50=1-1\nIF R50==1\n{}ENDIF\n",
+    "product": "R1=3\nR2=(R1-1)*2\nIF R2==4 GOTOF ENDE\n{}ENDE:\n",
+    "quotients": "R1=7 DIV 2\nR2=R1 MOD 2+4/2\nIF R2<>3\n{}ENDIF\n",
+    "definition": "DEF INT _A=1\nDEF BOOL _B\n_B=_A==0\nIF _B\n{}ENDIF\n",
+    "other form of the name": "R[50]=0\nR51=R050\nIF R0051\n{}ENDIF\n",
+    "case": "R50=2\nCASE R50 OF 1 GOTOF LADEN 2 GOTOF ENDE DEFAULT GOTOF LADEN\nLADEN:\n{}ENDE:\n",
+    "default of a case": "R50=7\nCASE(R50-1) OF 1 GOTOF L1 DEFAULT GOTOF ENDE\nL1:\n{}ENDE:\n",
+    "case of a number": "CASE 3 OF 1 GOTOF L1 -2 GOTOF L1 DEFAULT GOTOF ENDE\nL1:\n{}ENDE:\n",
+    "for": "FOR R1=1 TO 0\n{}ENDFOR\n",
+    "for with limits": "R2=4\nR3=R2-1\nFOR R1=R2 TO R3\n{}ENDFOR\n",
+    "while": "R1=2\nWHILE R1-2\n{}ENDWHILE\n",
+}
+#: Programs beside them that a run may carry out in whole.
+POSSIBLE = {
+    "copy": "R51=R50\nIF R51==1\n{}ENDIF\n",
+    "changed copy": "R50=0\nR51=R50\nR51=R52\nIF R51==1\n{}ENDIF\n",
+    "changed first": "R50=1\nR51=R50\nR50=0\nIF R51==1\n{}ENDIF\n",
+    "half": "R50=1/2\nIF R50==0\n{}ENDIF\n",
+    "operator": "R50=0\nM0\nR51=R50\nIF R51==1\n{}ENDIF\n",
+    "case": "R50=2\nCASE R50 OF 1 GOTOF ENDE DEFAULT GOTOF LADEN\nLADEN:\n{}ENDE:\n",
+    "case without the number": "R50=2\nCASE R50 OF 1 GOTOF ENDE 3 GOTOF ENDE\n{}ENDE:\n",
+    "for": "FOR R1=1 TO 1\n{}ENDFOR\n",
+    "for with an open end": "FOR R1=1 TO R2\n{}ENDFOR\n",
+    "counted": "R1=0\nREPEAT\nR1=R1+1\nUNTIL R1==3\nIF R1==3\n{}ENDIF\n",
+    "calculated by the control": "R50=$AA_IM[X]\nR51=R50\nIF R51==1\n{}ENDIF\n",
+}
+
+
+@pytest.mark.parametrize("read", READERS)
+@pytest.mark.parametrize("kind", CONTRADICTED)
+def test_yes_is_refused_where_the_numbers_of_the_program_contradict_it(
+    kind: str, read: Reader
+) -> None:
+    text = whole(CONTRADICTED[kind])
+    with pytest.raises(UsageError):
+        read(text, None)
+    with pytest.raises(InputError) as refused:
+        read(text, True)
+    first = 1 + text.splitlines().index(ROWS.splitlines()[0])
+    assert refused.value.faults[0].place == f"line {first}"
+
+
+@pytest.mark.parametrize("read", READERS)
+@pytest.mark.parametrize("kind", POSSIBLE)
+def test_yes_is_taken_where_the_numbers_of_the_program_allow_it(kind: str, read: Reader) -> None:
+    read(whole(POSSIBLE[kind]), True)
+
+
+def _sum_of(rng: np.random.Generator, depth: int = 0) -> str:
+    if depth > 1 or rng.random() < 0.4:
+        return str(rng.choice(["0", "1", "2", "3", "R1", "R2", "R3"]))
+    left, right = _sum_of(rng, depth + 1), _sum_of(rng, depth + 1)
+    sign = rng.choice(["+", "-", "*"])
+    return f"({left}{sign}{right})" if rng.random() < 0.5 else f"{left}{sign}{right}"
+
+
+def _program_of(rng: np.random.Generator, *, closed: bool) -> str:
+    """Return a program of assignments and forks around five values, each once; ``closed``: it sets
+    every variable before it uses it.
+    """
+    rows = [f"R{n}={rng.integers(0, 3)}" for n in (1, 2, 3) if closed or rng.random() < 0.5]
+    for number, value in enumerate(ROWS.splitlines()):
+        if rng.random() < 0.5:
+            rows.append(f"R{rng.integers(1, 4)}={_sum_of(rng)}")
+        sign = rng.choice(["==", "<>", "<", ">="])
+        condition = f"{_sum_of(rng)}{sign}{_sum_of(rng)}"
+        first, last = _sum_of(rng), _sum_of(rng)
+        rows += {
+            0: [f"IF {condition}", value, "ENDIF"],
+            1: [f"IF {condition} GOTOF PAST{number}", value, f"PAST{number}:"],
+            2: [f"FOR R9={first} TO {last}", value, "ENDFOR"],
+            3: [
+                f"CASE {_sum_of(rng)} OF 0 GOTOF PAST{number} 1 GOTOF TO{number}",
+                *([f"TO{number}:", value] if rng.random() < 0.5 else [value, f"TO{number}:"]),
+                f"PAST{number}:",
+            ],
+        }.get(int(rng.integers(0, 9)), [value])
+    return "\n".join(rows) + "\n"
+
+
+def _carried_out(text: str, parameters: dict[str, float]) -> bool:
+    """Whether a control with these R parameters carries out every value of a program."""
+    control = Control(memory=dict(parameters))
+    return control.load(text) and all(
+        row.split("=")[0] in control.memory for row in ROWS.splitlines()
+    )
+
+
+@pytest.mark.parametrize("read", READERS)
+def test_random_programs_against_a_control_that_carries_them_out(read: Reader) -> None:
+    """The interpreter shares nothing with the readers. ``active: yes`` is never refused where a
+    control with some R parameters carries out every value; where a program sets all of its
+    variables itself, it is refused exactly if a control leaves a value out.
+    """
+    rng = np.random.default_rng(23)
+    counts = {True: 0, False: 0}
+    for turn in range(160):
+        closed = turn % 2 == 0
+        text = _program_of(rng, closed=closed)
+        worlds = rng.integers(-2, 4, (1 if closed else 200, 3)).astype(float)
+        names = ("R1", "R2", "R3")
+        possible = any(
+            _carried_out(text, dict(zip(names, row, strict=True))) for row in worlds.tolist()
+        )
+        try:
+            read(text + GRID + PLAY + ON + "M17\n", True)
+            taken = True
+        except InputError:
+            taken = False
+        assert taken or not possible, text
+        assert not closed or taken == possible, text
+        counts[taken] += 1
+    assert min(counts.values()) > 30
 
 
 # -- through the commands

@@ -229,7 +229,7 @@ ASSIGNED = {
         READ,
     ),
     "by another variable": (f"R50=R49\nIF R50==1\n{ONE}ENDIF\n{GRID}", READ, READ),
-    "by a sum": (f"R50=0\nR50=R50+1\nIF R50==1\n{ONE}ENDIF\n{GRID}", READ, READ),
+    "by a sum": (f"R50=0\nR50=R50+1\nIF R50==1\n{ONE}ENDIF\n{GRID}", READ, "! A.MPF line 4"),
     "in a block that may be skipped": (f"R50=1\n/R50=0\nIF R50==1\n{ONE}ENDIF\n{GRID}", READ, READ),
     "in a stop": (f"R50=0\nM0\nIF R50==1\n{ONE}ENDIF\n{GRID}", READ, READ),
     "by a program that is not given": (f"R50=0\nABCD\nIF R50==1\n{ONE}ENDIF\n{GRID}", READ, READ),

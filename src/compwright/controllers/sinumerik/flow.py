@@ -15,7 +15,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 
-from compwright.controllers.sinumerik.linked_conditions import EVERYTHING
+from compwright.controllers.sinumerik.linked_conditions import EVERYTHING, Words, question_of
 from compwright.controllers.sinumerik.reachable_lines import Doubt, Line, ends_here
 
 #: Words with which a statement begins that leaves the order of the blocks alone.
@@ -56,6 +56,8 @@ _CALLERS = frozenset({"DO", "SETINT", "INIT", "EXECSTRING"})
 _NAMES_ONLY = frozenset({"PROC", "EXTERN", "DEFINE"})
 _TARGET = re.compile(r"(?P<name>[A-Z_]\w+)\s*:(?!=)", re.IGNORECASE)
 _WORDS = re.compile(r"\$?[A-Z_]\w*|[\d.]+\w*|<<|<>|[<>=]=|'\w*'?|\"\"|\S", re.IGNORECASE)
+#: R050 is R50.
+_R_ZEROS = re.compile(r"^R0+(?=\d)")
 _SUM = re.compile(r"\s+'[0-9A-F]{4}\s*$", re.IGNORECASE)
 #: A name as a whole statement, with or without arguments: a call, if no word of the language.
 _CALL = re.compile(
@@ -134,7 +136,7 @@ class ProgramBlock:
         lengths = _LENGTHS.search(bare)
         if lengths is not None:
             self.inches[line] = lengths[1][1] == "0"
-        words = [word.upper() for word in _WORDS.findall(bare)]
+        words = [_R_ZEROS.sub("R", word.upper()) for word in _WORDS.findall(bare)]
         if not bare or self._changes_nothing(bare):
             assigned = dict.fromkeys(_assigned(words)) if skipped else _assigned(words)
             if names or assigned:
@@ -191,36 +193,36 @@ class ProgramBlock:
         return _calculates(index) and _calculates(words[at + 1 :])
 
 
-def _assigned(words: Sequence[str]) -> dict[str, float | None]:
-    """Return the program's own variables that a harmless statement assigns, with their numbers."""
+def _assigned(words: Sequence[str]) -> dict[str, Words | None]:
+    """Return the program's own variables that a harmless statement assigns, with the words of their
+    values; None for a value that may change without an assignment.
+    """
     if not words or words[0].startswith("$"):
         return {}
     if words[0] == "DEF" and words[1:2] in (["INT"], ["REAL"], ["BOOL"]):
         listed = "".join(f"{word} " for word in words[2:]).split(", ")
         pairs = [one.split() for one in listed if "[" not in one]
-        return {one[0]: _written(one[2:] if one[1:] else ["0"]) for one in pairs if one}
+        return {one[0]: _value(one[2:] if one[1:] else ["0"]) for one in pairs if one}
     if words[0] in _QUIET or "=" not in words:
         return {}
     at = words.index("=")
     field_of_r = words[0] == "R" and at == 4 and words[2].isdigit()
     name = f"R{int(words[2])}" if field_of_r else words[0] if at == 1 else EVERYTHING
-    return {name: None if name == EVERYTHING else _written(words[at + 1 :])}
+    return {name: None if name == EVERYTHING else _value(words[at + 1 :])}
 
 
-def _written(words: Sequence[str]) -> float | None:
-    """Return the number in the words of a value; None for anything that has to be calculated."""
-    text = "".join(words)
-    if text in ("TRUE", "FALSE"):
-        return float(text == "TRUE")
-    return float(text) if re.fullmatch(r"[+-]?(\d+\.?\d*|\.\d+)", text) else None
+def _value(words: Sequence[str]) -> Words | None:
+    return tuple(words) if question_of(tuple(words)) is not None else None
 
 
-def _assigned_by(words: Sequence[str]) -> dict[str, float | None]:
+def _assigned_by(words: Sequence[str]) -> dict[str, Words | None]:
     """Return the variables that any other statement may assign.
 
     Everything, except for forks, ends, motions and functions. In a stop (M0, M1) the operator may
     do it.
     """
+    if words[0] == "FOR" and words[2:3] == ["="]:
+        return {words[1]: None}
     forks = words[0] in _FORKS and words[0] != "FOR"
     plain = all(map(_ADDRESS.fullmatch, words))
     stop = any(_STOP.fullmatch(word) for word in words)

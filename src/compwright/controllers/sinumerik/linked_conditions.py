@@ -7,6 +7,7 @@ is followed once for each value that makes a difference.
 from __future__ import annotations
 
 import itertools
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
@@ -16,6 +17,9 @@ EVERYTHING = "everything"
 _MOST_ANSWERS = 2000
 _TURNED = {"==": "==", "<>": "<>", "<": ">", ">": "<", "<=": ">=", ">=": "<="}
 _LOGIC = frozenset({"AND", "OR", "XOR", "NOT", "DIV", "MOD", "TRUE", "FALSE"})
+
+#: What calculates, the lower rank later.
+_RANKS = {"+": 0, "-": 0, "*": 1, "/": 1, "DIV": 1, "MOD": 1}
 
 Words = tuple[str, ...]
 
@@ -55,6 +59,17 @@ class Fork:
     false: int
 
 
+@dataclass(frozen=True, slots=True)
+class Cases:
+    """The next lines of a CASE, as bits, by the number of the expression ``words``; ``other``: for
+    any other number.
+    """
+
+    words: Words
+    by_number: Mapping[float, int]
+    other: int
+
+
 def question_of(words: Words) -> Question | None:
     """Return the question in the words of a condition, `_question_of` with them."""
     found = _question_of(words)
@@ -89,7 +104,7 @@ def _question_of(words: Words) -> Question | None:
         left, sign, right = signed
         if left not in variables:
             left, sign, right = right, _TURNED[sign], left
-        number = _number(right)
+        number = plain_number(right)
         if number is not None and variables == {left}:
             return Question((left,), sign, number, variables, two=right in ("TRUE", "FALSE"))
     return Question(words, "==", 1.0, variables, two=True)
@@ -97,7 +112,7 @@ def _question_of(words: Words) -> Question | None:
 
 def answered(
     forks: Mapping[int, Fork],
-    assigning: Mapping[int, Mapping[str, float | None]],
+    assigning: Mapping[int, Mapping[str, Words | None]],
     behind: Callable[[int], int],
 ) -> Iterator[dict[int, int]]:
     """Yield the next lines of all linked conditions, by place, for each set of answers.
@@ -136,8 +151,8 @@ def answered(
 
 def ways_by_values(
     every: Sequence[int],
-    forks: Mapping[int, Fork],
-    assigned: Sequence[Mapping[str, float | None]],
+    forks: Mapping[int, Fork | Cases],
+    assigned: Sequence[Mapping[str, Words | None]],
 ) -> list[int]:
     """Return the next lines of all lines, as bits, without the answers that contradict what every
     run has assigned before.
@@ -146,7 +161,7 @@ def ways_by_values(
     may have before it, None among them if any value may be; lines that no run reaches stay as they
     are.
     """
-    asked = {one for fork in forks.values() for one in fork.question.variables}
+    asked = {name for names in assigned for name in names}
     before: dict[int, dict[str, frozenset[float | None]]] = {
         0: dict.fromkeys(asked, frozenset({None}))
     }
@@ -158,11 +173,15 @@ def ways_by_values(
             if place >= len(every):
                 continue
             values = before[place]
+            ways[place] = _open_ways(every[place], forks.get(place), values)
+            single = _single(values)
+            known = {
+                name: frozenset({None if words is None else _result(words, single)})
+                for name, words in assigned[place].items()
+            }
             if EVERYTHING in assigned[place]:
                 values = dict.fromkeys(asked, frozenset({None}))
-            known = {name: frozenset({number}) for name, number in assigned[place].items()}
-            values = values | {name: one for name, one in known.items() if name in asked}
-            ways[place] = _open_ways(every[place], forks.get(place), values)
+            values = values | known
             for after in range(ways[place].bit_length()):
                 if not ways[place] >> after & 1:
                     continue
@@ -173,17 +192,25 @@ def ways_by_values(
     return ways
 
 
-def _open_ways(every: int, fork: Fork | None, values: Mapping[str, frozenset[float | None]]) -> int:
+def _single(values: Mapping[str, frozenset[float | None]]) -> dict[str, float | None]:
+    return {name: next(iter(one)) for name, one in values.items() if len(one) == 1}
+
+
+def _open_ways(
+    every: int, fork: Fork | Cases | None, values: Mapping[str, frozenset[float | None]]
+) -> int:
     if fork is None:
         return every
+    if isinstance(fork, Cases):
+        number = _result(fork.words, _single(values))
+        return every if number is None else fork.by_number.get(number, fork.other)
     if len(fork.question.what) == 1 and fork.question.what[0] in fork.question.variables:
         answers = {
             None if value is None else fork.question.answer(value)
-            for value in values[fork.question.what[0]]
+            for value in values.get(fork.question.what[0], {None})
         }
     else:
-        known = {name: next(iter(one)) for name, one in values.items() if len(one) == 1}
-        result = _result(fork.question.words, known)
+        result = _result(fork.question.words, _single(values))
         answers = {None if result is None else result != 0.0}
     if None in answers or len(answers) > 1:
         return every
@@ -191,7 +218,8 @@ def _open_ways(every: int, fork: Fork | None, values: Mapping[str, frozenset[flo
 
 
 def _result(words: Words, values: Mapping[str, float | None]) -> float | None:
-    """Return the value of an expression of comparisons, OR, AND and NOT; None if it is unknown.
+    """Return the value of an expression of comparisons, OR, AND, NOT and whole numbers; None if it
+    is unknown.
 
     A comparison next to another, or to OR or AND, without brackets is not taken apart; XOR is
     never.
@@ -217,13 +245,44 @@ def _result(words: Words, values: Mapping[str, float | None]) -> float | None:
         pair = [None if (one := _result(each, values)) is None else bool(one) for each in parts]
         decides = words[joints[0]] == "OR"
         return float(decides) if decides in pair else None if None in pair else float(not decides)
+    binary = [at for word, at in outer if word in _RANKS and at and words[at - 1] not in _RANKS]
     if words[:1] == ("NOT",):
-        inner = _result(words[1:], values)
+        inner = None if binary else _result(words[1:], values)
         return None if inner is None else float(not inner)
-    if len(words) != 1:
-        return _number("".join(words))
-    number = _number(words[0])
-    return values.get(words[0]) if number is None else number
+    if binary:
+        lowest = min(_RANKS[words[at]] for at in binary)
+        at = max(at for at in binary if _RANKS[words[at]] == lowest)
+        left, right = _result(words[:at], values), _result(words[at + 1 :], values)
+        return None if left is None or right is None else _calculated(left, words[at], right)
+    if words[:1] in (("-",), ("+",)):
+        inner = _result(words[1:], values)
+        return -inner if words[0] == "-" and inner is not None else inner
+    number = plain_number("".join(words))
+    return values.get("".join(words)) if number is None else number
+
+
+def _calculated(left: float, operator: str, right: float) -> float | None:
+    """Return the result of a calculation; None if it is not a whole number: a variable of whole
+    numbers would round it.
+    """
+    if operator not in ("+", "-", "*") and right == 0.0:
+        return None
+    if operator in ("DIV", "MOD") and (left < 0.0 or right < 0.0):
+        return None  # how the control rounds is in no page
+    match operator:
+        case "+":
+            found = left + right
+        case "-":
+            found = left - right
+        case "*":
+            found = left * right
+        case "/":
+            found = left / right
+        case "DIV":
+            found = left // right
+        case _:
+            found = left % right
+    return found if found % 1.0 == 0.0 else None
 
 
 def _candidates(questions: Sequence[Question]) -> list[float]:
@@ -254,10 +313,8 @@ def _signed(words: Words) -> Words:
     return words
 
 
-def _number(word: str) -> float | None:
+def plain_number(word: str) -> float | None:
+    """Return the number of a word, TRUE and FALSE as 1 and 0; None for other words."""
     if word in ("TRUE", "FALSE"):
         return float(word == "TRUE")
-    try:
-        return float(word)
-    except ValueError:
-        return None
+    return float(word) if re.fullmatch(r"[+-]?(\d+\.?\d*|\.\d+)", word) else None

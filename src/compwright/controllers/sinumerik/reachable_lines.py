@@ -14,8 +14,10 @@ from dataclasses import dataclass, field
 
 from compwright.controllers.sinumerik.linked_conditions import (
     EVERYTHING,
+    Cases,
     Fork,
     answered,
+    plain_number,
     question_of,
     ways_by_values,
 )
@@ -62,14 +64,15 @@ class Line:
     given: bool = False
     mentions: frozenset[str] = frozenset()
     conditional: bool = False
-    assigned: Mapping[str, float | None] = field(default_factory=dict)
+    assigned: Mapping[str, tuple[str, ...] | None] = field(default_factory=dict)
 
 
 def _shortened(lines: Sequence[Line]) -> tuple[list[Line], list[set[int]]]:
     """Return the lines with runs of consecutive assignments merged (unless a jump leads to them),
     and the numbers that each remaining line represents.
     """
-    wanted = {word for line in lines for word in line.words} | {EVERYTHING}
+    used = (word for line in lines for words in line.assigned.values() for word in words or ())
+    wanted = {word for line in lines for word in line.words} | {EVERYTHING, *used}
     found: list[Line] = []
     groups: list[set[int]] = []
     for line in lines:
@@ -178,8 +181,46 @@ def _possible(lines: Sequence[Line]) -> tuple[list[int], dict[int, Fork]]:
         for place, line in enumerate(lines)
         if (fork := _fork(line, every[place], 1 << place + 1)) is not None
     }
-    ways = ways_by_values(every, forks, [line.assigned for line in lines])
+    names = _labels(lines)
+    choices = {
+        place: choice
+        for place, line in enumerate(lines)
+        if (choice := _choice(line, every[place], place, len(lines) + 1, names)) is not None
+    }
+    ways = ways_by_values(every, forks | choices, [line.assigned for line in lines])
     return ways, {place: fork for place, fork in forks.items() if ways[place] == every[place]}
+
+
+def _choice(
+    line: Line, bits: int, place: int, stop: int, names: Mapping[str, Sequence[int]]
+) -> Fork | Cases | None:
+    """Return the ways of a CASE by its number, and of a FOR, which is passed if its first number is
+    above its last one.
+    """
+    words, after = line.words, 1 << place + 1
+    if line.skipped:
+        return None
+    if words[:1] == ("FOR",) and words[2:3] == ("=",) and "TO" in words and bits & ~after:
+        to = words.index("TO")
+        limits = ("(", *words[3:to], ")", "<=", "(", *words[to + 1 :], ")")
+        question = question_of(limits)
+        return None if question is None else Fork(question, bits, bits & ~after)
+    if words[:1] != ("CASE",) or "OF" not in words:
+        return None
+    of = words.index("OF")
+    begin, by_number, other = of + 1, dict[float, int](), after
+    for at in (i for i, word in enumerate(words) if word in _JUMPS):
+        target = _target(words[at], words[at + 1 : at + 3], place, stop, names)
+        label, begin = words[begin:at], at + 2
+        if label == ("DEFAULT",):
+            other = target
+        elif (number := plain_number("".join(label))) is None:
+            return None
+        else:
+            by_number.setdefault(number, target)
+    if question_of(words[1:of]) is None or begin < len(words):
+        return None
+    return Cases(words[1:of], by_number, other)
 
 
 def _fork(line: Line, bits: int, after: int) -> Fork | None:

@@ -12,7 +12,7 @@ import operator
 import re
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import pairwise, product
+from itertools import accumulate, pairwise, product
 
 #: What a statement sets that may change any variable.
 ANY = "*"
@@ -24,9 +24,10 @@ _SINGLE = re.compile(
 )
 _NAME = re.compile(r"[A-Z_]\w*")
 _COMPARISON = re.compile(r"==|<>|<=|>=|<|>")
+#: Two values joined by an operator of the lower and of the higher rank, the last one first.
+_SUMS = re.compile(r"(?P<left>.*[\w).])(?P<sign>[+-])(?P<right>.+)")
+_PRODUCTS = re.compile(r"(?P<left>.*[\w).])\s*(?P<sign>[*/]|\bDIV\b|\bMOD\b)\s*(?P<right>.+)")
 _JOINT = re.compile(r"\b(?:AND|OR|XOR)\b")
-#: A bracket with at most two more inside of it.
-_BRACKETED = re.compile(r"\((?:[^()]|\((?:[^()]|\([^()]*\))*\))*\)")
 _PLAIN_NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)")
 _OPERATORS = frozenset({"AND", "OR", "XOR", "NOT", "DIV", "MOD", "TRUE", "FALSE"})
 _CALL = re.compile(r"([A-Z_]\w*)\(")
@@ -68,14 +69,45 @@ class Decision:
     yes: frozenset[int]
     no: frozenset[int]
 
+    def continues(self, values: Mapping[str, float]) -> frozenset[int] | None:
+        """Return where it continues with these values; None if they do not decide it."""
+        value = value_of(self.condition.text, values)
+        return None if value is None else self.yes if value else self.no
+
+
+@dataclass(frozen=True, slots=True)
+class Choice:
+    """A step (CASE) that continues in ``by_number`` at the number of the expression ``text``, else
+    at ``other``.
+    """
+
+    text: str
+    by_number: Mapping[float, frozenset[int]]
+    other: frozenset[int]
+
+    def continues(self, values: Mapping[str, float]) -> frozenset[int] | None:
+        """Return where it continues with these values; None if they do not decide it."""
+        value = value_of(self.text, values)
+        return None if value is None else self.by_number.get(value, self.other)
+
+
+def expression_of(text: str) -> str | None:
+    """Return an expression without blanks that do not matter; None if its value may change from
+    line to line.
+    """
+    text = re.sub(r"\s+", " ", text.upper().strip())
+    text = re.sub(r"\bR0+(?=\d)", "R", _bare(re.sub(r" (?=\W)|(?<=\W) ", "", text)))
+    calls = set(_CALL.findall(text)) - _OPERATORS
+    return None if calls or any(mark in text for mark in '$["') else text
+
 
 def condition_of(text: str) -> Condition | None:
     """Return the condition in a text; None if its value may change from line to line."""
-    text = re.sub(r"\s+", " ", text.upper().strip())
-    text = _bare(re.sub(r" (?=\W)|(?<=\W) ", "", text))
-    names = frozenset(_NAME.findall(text)) - _OPERATORS
-    if set(_CALL.findall(text)) - _OPERATORS or any(mark in text for mark in '$["'):
+    expression = expression_of(text)
+    if expression is None:
         return None
+    text = expression
+    names = frozenset(_NAME.findall(text)) - _OPERATORS
     single = _SINGLE.fullmatch(text)
     if single is None or names != {single["name"] or single["flag"]}:
         whole = _bare(text[3:]) if text[:4] == "NOT(" else text
@@ -99,12 +131,12 @@ def number_of(word: str) -> float | None:
 
 
 def value_of(text: str, values: Mapping[str, float]) -> float | None:
-    """Return the value of a condition without blanks, 1 if it is true; None if it is unknown, or
-    if it depends on the order of operators without brackets: two comparisons, a comparison and
-    AND or OR, or XOR and AND.
+    """Return the value of an expression without blanks, a true condition as 1; None if it is
+    unknown, or if it depends on the order of operators without brackets: two comparisons, a
+    comparison and AND or OR, XOR and AND, NOT and a calculation.
     """
     text = _bare(text)
-    masked = _BRACKETED.sub(lambda found: f"({'0' * (len(found[0]) - 2)})", text)
+    masked = _masked(text)
     comparison = _COMPARISON.search(masked)
     joints = set(_JOINT.findall(masked))
     if "XOR" in joints or (comparison is not None and joints):
@@ -129,21 +161,50 @@ def value_of(text: str, values: Mapping[str, float]) -> float | None:
                 return float(decides)
             return None if None in parts else float(not decides)
     if re.match(r"NOT\b", text):
-        value = value_of(text[3:].strip(), values)
+        calculated = _PRODUCTS.fullmatch(masked) or _SUMS.fullmatch(masked)
+        value = None if calculated else value_of(text[3:].strip(), values)
         return None if value is None else float(not value)
     number = number_of(text)
-    return values.get(text) if number is None else number
+    return _calculated(text, masked, values) if number is None else number
+
+
+def _calculated(text: str, masked: str, values: Mapping[str, float]) -> float | None:
+    """Return a variable, or a sum, difference, product or quotient; None if it is unknown or no
+    whole number: what a variable of whole numbers makes of it depends on its type.
+    """
+    for pattern in (_SUMS, _PRODUCTS):
+        if found := pattern.fullmatch(masked):
+            left = value_of(text[: found.end("left")].strip(), values)
+            right = value_of(text[found.start("right") :].strip(), values)
+            if left is None or right is None:
+                return None
+            return _result(found["sign"], left, right)
+    if text[:1] in ("+", "-"):
+        value = value_of(text[1:], values)
+        return -value if text[0] == "-" and value is not None else value
+    return values.get(text)
+
+
+def _result(sign: str, left: float, right: float) -> float | None:
+    if sign in "+-*":
+        result = {"+": left + right, "-": left - right, "*": left * right}[sign]
+    elif right == 0.0 or (sign != "/" and min(left, right) < 0.0):
+        return None
+    else:
+        result = {"/": left / right, "DIV": left // right, "MOD": left % right}[sign]
+    return result if result % 1.0 == 0.0 else None
 
 
 def without_known_answers(
     follow: Sequence[frozenset[int]],
-    decisions: Mapping[int, Decision],
-    setting: Sequence[Mapping[str, float | None]],
+    decisions: Mapping[int, Decision | Choice],
+    setting: Sequence[Mapping[str, str | None]],
 ) -> list[frozenset[int]]:
     """Return where steps continue, without the answers that no run gives: every run that comes to
-    the condition has set its variable to the same number before.
+    the condition has set its variables to the same numbers before.
 
-    ``follow``: where each step may continue; ``setting``: the variables that it sets.
+    ``follow``: where each step may continue; ``setting``: the variables that it sets, with their
+    expressions.
     """
     known: dict[int, dict[str, float]] = {0: {}}
     found = list(follow)
@@ -152,35 +213,41 @@ def without_known_answers(
         place = waiting.pop()
         if place >= len(follow):
             continue
-        values = {} if ANY in setting[place] else dict(known[place])
-        for name, number in setting[place].items():
+        before = known[place]
+        values = {} if ANY in setting[place] else dict(before)
+        for name, expression in setting[place].items():
+            number = None if expression is None else value_of(expression, before)
             values.pop(name, None)
             values |= {} if number is None else {name: number}
         decision = decisions.get(place)
-        value = None if decision is None else value_of(decision.condition.text, values)
-        found[place] = follow[place]
-        if decision is not None and value is not None:
-            found[place] = decision.yes if value else decision.no
+        decided = None if decision is None else decision.continues(before)
+        found[place] = follow[place] if decided is None else decided
         for one in found[place]:
-            before = known.get(one)
-            both = {
-                name: n for name, n in values.items() if before is None or before.get(name) == n
-            }
-            if both != before:
+            old = known.get(one)
+            both = {name: n for name, n in values.items() if old is None or old.get(name) == n}
+            if both != old:
                 known[one] = both
                 waiting.append(one)
     return found
 
 
+def _depths(text: str) -> list[int]:
+    """Return how many brackets are open behind each sign."""
+    return list(accumulate({"(": 1, ")": -1}.get(sign, 0) for sign in text))
+
+
+def _masked(text: str) -> str:
+    """Return a text with zeros in place of what is in brackets."""
+    depths = _depths(text)
+    return "".join(
+        "0" if depth > 0 and before > 0 else sign
+        for sign, depth, before in zip(text, depths, [0, *depths], strict=False)
+    )
+
+
 def _bare(text: str) -> str:
     """Return a text without brackets around all of it."""
-    while text[:1] == "(" and text[-1:] == ")":
-        depths, depth = [], 0
-        for sign in text:
-            depth += {"(": 1, ")": -1}.get(sign, 0)
-            depths.append(depth)
-        if 0 in depths[:-1]:
-            break
+    while text[:1] == "(" and text[-1:] == ")" and 0 not in _depths(text)[:-1]:
         text = text[1:-1]
     return text
 

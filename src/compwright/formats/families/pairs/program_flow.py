@@ -15,8 +15,14 @@ from functools import lru_cache
 
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definition.statements import Occurrence
-from compwright.formats.families.pairs.program_conditions import ANY, number_of
-from compwright.formats.families.pairs.program_runs import END, ProgramRuns, Step, possible_runs
+from compwright.formats.families.pairs.program_conditions import ANY, expression_of
+from compwright.formats.families.pairs.program_runs import (
+    END,
+    FOR,
+    ProgramRuns,
+    Step,
+    possible_runs,
+)
 from compwright.formats.text.addresses import NAMES, Key, quantities_of
 from compwright.formats.text.texts import KEPT_TEXTS, ReadText, text_reader
 from compwright.foundations.errors import Fault
@@ -342,33 +348,39 @@ def _step(number: int, code: str, followed: Collection[str], *, marked: bool) ->
     plain = (marked and "$" in bare) or _plain_call(bare) in followed or _PROCEDURE.match(bare)
     does = "" if plain or not bare or harmless(bare) else _STRING.sub('""', bare)
     called = _plain_call(bare) in followed
-    sets: dict[str, float | None] = {ANY: None} if called else {} if marked else _sets(bare)
+    sets: dict[str, str | None] = {ANY: None} if called else {} if marked else _sets(bare)
     if skipped is not None:
         sets = dict.fromkeys(sets)
     return Step(number, tuple(names), does, marked, skipped is not None, sets=sets)
 
 
-def _sets(code: str) -> dict[str, float | None]:
-    """Return the variables that a statement assigns, each with its number, None if that is not
-    known; any variable, if the statement is not known, or stops until the operator goes on.
+def _sets(code: str) -> dict[str, str | None]:
+    """Return the variables that a statement assigns, each with its expression, None if its value
+    may change from line to line; any variable, if the statement is not known, or stops until the
+    operator goes on.
     """
     if code and not harmless(code):
+        if (loop := FOR.fullmatch(code)) is not None:
+            return {loop["counter"].upper(): None}
         forks = _DIVIDING.match(code) is not None and code[:3].upper() != "FOR"
         quiet = forks or END.search(code) is not None or _ADDRESSES.fullmatch(code) is not None
         return {} if quiet and not _STOP.search(code) else {ANY: None}
     assignment, numbers = _ASSIGNMENT.fullmatch(code), _NUMBERS.fullmatch(code)
     if numbers is not None:
         pieces = [one.partition("=") for one in numbers["names"].split(",") if "[" not in one]
-        return {name.strip().upper(): number_of(word.strip() or "0") for name, _, word in pieces}
+        return {
+            name.strip().upper(): expression_of(word.strip() or "0") for name, _, word in pieces
+        }
     if assignment is None:
         return {}
-    name, index = assignment["left"].upper(), assignment["index"]
+    name = re.sub(r"^R0+(?=\d)", "R", assignment["left"].upper())
+    index = assignment["index"]
     if name.startswith("$"):
         return {}
     if index:
         number = re.fullmatch(r"\[\s*(\d+)\s*\]", index)
         name = f"R{int(number[1])}" if number is not None and name == "R" else ANY
-    return {name: None if name == ANY else number_of(assignment["right"].strip())}
+    return {name: None if name == ANY else expression_of(assignment["right"])}
 
 
 def _note(code: str, number: int, program: ProgramFlow, known: Collection[str]) -> None:

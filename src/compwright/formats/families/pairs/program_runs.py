@@ -11,8 +11,11 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from compwright.formats.families.pairs.program_conditions import (
+    Choice,
     Decision,
     condition_of,
+    expression_of,
+    number_of,
     together,
     without_known_answers,
 )
@@ -35,6 +38,14 @@ _WORDS = re.compile(
     re.IGNORECASE,
 )
 _ASKING = re.compile(r"(?:IF|WHILE|UNTIL)\b(?P<condition>.*?)(?:\bGOTO[BFCS]?\b.*)?", re.IGNORECASE)
+#: A loop that counts a variable.
+FOR = re.compile(r"FOR\s+(?P<counter>\w+)\s*=(?P<first>.*?)\bTO\b(?P<last>.*)", re.IGNORECASE)
+_CASE = re.compile(
+    r"CASE\b(?P<expression>.*?)\bOF\b"
+    r"(?P<branches>(?:\s+\S+\s+GOTO[BFC]?\s+\w+)+\s*)",
+    re.IGNORECASE,
+)
+_BRANCH = re.compile(r"\s*(?:DEFAULT|(?P<number>\S+))\s+(?P<jump>GOTO[BFC]?\s+\w+)", re.IGNORECASE)
 _REPEATED = re.compile(r"REPEATB?\s+(?P<target>\w+)", re.IGNORECASE)
 _CLOSING = {"ENDIF": "IF", "ENDWHILE": "WHILE", "ENDFOR": "FOR", "ENDLOOP": "LOOP"} | {
     "UNTIL": "REPEAT"
@@ -46,7 +57,8 @@ class Step:
     """A line of a program. ``names``: its label and block number; ``code``: what it does, strings
     emptied, empty if it does not affect the order of lines; ``marked``: it is one of those in
     question (a value, a call); ``skipped``: on the control's block skip; ``until``: the last of the
-    lines that certainly follow it; ``sets``: the variables that it assigns, with their numbers.
+    lines that certainly follow it; ``sets``: the variables that it assigns, with their
+    expressions.
     """
 
     line: int
@@ -55,7 +67,7 @@ class Step:
     marked: bool = False
     skipped: bool = False
     until: int = 0
-    sets: dict[str, float | None] = field(default_factory=dict)
+    sets: dict[str, str | None] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -182,6 +194,7 @@ def possible_runs(steps: Iterable[Step]) -> ProgramRuns:
             places.setdefault(name.upper(), []).append(place)
     blocks = _blocks(kept)
     follow, unclear, decisions = [], [], {}
+    choices: dict[int, Decision | Choice] = {}
     for place, step in enumerate(kept):
         found = _following(kept, place, places, blocks) if step.code else {place + 1}
         follow.append(frozenset(found | ({place + 1} if step.skipped else set())))
@@ -190,7 +203,9 @@ def possible_runs(steps: Iterable[Step]) -> ProgramRuns:
         decision = _decision(step, follow[place], place + 1)
         if decision is not None:
             decisions[place] = decision
-    known = without_known_answers(follow, decisions, [step.sets for step in kept])
+        elif (choice := _choice(step, place, places, follow[place], len(kept) + 1)) is not None:
+            choices[place] = choice
+    known = without_known_answers(follow, decisions | choices, [step.sets for step in kept])
     open_ones = {place: one for place, one in decisions.items() if known[place] == follow[place]}
     return ProgramRuns(tuple(kept), tuple(known), tuple(unclear), open_ones)
 
@@ -206,6 +221,35 @@ def _decision(step: Step, follow: frozenset[int], after: int) -> Decision | None
     if condition is None or jumps > 1 or not (here and elsewhere):
         return None
     return Decision(condition, *((elsewhere, here) if jumps else (here, elsewhere)))
+
+
+def _choice(
+    step: Step, place: int, places: Mapping[str, Sequence[int]], follow: frozenset[int], stop: int
+) -> Decision | Choice | None:
+    """Return where a CASE continues by the number of its expression, and a FOR whose first number
+    is beyond its last one; None for other lines.
+    """
+    loop = None if step.skipped else FOR.fullmatch(step.code)
+    if loop is not None:
+        condition = condition_of(f"({loop['first']})<=({loop['last']})")
+        past = follow - {place + 1}
+        return None if condition is None or len(past) != 1 else Decision(condition, follow, past)
+    case = None if step.skipped else _CASE.fullmatch(step.code)
+    text = None if case is None else expression_of(case["expression"])
+    if case is None or text is None:
+        return None
+    by_number: dict[float, frozenset[int]] = {}
+    other = frozenset({place + 1})
+    for branch in _BRANCH.finditer(case["branches"]):
+        (jump,) = _GO.finditer(branch["jump"])
+        targets = frozenset(_targets(jump, place, places, stop))
+        if branch["number"] is None:
+            other = targets
+        elif (number := number_of(branch["number"])) is None:
+            return None
+        else:
+            by_number.setdefault(number, targets)
+    return Choice(text, by_number, other)
 
 
 def _merged(steps: list[Step]) -> list[Step]:
