@@ -433,6 +433,7 @@ POSSIBLE = {
     "copy": "R51=R50\nIF R51==1\n{}ENDIF\n",
     "changed copy": "R50=0\nR51=R50\nR51=R52\nIF R51==1\n{}ENDIF\n",
     "changed first": "R50=1\nR51=R50\nR50=0\nIF R51==1\n{}ENDIF\n",
+    "negative": "R1=1\nR2=-R1\nIF R2<>-1 GOTOF ENDE\n{}ENDE:\n",
     "half": "R50=1/2\nIF R50==0\n{}ENDIF\n",
     "operator": "R50=0\nM0\nR51=R50\nIF R51==1\n{}ENDIF\n",
     "case": "R50=2\nCASE R50 OF 1 GOTOF ENDE DEFAULT GOTOF LADEN\nLADEN:\n{}ENDE:\n",
