@@ -680,6 +680,32 @@ class TestText:
         )
 
     @pytest.mark.parametrize(
+        ("row", "says"),
+        [
+            ("N01001Q1L1P1", "1001#0"),
+            ("N01001Q1P00000002", "1001#0"),
+            ("N01006Q1A1P8", "1006#0"),
+            ("N01013Q1A1P2", "1013#0"),
+            ("N01800Q1P16\nN01852Q1A1P9", "1800#4"),
+        ],
+    )
+    def test_bits_in_another_form(self, row: str, says: str) -> None:
+        """A control gives out eight digits (B-63950EN/02 p. 11); 0 is 0 in each form, and the bits
+        of axis 2, which has no table, decide nothing.
+        """
+        with pytest.raises(InputError, match=f"{says} of axis 1 cannot be read"):
+            control(in_style(("N01851", f"{row}\nN01851")))
+        number = row[:6]
+        control(in_style(("N01851", f"{number}Q1A1P0\nN01851")))
+        control(in_style(("N01851", f"{number}Q1A1P00000000A2P7\nN01851")))
+
+    def test_bits_of_a_program(self) -> None:
+        metric = PROGRAM.replace("N3620", "N1006P1R00000000\nN3620")
+        assert control(metric, POINTS).nodes("1").tolist() == list(TOTALS)
+        with pytest.raises(InputError, match="1006#0 of axis 1 cannot be read"):
+            control(metric.replace("R00000000", "R8"), POINTS)
+
+    @pytest.mark.parametrize(
         ("old", "new", "says"),
         [
             ("N03620Q1A1P40", "N03620Q1A1P4x0", "block cannot be read"),

@@ -152,6 +152,7 @@ def test_each_coupling_of_a_fanuc_names_its_parameter(
         {8311: "A1P1A2P0A3P4A4P0"},
         {1817: "A1P00000000A2P01000000A3P01000000A4P00000000", 1023: "A1P1A2P3A3P4A4P5"},
         {5660: "L1P0", 5661: "L1P4"},
+        {1817: "A1P0A2P0A3P0A4P0", 8200: "L1P0"},
     ],
 )
 def test_what_couples_other_axes_stops_nothing(more: Mapping[int, str]) -> None:

@@ -85,11 +85,13 @@ def test_the_detection_unit_is_the_least_command_increment_over_cmr(
     assert f"1820 = {setting}" in facts.unit_evidence
 
 
-@pytest.mark.parametrize(("number", "more"), [(1001, {1001: "1"}), (1800, {1800: "16", 1852: "5"})])
+@pytest.mark.parametrize(
+    ("number", "more"), [(1001, {1001: "1"}), (1800, {1800: "16", 1852: "5"}), (1013, {1013: "2"})]
+)
 def test_bits_in_another_form_are_refused_where_the_table_depends_on_them(
     number: int, more: dict[int, str]
 ) -> None:
-    """Inch or metric, and the backlash at rapid traverse: bits 1001#0 and 1800#4."""
+    """Inch or metric, backlash at rapid traverse, increment system: 1001#0, 1800#4, 1013."""
     with pytest.raises(InputError, match=f"{number}#[0-9] cannot be read"):
         read(more, unit=0.001)
     read({number: "0"}, unit=0.001)  # all bits are 0

@@ -18,7 +18,7 @@ def stopping(memory: Memory, axis: int, *, rotary: bool) -> Iterator[Fault]:
     """Yield a fault for each setting around an axis that makes its compensation unknown."""
     yield from memory.machine.contradicting(axis)
     yield from refusing(memory.machine, axis)
-    yield from _paths(memory, axis, rotary=rotary)
+    yield from _deciding_bits(memory, axis, rotary=rotary)
 
 
 def inclined_without_grid(memory: Memory, axis: int) -> Iterator[Fault]:
@@ -65,11 +65,14 @@ def not_used(memory: Memory, axis: int) -> Iterator[Fault]:
             )
 
 
-def _paths(memory: Memory, axis: int, *, rotary: bool) -> Iterator[Fault]:
-    """Yield a fault where paths differ in a parameter and 981 does not state the axis' path."""
+def _deciding_bits(memory: Memory, axis: int, *, rotary: bool) -> Iterator[Fault]:
+    """Yield a fault for each bit that the compensation depends on and that cannot be read, or in
+    which paths differ where 981 does not state the axis' path.
+    """
     machine = memory.machine
     moves = memory.moves(axis)
-    bits: list[tuple[int, int]] = [(1001, 0)] if moves and not rotary else []
+    bits: list[tuple[int, int]] = [(1006, 0)] if moves else []
+    bits += [(1001, 0)] if moves and not rotary else []
     system = machine.system(axis)
     if moves and system is not None:
         bits += [(system.number, 0), (system.number, 1)]
@@ -77,6 +80,9 @@ def _paths(memory: Memory, axis: int, *, rotary: bool) -> Iterator[Fault]:
     if rapid is not None and rapid != (feed or 0):
         bits.append((1800, 4))
     for number, bit in bits:
+        entry = machine.entry(number, axis)
+        if entry is not None and not entry.zero and not entry.is_bits:
+            yield entry.fault(f"{number}#{bit} of axis {axis} cannot be read", "eight bits")
         apart = machine.either(number, axis, bit)
         if apart is not None:
             yield apart

@@ -49,7 +49,10 @@ _ROW = re.compile(
     rb"(?<![^\r\n])[ \t]*N[ \t]*([0-9]{3,6})(?![0-9])[ \t]*(?:Q[ \t]*([0-9]+))?([^\r\n]*)"
 )
 _GROUP = re.compile(r"(?:([AL])\s*([0-9]+)\s*)?([PMI])\s*(-?[0-9.]+)")
+#: A row between G10 and G11: the axis, if any, and the value.
+_PROGRAM_ROW = re.compile(r"\s*(?:P\s*([0-9]+)\s*)?R\s*(-?[0-9.]+)\s*")
 _WHOLE = re.compile(r"-?[0-9]{1,9}")
+_EIGHT_BITS = re.compile("[01]{8}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,13 +71,18 @@ class MachineEntry:
         return not self.text.strip("0.-")
 
     @property
+    def is_bits(self) -> bool:
+        """Return whether the value is written as eight bits."""
+        return _EIGHT_BITS.fullmatch(self.text) is not None
+
+    @property
     def whole(self) -> int | None:
         """Return a whole number, None for anything else."""
         return int(self.text) if _WHOLE.fullmatch(self.text) else None
 
     def bit(self, bit: int) -> bool:
         """Return one of eight bits, 0 the rightmost."""
-        return len(self.text) == 8 and self.text[-1 - bit] == "1"
+        return self.is_bits and self.text[-1 - bit] == "1"
 
     def fault(self, message: str, expected: str) -> Fault:
         """Return a fault at this value."""
@@ -188,7 +196,7 @@ class Machine:
         coding.
         """
         system = self.system(axis)
-        if system is None or not re.fullmatch("[01]{8}", system.text):
+        if system is None or not system.is_bits:
             return None
         place = _DECIMALS.get(int(system.text, 2) & _SYSTEM_BITS[system.number])
         return None if place is None else 10.0**-place
@@ -242,7 +250,13 @@ def _values(file: ControlFile, series: ControlSeries) -> tuple[tuple[Owner, Mach
             continue
         line = file.content.count(b"\n", 0, match.start()) + 1
         rest = re.sub(r"\([^()]*\)", " ", match[3].decode("latin-1"))
-        for letter, index, keyword, text in _GROUP.findall(rest):
+        program = _PROGRAM_ROW.fullmatch(rest)
+        groups = (
+            _GROUP.findall(rest)
+            if program is None
+            else [("A" if program[1] else "", program[1], "P", program[2])]
+        )
+        for letter, index, keyword, text in groups:
             if number >= _POINTS_FROM and match[2] is None and not letter:
                 continue  # without Q1 and without an owner this is a point
             entry = MachineEntry(number, keyword, text, file.name, line)

@@ -24,9 +24,9 @@ Value = TypeVar("Value")
 
 #: Bits that are read: parameter -> bits, 0 the rightmost.
 _BITS = {1001: (0,), 1004: (0, 1), 1006: (0, 1, 3), 1013: (0, 1), 1800: (4,), 3605: (0, 2)}
-#: Parameters that only say something about the machine: what they say in another form is passed
-#: over, not refused.
-_ASIDE = frozenset({1001, 1004, 1006, 1013, 1800})
+#: Parameters of the machine: refused in another form only where the axis' compensation depends on
+#: them (`axis_checks`).
+_OF_MACHINE = frozenset({1001, 1004, 1006, 1013, 1800})
 #: Parameters that count only with an axis number.
 _BY_AXIS = frozenset({1006, 1013, 1851, 1852, 3605, *range(3620, 3628)})
 #: An increment is a signed byte (fwlib32.h, cnc_rdpitchr), whatever the series.
@@ -254,12 +254,7 @@ class Memory:
                     setting.line,
                 )
                 self._settings[number, setting.axis, bit].append(single)
-        elif number in _ASIDE:
-            self.notes.append(
-                f"{setting.file}: line {setting.line}: {setting.label} is not eight binary digits"
-                " and is passed over"
-            )
-        else:
+        elif number not in _OF_MACHINE:
             self.faults.append(
                 setting.fault(
                     f"value of {setting.label}",

@@ -101,7 +101,7 @@ def _tandem(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coupli
     """Yield the pairs of 1817#6: the master has an odd servo number, its slave the next one."""
     bits: dict[int, ParameterValue] = {}
     for value in parameters.of([known.TANDEM]):
-        if not value.is_bits:
+        if value.nonzero and not value.is_bits:
             yield from _every(addresses, value, _NO_BITS)
         elif value.bit(_TANDEM_BIT) and value.owner != "A":
             yield from _every(addresses, value, _NO_AXIS)
@@ -141,7 +141,7 @@ def _angular(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coupl
     """Yield the axes of angular axis control; every linear axis if 8211 or 8212 names none."""
     unlike = "angular axis control moves it together with another axis"
     for value in parameters.of([known.ANGULAR]):
-        if not value.is_bits:
+        if value.nonzero and not value.is_bits:
             yield from _every(addresses, value, _NO_BITS)
         if not value.bit(_ANGULAR_BIT):
             continue

@@ -71,6 +71,7 @@ def _deciding_bits(own: AxisParameters, kind: AxisKind) -> dict[int, tuple[int, 
     return {
         known.INCH: (0,) if kind is AxisKind.LINEAR else (),
         known.BACKLASH_BITS: () if own.get(known.BACKLASH_RAPID) is None else (4,),
+        known.SYSTEM: (0, 1, 2, 3),
         known.SYSTEM_OF_MACHINE: (0, 1) if own.get(known.SYSTEM) is None else (),
     }
 
