@@ -76,7 +76,7 @@ class Decision:
 
 
 @dataclass(frozen=True, slots=True)
-class Choice:
+class Case:
     """A step (CASE) that continues in ``by_number`` at the number of the expression ``text``, else
     at ``other``.
     """
@@ -197,7 +197,7 @@ def _result(sign: str, left: float, right: float) -> float | None:
 
 def without_known_answers(
     follow: Sequence[frozenset[int]],
-    decisions: Mapping[int, Decision | Choice],
+    decisions: Mapping[int, Decision | Case],
     setting: Sequence[Mapping[str, str | None]],
 ) -> list[frozenset[int]]:
     """Return where steps continue, without the answers that no run gives: every run that comes to

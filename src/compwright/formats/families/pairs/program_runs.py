@@ -11,7 +11,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from compwright.formats.families.pairs.program_conditions import (
-    Choice,
+    Case,
     Decision,
     condition_of,
     expression_of,
@@ -194,7 +194,7 @@ def possible_runs(steps: Iterable[Step]) -> ProgramRuns:
             places.setdefault(name.upper(), []).append(place)
     blocks = _blocks(kept)
     follow, unclear, decisions = [], [], {}
-    choices: dict[int, Decision | Choice] = {}
+    choices: dict[int, Decision | Case] = {}
     for place, step in enumerate(kept):
         found = _following(kept, place, places, blocks) if step.code else {place + 1}
         follow.append(frozenset(found | ({place + 1} if step.skipped else set())))
@@ -225,7 +225,7 @@ def _decision(step: Step, follow: frozenset[int], after: int) -> Decision | None
 
 def _choice(
     step: Step, place: int, places: Mapping[str, Sequence[int]], follow: frozenset[int], stop: int
-) -> Decision | Choice | None:
+) -> Decision | Case | None:
     """Return where a CASE continues by the number of its expression, and a FOR whose first number
     is beyond its last one; None for other lines.
     """
@@ -249,7 +249,7 @@ def _choice(
             return None
         else:
             by_number.setdefault(number, targets)
-    return Choice(text, by_number, other)
+    return Case(text, by_number, other)
 
 
 def _merged(steps: list[Step]) -> list[Step]:
