@@ -127,9 +127,9 @@ def test_parameters_of_a_test_are_those_of_its_readings(run: Path) -> None:
     ]
     assert test["parameters"]["B_mean"] == pytest.approx(np.mean(reversal), abs=1e-6)
     targets = sorted({float(target) for target, _ in cells})
-    both = {target: [] for target in targets}
+    both: dict[float, list[float]] = {target: [] for target in targets}
     for (target, _), readings in cells.items():
-        both[float(target)].append(np.mean(readings))
+        both[float(target)].append(float(np.mean(readings)))
     slope = np.polyfit(targets, [np.mean(both[target]) for target in targets], 1)[0]
     assert test["parameters"]["slope"] == pytest.approx(1000.0 * slope, rel=1e-6)  # µm/mm: µm/m
     assert (test["date"], test["measured_in"]) == ("", "as_found")
