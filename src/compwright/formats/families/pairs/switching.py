@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 
 from compwright.formats.families.pairs.existing_tables import ExistingTables
-from compwright.formats.families.pairs.places import ADDED
+from compwright.formats.families.pairs.places import ADDED, DATA
 from compwright.formats.text.gathering import FoundValue, same_value
 from compwright.formats.text.own_files import OwnFiles, TablePlaces
 from compwright.foundations.errors import Fault
@@ -43,7 +43,7 @@ class Switches:
             return
         others = [index for index in self.tables.places if self._may_activate(index, output)]
         if not places:
-            foreign = [index for index in others if self.tables.in_use[index] != (output, output)]
+            foreign = [i for i in others if self.tables.in_use.get(i) != (output, output)]
             self._refuse_missing_switch(output, foreign, faults)
         elif others:
             faults.append(
@@ -51,7 +51,7 @@ class Switches:
                     message=(
                         f"axis {output}: its CEC tables are switched off together (MD32710 "
                         "$MA_CEC_ENABLE). Switching them on would make others active too: "
-                        f"{', '.join(map(str, others))}"
+                        f"{self._listed(others)}"
                     ),
                     file=places[-1].occurrence.file,
                     place=places[-1].occurrence.place,
@@ -59,7 +59,7 @@ class Switches:
                     found="0",
                     hint=(
                         "set SD41300 = 0 for these tables in the control, then export its files "
-                        "again"
+                        "again, with all CEC tables (NC_CEC.INI)"
                     ),
                 )
             )
@@ -97,13 +97,14 @@ class Switches:
     ) -> None:
         if not others:
             return
-        place = self.tables.places_of(others[0], "cross_output")[0]
+        places = self.tables.places[others[0]]
+        place = (places.get("cross_output") or places["cross_table_enabled"])[0]
         faults.append(
             Fault(
                 message=(
                     f"axis {output}: no given file shows whether its CEC tables are on (MD32710 "
                     "$MA_CEC_ENABLE). If they are off, switching on the new one would make "
-                    f"others active too: {', '.join(map(str, others))}"
+                    f"others active too: {self._listed(others)}"
                 ),
                 file=place.occurrence.file,
                 place=place.occurrence.place,
@@ -118,20 +119,31 @@ class Switches:
 
     def _may_activate(self, index: int, output: str) -> bool:
         """Return whether another's table begins to correct ``output`` when MD32710 is switched
-        on.
+        on, or may: one that is switched on while its values are in no file.
         """
         tables = self.tables
-        if (
-            index in tables.kept
-            or index not in tables.in_use
-            or tables.is_empty(index)
-            or tables.off(index)
-        ):
+        if index in tables.kept or tables.off(index):
+            return False
+        if self._is_unread(index):
+            return True
+        if index not in tables.in_use or tables.is_empty(index):
             return False
         corrected = tables.in_use[index][1]
         names = self.own.gathered.names if self.own is not None else None
         unlisted = names is not None and bool(names.places) and not names.known(corrected)
         return corrected == output or unlisted
+
+    def _is_unread(self, index: int) -> bool:
+        """Return whether the files switch a table but hold none of its values."""
+        places = self.tables.places[index]
+        return "cross_table_enabled" in places and not any(name in places for name in DATA)
+
+    def _listed(self, indices: Sequence[int]) -> str:
+        """Return table numbers, and which of them are without values in the files."""
+        unread = ", ".join(str(index) for index in indices if self._is_unread(index))
+        return ", ".join(map(str, indices)) + (
+            f" (values in no given file: {unread})" if unread else ""
+        )
 
     def _check_shared(self, output: str, faults: list[Fault]) -> None:
         """Check that our tables multiply no others, and that the axis takes values in mm."""
