@@ -243,6 +243,38 @@ def test_a_list_beyond_the_number_of_the_start_up_list_is_refused(start: str, sa
         virtual_control(ISG, files(a=SAMPLE, start=start))
 
 
+@pytest.mark.parametrize(
+    ("word", "kind"),
+    [
+        ("0x0001", AxisKind.LINEAR),
+        ("ACHSTYP_TRANSLATOR", AxisKind.LINEAR),
+        ("0x0002", AxisKind.ROTARY),
+        ("2", AxisKind.ROTARY),
+        ("ACHSTYP_ROTATOR", AxisKind.ROTARY),
+        ("0x0004", AxisKind.ROTARY),
+        ("0x0008", None),
+        ("TRANSLATOR_X", None),
+    ],
+)
+def test_both_readers_compare_the_type_of_the_axis_with_its_kind(
+    word: str, kind: AxisKind | None
+) -> None:
+    """P-AXIS-00018: 0x0001 ACHSTYP_TRANSLATOR, 0x0002 ACHSTYP_ROTATOR, 0x0004 ACHSTYP_SPINDEL."""
+    lists = {"achsmds1": f"kopf.achs_nr 1\nkenngr.achs_typ {word}\n", "achskw1": EVEN}
+    for asked in AxisKind:
+        axis = replace(X, kind=asked, modulo=None)
+        if kind is asked:
+            assert read(axis, **lists).facts_of("1").kind is kind
+            virtual_control(ISG, files(**lists), kinds={"1": asked}, axes_under_work=["1"])
+            continue
+        with pytest.raises(InputError, match=r"line 2.*achs_typ"):
+            read(axis, **lists)
+        with pytest.raises(InputError, match=r"line 2.*type of axis 1"):
+            virtual_control(ISG, files(**lists), kinds={"1": asked}, axes_under_work=["1"])
+    if kind is not None:
+        assert read(**lists).axes["1"].kind is kind
+
+
 def test_what_no_list_says_of_an_axis_is_refused() -> None:
     with pytest.raises(InputError, match="missing values do not count as zero"):
         read(axis_of("7"), a=SAMPLE)

@@ -24,9 +24,9 @@ from compwright.controllers.isg.cross import (
 )
 from compwright.controllers.isg.leadscrew import LeadscrewTable, read_backlash, read_table
 from compwright.controllers.isg.lists import AxisLists, read_lists
-from compwright.controllers.request import Request, unknown_axis
+from compwright.controllers.request import Request, by_address, unknown_axis
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
-from compwright.records.axis import Direction, FloatArray
+from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.correction import Assumption, ControlFile
 
 
@@ -147,6 +147,7 @@ def _loaded(
     axis: AxisLists, request: Request, assumed: list[Assumption], notes: list[str]
 ) -> tuple[_ListAxis, CrossTable | None]:
     """Return one axis and the table by which another corrects it; faults are kept in ``axis``."""
+    _check_type(axis, request)
     table = read_table(axis, request, assumed)
     backlash = read_backlash(axis, table, assumed)
     home = Direction.POSITIVE
@@ -157,3 +158,20 @@ def _loaded(
     refuse_plane(axis, request, assumed, notes)
     refuse_others(axis)
     return _ListAxis(table, backlash, home), cross
+
+
+def _check_type(axis: AxisLists, request: Request) -> None:
+    """Add a fault where the axis type (P-AXIS-00018: 0x0001 linear, 0x0002 rotary, 0x0004 spindle,
+    or their names) is unknown or contradicts the requested kind.
+    """
+    statement = axis.statements.get("kenngr.achs_typ")
+    if statement is None:
+        return
+    written = statement.text.lower().removeprefix("achstyp_")
+    name = {"translator": "1", "rotator": "2", "spindel": "4", "spindle": "4"}.get(written, written)
+    number = name.removeprefix("0x").lstrip("0")
+    kind = by_address(request.kinds, axis.address)
+    if number not in ("1", "2", "4"):
+        axis.fault(statement, f"type of axis {axis.address}", "0x0001, 0x0002 or 0x0004")
+    elif kind is not None and (kind is AxisKind.LINEAR) != (number == "1"):
+        axis.fault(statement, f"type of axis {axis.address}", f"that of a {kind.value} axis")

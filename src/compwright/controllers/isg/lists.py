@@ -23,10 +23,10 @@ _STATEMENT = re.compile(r"([A-Za-z_]\w*(?:\s*\[\s*\d+\s*\]|\.[A-Za-z_]\w*)*)(?:\
 _NUMBER = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?")
 #: What a line that is no statement must not hold: it would be one that got damaged.
 _OURS = re.compile(r"kopf|kw\s*\.|lr_param|getriebe|achs_kw|zahl_kw", re.IGNORECASE)
-#: Statements that correct the position of an axis at rest; an axis parameter list holds hundreds of
-#: others.
+#: Statements that correct the position of an axis at rest, and its type; an axis parameter list
+#: holds hundreds of others.
 _COMPENSATING = re.compile(
-    r"kw\.|lr_param\.(?:ssfk|crosscomp2?|anwahl_losekomp)$|getriebe\[\d+\]\.lose$"
+    r"kw\.|kenngr\.achs_typ$|lr_param\.(?:ssfk|crosscomp2?|anwahl_losekomp)$|getriebe\[\d+\]\.lose$"
 )
 _HEADERS = ("kopf.achs_nr", "kopf.log_achs_nr")
 #: Logical axis numbers are UNS16.

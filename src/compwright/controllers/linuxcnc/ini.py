@@ -144,7 +144,7 @@ def _expanded(file: ControlFile, files: Mapping[str, ControlFile], included: set
                     file=line.file,
                     place=f"line {line.number}",
                     expected=wanted or "a file name",
-                    hint="add the included file to the state",
+                    hint="give the included file with the control's other files",
                 )
             )
     return IniFile(file.name, tuple(lines), tuple(faults))

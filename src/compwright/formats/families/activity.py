@@ -77,7 +77,7 @@ class Activity:
             notes.ask(
                 Fault(
                     message=(
-                        f"{label}: its table is not zero, and the files of the state "
+                        f"{label}: its table is not zero, and the control's files "
                         f"{ends}. Was it "
                         "active during the test?"
                     ),

@@ -63,8 +63,8 @@ class Coupling:
             expected=expected + more,
             found=found,
             hint=(
-                "correct the axes and `gantry` in the job, or add the file with the "
-                "missing parameter to the state"
+                "correct the axes and `gantry` in the job, or give the file with the "
+                "missing parameter with the control's other files"
             ),
         )
 

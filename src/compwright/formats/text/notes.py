@@ -26,7 +26,7 @@ EXPORT_AGAIN: Final = (
     "export this file from the control again and give it unchanged; or leave the axis out of the"
     " job"
 )
-ADD_FILE: Final = "add the file of the control that contains it to the files of the state"
+ADD_FILE: Final = "give the file that contains it with the control's other files"
 KEEP_ONE: Final = (
     "give only the file that is in the control now: take the other one out of the files of the"
     " state; within one file, export it from the control again"

@@ -122,7 +122,7 @@ class ColumnAxisReader:
                     file=file,
                     expected=missing,
                     found="no such file",
-                    hint=f"add {missing} to the files of the state",
+                    hint=f"give {missing} with the control's other files",
                 )
             )
         own = self._own_column() if self.table is not None and self.column is not None else None
@@ -135,7 +135,7 @@ class ColumnAxisReader:
                     ),
                     file=self.sources.sheets[self.address].name,
                     expected="one of them",
-                    hint="remove the entry sheet or the table from the files of the state",
+                    hint="leave out the entry sheet or the table",
                 )
             )
         return own if own is not None else self._sheet_curves()

@@ -276,7 +276,7 @@ class GridAxisReader:
                     file=found.occurrence.file,
                     place=found.occurrence.place,
                     expected="the file with the table too",
-                    hint="add the file with the table to the state",
+                    hint="give the file with the table with the control's other files",
                 )
             )
         if found is None and not self.elsewhere:

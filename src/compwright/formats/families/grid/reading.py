@@ -231,7 +231,7 @@ class GridReader:
             ),
             found=names,
             hint=(
-                "add the file with MD10000 to the files of the state; or set"
+                "give the file with MD10000 with the control's other files; or set"
                 f" `address: {others[0]}` in the job, if that is the axis"
             ),
         )

@@ -126,7 +126,7 @@ class TableFiles:
                     place=named[0].occurrence.place,
                     expected=base,
                     found=", ".join(text.file for text in self.tables) or "no table file",
-                    hint=f"add {base} to the files of the state",
+                    hint=f"give {base} with the control's other files",
                 )
             )
         return matching

@@ -202,8 +202,8 @@ class _Sorter:
                 expected=f"a line {self.lists.name(AXIS_NUMBER)} <number>",
                 found="none",
                 hint=(
-                    f"add the line `{self.lists.name(AXIS_NUMBER)} <number>` to the list; or add"
-                    " the start-up list that names it to the files of the state"
+                    f"add the line `{self.lists.name(AXIS_NUMBER)} <number>` to the list; or give"
+                    " the start-up list that names it with the control's other files"
                 ),
             )
         return str(numbers.pop()) if len(numbers) == 1 else None

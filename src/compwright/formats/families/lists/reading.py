@@ -181,8 +181,8 @@ class ListStateReader:
             expected=f"a list of axis {address}, or the state `none`",
             found=f"axes {', '.join(lists.statements)}" if lists.statements else "no axis at all",
             hint=(
-                "correct the `address` of the axis, or add its list to the state; use the "
-                "state `none` if the control has none"
+                "correct the `address` of the axis, or give its list with the control's other "
+                "files; in a job, use the state `none` if the control has none"
             ),
         )
         self.notes.faults.append(fault)
@@ -205,6 +205,7 @@ class ListStateReader:
         name = reader.one("axis_name")
         self.facts[address] = AxisFacts(
             name=None if name is None else name.text,
+            kind=reader.stated_kind,
             enabled=own.active,
             grid=own.idle,
             stated=reader.stated,

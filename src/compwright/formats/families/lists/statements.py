@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from decimal import Decimal
 
@@ -13,6 +14,18 @@ from compwright.formats.text.notes import CORRECT_VALUE, EXPORT_AGAIN, KEEP_ONE,
 from compwright.formats.text.values import Values
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.facts import Fact
+
+_HEX = re.compile("0x[0-9a-f]{1,8}|[0-9]")
+#: The type of an axis, as a number or in words (P-AXIS-00018).
+_KINDS: Mapping[int | str, AxisKind] = {
+    1: AxisKind.LINEAR,
+    2: AxisKind.ROTARY,
+    4: AxisKind.ROTARY,
+    "achstyp_translator": AxisKind.LINEAR,
+    "achstyp_rotator": AxisKind.ROTARY,
+    "achstyp_spindel": AxisKind.ROTARY,
+    "achstyp_spindle": AxisKind.ROTARY,
+}
 
 
 class AxisStatements:
@@ -37,8 +50,6 @@ class AxisStatements:
         self.notes = notes
         self.activity = activity
         self.label = f"axis {address}"
-        known = axis.kind if axis is not None else known_kind(options, address)
-        self.kind = known or AxisKind.LINEAR
         self.returns = (
             axis.reference_return
             if axis is not None
@@ -46,6 +57,36 @@ class AxisStatements:
         )
         self.values = Values(self.definition, self.label, notes)
         self.stated: dict[str, Fact] = {}
+        self.stated_kind = self._stated_kind()
+        known = axis.kind if axis is not None else known_kind(options, address)
+        self.kind = known or self.stated_kind or AxisKind.LINEAR
+
+    def _stated_kind(self) -> AxisKind | None:
+        """Return the kind of the axis by its list; None if the list does not state it.
+
+        A kind that is not known, or differs from that of the job, is a fault.
+        """
+        place = self.one("axis_type")
+        if place is None:
+            return None
+        word = place.text.casefold()
+        kind = _KINDS.get(int(word, 16) if _HEX.fullmatch(word) else word)
+        name = self.lists.name("axis_type")
+        if kind is None:
+            expected = "ACHSTYP_TRANSLATOR (1), ACHSTYP_ROTATOR (2) or ACHSTYP_SPINDEL (4)"
+            self.notes.refuse(self.label, name, place, expected=expected, hint=CORRECT_VALUE)
+        elif self.axis is not None and kind is not self.axis.kind:
+            message = f"the job and the control's lists disagree about its kind ({name})"
+            hint = f"set `kind: {kind.value}` for the axis in the job, if the control is right"
+            self.notes.refuse(
+                self.label,
+                message,
+                place,
+                expected=self.axis.kind.value,
+                found=f"{kind.value} ({place.text})",
+                hint=hint,
+            )
+        return kind
 
     def one(self, statement: str) -> FoundValue | None:
         """Return the place of a statement; two different values are a fault."""

@@ -193,8 +193,8 @@ def _unlisted(gathered: Gathered, programs: Sequence[Found]) -> Iterator[Fault]:
                 expected=f"the name of an axis in these lists, or {EXPORTED}",
                 found=name,
                 hint=(
-                    "add the file with the complete list MD10000 to the state, or export the"
-                    " compensation data from the control and give that file"
+                    "give the file with the complete list MD10000 with the control's other files,"
+                    " or export the compensation data from the control and give that file"
                 ),
             )
 

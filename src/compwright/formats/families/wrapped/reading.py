@@ -392,7 +392,7 @@ class WrappedStateReader:
                 file=", ".join(file.name for file in self.files),
                 expected=f"{name} as it is in the control (0 switches backlash off)",
                 found="nothing",
-                hint="add the file that contains it to the state",
+                hint="give the file that contains it with the control's other files",
             )
         )
         return False

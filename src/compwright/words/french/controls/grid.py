@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Final
 
 TEXTS: Final[dict[str, str]] = {
-    "Keep a copy of the INI file and of the old compensation file.": (
-        "Garder une copie du fichier INI et de l'ancien fichier de compensation."
+    "Keep a copy of the INI file and of each compensation file that it names.": (
+        "Garder une copie du fichier INI et de chaque fichier de compensation qu'il nomme."
     ),
     "Put the table in place": "Mettre la table en place",
     "Copy {file_1} into the folder of the INI file. It holds {points} rows from {start} to"
@@ -42,9 +42,10 @@ TEXTS: Final[dict[str, str]] = {
         " joint.{address}.backlash-filt en unités de la machine : elle montre ce que la"
         " commande doit y ajouter."
     ),
-    "Put the saved INI file and the old compensation file back, restart LinuxCNC and home.": (
-        "Remettre le fichier INI sauvegardé et l'ancien fichier de compensation, redémarrer"
-        " LinuxCNC et référencer."
+    "Put the saved INI file back, with each compensation file that it names; restart LinuxCNC and"
+    " home.": (
+        "Remettre le fichier INI sauvegardé, avec chaque fichier de compensation qu'il nomme ;"
+        " redémarrer LinuxCNC et référencer."
     ),
     "Axis {name} is programmed in diameter: laser, table and every position on this card"
     " count in radius, as the joint moves; the control looks its table up there, whatever G7"

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Final
 
 TEXTS: Final[dict[str, str]] = {
-    "Keep a copy of the INI file and of the old compensation file.": (
-        "Eine Kopie der INI-Datei und der alten Kompensationsdatei aufheben."
+    "Keep a copy of the INI file and of each compensation file that it names.": (
+        "Eine Kopie der INI-Datei und jeder Kompensationsdatei aufheben, die sie nennt."
     ),
     "Put the table in place": "Tabelle ablegen",
     "Copy {file_1} into the folder of the INI file. It holds {points} rows from {start} to"
@@ -42,9 +42,10 @@ TEXTS: Final[dict[str, str]] = {
         " joint.{address}.backlash-filt in Maschineneinheiten ablesen: Er zeigt, was die"
         " Steuerung dort addieren muss."
     ),
-    "Put the saved INI file and the old compensation file back, restart LinuxCNC and home.": (
-        "Die gesicherte INI-Datei und die alte Kompensationsdatei zurücklegen, LinuxCNC neu"
-        " starten und referenzieren."
+    "Put the saved INI file back, with each compensation file that it names; restart LinuxCNC and"
+    " home.": (
+        "Die gesicherte INI-Datei zurücklegen, mit jeder Kompensationsdatei, die sie nennt;"
+        " LinuxCNC neu starten und referenzieren."
     ),
     "Axis {name} is programmed in diameter: laser, table and every position on this card"
     " count in radius, as the joint moves; the control looks its table up there, whatever G7"

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Final
 
 TEXTS: Final[dict[str, str]] = {
-    "Keep a copy of the INI file and of the old compensation file.": (
-        "Сохраните копию файла INI и старого файла компенсации."
+    "Keep a copy of the INI file and of each compensation file that it names.": (
+        "Сохраните копию файла INI и каждого файла компенсации, который в нём назван."
     ),
     "Put the table in place": "Положить таблицу на место",
     "Copy {file_1} into the folder of the INI file. It holds {points} rows from {start} to"
@@ -42,9 +42,10 @@ TEXTS: Final[dict[str, str]] = {
         " joint.{address}.backlash-filt в единицах станка: он показывает, что УЧПУ должно там"
         " прибавлять."
     ),
-    "Put the saved INI file and the old compensation file back, restart LinuxCNC and home.": (
-        "Верните сохранённый файл INI и старый файл компенсации, перезапустите LinuxCNC и"
-        " выведите в опорную позицию."
+    "Put the saved INI file back, with each compensation file that it names; restart LinuxCNC and"
+    " home.": (
+        "Верните сохранённый файл INI и каждый файл компенсации, который в нём назван;"
+        " перезапустите LinuxCNC и выведите в опорную позицию."
     ),
     "Axis {name} is programmed in diameter: laser, table and every position on this card"
     " count in radius, as the joint moves; the control looks its table up there, whatever G7"
