@@ -107,6 +107,36 @@ def refused(text: str, *axes: Axis, counts: float | None = 1000.0) -> str:
     return str(caught.value)
 
 
+@pytest.mark.parametrize(
+    ("definition", "fits"),
+    [
+        ("#1->1000X", True),
+        ("#1->1000.0 X+2500", True),
+        ("#1->25400X", True),  # an axis in inches: "100000 cts/in"
+        ("#1->500X\n#1->1000X", True),  # the last one counts
+        ("#1->X", True),  # "User units = counts"
+        ("#2->4000Y", True),
+        ("#1->0", True),
+        ("#1->10000X", False),
+        ("#1->-1000X", False),
+        ("&2#1->2000Z-666.667", False),
+    ],
+)
+def test_both_readers_compare_the_counts_with_the_definition_of_the_axis(
+    definition: str, fits: bool
+) -> None:
+    """Scale factor: motor counts per axis unit (PMAC 2 software reference p. 179 and 180)."""
+    text = definition + "\n" + EXAMPLE
+    if fits:
+        control().read([script(text)], [axis()])
+        virtual_control("pmac", [script(text)], options={"counts_per_unit": 1000.0})
+        return
+    with pytest.raises(InputError, match=r"(?s)line [12]: counts_per_unit"):
+        control().read([script(text)], [axis()])
+    with pytest.raises(InputError, match=r"(?s)line [12]: counts_per_unit"):
+        virtual_control("pmac", [script(text)], options={"counts_per_unit": 1000.0})
+
+
 # --- reading
 
 

@@ -23,6 +23,7 @@ from compwright.controllers.pmac.motor import Judged, Motor, MotorScale, looked_
 from compwright.controllers.pmac.script import Card, CardTable, run_scripts
 from compwright.controllers.request import Request, finite_number, unknown_axis
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
+from compwright.foundations.units import MILLIMETRES_PER_INCH
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.correction import Assumption, ControlFile
 
@@ -130,7 +131,7 @@ def pmac_control(files: Sequence[ControlFile], request: Request) -> PmacControl:
     crossing = {pair: found for pair, found in crossing.items() if pair[1] not in faulty}
     needed = {number for number, motor in motors.items() if not motor.idle}
     scales = _scales(
-        needed | {one for pair in crossing for one in pair}, crossing, request, assumed
+        needed | {one for pair in crossing for one in pair}, crossing, request, assumed, card
     )
     _looked_up_by(card, assumed)
     tables = {pair: found for pair, found in crossing.items() if set(pair) <= scales.keys()}
@@ -175,6 +176,7 @@ def _scales(
     crossing: Mapping[tuple[int, int], Sequence[CardTable]],
     request: Request,
     assumed: list[Assumption],
+    card: Card,
 ) -> dict[int, MotorScale]:
     """Return the scale of each motor; None is allowed for one that is not under work."""
     wanted = {number for number in numbers if request.is_under_work(str(number))}
@@ -184,12 +186,30 @@ def _scales(
         given = request.options_of(str(number)).get("counts_per_unit")
         counts = finite_number(given)
         if counts:
+            if number in wanted:
+                _agrees(number, counts, card)
             zero, why = request.referenced(str(number))
             assumed += [why] if why is not None else []
             scales[number] = MotorScale(counts, zero)
         elif number in wanted:
             raise _without_counts(number, given)
     return scales
+
+
+def _agrees(number: int, counts: float, card: Card) -> None:
+    """Raise InputError where the definition of its axis states different counts; 1 means that the
+    axis counts in counts, and an axis may count in inches.
+    """
+    defined, place = card.axis_scales.get(number, (1.0, None))
+    quotients = (defined / counts, defined / counts / MILLIMETRES_PER_INCH)
+    if place is None or abs(defined) == 1.0 or any(0.999 < one < 1.001 for one in quotients):
+        return
+    raise InputError(
+        place.fault(
+            f"counts_per_unit {counts:g} of motor {number}",
+            expected=f"{defined:g} counts per unit of its axis",
+        )
+    )
 
 
 def _without_counts(number: int, given: object) -> UsageError:

@@ -33,6 +33,8 @@ ENABLE, TAKE_UP, SIZE = 51, 85, 86
 
 _NUMBER = re.compile(r"[+-]?\d+(?![\d.$])")
 _MOTOR = re.compile(r"#\s*(\d+)(\s*->\s*(?:I(?![0-9A-Z])|(?:[-+.\d\s]|[ABCUVWXYZ](?![A-Z]))*))?")
+#: One axis with its scale factor, and an offset in counts.
+_SCALE = re.compile(r"->([-+]?(?:\d+\.?\d*|\.\d+))[ABCUVWXYZ](?:[-+][\d.]+)?")
 _LINE = r"(\d{1,9})\s*(?:,|(?=#))\s*(?:#\s*(\d+)\s*(D?)\s*,\s*(?:#\s*(\d+)\s*,\s*)?)?(\d{1,15})"
 _COMP = re.compile(rf"DEF(?:INE)?\s*COMP\s*{_LINE}(?![\d.,])")
 _PLANE = re.compile(
@@ -105,7 +107,8 @@ class VariableSetting:
 class Card:
     """State of the card after all scripts. ``later``: assignments that programs make when they run;
     ``left_out``: commands that may not have been sent, by motor (0: all motors); ``not_both``:
-    commands that were certainly not sent together, and why.
+    commands that were certainly not sent together, and why. ``axis_scales``: counts per unit of the
+    axis that a motor alone moves (`#1->10000X`; PMAC 2 software reference p. 179).
     """
 
     tables: dict[tuple[str, int], CardTable] = field(default_factory=dict)
@@ -113,6 +116,7 @@ class Card:
     later: dict[int, ScriptPlace] = field(default_factory=dict)
     left_out: list[tuple[int, ScriptPlace]] = field(default_factory=list)
     not_both: list[tuple[int, ScriptPlace, str]] = field(default_factory=list)
+    axis_scales: dict[int, tuple[float, ScriptPlace]] = field(default_factory=dict)
     buffers: set[str] = field(default_factory=set)
     notes: list[str] = field(default_factory=list)
     faults: list[Fault] = field(default_factory=list)
@@ -272,6 +276,11 @@ class _Script:
         motor = self._known(int(match.group(1)[:9]), place)
         if match.group(2) is None:
             self.motor = motor
+        elif motor is not None:
+            self.card.axis_scales.pop(motor, None)
+            scale = _SCALE.fullmatch("".join(match.group(2).split()))
+            if scale is not None:
+                self.card.axis_scales[motor] = float(scale[1]), place
 
     def _comp(self, match: re.Match[str], place: ScriptPlace) -> None:
         count, source, desired, target, length = match.groups()

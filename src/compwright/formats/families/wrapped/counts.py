@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 import numpy as np
 
 from compwright.formats.definition.schema import Definition
+from compwright.formats.families.coupled_axes import CouplingStatement
 from compwright.formats.text.scale import EXACTNESS, NotHeld
 from compwright.foundations.errors import Fault, UsageError
+from compwright.foundations.units import MILLIMETRES_PER_INCH
 from compwright.records.axis import Axis, Direction, FloatArray
 
 #: The option that states how many counts of the motor a mm or a degree has; negative where the
@@ -17,6 +19,8 @@ from compwright.records.axis import Axis, Direction, FloatArray
 COUNTS = "counts_per_unit"
 #: Parts of a count in an entry.
 PARTS = 16
+#: Counts that differ by less are the same: a definition may hold a small correction of the scale.
+_SAME_COUNTS = 1e-3
 _SIGN = {"correction": 1, "error": -1, "lost_motion": -1}
 
 
@@ -79,6 +83,25 @@ def counts_of(definition: Definition, options: Mapping[str, object], name: str) 
     if isinstance(given, (int, float)) and given != 0:
         return Counts(definition, float(given))
     raise UsageError(counts_question(name, given))
+
+
+def wrong_counts(counts: Counts, defined: float, place: CouplingStatement) -> Iterator[Fault]:
+    """Yield a fault where the counts of a motor are not those that the definition of its axis
+    states, per mm, inch or degree.
+    """
+    ratios = (defined / counts.per_unit / unit for unit in (1.0, MILLIMETRES_PER_INCH))
+    if all(abs(ratio - 1.0) > _SAME_COUNTS for ratio in ratios):
+        yield Fault(
+            message=f"{COUNTS} contradicts the definition of the axis",
+            file=place.file,
+            place=f"line {place.line}",
+            expected=f"{defined:g} (or per mm of an axis in inches)",
+            found=f"{counts.per_unit:g} ({place.words} in the script)",
+            hint=(
+                f"correct `{COUNTS}`: counts per mm or deg, negative where the motor counts against"
+                " the axis; leave this line out of the files where its unit is a different one"
+            ),
+        )
 
 
 def counts_question(name: str, given: object) -> Fault:

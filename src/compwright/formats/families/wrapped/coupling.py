@@ -46,30 +46,63 @@ _SCALE = 96
 
 def couplings_of(files: Sequence[ControlFile]) -> tuple[Coupling, ...]:
     """Return which motors move together; the last statement about a motor counts."""
-    texts = [(file.name, file.content.decode("latin-1")) for file in files]
-    macros = {found[1]: found[2].strip() for _, text in texts for found in _MACRO.finditer(text)}
-    plain = [
-        ControlFile(name, expanded(_MACRO.sub("", text), macros).encode("latin-1"))
-        for name, text in texts
-    ]
+    plain = _without_macros(files)
     assigned = statements_in(plain, _ASSIGNED, _REMARK)
     motors = {int(found.match["motor"]) for found in assigned if found.match["motor"]}
-    tabled = {int(motor) for _, text in texts for motor in _DEFINED.findall(text)}
+    texts = (file.content.decode("latin-1") for file in files)
+    tabled = {int(motor) for text in texts for motor in _DEFINED.findall(text)}
     return (*_assigned(plain), *_following(plain, motors | tabled))
 
 
-def _assigned(files: Sequence[ControlFile]) -> Iterator[Coupling]:
-    """Yield the motors of one axis, the lowest leads; and those that a program places."""
+def axis_scales(files: Sequence[ControlFile]) -> Mapping[int, tuple[float, CouplingStatement]]:
+    """Return the counts per unit of its axis for each motor on one axis alone, with the statement
+    (`#1->10000X`).
+
+    Without a number the axis counts in the motor's own counts; its unit is then no length.
+    """
+    found = {}
+    for motor, (_, statement) in _definitions(_without_macros(files)).items():
+        terms = _terms(statement)
+        if len(terms) == 1 and abs(_factor(terms[0][0])) != 1.0:
+            found[motor] = _factor(terms[0][0]), statement
+    return found
+
+
+def _without_macros(files: Sequence[ControlFile]) -> list[ControlFile]:
+    texts = [(file.name, file.content.decode("latin-1")) for file in files]
+    macros = {found[1]: found[2].strip() for _, text in texts for found in _MACRO.finditer(text)}
+    return [
+        ControlFile(name, expanded(_MACRO.sub("", text), macros).encode("latin-1"))
+        for name, text in texts
+    ]
+
+
+def _definitions(files: Sequence[ControlFile]) -> dict[int, tuple[str, CouplingStatement]]:
+    """Return the coordinate system and the last definition of each motor's axis."""
     system, last = "1", dict[int, tuple[str, CouplingStatement]]()
     for found in statements_in(files, _ASSIGNED, _REMARK):
         if found.match["system"]:
             system = found.match["system"]
         else:
             last[int(found.match["motor"])] = system, found
+    return last
+
+
+def _terms(found: CouplingStatement) -> list[tuple[str, str]]:
+    """Return factor and axis of each term of a definition."""
+    return _TERM.findall("".join((found.match["axis"] or "").split()).upper())
+
+
+def _factor(text: str) -> float:
+    return float(text + "1" if text in ("", "+", "-") else text)
+
+
+def _assigned(files: Sequence[ControlFile]) -> Iterator[Coupling]:
+    """Yield the motors of one axis, the lowest leads; and those that a program places."""
     axes: dict[tuple[str, str], tuple[int, float]] = {}
-    for motor, (own, found) in sorted(last.items()):
+    for motor, (own, found) in sorted(_definitions(files).items()):
         text = "".join((found.match["axis"] or "").split()).upper()
-        terms = _TERM.findall(text)
+        terms = _terms(found)
         if not text and found.match["rest"]:
             yield found.coupling((), str(motor), unlike=UNREAD)
         elif text == "I":
@@ -79,7 +112,7 @@ def _assigned(files: Sequence[ControlFile]) -> Iterator[Coupling]:
             unlike = f"it is placed by {len(terms)} axes at once"
             yield found.coupling((), str(motor), unlike=unlike)
         elif terms:
-            factor = float(terms[0][0] + "1" if terms[0][0] in ("", "+", "-") else terms[0][0])
+            factor = _factor(terms[0][0])
             leads, own_factor = axes.setdefault((own, terms[0][1]), (motor, factor))
             if leads != motor:
                 unlike = "" if factor == own_factor else _RATIO

@@ -29,8 +29,9 @@ from compwright.formats.families.wrapped.counts import (
     around,
     counts_of,
     turned_about,
+    wrong_counts,
 )
-from compwright.formats.families.wrapped.coupling import couplings_of
+from compwright.formats.families.wrapped.coupling import axis_scales, couplings_of
 from compwright.formats.families.wrapped.script import read_script
 from compwright.formats.text.addresses import normal_address, normal_text
 from compwright.formats.text.notes import Notes
@@ -79,6 +80,7 @@ class WrappedStateReader:
             text = text_reader(definition).read(file, self.notes.faults)
             self.notes.findings.extend(text.findings if text is not None else ())
         raise_all(InputError, self.notes.faults)  # no text at all
+        self.scales = axis_scales(files)
         self.script = read_script(definition, files)
         self.notes.faults.extend(self.script.faults)
         self.notes.faults.extend(order_dependent_values(self.script))
@@ -237,7 +239,11 @@ class WrappedStateReader:
     def _counts(self, motor: int) -> Counts:
         axis = self.axes.get(str(motor))
         options = axis_options(self.definition, self.options, axis)
-        return counts_of(self.definition, options, axis.name if axis else str(motor))
+        counts = counts_of(self.definition, options, axis.name if axis else str(motor))
+        if motor in self.scales:
+            defined, place = self.scales[motor]
+            self.notes.faults.extend(wrong_counts(counts, defined, place))
+        return counts
 
     def _motor(self, motor: int) -> tuple[AxisCompensation, AxisFacts]:
         axis, label = self.axes.get(str(motor)), f"motor {motor}"
