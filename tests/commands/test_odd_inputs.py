@@ -511,6 +511,7 @@ def test_a_key_that_stands_twice_in_a_plan(plan: dict[str, Any]) -> None:
             "states.C:x: contradicts the rest of the plan; expected a plain name",
         ),
         (("axes", "X", "axis", "suggested_period"), 0, "axes.X.axis: contradicts itself"),
+        (("axes", "X", "wanted", "periods"), [10.0, 0.0], "axes.X.wanted: contradicts itself"),
         (("active",), {"now": True}, "active.now: contradicts the rest of the plan"),
         (
             ("axes", "X", "wanted", "scenarios"),

@@ -433,6 +433,9 @@ class TestLists:
         assert any("does not name this list" in note for note in spare.notes)
         with pytest.raises(InputError, match=r"expected a line achs_kw_log_ax_nr\[0\]"):
             isg(start.replace("nr[0]", "nr[1]"), LISTED)
+        # zahl_kw counts the lists from 0 on: with 1 of them there is no list 1.
+        with pytest.raises(InputError, match="a list beyond zahl_kw; expected zahl_kw 2"):
+            isg(start.replace("[0]", "[1]"), LISTED)
 
     @pytest.mark.parametrize(
         ("old", "new", "says"),

@@ -271,6 +271,19 @@ def test_a_traverse_of_zeros_is_told_once() -> None:
     assert not [f for f in reading_findings(test, no_comparison) if f.code == "CW-T011"]
 
 
+def test_the_longest_row_of_zeros_is_counted() -> None:
+    """Four targets side by side and two more apart were filled up."""
+    test = noisy(np.random.default_rng(2))
+    zeros = test.positive.copy()
+    zeros[[1, 2, 3, 4, 7, 8], 1] = 0.0
+    (found,) = [
+        finding.message
+        for finding in reading_findings(replace(test, positive=zeros), no_comparison)
+        if finding.code == "CW-T011"
+    ]
+    assert found.startswith("Up to 4 targets side by side are exactly zero in traverse 2 in +")
+
+
 def test_run_numbers_of_the_file_are_used() -> None:
     test = replace(noisy(np.random.default_rng(2)), runs_positive=(1, 2, 3, 4, 7))
     zeros = test.positive.copy()

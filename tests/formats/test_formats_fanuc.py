@@ -573,6 +573,8 @@ def test_the_interval_that_the_feed_allows() -> None:
     assert control_format(control.definition, control.options).capacity(
         axis()
     ).min_spacing == pytest.approx(4.8)
+    assert "too close" in refusal(table([0, 1, 2], [0, 1, 2], spacing=4.75), max_feed=36000)
+    assert write(table([0, 1, 2], [0, 1, 2], spacing=4.8), max_feed=36000)
 
 
 # Into the user's own backup

@@ -15,7 +15,7 @@ from compwright.estimation.axis import Draws
 from compwright.evaluation.standards import evaluate
 from compwright.planning.guard_bands import guard_bands
 from compwright.planning.predicted_gain import predict_same_targets
-from compwright.planning.simulated_repeat_tests import RepeatConditions
+from compwright.planning.simulated_repeat_tests import RepeatConditions, fresh_tests
 from compwright.planning.temperature_slopes import slope_after
 from compwright.planning.wanted_correction import MeasuredError
 from compwright.prediction.active_corrections import Correction, no_correction
@@ -162,6 +162,21 @@ def test_nor_where_what_is_seldom_hides_the_tail_of_what_is_declared() -> None:
     assert U is not None
     assert wide["A"].p95 > 1.2 * sqrt(2.0) * OF_ONE * UM
     assert narrow["A"].p95 + U["A"] * UM == pytest.approx(wide["A"].p95)
+
+
+def test_at_new_targets_an_uncertain_temperature_tilts_a_straight_axis() -> None:
+    """E of a straight line is abs(slope) times its length; of a normal law 95 % of the sizes lie
+    within 1.96 and half within 0.674 standard deviations.
+    """
+    axis = axis_of()
+    flat = cast("MeasuredError", KnownAxis(np.zeros_like, np.zeros_like))
+    result = evaluate(two_readings(np.zeros_like), "iso230-2:2014")
+    fresh = fresh_tests(result, flat, axis, RepeatConditions(slope_std=5.0 * PPM))
+    length = float(np.mean(np.ptp(fresh.targets, axis=1)))
+    shown = fresh.quantiles(no_correction)["E"]
+    assert shown.p95 == pytest.approx(1.96 * 5.0 * PPM * length, rel=0.1)
+    assert shown.median == pytest.approx(0.674 * 5.0 * PPM * length, rel=0.1)
+    assert fresh.quantiles(no_correction, warm=False)["E"].p95 < 1e-9
 
 
 def test_what_is_the_same_in_both_tests_counts_once() -> None:
