@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -15,6 +16,9 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "benchmarks"))
 
 from bench_circle import evaluated
 from examiner_circles import TURNS, Array, Circle, circle, quiet
+
+from compwright.foundations.session import Session
+from compwright.workflow.commands.evaluate import evaluate_files
 
 R, V = 150.0, 1000.0 / 60.0  # mm, mm/s
 
@@ -84,3 +88,49 @@ def test_squareness_where_the_circle_shows_it(number: int, tmp_path: Path) -> No
     answer = evaluated(arc, rng, tmp_path / "a.csv")
     assert "errors" not in answer
     assert answer["diagnosis"] is None or answer["diagnosis"]["squareness"]["value"] is None
+
+
+def test_several_circles_show_one_machine(tmp_path: Path) -> None:
+    """Two feeds tell scale and position loop apart; a circle of another squareness is named, and
+    one that states another machine is left out.
+    """
+    loops, scales = {"X": 30.0, "Y": 25.0}, {"X": 40.0, "Y": -15.0}
+    values = {
+        **quiet(),
+        "squareness": 25.0,
+        "lag_first": loops["X"],
+        "lag_second": loops["Y"],
+        "scale_error_first": scales["X"],
+        "scale_error_second": scales["Y"],
+        **both_ends("backlash_first", 4.0),
+    }
+    slow = Circle(values=values, radius=R, feed=500.0, noise=0.1, samples=500)
+    files = {"slow": slow, "fast": replace(slow, feed=4000.0)}
+    for seed, (name, test) in enumerate(files.items()):
+        test.write(tmp_path / f"{name}.csv", np.random.default_rng(seed))
+    strange = replace(slow, values={**values, "squareness": -80.0})
+    text = strange.text(np.random.default_rng(7))
+    (tmp_path / "strange.csv").write_text(f"# machine: other\n{text}", encoding="utf-8")
+    (machine,) = evaluate_files(Session(), [tmp_path]).document["machines"]
+    assert sorted(machine["circles"]) == ["fast", "slow"]
+    assert machine["contradictions"] == []
+    expected = {
+        "squareness": {"XY": 25.0},
+        "scale_error": scales,
+        "backlash": {"X": 4.0, "Y": 0.0},
+        "position_loop": loops,
+    }
+    assert set(machine["causes"]) == set(expected)
+    for cause, true in expected.items():
+        assert set(machine["causes"][cause]) == set(true)
+        for name, value in true.items():
+            found = machine["causes"][cause][name]
+            assert abs(found["value"] - value) < max(3.0 * found["std_error"], 0.01 * value), cause
+
+    (tmp_path / "strange.csv").write_text(text, encoding="utf-8")
+    (machine,) = evaluate_files(Session(), [tmp_path]).document["machines"]
+    (contradiction,) = machine["contradictions"]
+    assert contradiction["cause"] == "squareness"
+    seen = {one["name"]: one["value"] for one in contradiction["circles"]}
+    assert seen == pytest.approx({"slow": 25.0, "fast": 25.0, "strange": -80.0}, abs=1.0)
+    assert "CW-P110" in {finding["code"] for finding in machine["findings"]}

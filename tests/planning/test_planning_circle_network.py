@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from compwright.planning.circle_network import network_findings, solve_network
+from compwright.planning.circle_network import CircleNetwork, network_findings, solve_network
 from compwright.planning.circles import CircleWork
 from planning_samples import circle_of
 
@@ -66,8 +66,12 @@ PLANES = [
 ]
 
 
+def solved(circles: list[CircleWork]) -> CircleNetwork:
+    return solve_network([work.result for work in circles])
+
+
 def test_two_feeds_separate_the_loop_from_the_scale() -> None:
-    network = solve_network(FEEDS)
+    network = solved(FEEDS)
     for axis in "XY":
         scale, shrinking = network.values["scale", axis], network.values["shrinking", axis]
         assert abs(scale.value - SCALE[axis]) < 3.0 * scale.std_error
@@ -80,12 +84,12 @@ def test_two_feeds_separate_the_loop_from_the_scale() -> None:
 
 def test_one_feed_does_not() -> None:
     """4000 mm/min on 150 mm: the softest loop shrinks 356 µm/m, uniform up to that ± 103."""
-    scale = solve_network([FEEDS[1], circle("again", feed=4000.0)]).values["scale", "X"]
+    scale = solved([FEEDS[1], circle("again", feed=4000.0)]).values["scale", "X"]
     assert scale.std_error > 60.0
 
 
 def test_three_planes_are_one_machine() -> None:
-    network = solve_network(PLANES)
+    network = solved(PLANES)
     for kind, true in (("squareness", SQUARENESS), ("scale", SCALE), ("lost motion", LOST)):
         found = network.values_of(kind)
         assert set(found) == set(true)
@@ -109,7 +113,7 @@ def test_three_planes_are_one_machine() -> None:
 def test_a_circle_that_contradicts_the_others_is_named(cause: str, more: float, kind: str) -> None:
     """Every kind has more circles than unknowns here; servo mismatches close around the planes."""
     wrong = [*PLANES, circle("odd", feed=1500.0, off={cause: more})]
-    assert list(solve_network(wrong).contradictions) == [kind]
+    assert list(solved(wrong).contradictions) == [(kind, "")]
     messages = [each.message for each in network_findings(wrong) if each.code == "CW-P136"]
     assert len(messages) == 1
     assert "odd" in messages[0]
@@ -120,7 +124,7 @@ def test_consistent_circles_rarely_contradict_each_other() -> None:
     named = [
         kind
         for seed in range(40)
-        for kind in solve_network(
+        for kind in solved(
             [
                 circle("slow", feed=500.0, seed=seed),
                 circle("fast", feed=4000.0, seed=seed),

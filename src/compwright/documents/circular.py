@@ -4,13 +4,14 @@ deviations in µm.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, Final
 
 import numpy as np
 
 from compwright.documents.evaluation import uncertainty_document
 from compwright.documents.findings import finding_documents
+from compwright.foundations.findings import Finding
 from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE
 from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularEffect, CircularResult, CircularRun, Diagnosis
@@ -21,6 +22,14 @@ from compwright.words.sentences import SentenceText
 #: fit, keeps every real digit.
 _DIGITS: Final = OUTSIDE
 _SENSES: Final = ("ccw", "cw")
+#: Units of the causes that several circles show together.
+_UNITS: Final = {
+    "squareness": "um/m",
+    "scale_error": "um/m",
+    "backlash": "um",
+    "servo_mismatch": "ms",
+    "position_loop": "ms",
+}
 
 
 def circular_document(result: CircularResult) -> dict[str, Any]:
@@ -72,6 +81,44 @@ def circular_document(result: CircularResult) -> dict[str, Any]:
         },
         "header": dict(test.header),
         "runs": [_run(run) for run in test.runs],
+        "findings": finding_documents(findings),
+    }
+
+
+def machine_document(
+    circles: Sequence[str],
+    values: Mapping[str, Mapping[str, tuple[float, float]]],
+    contradictions: Sequence[tuple[str, Sequence[tuple[str, str, float, float]]]],
+    findings: Iterable[Finding],
+) -> dict[str, Any]:
+    """Return what several circles show of one machine: ``values`` with standard error by cause and
+    axis or plane; ``contradictions``: of a cause the circles with their axes, value and error.
+    """
+    return {
+        "circles": list(circles),
+        "causes": {
+            cause: {
+                of: {"value": _number(value), "std_error": _number(error), "unit": _UNITS[cause]}
+                for of, (value, error) in found.items()
+            }
+            for cause, found in values.items()
+        },
+        "contradictions": [
+            {
+                "cause": cause,
+                "circles": [
+                    {
+                        "name": name,
+                        "of": of,
+                        "value": _number(value),
+                        "std_error": _number(error),
+                        "unit": _UNITS[cause],
+                    }
+                    for name, of, value, error in seen
+                ],
+            }
+            for cause, seen in contradictions
+        ],
         "findings": finding_documents(findings),
     }
 

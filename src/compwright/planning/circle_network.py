@@ -20,6 +20,7 @@ from compwright.estimation.circle_model import PRIOR_SCALE, PRIORS, SOFTEST_LOOP
 from compwright.foundations.findings import Finding
 from compwright.planning.circles import CircleWork, as_shown_at_feed, effect_of
 from compwright.planning.value_with_error import SIGNIFICANT, ValueWithError, contradictory
+from compwright.records.circular import CircularResult
 from compwright.words.sentences import Sentence, say
 
 _PPM: Final = 1e6
@@ -54,15 +55,27 @@ class Observation:
     found: ValueWithError
     circle: str
 
+    @property
+    def group(self) -> tuple[str, str]:
+        """The values that can contradict this one: of squareness those of its plane."""
+        return self.kind, next(iter(self.parts))[1] if self.kind == "squareness" else ""
+
+    @property
+    def axes(self) -> str:
+        """The axes of the value: ``X - Y`` for a difference, ``X and Y`` for a mean."""
+        shares = {axis: share for (kind, axis), share in self.parts.items() if kind != "shrinking"}
+        return (" - " if min(shares.values()) < 0.0 else " and ").join(shares)
+
 
 @dataclass(frozen=True, slots=True)
 class CircleNetwork:
-    """The machine that fits all circles best. ``values`` by unknown; ``contradictions``: the
-    observations by the kind of value in which the circles contradict each other.
+    """The machine that fits all ``circles`` best. ``values`` by unknown; ``contradictions``: the
+    observations in which the circles contradict each other, by kind and, of squareness, plane.
     """
 
+    circles: tuple[str, ...]
     values: Mapping[Unknown, ValueWithError]
-    contradictions: Mapping[str, tuple[Observation, ...]]
+    contradictions: Mapping[tuple[str, str], tuple[Observation, ...]]
 
     def values_of(self, kind: str) -> dict[str, ValueWithError]:
         """Return the values of a kind that the circles tell, by axis or plane."""
@@ -73,10 +86,19 @@ class CircleNetwork:
             if own == kind and value.std_error < most
         }
 
+    def position_loops(self) -> dict[str, ValueWithError]:
+        """Return the lag of the position loops, ms, by axis, where the circles show one."""
+        loops = {}
+        for name, value in self.values_of("shrinking").items():
+            if value.value > SIGNIFICANT * value.std_error:
+                lag = 1e3 * float(np.sqrt(2.0 * value.value / _PPM))
+                loops[name] = ValueWithError(lag, 0.5 * lag * value.std_error / value.value)
+        return loops
 
-def solve_network(circles: Sequence[CircleWork]) -> CircleNetwork:
+
+def solve_network(circles: Sequence[CircularResult]) -> CircleNetwork:
     """Return the machine of these circles, which were measured in one state."""
-    seen = [each for work in circles for each in _observations(work)]
+    seen = [each for result in circles for each in _observations(result)]
     unknowns = sorted({unknown for each in seen for unknown in each.parts})
     matrix = np.array([[each.parts.get(name, 0.0) for name in unknowns] for each in seen])
     matrix = matrix.reshape(len(seen), len(unknowns))
@@ -91,8 +113,8 @@ def solve_network(circles: Sequence[CircleWork]) -> CircleNetwork:
     # Each observation takes its share of the unknowns: the rest are degrees of freedom.
     leverage = np.einsum("ij,jk,ik->i", weighted, covariance, weighted)
     contradictions, worse = {}, np.ones(len(unknowns))
-    for kind in dict.fromkeys(each.kind for each in seen):
-        mine = np.array([each.kind == kind for each in seen])
+    for group in dict.fromkeys(each.group for each in seen):
+        mine = np.array([each.group == group for each in seen])
         free = float(np.sum(1.0 - leverage[mine]))
         scatter = float(np.sum(rest[mine] ** 2))
         if free < 0.5 or scatter <= free:
@@ -101,25 +123,25 @@ def solve_network(circles: Sequence[CircleWork]) -> CircleNetwork:
         touched = np.any(matrix[mine] != 0.0, axis=0)
         worse[touched] = np.maximum(worse[touched], np.sqrt(scatter / free))
         if contradictory(scatter, free):
-            contradictions[kind] = tuple(each for each in seen if each.kind == kind)
+            contradictions[group] = tuple(each for each in seen if each.group == group)
     errors = worse * np.sqrt(np.diag(covariance))
     values = {
         name: ValueWithError(float(value), float(each))
         for name, value, each in zip(unknowns, solution, errors, strict=True)
     }
-    return CircleNetwork(values, contradictions)
+    return CircleNetwork(tuple(result.test.name for result in circles), values, contradictions)
 
 
-def _observations(work: CircleWork) -> Iterator[Observation]:
-    test, name = work.planned.test, work.name
+def _observations(result: CircularResult) -> Iterator[Observation]:
+    test, name = result.test, result.test.name
     first, second = test.axes
     turning = (test.feed / 60.0 / test.nominal_radius) ** 2  # (rad/s)²
-    angle = effect_of(work.result, "squareness")
+    angle = effect_of(result, "squareness")
     if angle is not None:
         pair = "".join(sorted(test.axes))
         found = ValueWithError(angle.value, angle.std_error)
         yield Observation("squareness", {("squareness", pair): 1.0}, found, name)
-    mismatch = effect_of(work.result, "scale_mismatch")
+    mismatch = effect_of(result, "scale_mismatch")
     across = 2e-3 * test.nominal_radius  # um of the mismatch for 1 um/m
     if mismatch is not None:
         # The shrinking is an unknown here: nothing of it may be taken off before.
@@ -132,23 +154,25 @@ def _observations(work: CircleWork) -> Iterator[Observation]:
         }
         found = ValueWithError(difference.value / across, difference.std_error / across)
         yield Observation("scale", parts, found, name)
-        yield from _mean_scale(work, found.std_error, turning)
-    late = effect_of(work.result, "servo_mismatch")
+        yield from _mean_scale(result, found.std_error, turning)
+    late = effect_of(result, "servo_mismatch")
     if late is not None:
         parts = {("lag", first): 1.0, ("lag", second): -1.0}
         yield Observation("servo mismatch", parts, ValueWithError(late.value, late.std_error), name)
     for axis, side in ((first, "first"), (second, "second")):
-        lost = effect_of(work.result, f"backlash_{side}")
+        lost = effect_of(result, f"backlash_{side}")
         if lost is not None:
             found = ValueWithError(lost.value, lost.std_error)
             yield Observation("lost motion", {("lost motion", axis): 1.0}, found, name)
 
 
-def _mean_scale(work: CircleWork, of_mismatch: float, turning: float) -> Iterator[Observation]:
+def _mean_scale(
+    result: CircularResult, of_mismatch: float, turning: float
+) -> Iterator[Observation]:
     """Yield the mean scale of both axes, with the error of the fit alone: the shrinking is an
     unknown of its own here.
     """
-    found = [effect_of(work.result, f"scale_error_{side}") for side in ("first", "second")]
+    found = [effect_of(result, f"scale_error_{side}") for side in ("first", "second")]
     # What is taken off for unequal lags has opposite signs and is not in the mean.
     both = [as_shown_at_feed(each) for each in found if each is not None]
     if len(both) < 2:
@@ -157,12 +181,12 @@ def _mean_scale(work: CircleWork, of_mismatch: float, turning: float) -> Iterato
     variance = both[0].std_error ** 2 - doubt**2 - (0.5 * of_mismatch) ** 2
     parts = {
         unknown: 0.5 * share
-        for axis in work.planned.test.axes
+        for axis in result.test.axes
         for unknown, share in ((("scale", axis), 1.0), (("shrinking", axis), -turning))
     }
     value = 0.5 * (both[0].value + both[1].value)
     stated = ValueWithError(value, float(np.sqrt(max(variance, _LEAST**2))))
-    yield Observation("scale", parts, stated, work.name)
+    yield Observation("scale", parts, stated, result.test.name)
 
 
 def network_findings(circles: Sequence[CircleWork]) -> Iterator[Finding]:
@@ -170,59 +194,56 @@ def network_findings(circles: Sequence[CircleWork]) -> Iterator[Finding]:
     together and where they contradict each other. What ``run`` says of the squareness of a plane
     stays with `planning.cross`.
     """
-    states: dict[str, list[CircleWork]] = {}
+    states: dict[str, list[CircularResult]] = {}
     for work in circles:
         if work.result.diagnosis is not None:
-            states.setdefault(work.planned.measured_in, []).append(work)
-    for works in states.values():
-        if len(works) < 2:
+            states.setdefault(work.planned.measured_in, []).append(work.result)
+    for results in states.values():
+        if len(results) > 1:
+            yield from machine_findings(solve_network(results))
+
+
+def machine_findings(network: CircleNetwork) -> Iterator[Finding]:
+    """Yield the machine that circles show together, and where they contradict each other but in the
+    squareness.
+    """
+    circles, machine = list(network.circles), list(_machine(network))
+    yield Finding.of("CW-P135", "info", circles=circles, machine=machine)
+    for (kind, _), seen in network.contradictions.items():
+        if kind == "squareness":
             continue
-        network = solve_network(works)
         yield Finding.of(
-            "CW-P135",
-            "info",
-            circles=[work.name for work in works],
-            machine=list(_machine(network)),
+            "CW-P136",
+            "warning",
+            axes=tuple(
+                dict.fromkeys(axis for one in seen for of, axis in one.parts if of != "shrinking")
+            ),
+            kind=kind,
+            values=[
+                say(
+                    "CW-P136.circle",
+                    circle=one.circle,
+                    axes=one.axes,
+                    value=one.found.words(1.0, _UNITS[kind]),
+                )
+                for one in seen
+            ],
         )
-        for kind, seen in network.contradictions.items():
-            if kind not in _UNITS:
-                continue
-            yield Finding.of(
-                "CW-P136",
-                "warning",
-                axes=tuple(
-                    dict.fromkeys(
-                        axis for one in seen for of, axis in one.parts if of != "shrinking"
-                    )
-                ),
-                kind=kind,
-                values=[
-                    say(
-                        "CW-P136.circle",
-                        circle=one.circle,
-                        axes=_name(one),
-                        value=one.found.words(1.0, _UNITS[kind]),
-                    )
-                    for one in seen
-                ],
-            )
 
 
-def _name(one: Observation) -> str:
-    shares = {axis: share for (kind, axis), share in one.parts.items() if kind != "shrinking"}
-    return (" - " if min(shares.values()) < 0.0 else " and ").join(shares)
+def squareness_findings(network: CircleNetwork) -> Iterator[Finding]:
+    """Yield the planes in which circles of one state contradict each other about the squareness."""
+    for (kind, plane), seen in network.contradictions.items():
+        if kind == "squareness":
+            each = [
+                say("CW-P110.circle", circle=one.circle, squareness=one.found.value) for one in seen
+            ]
+            yield Finding.of("CW-P110", "warning", tuple(plane), plane=plane, values=each)
 
 
 def _machine(network: CircleNetwork) -> Iterator[Sentence]:
     for kind, unit in (("squareness", "µm/m"), ("scale", "µm/m"), ("lost motion", "µm")):
         for name, value in network.values_of(kind).items():
             yield say("CW-P135.error", kind=kind, of=name, value=value.words(1.0, unit))
-    for name, value in network.values_of("shrinking").items():
-        if value.value > SIGNIFICANT * value.std_error:
-            lag = 1e3 * np.sqrt(2.0 * value.value / _PPM)  # ms
-            error = 0.5 * lag * value.std_error / value.value
-            yield say(
-                "CW-P135.position_loop",
-                axis=name,
-                value=ValueWithError(float(lag), float(error)).words(1, "ms"),
-            )
+    for name, loop in network.position_loops().items():
+        yield say("CW-P135.position_loop", axis=name, value=loop.words(1.0, "ms"))

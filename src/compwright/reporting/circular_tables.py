@@ -30,6 +30,16 @@ def circular_tables(results: Sequence[Mapping[str, Any]]) -> list[RenderableType
     return [_result(result) for result in results]
 
 
+def machine_table(machine: Mapping[str, Any]) -> RenderableType:
+    """Return the renderable of what several circles show of one machine."""
+    title = f"{len(machine['circles'])} circles together"
+    return Group(
+        Rule(Text(title, style="bold"), align="left", characters="─"),
+        *finding_lines(machine["findings"]),
+        Text(),
+    )
+
+
 def _result(result: Mapping[str, Any]) -> RenderableType:
     parts: list[RenderableType] = [
         Rule(Text(_title(result), style="bold"), align="left", characters="─"),

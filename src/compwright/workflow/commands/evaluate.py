@@ -139,6 +139,11 @@ def evaluate_files(
         **evaluation_document((), [*faults, *why["unfit"], *why["own"]]),
         "results": _with_repeats(tests),
     }
+    circles = [one.circle for one in tests if one.circle is not None]
+    if len(circles) > 1:
+        from compwright.workflow.inputs.circles import machines_of
+
+        document["machines"] = machines_of(circles)
     if found.skipped:
         document["skipped"] = [shown_path(path) for path in found.skipped]
     if found.folders:
@@ -194,6 +199,10 @@ def evaluation_renderables(document: Mapping[str, Any], *, targets: bool = False
             shown += circular_tables(list(results))
         else:
             shown += evaluation_tables({"results": list(results), "errors": []}, targets=targets)
+    for machine in document.get("machines", ()):
+        from compwright.reporting.circular_tables import machine_table
+
+        shown.append(machine_table(machine))
     return [*shown, *evaluation_tables({"results": [], "errors": document["errors"]})]
 
 

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TypeVar
+from typing import Any, Final, TypeVar
 
+from compwright.documents.circular import machine_document
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, InputError, collect, raise_all
 from compwright.foundations.input_sizes import MEASUREMENT
@@ -17,11 +18,23 @@ from compwright.foundations.session import Session
 from compwright.foundations.utf8 import shown_path
 from compwright.instruments.circular_pairs import paired
 from compwright.instruments.circular_reading import is_circular, merge_circular, read_circular
-from compwright.records.circular import CircularTest
+from compwright.planning.circle_network import (
+    machine_findings,
+    solve_network,
+    squareness_findings,
+)
+from compwright.records.circular import CircularResult, CircularTest
 from compwright.records.job import Job
 from compwright.workflow.inputs.measurement_files import measurement_files
 
 T = TypeVar("T")
+#: Kinds of values of several circles, by their names in JSON.
+_CAUSES: Final = {
+    "squareness": "squareness",
+    "scale": "scale_error",
+    "lost motion": "backlash",
+    "servo mismatch": "servo_mismatch",
+}
 
 
 def read_if_circular(content: bytes, file: str) -> CircularTest | None:
@@ -42,6 +55,40 @@ def pairs_joined(tests: Sequence[T | CircularTest]) -> list[T | CircularTest]:
         whole = by_source[test.sources[0]] if isinstance(test, CircularTest) else test
         kept.setdefault(id(whole), whole)
     return list(kept.values())
+
+
+def machines_of(circles: Sequence[CircularResult]) -> list[dict[str, Any]]:
+    """Return what the circles of each machine show together, where there are two or more. Circles
+    are of one machine where their files state the same name and serial number, or none.
+    """
+    machines: dict[tuple[str | None, ...], list[CircularResult]] = {}
+    for result in circles:
+        if result.diagnosis is not None:
+            stated = tuple(result.test.header.get(key) for key in ("machine", "serial"))
+            machines.setdefault(stated, []).append(result)
+    return [_machine(results) for results in machines.values() if len(results) > 1]
+
+
+def _machine(results: Sequence[CircularResult]) -> dict[str, Any]:
+    network = solve_network(results)
+    values = {
+        _CAUSES[kind]: network.values_of(kind) for kind in ("squareness", "scale", "lost motion")
+    }
+    return machine_document(
+        network.circles,
+        {
+            cause: {name: (each.value, each.std_error) for name, each in found.items()}
+            for cause, found in (*values.items(), ("position_loop", network.position_loops()))
+        },
+        [
+            (
+                _CAUSES[kind],
+                [(one.circle, one.axes, one.found.value, one.found.std_error) for one in seen],
+            )
+            for (kind, _), seen in network.contradictions.items()
+        ],
+        (*machine_findings(network), *squareness_findings(network)),
+    )
 
 
 def read_circles(session: Session, job: Job, folder: Path) -> tuple[CircularTest, ...]:

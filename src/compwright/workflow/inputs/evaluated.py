@@ -20,7 +20,7 @@ from compwright.instruments.text_input import read_lines
 from compwright.records.positioning import PositioningTest
 
 if TYPE_CHECKING:  # positioning tests, the common case, start without the circular records
-    from compwright.records.circular import CircularTest
+    from compwright.records.circular import CircularResult, CircularTest
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -47,10 +47,13 @@ class FileToEvaluate:
 
 @dataclass(frozen=True, slots=True)
 class Evaluated:
-    """A positioning test with its entry of the document; ``test`` without what only that tells."""
+    """A test with its entry of the document; ``test`` and ``circle`` without what only that
+    tells.
+    """
 
     entry: dict[str, Any]
     test: PositioningTest | None = None
+    circle: CircularResult | None = None
 
 
 #: Why a fault was noted: a file cannot be read, a test cannot be evaluated, the method asked for
@@ -145,10 +148,17 @@ class CirclesEvaluator:
         from compwright.planning.circle_diagnosis import diagnose_circle
 
         try:
-            entry = circular_document(diagnose_circle(test, self.request.circular))
+            result = diagnose_circle(test, self.request.circular)
+            entry = circular_document(result)
         except Exception as error:  # noqa: BLE001 - the other tests are evaluated all the same
             return FileTests(noted=_noted(error, test.sources[0].file, "refused"))
-        return FileTests((Evaluated(_kept(entry, self.request)),))
+        causes = result.diagnosis
+        bare = replace(
+            result,
+            test=replace(result.test, runs=(), vendor={}),
+            diagnosis=None if causes is None else replace(causes, fitted=(), fresh=()),
+        )
+        return FileTests((Evaluated(_kept(entry, self.request), circle=bare),))
 
 
 def ready() -> None:
