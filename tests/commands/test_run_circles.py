@@ -830,14 +830,15 @@ def test_a_square_gives_a_ramp_and_a_straightedge_a_curve(folder: Path) -> None:
 
 
 def test_a_straightedge_gives_its_curve_and_the_mean_slope_beyond_it(folder: Path) -> None:
+    """Its mean slope contradicts the 40 µm/m of the circle: written, and a doubt (exit 1)."""
     measured = (
         "cross: [{input: X, output: Y, positions: [600, 200, 400], deviations: [0, 0, 0.003], unit:"
         " mm}]\n"
     )
-    (curve,) = cross_of(folder, extra=measured, apply="{}")
+    (curve,) = cross_of_again(folder, code=1, extra=measured, apply="{}")
     assert curve["positions"] == [0.0, 200.0, 400.0, 600.0, 800.0]
     assert curve["correction"] == pytest.approx([0.0, 0.0, -3.0, 0.0, 0.0], abs=1e-3)  # µm
-    (shifted,) = cross_of_again(folder, extra=measured, apply="{}", x=", reference: 400")
+    (shifted,) = cross_of_again(folder, code=1, extra=measured, apply="{}", x=", reference: 400")
     assert shifted["correction"] == pytest.approx([3.0, 3.0, 0.0, 3.0, 3.0], abs=1e-3)
 
 
@@ -871,7 +872,7 @@ def test_uneven_points_and_an_extrapolation_are_said(
         "cross: [{input: X, output: Y, positions: [0, 70, 190, 310], deviations: [0, 2, 0, 0],"
         " unit: um}]\n"
     )
-    (cross,) = cross_of(folder, extra=measured, apply="{}")
+    (cross,) = cross_of_again(folder, code=1, extra=measured, apply="{}")
     assert len(set(np.round(np.diff(cross["positions"]), 6))) == 1
     said = codes(capsys)
     assert "CW-P103" in said  # steps of 800/12 mm, rounded up to a micrometre, miss 70 mm

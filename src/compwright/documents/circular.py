@@ -22,14 +22,8 @@ from compwright.words.sentences import SentenceText
 #: fit, keeps every real digit.
 _DIGITS: Final = OUTSIDE
 _SENSES: Final = ("ccw", "cw")
-#: Units of the causes that several circles show together.
-_UNITS: Final = {
-    "squareness": "um/m",
-    "scale_error": "um/m",
-    "backlash": "um",
-    "servo_mismatch": "ms",
-    "position_loop": "ms",
-}
+#: Units of the causes that several circles show together; lags are in ms.
+_UNITS: Final = {"squareness": "um/m", "scale_error": "um/m", "backlash": "um"}
 
 
 def circular_document(result: CircularResult) -> dict[str, Any]:
@@ -98,7 +92,11 @@ def machine_document(
         "circles": list(circles),
         "causes": {
             cause: {
-                of: {"value": _number(value), "std_error": _number(error), "unit": _UNITS[cause]}
+                of: {
+                    "value": _number(value),
+                    "std_error": _number(error),
+                    "unit": _UNITS.get(cause, "ms"),
+                }
                 for of, (value, error) in found.items()
             }
             for cause, found in values.items()
@@ -112,7 +110,7 @@ def machine_document(
                         "of": of,
                         "value": _number(value),
                         "std_error": _number(error),
-                        "unit": _UNITS[cause],
+                        "unit": _UNITS.get(cause, "ms"),
                     }
                     for name, of, value, error in seen
                 ],

@@ -10,7 +10,7 @@ Problem Theory, 2005, chapter 3).
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final
 
@@ -235,10 +235,17 @@ def squareness_findings(network: CircleNetwork) -> Iterator[Finding]:
     """Yield the planes in which circles of one state contradict each other about the squareness."""
     for (kind, plane), seen in network.contradictions.items():
         if kind == "squareness":
-            each = [
-                say("CW-P110.circle", circle=one.circle, squareness=one.found.value) for one in seen
-            ]
-            yield Finding.of("CW-P110", "warning", tuple(plane), plane=plane, values=each)
+            yield squareness_contradiction(
+                (plane[0], plane[1]), [(one.circle, one.found.value) for one in seen]
+            )
+
+
+def squareness_contradiction(axes: tuple[str, str], values: Iterable[tuple[str, float]]) -> Finding:
+    """Return that circles contradict each other about the squareness (um/m, by circle) of a
+    plane.
+    """
+    each = [say("CW-P110.circle", circle=circle, squareness=value) for circle, value in values]
+    return Finding.of("CW-P110", "warning", axes, plane="".join(axes), values=each)
 
 
 def _machine(network: CircleNetwork) -> Iterator[Sentence]:

@@ -15,6 +15,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from compwright.foundations.findings import Finding, Severity
+from compwright.planning.circle_network import squareness_contradiction
 from compwright.planning.circles import CircleWork, effect_of, why_undetermined
 from compwright.planning.value_with_error import CONTRADICTORY, SIGNIFICANT, contradictory
 from compwright.prediction.active_corrections import ActiveCorrections
@@ -279,9 +280,9 @@ class _Planner:
             if effect_of(work.result, "squareness") is not None:
                 by_pair.setdefault(frozenset(work.planned.test.axes), []).append(work)
         for pair, works in by_pair.items():
-            yield pair, self._mean("".join(works[0].planned.test.axes), works)
+            yield pair, self._mean(works)
 
-    def _mean(self, plane: str, works: Sequence[CircleWork]) -> Squareness:
+    def _mean(self, works: Sequence[CircleWork]) -> Squareness:
         values, errors = np.array([self._as_found(work) for work in works]).T
         weights = 1.0 / errors**2
         mean = float(np.sum(weights * values) / np.sum(weights))
@@ -292,11 +293,9 @@ class _Planner:
             # The error of values that scatter more grows with it (Birge, Physical Review 40, 1932).
             error *= float(np.sqrt(scatter / free))
         if free and contradictory(scatter, free):
-            each = [
-                say("CW-P110.circle", circle=work.name, squareness=value * _PPM)
-                for work, value in zip(works, values, strict=True)
-            ]
-            self.find("CW-P110", "warning", works[0].planned.test.axes, plane=plane, values=each)
+            names = (work.name for work in works)
+            each = zip(names, (float(value) * _PPM for value in values), strict=True)
+            self.findings.append(squareness_contradiction(works[0].planned.test.axes, each))
         diameter = max(2.0 * work.planned.test.nominal_radius for work in works)
         return Squareness(mean, error, tuple(work.name for work in works), diameter)
 
