@@ -52,6 +52,7 @@ from compwright.records.options import KIND, REFERENCE, REFERENCE_RETURN, TABLE_
 from compwright.records.plan import Plan, Texts
 from compwright.records.serial_line import from_line, whole
 from compwright.records.verification import LoadingName
+from compwright.words.sentences import control_text
 
 #: Every digit as 0, every other byte as a blank.
 _DIGITS = bytes(ord("0") if chr(byte) in "0123456789" else ord(" ") for byte in range(256))
@@ -62,9 +63,9 @@ _STATED_ELSEWHERE = frozenset({KIND, REFERENCE, REFERENCE_RETURN})
 
 def _shown(value: object) -> str:
     if value is None:
-        return "not given"
+        return control_text("not given")
     if isinstance(value, tuple | list):
-        return ", ".join(str(entry) for entry in value) or "none"
+        return ", ".join(str(entry) for entry in value) or control_text("none")
     return f"{value:g}" if isinstance(value, float) else str(value)
 
 
@@ -185,7 +186,11 @@ class Control:
         }
         stated = set(self.given) | in_files | _STATED_ELSEWHERE | self._given_by_axes(states, axes)
         return tuple(
-            Assumption(f"option {name}", _shown(value), self._default_evidence(name))
+            Assumption(
+                control_text("option {name}", name=name),
+                _shown(value),
+                self._default_evidence(name),
+            )
             for name, value in self.options.items()
             if name not in stated
         )
@@ -203,8 +208,8 @@ class Control:
     def _default_evidence(self, name: str) -> str:
         rule = self.definition.options.get(name)
         if rule is None or rule.evidence.state != "unconfirmed":
-            return "default of the definition"
-        return f"default of the definition; {rule.evidence}"
+            return control_text("default of the definition")
+        return control_text("default of the definition; {evidence}", evidence=rule.evidence.text)
 
 
 def open_control(

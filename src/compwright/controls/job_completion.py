@@ -21,6 +21,7 @@ from compwright.records.facts import AxisFacts
 from compwright.records.job import AxisJob, Job
 from compwright.records.options import DETECTION_UNIT, TABLE_VALUES
 from compwright.records.plan import PlannedTest
+from compwright.words.sentences import control_text
 
 #: Two places are one within this, mm or deg.
 _SAME_PLACE = 1e-6
@@ -92,7 +93,9 @@ def _address(
         if stated is None:
             raise UsageError(_number_question(control, axis, by_name()))
     address, evidence = stated
-    return address, Assumption(f"address of axis {axis.name}", address, evidence)
+    return address, Assumption(
+        control_text("address of axis {name}", name=axis.name), address, evidence
+    )
 
 
 def _number_question(control: Control, axis: Axis, by_name: Mapping[str, tuple[str, str]]) -> Fault:
@@ -191,8 +194,11 @@ def with_counted_turns(
         ):
             continue
         axes[name] = replace(entry, axis=replace(axis, modulo=_TURN, counts_turns=True))
-        evidence = "its tests cover less than half of its travel, which is more than a turn"
-        assumed.append(Assumption(f"axis {name}: its error repeats every", "360 deg", evidence))
+        evidence = control_text(
+            "its tests cover less than half of its travel, which is more than a turn"
+        )
+        fact = control_text("axis {name}: its error repeats every", name=name)
+        assumed.append(Assumption(fact, "360 deg", evidence))
     return replace(job, axes=axes), tuple(assumed)
 
 

@@ -24,6 +24,7 @@ from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.conditions import Thermal, UncertaintyBudget
 from compwright.records.positioning import SAME_READING, PositioningTest
 from compwright.records.result import Contribution, ExpandedUncertainty
+from compwright.words.sentences import SentenceText, say
 
 COVERAGE: Final = 2.0
 #: Expanded uncertainty (k = 2) of a contributor known by its range a: 2 a / sqrt(12).
@@ -83,8 +84,8 @@ def thermal_contributions(
     ]
     if thermal and thermal.alpha_d != 0.0:
         expands.append(("instrument", thermal.alpha_d, thermal.T_d))
-    steel = "" if thermal else f"{_STEEL} µm/(m K), steel, is assumed"
-    unknown = "" if thermal else "the temperature is unknown: not counted"
+    steel = "" if thermal else SentenceText(say("budget.steel", alpha=_STEEL))
+    unknown = "" if thermal else SentenceText(say("budget.temperature_unknown"))
     return (
         *(
             _normal(f"U_theta_{part}", U_theta, "K", alpha * length, note=steel)

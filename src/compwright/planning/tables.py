@@ -26,7 +26,7 @@ from compwright.records.capacity import Capacity
 from compwright.records.estimate import WantedCorrection
 from compwright.records.fitted import FittedTable, TableRequest
 from compwright.records.prediction import TestPrediction
-from compwright.words.sentences import Amount
+from compwright.words.sentences import Amount, SentenceText, say
 
 #: The finding that a new grid is chosen.
 NEW_GRID: Final = "CW-P140"
@@ -152,12 +152,26 @@ def negligible_loss(kept: TestPrediction, best: TestPrediction) -> bool:
 def grid_text(nodes: FloatArray, unit: str) -> str:
     """Return a grid as people read it: "25 points from 0 to 960 mm, every 40 mm"."""
     if nodes.size < 2:
-        return f"{nodes.size} points"
+        return SentenceText(say("grid.few", points=nodes.size))
     steps = np.diff(nodes)
     least, most = float(np.min(steps)), float(np.max(steps))
     even = most - least <= 1e-6 * most
-    apart = f"every {most:.6g} {unit}" if even else f"{least:.6g} to {most:.6g} {unit} apart"
-    return f"{nodes.size} points from {nodes[0]:.10g} to {nodes[-1]:.10g} {unit}, {apart}"
+    start, end = nodes[0], nodes[-1]
+    if even:
+        return SentenceText(
+            say("grid.even", points=nodes.size, start=start, end=end, unit=unit, step=most)
+        )
+    return SentenceText(
+        say(
+            "grid.uneven",
+            points=nodes.size,
+            start=start,
+            end=end,
+            unit=unit,
+            least=least,
+            most=most,
+        )
+    )
 
 
 def new_grid_offer(

@@ -196,7 +196,7 @@ def _certificate(values: Document | None) -> TextTable | None:
         return None
     rows = [
         [
-            str(name).replace("_", " "),
+            say("certificate.name", key=str(name), name=str(name).replace("_", " ")),
             f"{value:.3g}".replace("-", "−") if isinstance(value, float) else plain(value),
         ]
         for name, value in values.items()

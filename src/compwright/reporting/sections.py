@@ -23,7 +23,7 @@ from compwright.reporting.numbers import (
     symbol,
     unit_text,
 )
-from compwright.words.sentences import Sentence, say
+from compwright.words.sentences import ControlText, Sentence, say
 
 Document = Mapping[str, Any]
 Mark = dict[str, Any]
@@ -156,7 +156,9 @@ def evidence_mark(evidence: object) -> dict[str, Any]:
     """
     text = plain(evidence) if evidence else ""
     unconfirmed = "unconfirmed" in text.lower()
-    if text.lower().startswith("unconfirmed"):
+    if isinstance(text, ControlText) and text.startswith("unconfirmed"):
+        text = text.values["what"]
+    elif text.lower().startswith("unconfirmed"):
         text = text[len("unconfirmed") :].lstrip(" :;,.-")
     return {"evidence": text, "open": unconfirmed}
 

@@ -55,6 +55,8 @@ _PLURAL: Final[dict[Language, Callable[[float], int]]] = {
     "ru": _russian_plural,
 }
 _DECIMAL_MARK: Final[dict[Language, str]] = {"en": ".", "de": ",", "fr": ",", "ru": ","}
+#: A date and time as an instrument writes them: 20251206-071745.
+_COMPACT_DATE: Final = re.compile(r"\b(\d{4})(\d\d)(\d\d)-(\d\d)(\d\d)(\d\d)\b")
 _ISO_DATE: Final = re.compile(r"\b(\d{4})-(\d{2})-(\d{2})")
 _DATE: Final[dict[Language, str]] = {
     "en": r"\g<0>",
@@ -105,7 +107,8 @@ class DateText(str):
 
     def text(self, language: Language) -> str:
         """Return it with the date as the language writes it."""
-        return _ISO_DATE.sub(_DATE[language], self)
+        text = _COMPACT_DATE.sub(r"\1-\2-\3 \4:\5:\6", self)
+        return _ISO_DATE.sub(_DATE[language], text)
 
 
 @dataclass(frozen=True, slots=True)
@@ -203,6 +206,11 @@ class ControlText(str):
 def control_text(template: str, /, **values: str) -> ControlText:
     """Return a text whose English ``template`` is given where it is asked for."""
     return ControlText(template, values)
+
+
+def unconfirmed(what: str) -> ControlText:
+    """Return the evidence of a fact that nothing confirms."""
+    return control_text("unconfirmed: {what}", what=what)
 
 
 def _inserted(template: str, values: Mapping[str, str], language: Language) -> str:

@@ -28,6 +28,7 @@ from compwright.records.axis import AxisKind, Direction
 from compwright.records.correction import Beyond, Evidence, Judged
 from compwright.records.plan import Texts
 from compwright.records.verification import LoadingName
+from compwright.words.sentences import control_text
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,6 +41,15 @@ class EvidenceNote:
     def __str__(self) -> str:
         """Return the note as one line."""
         return f"{self.state}: {self.source}"
+
+    @property
+    def text(self) -> str:
+        """The note as one line of several languages; the source stays as it is."""
+        if self.state == "unconfirmed":
+            return control_text("unconfirmed: {what}", what=self.source)
+        if self.state == "inferred":
+            return control_text("inferred: {what}", what=self.source)
+        return control_text("confirmed: {what}", what=self.source)
 
 
 @dataclass(frozen=True, slots=True)

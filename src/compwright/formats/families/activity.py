@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from compwright.formats.text.gathering import FoundValue
 from compwright.formats.text.notes import Notes
 from compwright.foundations.errors import Fault
+from compwright.words.sentences import control_text
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,12 +36,13 @@ class Activity:
         ``word``: the last value of ``switches`` in the files (``yes``, ``no``, None: not in them),
         at ``place``.
         """
+        during = control_text("{label}: compensation during the test", label=label)
         if word == "yes":
             if self.stated is False:
                 notes.assume(
-                    f"{label}: compensation during the test",
-                    "on",
-                    "the files end with it switched on (active: no is of the others)",
+                    during,
+                    control_text("on"),
+                    control_text("the files end with it switched on (active: no is of the others)"),
                 )
                 notes.contradictions.append(
                     Fault(
@@ -63,9 +65,9 @@ class Activity:
         notes.open_answers += 1
         if self.stated is not None:
             notes.assume(
-                f"{label}: compensation during the test",
-                "on" if self.stated else "off",
-                "the job's answer (active)",
+                during,
+                control_text("on") if self.stated else control_text("off"),
+                control_text("the job's answer (active)"),
             )
             return self.stated
         if self.asking:

@@ -10,6 +10,7 @@ from compwright.formats.text.gathering import Gathered
 from compwright.formats.text.notes import CORRECT_TRAVEL, Notes
 from compwright.records.axis import Axis
 from compwright.records.facts import AxisFacts
+from compwright.words.sentences import control_text
 
 #: Part of the travel that may lie outside the control's limits without a word, and that is not
 #: enough inside: travels are rounded.
@@ -64,7 +65,7 @@ def check_limits(
     bindings = [gathered.definition.bindings[name] for name in ("limit_low", "limit_high")]
     forms = [gathered.definition.statements[binding.statement].form for binding in bindings]
     names = ", ".join(form.split("{", 1)[0].rstrip(" =[") for form in forms)
-    label = f"axis {address}"
+    label = control_text("axis {address}", address=address)
 
     def refuse(message: str, expected: str, found: str) -> None:
         notes.refuse(

@@ -16,6 +16,7 @@ from compwright.formats.definition.statements import Occurrence, field_matches
 from compwright.foundations.errors import Fault, UsageError
 from compwright.records.axis import Axis
 from compwright.records.correction import Assumption
+from compwright.words.sentences import control_text
 
 
 def normal_text(definition: Definition, address: str) -> str:
@@ -58,9 +59,9 @@ def normal_address(definition: Definition, axis: Axis) -> tuple[str, Assumption 
     if letters is not None and len(letter) == 1 and letter in letters:
         number = str(letters.index(letter))
         return number, Assumption(
-            fact=f"address of axis {axis.name}",
+            fact=control_text("address of axis {name}", name=axis.name),
             value=number,
-            evidence=str(definition.addresses.evidence),
+            evidence=definition.addresses.evidence.text,
         )
     try:
         return normal_text(definition, axis.address), None

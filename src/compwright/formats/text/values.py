@@ -11,6 +11,7 @@ from compwright.formats.definition.statements import name_in_form
 from compwright.formats.text.gathering import FoundValue, same_value
 from compwright.formats.text.notes import CORRECT_VALUE, KEEP_ONE, Notes
 from compwright.foundations.findings import Finding
+from compwright.words.sentences import control_text
 
 #: A fraction that a user wrote with a few digits (0.03937 for 1 / 25.4) differs by less than this.
 _ROUNDING = 1e-5
@@ -118,7 +119,11 @@ class Values:
             return absent.value
         if absent.say != "nothing":
             shown = f"{name} ({meaning})" if meaning else name
-            self.notes.assume(f"{self.label}: {shown}", absent.value, str(absent.evidence))
+            self.notes.assume(
+                control_text("{label}: {fact}", label=self.label, fact=shown),
+                absent.value,
+                absent.evidence.text,
+            )
         if absent.say == "warning":
             self.notes.counted_as(self.label, name, absent.value)
         return absent.value

@@ -46,6 +46,8 @@ SENTENCES: Final[dict[str, str]] = {
         " standard."
     ),
     "budget.setup": "Set-up",
+    "budget.steel": "{alpha:g} µm/(m K), steel, is assumed",
+    "budget.temperature_unknown": "the temperature is unknown: not counted",
     "budget.title": "Budget of the measurement uncertainty, over {length}",
     "cause.kind": (
         "{kind:choose|squareness=Squareness {first}{second}|scale_mismatch=Scale mismatch {first} −"
@@ -62,6 +64,11 @@ SENTENCES: Final[dict[str, str]] = {
         " cw|at_negative_ccw=− ccw|at_negative_cw=− cw}"
     ),
     "cause.whole": "{cause} {part}",
+    "certificate.name": (
+        ""
+        "{key:choose|primal=primal|stationarity=stationarity|dual=dual|complementarity=complementarity|rounding=rounding|objective=objective|lower_bound=lower"
+        " bound|recomputed=recomputed|magnification=magnification|={name}}"
+    ),
     "changes.summary": (
         "{count} entries change; {untouched} lines of the control's files stay as they are. The"
         " values are those of the files, in the control's own units.{more:if| {more} more changes"

@@ -199,4 +199,52 @@ SENTENCES: Final[dict[str, str]] = {
         " was. Run the job again with `active: no` for this state}."
     ),
     "loading.worst": "{value} ({position} approached in {direction})",
+    "next.between_again": "{output} over {input}: looked at again, from the circles after loading",
+    "next.between_kept": "{output} over {input}: it keeps what is in the control",
+    "next.cannot_be_made": "the next round cannot be made: {reason}",
+    "next.circles_only": (
+        "its table came from circles, which do not show its effect: it keeps what is in the control"
+    ),
+    "next.differs": "what was read back differs from the plan: {why}{quantity:if| ({quantity})}",
+    "next.doubted": "its test after loading is in doubt ({code}: {message})",
+    "next.gained": (
+        "a further table is written: {parameter} from {now:.2f} to {then:.2f} {unit} at new targets"
+    ),
+    "next.kept": "{why}: it keeps what is in the control, and gets no further table",
+    "next.load": (
+        "a further table for {axes}{between:if|{axes:if|, }squareness}: load all of next/tables,"
+        " measure again, and verify that round"
+    ),
+    "next.no_axis": "no axis may be corrected further",
+    "next.no_table": (
+        "the plan holds no table for it, none was loaded: it keeps what is in the control"
+    ),
+    "next.not_compared": "what was read back cannot be compared with the plan: {why}",
+    "next.not_measured": "it was not measured after loading: it keeps what is in the control",
+    "next.read_back_differs": (
+        "what was read back differs from the plan: {axes:join|; } ({quantity}{more:if| and {more}"
+        " more}; compwright compare lists all). Read back what is in the control now, load what is"
+        " missing, and verify again"
+    ),
+    "next.something_else": (
+        "something else was changed in the control since the run: {quantity}{axis:if| of axis"
+        " {axis}}{more:if| and {more} more} (compwright compare lists all); check that first, then"
+        " run a new job"
+    ),
+    "next.squareness_alone": (
+        "no axis may be corrected further, and squareness alone gets no next round:"
+        " {measured:if|measure an axis that has a table after loading too, and give it with"
+        " --after in addition to the circles|for what is left of it run a new job, with what was"
+        " read back as as_found and with the circles after loading}"
+    ),
+    "next.stop": "stop here: no further table for {axes} would gain what a test can show",
+    "next.stop_axis": "{stop:if|stop here|no further table}: {why}",
+    "next.verdict": (
+        "the verdict is {verdict:choose|not_active=not"
+        " active|inverted=inverted|scaled=scaled|shifted=shifted|mirrored=mirrored|wrong_axis=wrong"
+        " axis|on_top=on top|one_direction=one"
+        " direction|partial=partial|thermal=thermal|undecided=undecided|={name}}{of:if| ({of})},"
+        " not loaded"
+    ),
+    "next.written": "a further table is written",
 }

@@ -31,6 +31,7 @@ SENTENCES: Final[dict[str, str]] = {
     "odds.over_1000": "odds over 1000 to 1",
     "odds.to_1": "odds {odds:2sig} to 1",
     "of_axis": "Axis {axis}: {finding}",
+    "of_axis_small": "axis {axis}: {finding}",
     "of_circle": "Circle {circle}: {finding}",
     "of_test": "Axis {axis}, test {test}: {finding}",
     "paragraph": "{sentences:join| }",

@@ -308,6 +308,17 @@ SENTENCES: Final[dict[str, str]] = {
         " job."
     ),
     "CW-P163": "Axis {axis}, test {test}: its files differ in {keys:join|; }",
+    "grid.even": "{points} points from {start:.10g} to {end:.10g} {unit}, every {step:.6g} {unit}",
+    "grid.few": "{points} points",
+    "grid.predicted": "predicted {name} {value:.2f} {unit} ({elsewhere:.2f} at new targets)",
+    "grid.uneven": (
+        "{points} points from {start:.10g} to {end:.10g} {unit}, {least:.6g} to {most:.6g} {unit}"
+        " apart"
+    ),
+    "run.no_state": (
+        "no table is written: the job does not say what is active in the control; add states:"
+        " {{as_found: none}} or states: {{as_found: [files of the control]}}"
+    ),
     "table_advice": (
         "{cause:choose|noise=the axis does not repeat, which no table corrects: check first "
         "how the instrument is mounted (vibration, air, fixing), then call a mechanic (play, "

@@ -48,6 +48,8 @@ SENTENCES: Final[dict[str, str]] = {
         " norme."
     ),
     "budget.setup": "Montage de l'instrument",
+    "budget.steel": "{alpha:g} µm/(m K), acier, est supposé",
+    "budget.temperature_unknown": "la température est inconnue : non comptée",
     "budget.title": "Bilan de l'incertitude de mesure, sur {length}",
     "cause.kind": (
         "{kind:choose|squareness=Perpendicularité {first}{second}|scale_mismatch=Différence"
@@ -65,6 +67,11 @@ SENTENCES: Final[dict[str, str]] = {
         " ↻|at_negative_ccw=− ↺|at_negative_cw=− ↻}"
     ),
     "cause.whole": "{cause} {part}",
+    "certificate.name": (
+        ""
+        "{key:choose|primal=primal|stationarity=stationnarité|dual=dual|complementarity=complémentarité|rounding=arrondi|objective=objectif|lower_bound=borne"
+        " inférieure|recomputed=recalculé|magnification=facteur|={name}}"
+    ),
     "changes.summary": (
         "{count:plural|{count} entrée change|{count} entrées changent} ; {untouched} lignes des"
         " fichiers de la commande restent telles quelles. Les valeurs sont celles des fichiers,"

@@ -206,4 +206,62 @@ SENTENCES: Final[dict[str, str]] = {
         " Refaire le calcul avec `active: no` pour cet état}."
     ),
     "loading.worst": "{value} ({position}, approche dans le sens {direction})",
+    "next.between_again": (
+        "{output} sur {input} : examiné de nouveau, d'après les cercles après chargement"
+    ),
+    "next.between_kept": "{output} sur {input} : garde ce qui est dans la commande",
+    "next.cannot_be_made": "le prochain tour ne peut pas être fait : {reason}",
+    "next.circles_only": (
+        "sa table vient de cercles, qui ne montrent pas son effet : il garde ce qui est dans la"
+        " commande"
+    ),
+    "next.differs": "ce qui a été relu diffère du plan : {why}{quantity:if| ({quantity})}",
+    "next.doubted": "son essai après chargement est douteux ({code} : {message})",
+    "next.gained": (
+        "une table de plus est écrite : {parameter} de {now:.2f} à {then:.2f} {unit} à de nouveaux"
+        " points visés"
+    ),
+    "next.kept": "{why} : il garde ce qui est dans la commande, et ne reçoit pas d'autre table",
+    "next.load": (
+        "une table de plus pour {axes}{between:if|{axes:if|, }perpendicularité} : charger tout"
+        " next/tables, mesurer de nouveau et vérifier ce tour"
+    ),
+    "next.no_axis": "aucun axe ne peut être corrigé davantage",
+    "next.no_table": (
+        "le plan ne contient pas de table pour lui, aucune n'a été chargée : il garde ce qui est"
+        " dans la commande"
+    ),
+    "next.not_compared": "ce qui a été relu ne peut pas être comparé avec le plan : {why}",
+    "next.not_measured": (
+        "il n'a pas été mesuré après chargement : il garde ce qui est dans la commande"
+    ),
+    "next.read_back_differs": (
+        "ce qui a été relu diffère du plan : {axes:join|; } ({quantity}{more:if| et {more} autres}"
+        " ; compwright compare les liste tous). Relire ce qui est maintenant dans la commande,"
+        " charger ce qui manque et vérifier de nouveau"
+    ),
+    "next.something_else": (
+        "autre chose a été changé dans la commande depuis le calcul : {quantity}{axis:if| de l'axe"
+        " {axis}}{more:if| et {more} autres} (compwright compare les liste tous) ; vérifier cela"
+        " d'abord, puis lancer un nouveau dossier de travail"
+    ),
+    "next.squareness_alone": (
+        "aucun axe ne peut être corrigé davantage, et la perpendicularité seule n'a pas de"
+        " prochain tour : {measured:if|mesurer aussi après chargement un axe qui a une table, et"
+        " le donner avec --after en plus des cercles|pour ce qui en reste, lancer un nouveau"
+        " dossier de travail, avec ce qui a été relu comme as_found et avec les cercles après"
+        " chargement}"
+    ),
+    "next.stop": (
+        "arrêter ici : aucune autre table pour {axes} n'apporterait ce qu'un essai peut montrer"
+    ),
+    "next.stop_axis": "{stop:if|arrêter ici|pas d'autre table} : {why}",
+    "next.verdict": (
+        "le verdict est {verdict:choose|not_active=non active|inverted=inversée|scaled=mise à "
+        "l'échelle|shifted=décalée|mirrored=en miroir|wrong_axis=mauvais axe|on_top=en plus|"
+        "one_direction=un sens|partial=partielle|thermal=température|increment=seulement le "
+        "changement|state=état|backlash=jeu|measurement=défaut de mesure|undecided=non décidé|"
+        "={name}}{of:if| ({of})}, pas chargée"
+    ),
+    "next.written": "une table de plus est écrite",
 }

@@ -33,6 +33,7 @@ SENTENCES: Final[dict[str, str]] = {
     "odds.over_1000": "cote supérieure à 1000 contre 1",
     "odds.to_1": "cote de {odds:2sig} contre 1",
     "of_axis": "Axe {axis} : {finding}",
+    "of_axis_small": "axe {axis} : {finding}",
     "of_circle": "Cercle {circle} : {finding}",
     "of_test": "Axe {axis}, essai {test} : {finding}",
     "paragraph": "{sentences:join| }",

@@ -322,6 +322,20 @@ SENTENCES: Final[dict[str, str]] = {
         " fichier, ou measured_in et states du dossier de travail."
     ),
     "CW-P163": "Axe {axis}, essai {test} : ses fichiers diffèrent en {keys:join|; }",
+    "grid.even": "{points} points de {start:.10g} à {end:.10g} {unit}, tous les {step:.6g} {unit}",
+    "grid.few": "{points} points",
+    "grid.predicted": (
+        "{name} prévu {value:.2f} {unit} ({elsewhere:.2f} à de nouveaux points visés)"
+    ),
+    "grid.uneven": (
+        "{points} points de {start:.10g} à {end:.10g} {unit}, espacés de {least:.6g} à {most:.6g}"
+        " {unit}"
+    ),
+    "run.no_state": (
+        "aucune table n'est écrite : le dossier de travail ne dit pas ce qui est actif dans la"
+        " commande ; ajouter states: {{as_found: none}} ou states: {{as_found: [fichiers de la"
+        " commande]}}"
+    ),
     "table_advice": (
         "{cause:choose|noise=l'axe ne se répète pas, ce qu'aucune table ne corrige : vérifier"
         " d'abord le montage de l'instrument (vibration, air, fixation), puis appeler un mécanicien"

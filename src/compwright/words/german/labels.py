@@ -48,6 +48,8 @@ SENTENCES: Final[dict[str, str]] = {
         " Norm."
     ),
     "budget.setup": "Aufbau des Messgeräts",
+    "budget.steel": "{alpha:g} µm/(m K), Stahl, ist angenommen",
+    "budget.temperature_unknown": "die Temperatur ist unbekannt: nicht gezählt",
     "budget.title": "Budget der Messunsicherheit, über {length}",
     "cause.kind": (
         "{kind:choose|squareness=Rechtwinkligkeit"
@@ -67,6 +69,11 @@ SENTENCES: Final[dict[str, str]] = {
         " ↻|at_negative_ccw=− ↺|at_negative_cw=− ↻}"
     ),
     "cause.whole": "{cause} {part}",
+    "certificate.name": (
+        ""
+        "{key:choose|primal=primal|stationarity=Stationarität|dual=dual|complementarity=Komplementarität|rounding=Rundung|objective=Zielwert|lower_bound=untere"
+        " Schranke|recomputed=nachgerechnet|magnification=Vergrößerung|={name}}"
+    ),
     "changes.summary": (
         "{count:plural|{count} Eintrag ändert sich|{count} Einträge ändern sich}; {untouched}"
         " Zeilen der Dateien der Steuerung bleiben, wie sie sind. Die Werte sind die der Dateien,"

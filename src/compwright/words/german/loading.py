@@ -207,4 +207,60 @@ SENTENCES: Final[dict[str, str]] = {
         " `active: no` für diesen Zustand neu rechnen}."
     ),
     "loading.worst": "{value} ({position}, angefahren in {direction})",
+    "next.between_again": "{output} über {input}: neu betrachtet, nach den Kreisen nach dem Laden",
+    "next.between_kept": "{output} über {input}: behält, was in der Steuerung ist",
+    "next.cannot_be_made": "die nächste Runde kann nicht gemacht werden: {reason}",
+    "next.circles_only": (
+        "ihre Tabelle kam aus Kreisen, die ihre Wirkung nicht zeigen: Sie behält, was in der"
+        " Steuerung ist"
+    ),
+    "next.differs": "das Zurückgelesene weicht vom Plan ab: {why}{quantity:if| ({quantity})}",
+    "next.doubted": "ihre Prüfung nach dem Laden ist zweifelhaft ({code}: {message})",
+    "next.gained": (
+        "eine weitere Tabelle ist geschrieben: {parameter} von {now:.2f} auf {then:.2f} {unit} an"
+        " neuen Zielpositionen"
+    ),
+    "next.kept": "{why}: Sie behält, was in der Steuerung ist, und bekommt keine weitere Tabelle",
+    "next.load": (
+        "eine weitere Tabelle für {axes}{between:if|{axes:if|, }Rechtwinkligkeit}: alles aus"
+        " next/tables laden, neu messen und diese Runde verifizieren"
+    ),
+    "next.no_axis": "keine Achse darf weiter korrigiert werden",
+    "next.no_table": (
+        "der Plan enthält keine Tabelle für sie, keine wurde geladen: Sie behält, was in der"
+        " Steuerung ist"
+    ),
+    "next.not_compared": "das Zurückgelesene kann nicht mit dem Plan verglichen werden: {why}",
+    "next.not_measured": (
+        "sie wurde nach dem Laden nicht gemessen: Sie behält, was in der Steuerung ist"
+    ),
+    "next.read_back_differs": (
+        "das Zurückgelesene weicht vom Plan ab: {axes:join|; } ({quantity}{more:if| und {more}"
+        " weitere}; compwright compare listet alle). Zurücklesen, was jetzt in der Steuerung ist,"
+        " laden, was fehlt, und neu verifizieren"
+    ),
+    "next.something_else": (
+        "seit dem Lauf von run wurde in der Steuerung etwas anderes geändert: {quantity}{axis:if|"
+        " der Achse {axis}}{more:if| und {more} weitere} (compwright compare listet alle); das"
+        " zuerst prüfen, dann einen neuen Auftrag ausführen"
+    ),
+    "next.squareness_alone": (
+        "keine Achse darf weiter korrigiert werden, und Rechtwinkligkeit allein bekommt keine"
+        " nächste Runde: {measured:if|auch eine Achse mit Tabelle nach dem Laden messen und mit"
+        " --after zusätzlich zu den Kreisen angeben|für den Rest einen neuen Auftrag ausführen,"
+        " mit dem Zurückgelesenen als as_found und mit den Kreisen nach dem Laden}"
+    ),
+    "next.stop": (
+        "hier aufhören: Keine weitere Tabelle für {axes} würde bringen, was eine Prüfung zeigen"
+        " kann"
+    ),
+    "next.stop_axis": "{stop:if|hier aufhören|keine weitere Tabelle}: {why}",
+    "next.verdict": (
+        "der Befund ist {verdict:choose|not_active=nicht aktiv|inverted=umgekehrt|"
+        "scaled=skaliert|shifted=verschoben|mirrored=gespiegelt|wrong_axis=falsche Achse|"
+        "on_top=zusätzlich|one_direction=eine Richtung|partial=teilweise|thermal=Temperatur|"
+        "increment=nur Änderung|state=Zustand|backlash=Lose|measurement=Fehler der Messung|"
+        "undecided=offen|={name}}{of:if| ({of})}, nicht geladen"
+    ),
+    "next.written": "eine weitere Tabelle ist geschrieben",
 }

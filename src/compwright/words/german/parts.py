@@ -33,6 +33,7 @@ SENTENCES: Final[dict[str, str]] = {
     "odds.over_1000": "Chancen über 1000 zu 1",
     "odds.to_1": "Chancen {odds:2sig} zu 1",
     "of_axis": "Achse {axis}: {finding}",
+    "of_axis_small": "Achse {axis}: {finding}",
     "of_circle": "Kreis {circle}: {finding}",
     "of_test": "Achse {axis}, Prüfung {test}: {finding}",
     "paragraph": "{sentences:join| }",

@@ -320,6 +320,19 @@ SENTENCES: Final[dict[str, str]] = {
         " Auftrags berichtigen."
     ),
     "CW-P163": "Achse {axis}, Prüfung {test}: Ihre Dateien unterscheiden sich in {keys:join|; }",
+    "grid.even": "{points} Punkte von {start:.10g} bis {end:.10g} {unit}, alle {step:.6g} {unit}",
+    "grid.few": "{points} Punkte",
+    "grid.predicted": (
+        "vorhergesagt {name} {value:.2f} {unit} ({elsewhere:.2f} an neuen Zielpositionen)"
+    ),
+    "grid.uneven": (
+        "{points} Punkte von {start:.10g} bis {end:.10g} {unit}, {least:.6g} bis {most:.6g} {unit}"
+        " auseinander"
+    ),
+    "run.no_state": (
+        "keine Tabelle geschrieben: Der Auftrag sagt nicht, was in der Steuerung aktiv ist;"
+        " states: {{as_found: none}} oder states: {{as_found: [Dateien der Steuerung]}} angeben"
+    ),
     "table_advice": (
         "{cause:choose|noise=die Achse wiederholt nicht, was keine Tabelle korrigiert: zuerst"
         " prüfen, wie das Messgerät aufgebaut ist (Schwingung, Luft, Befestigung), dann die"

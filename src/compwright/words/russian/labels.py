@@ -45,6 +45,8 @@ SENTENCES: Final[dict[str, str]] = {
         " равными 0. Из примера стандарта не взято ни одного значения."
     ),
     "budget.setup": "Установка прибора",
+    "budget.steel": "принято {alpha:g} мкм/(м·К), сталь",
+    "budget.temperature_unknown": "температура неизвестна: не учтено",
     "budget.title": "Бюджет неопределенности измерений, на длине {length}",
     "cause.kind": (
         "{kind:choose|squareness=Перпендикулярность {first}{second}|scale_mismatch=Различие"
@@ -63,6 +65,12 @@ SENTENCES: Final[dict[str, str]] = {
         " ↻|at_negative_ccw=− ↺|at_negative_cw=− ↻}"
     ),
     "cause.whole": "{cause} {part}",
+    "certificate.name": (
+        ""
+        "{key:choose|primal=прямая|stationarity=стационарность|dual=двойственная|complementarity=дополняющая"
+        " нежёсткость|rounding=округление|objective=целевая функция|lower_bound=нижняя"
+        " граница|recomputed=пересчитано|magnification=множитель|={name}}"
+    ),
     "changes.summary": (
         "{count:plural|Изменяется {count} запись|Изменяются {count} записи|Изменяется {count}"
         " записей}; строк файлов УЧПУ без изменений: {untouched}. Значения приведены как в файлах,"

@@ -32,6 +32,7 @@ SENTENCES: Final[dict[str, str]] = {
     "odds.over_1000": "шансы более 1000 к 1",
     "odds.to_1": "шансы {odds:2sig} к 1",
     "of_axis": "Ось {axis}: {finding}",
+    "of_axis_small": "ось {axis}: {finding}",
     "of_circle": "Окружность {circle}: {finding}",
     "of_test": "Ось {axis}, проверка {test}: {finding}",
     "paragraph": "{sentences:join| }",

@@ -304,6 +304,17 @@ SENTENCES: Final[dict[str, str]] = {
         " действовало, затем исправьте ключ compensation файла или measured_in и states задания."
     ),
     "CW-P163": "Ось {axis}, проверка {test}: её файлы различаются в {keys:join|; }",
+    "grid.even": "точек {points}, от {start:.10g} до {end:.10g} {unit}, через {step:.6g} {unit}",
+    "grid.few": "точек {points}",
+    "grid.predicted": "прогноз {name} {value:.2f} {unit} ({elsewhere:.2f} в новых позициях)",
+    "grid.uneven": (
+        "точек {points}, от {start:.10g} до {end:.10g} {unit}, с шагом {least:.6g} … {most:.6g}"
+        " {unit}"
+    ),
+    "run.no_state": (
+        "таблица не записана: в задании не сказано, что действует в УЧПУ; добавьте states:"
+        " {{as_found: none}} или states: {{as_found: [файлы УЧПУ]}}"
+    ),
     "table_advice": (
         "{cause:choose|noise=ось не повторяется, этого не исправит никакая таблица: сначала"
         " проверьте установку прибора (вибрация, воздух, крепление), затем вызовите механика (люфт,"

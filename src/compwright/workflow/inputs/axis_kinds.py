@@ -22,6 +22,7 @@ from compwright.foundations.session import Session
 from compwright.records.axis import AxisKind
 from compwright.records.correction import Assumption, ControlFile
 from compwright.records.options import KIND
+from compwright.words.sentences import control_text
 from compwright.workflow.inputs.jobs import PLAN
 
 #: A run writes its tables so many folders below its plan (``tables/<format>/``), its entry sheets
@@ -69,7 +70,11 @@ def decode_kinds(
         other = open_control(session, format_id, {**options, KIND: rotary})
         _same_numbers(found, _readable(other, files, address, active=active))
     assumed = tuple(
-        Assumption(f"axis {name}: kind", str(kind), f"{PLAN} above the files")
+        Assumption(
+            control_text("axis {name}: kind", name=name),
+            str(kind),
+            control_text("{plan} above the files", plan=PLAN),
+        )
         for name, kind in planned.items()
         if name in found.state.axes and found.state.facts_of(name).kind is None
     )

@@ -18,15 +18,13 @@ from compwright.foundations.provenance import fingerprint
 from compwright.foundations.side_by_side import Each, in_turn
 from compwright.foundations.utf8 import encoded
 from compwright.records.correction import ControlFile
+from compwright.words.sentences import SentenceText, say
 from compwright.workflow.results.card import card_document, changes_csv
 from compwright.workflow.results.view import evaluations, run_view
 from compwright.workflow.run.finished import Finished
 from compwright.workflow.run.written import tables_of
 
-NO_STATE = (
-    "no table is written: the job does not say what is active in the control; "
-    "add states: {as_found: none} or states: {as_found: [files of the control]}"
-)
+NO_STATE = SentenceText(say("run.no_state"))
 
 PLAN = "plan.json"
 

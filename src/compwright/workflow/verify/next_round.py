@@ -38,6 +38,7 @@ from compwright.records.job import AS_FOUND, Job, other_axis
 from compwright.records.limits import LimitingCauses
 from compwright.records.plan import Plan
 from compwright.verification.proof import AfterTest
+from compwright.words.sentences import SentenceText, say
 from compwright.workflow.inputs.input_copies import files_of_job
 from compwright.workflow.inputs.jobs import read_job_file
 from compwright.workflow.results.recorded import known_results, recorded_run
@@ -50,7 +51,6 @@ from compwright.workflow.verify.next_files import JOB, Looped, next_files
 FOLDER: Final = "next"
 #: Findings, in addition to doubts, that name a proof that the test of an axis lacks.
 LACKING: Final = frozenset({"CW-V020", "CW-V021", "CW-V024"})
-_KEEPS: Final = "it keeps what is in the control"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -113,7 +113,8 @@ def next_round(
         finished, results, notes = _worked(session, inputs, out / FOLDER, each)
     except (InputError, UsageError, CapacityError) as error:
         reason = "; ".join(str(fault) for fault in error.faults)
-        return Round(document=next_document(f"the next round cannot be made: {reason}", outcomes))
+        why = SentenceText(say("next.cannot_be_made", reason=reason))
+        return Round(document=next_document(why, outcomes))
     outcomes |= {test.axis: _updated_axis(finished, test.axis) for test in well}
     if not any(axis.updated for axis in outcomes.values()):
         return Round(document=next_document(_no_axis(found), outcomes))
@@ -144,42 +145,34 @@ def _general(found: Verified, compared: Mapping[str, Any] | str) -> str:
     if changed:
         return changed[0]
     if isinstance(compared, str):
-        return f"what was read back cannot be compared with the plan: {compared}"
+        return SentenceText(say("next.not_compared", why=compared))
     elsewhere = [one for one in compared["differences"] if one["axis"] not in compared["axes"]]
     off = {name: one for name, one in compared["axes"].items() if one["verdict"] != "loaded"}
-    more = f" and {len(elsewhere) - 1} more" if len(elsewhere) > 1 else ""
+    more = len(elsewhere) - 1
     if off and elsewhere and not any(one["axis"] for one in elsewhere):
         # values that name no axis: those of a table that is not the plan's, as far as anyone knows
-        differing = "; ".join(f"axis {name}: {one['message']}" for name, one in off.items())
-        return (
-            f"what was read back differs from the plan: {differing}"
-            f" ({elsewhere[0]['quantity']}{more}; compwright compare lists all)."
-            " Read back what is in the control now, load what is missing, and verify again"
+        differing = [
+            say("of_axis_small", axis=name, finding=one["message"]) for name, one in off.items()
+        ]
+        quantity = elsewhere[0]["quantity"]
+        return SentenceText(
+            say("next.read_back_differs", axes=differing, quantity=quantity, more=more)
         )
     if elsewhere:
-        of = f" of axis {elsewhere[0]['axis']}" if elsewhere[0]["axis"] else ""
-        return (
-            "something else was changed in the control since the run:"
-            f" {elsewhere[0]['quantity']}{of}{more} (compwright compare lists all);"
-            " check that first, then run a new job"
+        first = elsewhere[0]
+        return SentenceText(
+            say("next.something_else", quantity=first["quantity"], axis=first["axis"], more=more)
         )
     return ""
 
 
 def _no_axis(found: Verified) -> str:
     """Return that there is nothing to go on from, and what becomes of squareness then."""
-    text = "no axis may be corrected further"
     if not (found.circles and found.job.apply.squareness):
-        return text
-    if any(entry.fitted is not None and entry.tests for entry in found.plan.axes.values()):
-        return (
-            f"{text}, and squareness alone gets no next round: measure an axis that has a table"
-            " after loading too, and give it with --after in addition to the circles"
-        )
-    return (
-        f"{text}, and squareness alone gets no next round: for what is left of it run a new job,"
-        " with what was read back as as_found and with the circles after loading"
-    )
+        return SentenceText(say("next.no_axis"))
+    axes = found.plan.axes.values()
+    measured = any(entry.fitted is not None and entry.tests for entry in axes)
+    return SentenceText(say("next.squareness_alone", measured=measured))
 
 
 def lacks_proof(finding: Finding) -> bool:
@@ -191,13 +184,13 @@ def _refused(found: Verified, compared: Mapping[str, Any] | str) -> Iterator[tup
     """Yield the axes of the plan that may not be corrected further, with the reason."""
     for name, entry in found.plan.axes.items():
         if entry.fitted is None:
-            yield name, f"the plan holds no table for it, none was loaded: {_KEEPS}"
+            yield name, SentenceText(say("next.no_table"))
         elif not entry.tests:
-            yield name, f"its table came from circles, which do not show its effect: {_KEEPS}"
+            yield name, SentenceText(say("next.circles_only"))
         elif name not in found.axes:
-            yield name, f"it was not measured after loading: {_KEEPS}"
+            yield name, SentenceText(say("next.not_measured"))
         elif why := _doubted(found.axes[name]) or _differs(name, compared):
-            yield name, f"{why}: {_KEEPS}, and gets no further table"
+            yield name, SentenceText(say("next.kept", why=why))
 
 
 def _doubted(axis: VerifiedAxis) -> str:
@@ -206,11 +199,12 @@ def _doubted(axis: VerifiedAxis) -> str:
     """
     verdict = axis.loading["verdict"]
     if verdict != "loaded":
-        of = f" ({axis.loading['of']})" if axis.loading.get("of") else ""
-        return f"the verdict is {verdict.replace('_', ' ')}{of}, not loaded"
+        name, of = verdict.replace("_", " "), axis.loading.get("of") or ""
+        return SentenceText(say("next.verdict", verdict=verdict, name=name, of=of))
     doubts = [one for one in axis.findings if lacks_proof(one) or one.severity == "error"]
     if doubts:
-        return f"its test after loading is in doubt ({doubts[0].code}: {doubts[0].message})"
+        first = doubts[0]
+        return SentenceText(say("next.doubted", code=first.code, message=first.message))
     return ""
 
 
@@ -222,8 +216,8 @@ def _differs(name: str, compared: Mapping[str, Any] | str) -> str:
     mine = [one["quantity"] for one in compared["differences"] if one["axis"] == name]
     if axis["verdict"] == "loaded" and not mine:
         return ""
-    named = f" ({mine[0]})" if mine else ""
-    return f"what was read back differs from the plan: {axis['message']}{named}"
+    quantity = mine[0] if mine else ""
+    return SentenceText(say("next.differs", why=axis["message"], quantity=quantity))
 
 
 # ---------------------------------------------------------------- the job and what it makes
@@ -315,34 +309,32 @@ def _updated_axis(finished: Finished, name: str) -> UpdatedAxis:
             updated=True, table=True, reason=_gained(prediction.limits, work.planned.axis)
         )
     if not work.stops:
-        return UpdatedAxis(reason=f"no further table: {work.refused}")
+        return UpdatedAxis(reason=SentenceText(say("next.stop_axis", stop=False, why=work.refused)))
     stopped = [one.message for one in prediction.findings if one.code == "CW-P155"]
-    reason = next(iter(stopped), f"stop here: {work.refused}")
-    return UpdatedAxis(updated=True, reason=reason.removeprefix(f"Axis {name}: "))
+    reason = SentenceText(say("next.stop_axis", stop=True, why=work.refused))
+    return UpdatedAxis(
+        updated=True,
+        reason=stopped[0].removeprefix(f"Axis {name}: ") if stopped else reason,
+    )
 
 
 def _gained(limits: LimitingCauses | None, axis: Axis) -> str:
     """Return what a further table is expected to gain."""
     if limits is None:
-        return "a further table is written"
+        return SentenceText(say("next.written"))
     factor, unit = outside_factor(axis.kind.unit), shown_unit(axis.kind.unit)
-    return (
-        f"a further table is written: {limits.parameter} from {limits.now * factor:.2f} to"
-        f" {limits.then * factor:.2f} {unit} at new targets"
-    )
+    now, then = limits.now * factor, limits.then * factor
+    parameter = limits.parameter
+    return SentenceText(say("next.gained", parameter=parameter, now=now, then=then, unit=unit))
 
 
 def _result(outcomes: Mapping[str, UpdatedAxis], *, between: bool) -> str:
     """Return what to do with the next round; ``between``: it corrects something between axes."""
     tabled = [name for name, axis in outcomes.items() if axis.table]
-    tabled += ["squareness"] if between else []
-    if tabled:
-        return (
-            f"a further table for {', '.join(tabled)}: load all of {FOLDER}/tables, measure again,"
-            " and verify that round"
-        )
+    if tabled or between:
+        return SentenceText(say("next.load", axes=tabled, between=between))
     stopped = [name for name, axis in outcomes.items() if axis.updated]
-    return f"stop here: no further table for {', '.join(stopped)} would gain what a test can show"
+    return SentenceText(say("next.stop", axes=stopped))
 
 
 def _between(found: Verified, looped: Looped) -> Iterator[str]:
@@ -353,11 +345,10 @@ def _between(found: Verified, looped: Looped) -> Iterator[str]:
         if plane in looped.squareness
     ]
     for entry in found.plan.cross:
-        what = f"{entry.output} over {entry.input}"
-        yield (
-            f"{what}: looked at again, from the circles after loading"
+        yield SentenceText(
+            say("next.between_again", output=entry.output, input=entry.input)
             if entry.pair in again
-            else f"{what}: {_KEEPS}"
+            else say("next.between_kept", output=entry.output, input=entry.input)
         )
 
 

@@ -20,6 +20,7 @@ from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.correction import AxisCompensation
 from compwright.records.facts import Fact
 from compwright.records.options import REFERENCE, REFERENCE_RETURN, TABLE_VALUES
+from compwright.words.sentences import control_text
 
 
 class ColumnAxisReader:
@@ -37,7 +38,7 @@ class ColumnAxisReader:
         self.notes = values.notes
         self.address = address
         self.axis = values.axes.get(address)
-        self.label = f"axis {address}"
+        self.label = control_text("axis {address}", address=address)
         self.parameters = Values(values.definition, self.label, values.notes)
         self.table = self.sources.tables.get(address)
         self.column = self.sources.own_column(address)

@@ -23,7 +23,7 @@ from compwright.foundations.errors import CapacityError, Fault, raise_all
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.capacity import Capacity
 from compwright.records.correction import Assumption, AxisCompensation
-from compwright.words.sentences import control_text
+from compwright.words.sentences import control_text, unconfirmed
 
 
 def by_line(options: Mapping[str, object]) -> bool:
@@ -126,18 +126,18 @@ def _assumed(
 ) -> Iterator[Assumption]:
     if options.get("backlash_column") == "second_curve" and not second:
         yield Assumption(
-            fact=f"axis {axis.name}: curve for travel in -",
-            value="none: no table of the axis with a column BACKLASH was given",
-            evidence="unconfirmed: an entry sheet has no place for it",
+            fact=control_text("axis {name}: curve for travel in -", name=axis.name),
+            value=control_text("none: no table of the axis with a column BACKLASH was given"),
+            evidence=unconfirmed(control_text("an entry sheet has no place for it")),
         )
     if not by_line(options):
         yield Assumption(
-            fact=f"axis {axis.name}: outside the table",
-            value=(
+            fact=control_text("axis {name}: outside the table", name=axis.name),
+            value=control_text(
                 "the end values hold; let the table reach one spacing beyond the travel on each"
                 " side"
             ),
-            evidence=str(definition.layout.evidence),
+            evidence=definition.layout.evidence.text,
         )
 
 

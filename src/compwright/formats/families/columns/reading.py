@@ -43,7 +43,7 @@ from compwright.records.correction import (
 )
 from compwright.records.facts import AxisFacts
 from compwright.records.options import REFERENCE, REFERENCE_RETURN
-from compwright.words.sentences import say
+from compwright.words.sentences import control_text, say
 
 _LINE = re.compile(
     r"^[ \t]*MP[ \t]*850\.([0-9]{1,2})(?![0-9])[ \t]*[:=]?[ \t]*([^\s;]*)",
@@ -244,9 +244,13 @@ class _ColumnStateReader:
             )
         options = self.values.control.options
         if any(address not in self.values.axes for address in compensations):
-            self.notes.assume(REFERENCE, f"{options[REFERENCE]:g}", "option or its default")
             self.notes.assume(
-                REFERENCE_RETURN, str(options[REFERENCE_RETURN]), "option or its default"
+                REFERENCE, f"{options[REFERENCE]:g}", control_text("option or its default")
+            )
+            self.notes.assume(
+                REFERENCE_RETURN,
+                str(options[REFERENCE_RETURN]),
+                control_text("option or its default"),
             )
 
 

@@ -27,6 +27,7 @@ from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation
 from compwright.records.facts import AxisFacts, Fact
 from compwright.records.options import ENCODER_SYSTEM, REFERENCE, REFERENCE_RETURN
+from compwright.words.sentences import control_text, unconfirmed
 
 #: Software limits further away than this are none, in the unit of the files.
 _NO_LIMIT = 99999.0
@@ -77,7 +78,7 @@ class GridAxisReader:
         options = control.options_of(source.axis)
         system = self._measuring_system(options)
         self.system = None if system is None else int(system) + 1
-        self.label = f"axis {self.address}"
+        self.label = control_text("axis {address}", address=self.address)
         if system is not None:
             self.label += f", measuring system {self.system}"
         self.rows = (
@@ -160,10 +161,17 @@ class GridAxisReader:
         homing, zero = homing_of(self.values, self._factor(kind))
         if zero is not None:
             self.notes.assume(
-                f"{self.label}: zero of the correction",
-                f"{zero[0]:g} {kind.unit}, approached in {zero[1].value}",
-                "the axis homes on a switch (HOME_OFFSET, HOME_LATCH_VEL): what the table holds"
-                " there counts as zero",
+                control_text("{label}: zero of the correction", label=self.label),
+                control_text(
+                    "{position} {unit}, approached in {direction}",
+                    position=f"{zero[0]:g}",
+                    unit=kind.unit,
+                    direction=zero[1].value,
+                ),
+                control_text(
+                    "the axis homes on a switch (HOME_OFFSET, HOME_LATCH_VEL): what the table holds"
+                    " there counts as zero"
+                ),
             )
         return AxisFacts(
             name=letters[int(self.address)] if listed else None,
@@ -280,8 +288,11 @@ class GridAxisReader:
                 )
             )
         if found is None and not self.elsewhere:
-            why = "unconfirmed: no file that was given holds one"
-            self.notes.assume(f"{self.label}: table", "none", why)
+            self.notes.assume(
+                control_text("{label}: table", label=self.label),
+                control_text("none"),
+                unconfirmed(control_text("no file that was given holds one")),
+            )
             reserved = max_points is None or int(max_points.text) > 0
             off = not reserved or self.values.stated_word("enabled") == "no"
             self.notes.no_table(self.label, off=off)

@@ -17,6 +17,7 @@ from compwright.formats.families.grid.table_shapes import shape_of
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.capacity import Capacity
 from compwright.records.correction import Assumption
+from compwright.words.sentences import control_text, unconfirmed
 
 
 class GridLimits:
@@ -91,11 +92,17 @@ class GridLimits:
             or (turn is not None and turn.stated)
         ):
             return []
-        unsaid = [] if turn is not None else [("that the control wraps it (MD30310)", "yes")]
-        unsaid.append(("where its turn begins (MD30340)", f"{MODULO_START:g} deg"))
+        wraps = control_text("that the control wraps it (MD30310)"), control_text("yes")
+        unsaid = [] if turn is not None else [wraps]
+        begins = control_text("where its turn begins (MD30340)")
+        degrees = control_text("{value} deg", value=f"{MODULO_START:g}")
         return [
-            Assumption(f"axis {self.axis.name}: {fact}", value, "unconfirmed: in no file")
-            for fact, value in unsaid
+            Assumption(
+                control_text("axis {name}: {fact}", name=self.axis.name, fact=fact),
+                value,
+                unconfirmed(control_text("in no file")),
+            )
+            for fact, value in (*unsaid, (begins, degrees))
         ]
 
     def _spacings(self, quantum: float) -> tuple[float, ...] | None:
@@ -118,13 +125,15 @@ class GridLimits:
         reserved = resolved_number(self.definition, self.points_option(), self.options, fact)
         if reserved is not None:
             return reserved if hard is None else min(reserved, hard)
-        none = "the control has reserved none yet"
-        what = none if fact == 0 else "the control's files do not say it"
+        none = control_text("the control has reserved none yet")
+        what = none if fact == 0 else control_text("the control's files do not say it")
         assumed.append(
             Assumption(
-                fact=f"axis {self.axis.name}: number of points the control can hold",
-                value="as many as are needed; the card says how many to set",
-                evidence=f"unconfirmed: {what}",
+                fact=control_text(
+                    "axis {name}: number of points the control can hold", name=self.axis.name
+                ),
+                value=control_text("as many as are needed; the card says how many to set"),
+                evidence=unconfirmed(what),
             )
         )
         return None

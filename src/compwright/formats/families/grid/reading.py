@@ -48,7 +48,7 @@ from compwright.records.correction import (
 )
 from compwright.records.facts import PairTables
 from compwright.records.options import REFERENCE, REFERENCE_RETURN
-from compwright.words.sentences import say
+from compwright.words.sentences import control_text, say
 
 #: A line of a listing in columns: a name, then one value for each axis; more than a few make one.
 _COLUMNS = re.compile(rb"^\$\w+(?:\[[0-9]+\])?\t[^\t\n]*\t", re.MULTILINE)
@@ -396,9 +396,13 @@ class GridReader:
                 )
         if None in self.wanted.values() or not self.wanted:
             options = self.control.options
-            self.notes.assume(REFERENCE, f"{options[REFERENCE]:g}", "option or its default")
             self.notes.assume(
-                REFERENCE_RETURN, str(options[REFERENCE_RETURN]), "option or its default"
+                REFERENCE, f"{options[REFERENCE]:g}", control_text("option or its default")
+            )
+            self.notes.assume(
+                REFERENCE_RETURN,
+                str(options[REFERENCE_RETURN]),
+                control_text("option or its default"),
             )
 
 

@@ -34,6 +34,7 @@ from compwright.formats.text.scale import NumberScale
 from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.correction import AxisCompensation
 from compwright.records.options import REFERENCE, REFERENCE_RETURN
+from compwright.words.sentences import control_text, unconfirmed
 
 _NO_POINTS = np.empty(0)
 
@@ -252,9 +253,9 @@ class IncrementReader:
                 hint=ADD_FILE,
             )
         values.notes.assume(
-            f"{values.label}: bidirectional compensation",
-            "as 3605#0, 3626 and 3627 are understood",
-            "unconfirmed: no manual page",
+            control_text("{label}: bidirectional compensation", label=values.label),
+            control_text("as 3605#0, 3626 and 3627 are understood"),
+            unconfirmed(control_text("no manual page")),
         )
         magnified = self.options.get("offset_magnified") == "yes"
         magnification = sections.magnification if magnified else 1

@@ -17,7 +17,7 @@ from compwright.foundations.errors import Fault, UsageError, raise_all
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.capacity import Capacity, Lattice, Wave
 from compwright.records.correction import Assumption
-from compwright.words.sentences import Sentence, say
+from compwright.words.sentences import Sentence, control_text, say
 
 #: A table has two sections or more.
 MIN_SECTIONS = 2
@@ -115,7 +115,8 @@ class IncrementLimits:
         return longest_gap(highest, [*self.used, *self.facts.claimed], first_point(self.options))
 
     def _assume(self, fact: str, value: str, evidence: str) -> None:
-        self.assumed.append(Assumption(f"axis {self.axis.name}: {fact}", value, evidence))
+        of_axis = control_text("axis {name}: {fact}", name=self.axis.name, fact=fact)
+        self.assumed.append(Assumption(of_axis, value, evidence))
 
     def _wave(self, limit: int, gap: int) -> Wave | None:
         """Return the capacity of a second table, if the control has it and none exists.
@@ -164,11 +165,13 @@ class IncrementLimits:
                     ),
                 )
             )
-        evidence = (
-            f"no file says what the numbers {used_numbers} hold; give all of the control's pitch"
-            " data, or first_point"
+        evidence = control_text(
+            "no file says what the numbers {numbers} hold; give all of the control's pitch"
+            " data, or first_point",
+            numbers=used_numbers,
         )
-        self._assume("point numbers for its table", f"at most {gap} in a row", evidence)
+        most = control_text("at most {gap} in a row", gap=str(gap))
+        self._assume(control_text("point numbers for its table"), most, evidence)
         return gap
 
     def _least_spacing(self) -> tuple[float, Sentence | None]:
@@ -185,11 +188,12 @@ class IncrementLimits:
             if isinstance(feed, (int, float)) and feed > 0
         }
         if not feeds:
-            why = (
+            why = control_text(
                 "not checked: the option max_feed is not given, and no file says the rapid traverse"
                 " (1420)"
             )
-            self._assume("smallest interval for its feed", why, str(rule.evidence))
+            fact = control_text("smallest interval for its feed")
+            self._assume(fact, why, rule.evidence.text)
             return 0.0, None
         name = max(feeds, key=lambda one: feeds[one])
         least = feeds[name] / rule.number

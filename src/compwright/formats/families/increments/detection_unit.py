@@ -15,6 +15,7 @@ from compwright.formats.families.increments.parameters import AxisParameters, Pa
 from compwright.foundations.errors import UsageError
 from compwright.records.axis import AxisKind
 from compwright.records.options import DETECTION_UNIT
+from compwright.words.sentences import control_text
 
 #: Settings of 1820: 2 x CMR for a CMR of 1/2 to 48, 100 + 1/CMR for a CMR of 1 to 1/27.
 _DOUBLED, _DIVIDED = range(1, 97), range(101, 128)
@@ -122,9 +123,9 @@ def resolved_options(
         if given is None:
             taken[DETECTION_UNIT] = stated.size
         values.notes.assume(
-            f"{values.label}: detection unit",
+            control_text("{label}: detection unit", label=values.label),
             f"{stated.size:g} {kind.unit}",
-            f"read: {stated.evidence}",
+            control_text("read: {evidence}", evidence=str(stated.evidence)),
         )
     resolved = axis_options(values.definition, taken, axis)
     if stated is not None and given is not None:

@@ -18,6 +18,7 @@ from compwright.formats.families.increments.points import NUMBERED, POINTS_FROM
 from compwright.formats.text.entry_sheet import is_entry_sheet
 from compwright.foundations.errors import Fault
 from compwright.records.correction import ControlFile
+from compwright.words.sentences import control_text
 
 PATH_OF_AXIS = 981
 INCH, SYSTEM_OF_MACHINE, KIND, SYSTEM, NAME = 1001, 1004, 1006, 1013, 1020
@@ -271,7 +272,7 @@ class AxisParameters:
     @property
     def label(self) -> str:
         """Name of the axis in messages."""
-        return f"axis {self.address}"
+        return control_text("axis {address}", address=self.address)
 
     @property
     def index(self) -> int:

@@ -38,6 +38,7 @@ from compwright.records.correction import (
 )
 from compwright.records.facts import AxisFacts
 from compwright.records.options import REFERENCE, REFERENCE_RETURN
+from compwright.words.sentences import control_text, unconfirmed
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,7 +60,11 @@ def read_axis(of: AxisStatements) -> AxisList:
         zero = not (np.any(table.positive) or np.any(table.negative))
         active = of.is_active("table_switch", "manual", zero=zero, label=of.label)
     elif not of.lists.places(of.address, "count"):
-        of.notes.assume(f"{of.label}: table", "none", "unconfirmed: in no list given")
+        of.notes.assume(
+            control_text("{label}: table", label=of.label),
+            control_text("none"),
+            unconfirmed(control_text("in no list that was given")),
+        )
         of.notes.no_table(of.label)
     empty = np.empty(0)
     shown = ListTable(positions=empty, positive=empty, negative=empty)
@@ -140,9 +145,13 @@ class ListStateReader:
         compare_partners(self.partners, self.compensations, self.notes)
         if any(axis is None for axis in wanted.values()):
             options = self.family.options
-            self.notes.assume(REFERENCE, f"{options[REFERENCE]:g}", "option or its default")
             self.notes.assume(
-                REFERENCE_RETURN, str(options[REFERENCE_RETURN]), "option or its default"
+                REFERENCE, f"{options[REFERENCE]:g}", control_text("option or its default")
+            )
+            self.notes.assume(
+                REFERENCE_RETURN,
+                str(options[REFERENCE_RETURN]),
+                control_text("option or its default"),
             )
         return ControlState(
             format=self.definition.id,

@@ -14,6 +14,7 @@ from compwright.formats.text.notes import CORRECT_VALUE, EXPORT_AGAIN, KEEP_ONE,
 from compwright.formats.text.values import Values
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.facts import Fact
+from compwright.words.sentences import control_text, unconfirmed
 
 _HEX = re.compile("0x[0-9a-f]{1,8}|[0-9]")
 #: The type of an axis, as a number or in words (P-AXIS-00018).
@@ -49,7 +50,7 @@ class AxisStatements:
         self.options = options
         self.notes = notes
         self.activity = activity
-        self.label = f"axis {address}"
+        self.label = control_text("axis {address}", address=address)
         self.returns = (
             axis.reference_return
             if axis is not None
@@ -151,7 +152,11 @@ class AxisStatements:
                 self.notes.switched_off(label, "it did not act, as the job says")
             return bool(active)
         name = self.lists.name(switch)
-        self.notes.assume(f"{label}: {name}", "1", "unconfirmed: in no list that was given")
+        self.notes.assume(
+            control_text("{label}: {fact}", label=label, fact=name),
+            "1",
+            unconfirmed(control_text("in no list that was given")),
+        )
         return True
 
     def any_place(self) -> FoundValue | None:

@@ -21,6 +21,7 @@ from compwright.foundations.errors import CapacityError, raise_all
 from compwright.records.capacity import Capacity
 from compwright.records.correction import Assumption
 from compwright.records.facts import PairTables
+from compwright.words.sentences import control_text, unconfirmed
 
 
 class PairLimits(GridLimits):
@@ -64,17 +65,25 @@ class PairLimits(GridLimits):
         if points is None:
             assumed.append(
                 Assumption(
-                    fact=f"axis {self.axis.name}: number of points of its CEC tables (MD18342)",
-                    value="as many as are needed; the card says how many to set",
-                    evidence="unconfirmed: the control's files do not say it, or reserve none yet",
+                    fact=control_text(
+                        "axis {name}: number of points of its CEC tables (MD18342)",
+                        name=self.axis.name,
+                    ),
+                    value=control_text("as many as are needed; the card says how many to set"),
+                    evidence=unconfirmed(
+                        control_text("the control's files do not say it, or reserve none yet")
+                    ),
                 )
             )
         if self.facts.pairs.max_sum is None:
             assumed.append(
                 Assumption(
-                    fact=f"axis {self.axis.name}: limit of the sum of its CEC tables (MD32720)",
-                    value=f"not reached (default 1 {self.axis.kind.unit})",
-                    evidence="unconfirmed: in no file, its default from memory",
+                    fact=control_text(
+                        "axis {name}: limit of the sum of its CEC tables (MD32720)",
+                        name=self.axis.name,
+                    ),
+                    value=control_text("not reached (default 1 {unit})", unit=self.axis.kind.unit),
+                    evidence=unconfirmed(control_text("in no file, its default from memory")),
                 )
             )
         return assumed

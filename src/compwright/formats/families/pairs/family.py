@@ -49,7 +49,7 @@ from compwright.records.axis import Axis
 from compwright.records.capacity import Capacity
 from compwright.records.correction import Assumption, AxisCompensation, ControlFile, ControlState
 from compwright.records.delivery import Delivery
-from compwright.words.sentences import control_text
+from compwright.words.sentences import control_text, unconfirmed
 
 
 def with_sign_unknown(state: ControlState) -> ControlState:
@@ -59,9 +59,11 @@ def with_sign_unknown(state: ControlState) -> ControlState:
     if not state.tables.used:
         return state
     assumption = Assumption(
-        "option cec_sign",
+        control_text("option {name}", name="cec_sign"),
         "correction",
-        "unconfirmed: one manual of Siemens says error; no readings depend on it here",
+        unconfirmed(
+            control_text("one manual of Siemens says error; no readings depend on it here")
+        ),
     )
     return replace(
         state,

@@ -34,6 +34,7 @@ from compwright.formats.text.gathering import FoundValue, Gathered, same_value
 from compwright.formats.text.notes import CORRECT_VALUE, EXPORT_AGAIN, NOT_COUNTED, Notes
 from compwright.formats.text.scale import NumberScale
 from compwright.records.axis import Axis, Direction
+from compwright.words.sentences import control_text
 
 _ZERO = (Decimal(0),)
 #: Settings of a table other than its curve: quantity, effect, and the values without effect.
@@ -215,7 +216,7 @@ class CecReader(SingleValues):
         """Return the limit of the sum by output axis."""
         sums: dict[str, float] = {}
         for (address, _), places in self.gathered.singles.items():
-            label = f"axis {address}"
+            label = control_text("axis {address}", address=address)
             found = self.values(label).one("cross_max_sum", places.get("cross_max_sum", ()))
             if address is not None and found is not None:
                 sums[address] = float(found.text) * self.units.basic(address)

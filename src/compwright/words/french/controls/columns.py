@@ -295,4 +295,16 @@ TEXTS: Final[dict[str, str]] = {
         "Là où la colonne BACKLASH contient l'inversion, backLash ne doit pas la contenir encore."
     ),
     "At most 256 points.": "Au plus 256 points.",
+    "axis {address}": "axe {address}",
+    "axis {name}: curve for travel in -": "axe {name} : courbe pour la course en -",
+    "none: no table of the axis with a column BACKLASH was given": (
+        "aucune : pas de table de l'axe avec une colonne BACKLASH"
+    ),
+    "axis {name}: outside the table": "axe {name} : hors de la table",
+    "the end values hold; let the table reach one spacing beyond the travel on each side": (
+        "les valeurs d'extrémité restent ; faire dépasser la table d'un pas de chaque côté de"
+        " la course"
+    ),
+    "an entry sheet has no place for it": "une feuille de saisie n'a pas de place pour cela",
+    "option or its default": "option ou sa valeur par défaut",
 }

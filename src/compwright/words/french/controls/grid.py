@@ -132,4 +132,27 @@ TEXTS: Final[dict[str, str]] = {
     "Below the first and above the last row their values stay.": (
         "Au-dessous de la première et au-dessus de la dernière ligne, leurs valeurs restent."
     ),
+    "{label}: zero of the correction": "{label} : zéro de la correction",
+    "{position} {unit}, approached in {direction}": "{position} {unit}, approché en {direction}",
+    "the axis homes on a switch (HOME_OFFSET, HOME_LATCH_VEL): what the table holds there"
+    " counts as zero": (
+        "l'axe se référence sur un contact (HOME_OFFSET, HOME_LATCH_VEL) : ce que la table y"
+        " contient compte comme zéro"
+    ),
+    "{label}: table": "{label} : table",
+    "no file that was given holds one": "aucun fichier donné n'en contient",
+    "where its turn begins (MD30340)": "où son tour commence (MD30340)",
+    "{value} deg": "{value}°",
+    "the control has reserved none yet": "la commande n'en a pas encore réservé",
+    "that the control wraps it (MD30310)": "que la commande le fait tourner sans fin (MD30310)",
+    "yes": "oui",
+    "the control's files do not say it": "les fichiers de la commande ne le disent pas",
+    "axis {name}: {fact}": "axe {name} : {fact}",
+    "in no file": "dans aucun fichier",
+    "axis {name}: number of points the control can hold": (
+        "axe {name} : nombre de points que la commande peut contenir"
+    ),
+    "as many as are needed; the card says how many to set": (
+        "autant que nécessaire ; la fiche dit combien en régler"
+    ),
 }

@@ -337,4 +337,21 @@ TEXTS: Final[dict[str, str]] = {
         "3621 et 3622 de l'axe {address}, les points extrêmes en - et en + : au-delà la table"
         " ne continue pas."
     ),
+    "{label}: bidirectional compensation": "{label} : compensation dans les deux sens",
+    "as 3605#0, 3626 and 3627 are understood": "comme 3605#0, 3626 et 3627 sont compris",
+    "no manual page": "aucune page de manuel",
+    "no file says what the numbers {numbers} hold; give all of the control's pitch data, or"
+    " first_point": (
+        "aucun fichier ne dit ce que contiennent les numéros {numbers} ; donner toutes les"
+        " données de pas de la commande, ou first_point"
+    ),
+    "at most {gap} in a row": "au plus {gap} à la suite",
+    "point numbers for its table": "numéros de points pour sa table",
+    "not checked: the option max_feed is not given, and no file says the rapid traverse (1420)": (
+        "non vérifié : l'option max_feed n'est pas donnée, et aucun fichier n'indique le rapide"
+        " (1420)"
+    ),
+    "smallest interval for its feed": "plus petit intervalle pour son avance",
+    "{label}: detection unit": "{label} : unité de détection",
+    "read: {evidence}": "lu : {evidence}",
 }

@@ -166,4 +166,6 @@ TEXTS: Final[dict[str, str]] = {
         "kw.ssfk.max_points doit être plus grand ; il ne peut pas changer après le démarrage"
         " (erreur 110638)."
     ),
+    "in no list that was given": "dans aucune liste donnée",
+    "{label}: {fact}": "{label} : {fact}",
 }

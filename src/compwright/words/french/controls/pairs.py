@@ -368,4 +368,18 @@ TEXTS: Final[dict[str, str]] = {
     "$AN_CEC_MAX ends the tables, and the end value stays beyond it.": (
         "$AN_CEC_MAX termine les tables, et la valeur d'extrémité reste au-delà."
     ),
+    "axis {name}: number of points of its CEC tables (MD18342)": (
+        "axe {name} : nombre de points de ses tables CEC (MD18342)"
+    ),
+    "axis {name}: limit of the sum of its CEC tables (MD32720)": (
+        "axe {name} : limite de la somme de ses tables CEC (MD32720)"
+    ),
+    "not reached (default 1 {unit})": "non atteinte (par défaut 1 {unit})",
+    "the control's files do not say it, or reserve none yet": (
+        "les fichiers de la commande ne le disent pas, ou n'en réservent pas encore"
+    ),
+    "in no file, its default from memory": "dans aucun fichier, sa valeur par défaut de mémoire",
+    "one manual of Siemens says error; no readings depend on it here": (
+        "un manuel de Siemens dit error ; aucune lecture n'en dépend ici"
+    ),
 }

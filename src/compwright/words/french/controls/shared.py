@@ -118,4 +118,25 @@ TEXTS: Final[dict[str, str]] = {
     "axis {axis}, test {test}": "axe {axis}, essai {test}",
     "as the file was read ({code})": "comme le fichier a été lu ({code})",
     "All files or none": "Tous les fichiers ou aucun",
+    "not given": "non indiqué",
+    "default of the definition; {evidence}": "valeur par défaut de la définition ; {evidence}",
+    "default of the definition": "valeur par défaut de la définition",
+    "option {name}": "option {name}",
+    "its tests cover less than half of its travel, which is more than a turn": (
+        "ses essais couvrent moins de la moitié de sa course, qui dépasse un tour"
+    ),
+    "axis {name}: its error repeats every": "axe {name} : son erreur se répète tous les",
+    "address of axis {name}": "adresse de l'axe {name}",
+    "confirmed: {what}": "confirmé : {what}",
+    "unconfirmed: {what}": "non confirmé : {what}",
+    "inferred: {what}": "déduit : {what}",
+    "{label}: compensation during the test": "{label} : compensation pendant l'essai",
+    "the job's answer (active)": "la réponse du dossier de travail (active)",
+    "on": "activée",
+    "the files end with it switched on (active: no is of the others)": (
+        "les fichiers finissent avec elle activée (active: no vaut pour les autres)"
+    ),
+    "off": "désactivée",
+    "axis {name}: kind": "axe {name} : type",
+    "{plan} above the files": "{plan} au-dessus des fichiers",
 }

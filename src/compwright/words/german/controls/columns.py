@@ -294,4 +294,16 @@ TEXTS: Final[dict[str, str]] = {
         "Wo die Spalte BACKLASH die Umkehr enthält, darf backLash sie nicht noch einmal enthalten."
     ),
     "At most 256 points.": "Höchstens 256 Punkte.",
+    "axis {address}": "Achse {address}",
+    "axis {name}: curve for travel in -": "Achse {name}: Kurve für die Fahrt in -",
+    "none: no table of the axis with a column BACKLASH was given": (
+        "keine: Eine Tabelle der Achse mit einer Spalte BACKLASH war nicht angegeben"
+    ),
+    "axis {name}: outside the table": "Achse {name}: außerhalb der Tabelle",
+    "the end values hold; let the table reach one spacing beyond the travel on each side": (
+        "die Endwerte bleiben; die Tabelle auf jeder Seite um einen Punktabstand über den"
+        " Verfahrweg hinausreichen lassen"
+    ),
+    "an entry sheet has no place for it": "ein Eingabeblatt hat keinen Platz dafür",
+    "option or its default": "Option oder ihre Vorgabe",
 }

@@ -132,4 +132,27 @@ TEXTS: Final[dict[str, str]] = {
     "Below the first and above the last row their values stay.": (
         "Unter der ersten und über der letzten Zeile bleiben deren Werte."
     ),
+    "{label}: zero of the correction": "{label}: Null der Korrektur",
+    "{position} {unit}, approached in {direction}": "{position} {unit}, in {direction} angefahren",
+    "the axis homes on a switch (HOME_OFFSET, HOME_LATCH_VEL): what the table holds there"
+    " counts as zero": (
+        "die Achse referenziert auf einen Schalter (HOME_OFFSET, HOME_LATCH_VEL): Was die"
+        " Tabelle dort enthält, zählt als null"
+    ),
+    "{label}: table": "{label}: Tabelle",
+    "no file that was given holds one": "keine angegebene Datei enthält eine",
+    "where its turn begins (MD30340)": "wo ihre Umdrehung beginnt (MD30340)",
+    "{value} deg": "{value}°",
+    "the control has reserved none yet": "die Steuerung hat noch keine reserviert",
+    "that the control wraps it (MD30310)": "dass die Steuerung sie umlaufen lässt (MD30310)",
+    "yes": "ja",
+    "the control's files do not say it": "die Dateien der Steuerung sagen es nicht",
+    "axis {name}: {fact}": "Achse {name}: {fact}",
+    "in no file": "in keiner Datei",
+    "axis {name}: number of points the control can hold": (
+        "Achse {name}: Anzahl der Punkte, die die Steuerung aufnimmt"
+    ),
+    "as many as are needed; the card says how many to set": (
+        "so viele wie nötig; die Karte sagt, wie viele zu setzen sind"
+    ),
 }

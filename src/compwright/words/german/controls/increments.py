@@ -344,4 +344,21 @@ TEXTS: Final[dict[str, str]] = {
         "3621 und 3622 der Achse {address}, die äußersten Punkte in - und in +: Jenseits davon"
         " geht die Tabelle nicht weiter."
     ),
+    "{label}: bidirectional compensation": "{label}: Kompensation in beiden Richtungen",
+    "as 3605#0, 3626 and 3627 are understood": "wie 3605#0, 3626 und 3627 verstanden werden",
+    "no manual page": "keine Handbuchseite",
+    "no file says what the numbers {numbers} hold; give all of the control's pitch data, or"
+    " first_point": (
+        "keine Datei sagt, was die Nummern {numbers} enthalten; alle Steigungsdaten der"
+        " Steuerung oder first_point angeben"
+    ),
+    "at most {gap} in a row": "höchstens {gap} in einer Reihe",
+    "point numbers for its table": "Punktnummern für ihre Tabelle",
+    "not checked: the option max_feed is not given, and no file says the rapid traverse (1420)": (
+        "nicht geprüft: Die Option max_feed ist nicht angegeben, und keine Datei nennt den"
+        " Eilgang (1420)"
+    ),
+    "smallest interval for its feed": "kleinster Punktabstand für ihren Vorschub",
+    "{label}: detection unit": "{label}: Erfassungseinheit",
+    "read: {evidence}": "gelesen: {evidence}",
 }

@@ -168,4 +168,6 @@ TEXTS: Final[dict[str, str]] = {
         "kw.ssfk.max_points muss größer sein; es kann nach dem Start nicht geändert werden"
         " (Fehler 110638)."
     ),
+    "in no list that was given": "in keiner angegebenen Liste",
+    "{label}: {fact}": "{label}: {fact}",
 }

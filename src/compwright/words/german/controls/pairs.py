@@ -371,4 +371,18 @@ TEXTS: Final[dict[str, str]] = {
     "$AN_CEC_MAX ends the tables, and the end value stays beyond it.": (
         "$AN_CEC_MAX beendet die Tabellen, und der Endwert bleibt jenseits davon."
     ),
+    "axis {name}: number of points of its CEC tables (MD18342)": (
+        "Achse {name}: Anzahl der Punkte ihrer CEC-Tabellen (MD18342)"
+    ),
+    "axis {name}: limit of the sum of its CEC tables (MD32720)": (
+        "Achse {name}: Grenze der Summe ihrer CEC-Tabellen (MD32720)"
+    ),
+    "not reached (default 1 {unit})": "nicht erreicht (Vorgabe 1 {unit})",
+    "the control's files do not say it, or reserve none yet": (
+        "die Dateien der Steuerung sagen es nicht oder reservieren noch keine"
+    ),
+    "in no file, its default from memory": "in keiner Datei, die Vorgabe aus dem Gedächtnis",
+    "one manual of Siemens says error; no readings depend on it here": (
+        "ein Handbuch von Siemens sagt error; hier hängen keine Messwerte davon ab"
+    ),
 }

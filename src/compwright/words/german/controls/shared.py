@@ -117,4 +117,26 @@ TEXTS: Final[dict[str, str]] = {
     "axis {axis}, test {test}": "Achse {axis}, Prüfung {test}",
     "as the file was read ({code})": "wie die Datei gelesen wurde ({code})",
     "All files or none": "Alle Dateien oder keine",
+    "not given": "nicht angegeben",
+    "default of the definition; {evidence}": "Vorgabe der Definition; {evidence}",
+    "default of the definition": "Vorgabe der Definition",
+    "option {name}": "Option {name}",
+    "its tests cover less than half of its travel, which is more than a turn": (
+        "ihre Prüfungen decken weniger als die Hälfte ihres Verfahrwegs, der mehr als eine"
+        " Umdrehung ist"
+    ),
+    "axis {name}: its error repeats every": "Achse {name}: ihr Fehler wiederholt sich alle",
+    "address of axis {name}": "Adresse der Achse {name}",
+    "confirmed: {what}": "bestätigt: {what}",
+    "unconfirmed: {what}": "unbestätigt: {what}",
+    "inferred: {what}": "geschlossen: {what}",
+    "{label}: compensation during the test": "{label}: Kompensation während der Prüfung",
+    "the job's answer (active)": "die Antwort des Auftrags (active)",
+    "on": "ein",
+    "the files end with it switched on (active: no is of the others)": (
+        "die Dateien enden mit eingeschalteter (active: no gilt für die anderen)"
+    ),
+    "off": "aus",
+    "axis {name}: kind": "Achse {name}: Art",
+    "{plan} above the files": "{plan} über den Dateien",
 }

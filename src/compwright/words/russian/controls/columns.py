@@ -281,4 +281,16 @@ TEXTS: Final[dict[str, str]] = {
         "Где столбец BACKLASH содержит реверс, backLash не должен содержать его ещё раз."
     ),
     "At most 256 points.": "Не более 256 точек.",
+    "axis {address}": "ось {address}",
+    "axis {name}: curve for travel in -": "ось {name}: кривая для хода в -",
+    "none: no table of the axis with a column BACKLASH was given": (
+        "нет: таблица оси со столбцом BACKLASH не дана"
+    ),
+    "axis {name}: outside the table": "ось {name}: вне таблицы",
+    "the end values hold; let the table reach one spacing beyond the travel on each side": (
+        "сохраняются крайние значения; пусть таблица выходит за ход на один шаг точек с каждой"
+        " стороны"
+    ),
+    "an entry sheet has no place for it": "в листе ввода для этого нет места",
+    "option or its default": "опция или её значение по умолчанию",
 }

@@ -128,4 +128,27 @@ TEXTS: Final[dict[str, str]] = {
     "Below the first and above the last row their values stay.": (
         "Ниже первой и выше последней строки сохраняются их значения."
     ),
+    "{label}: zero of the correction": "{label}: нуль коррекции",
+    "{position} {unit}, approached in {direction}": "{position} {unit}, подход в {direction}",
+    "the axis homes on a switch (HOME_OFFSET, HOME_LATCH_VEL): what the table holds there"
+    " counts as zero": (
+        "ось выходит в опорную позицию по выключателю (HOME_OFFSET, HOME_LATCH_VEL): то, что"
+        " таблица там содержит, считается нулём"
+    ),
+    "{label}: table": "{label}: таблица",
+    "no file that was given holds one": "ни один данный файл её не содержит",
+    "where its turn begins (MD30340)": "где начинается её оборот (MD30340)",
+    "{value} deg": "{value}°",
+    "the control has reserved none yet": "УЧПУ ещё ничего не зарезервировало",
+    "that the control wraps it (MD30310)": "что УЧПУ ведёт её бесконечно (MD30310)",
+    "yes": "да",
+    "the control's files do not say it": "файлы УЧПУ этого не говорят",
+    "axis {name}: {fact}": "ось {name}: {fact}",
+    "in no file": "ни в одном файле",
+    "axis {name}: number of points the control can hold": (
+        "ось {name}: число точек, которое вмещает УЧПУ"
+    ),
+    "as many as are needed; the card says how many to set": (
+        "сколько нужно; карта говорит, сколько задать"
+    ),
 }

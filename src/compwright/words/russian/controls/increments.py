@@ -322,4 +322,20 @@ TEXTS: Final[dict[str, str]] = {
     " table does not go on.": (
         "3621 и 3622 оси {address}, крайние точки в - и в +: дальше таблица не продолжается."
     ),
+    "{label}: bidirectional compensation": "{label}: компенсация в обоих направлениях",
+    "as 3605#0, 3626 and 3627 are understood": "как понимаются 3605#0, 3626 и 3627",
+    "no manual page": "ни одной страницы руководства",
+    "no file says what the numbers {numbers} hold; give all of the control's pitch data, or"
+    " first_point": (
+        "ни один файл не говорит, что содержат номера {numbers}; дайте все данные шага УЧПУ или"
+        " first_point"
+    ),
+    "at most {gap} in a row": "не более {gap} подряд",
+    "point numbers for its table": "номера точек для её таблицы",
+    "not checked: the option max_feed is not given, and no file says the rapid traverse (1420)": (
+        "не проверено: опция max_feed не задана, и ни один файл не называет быстрый ход (1420)"
+    ),
+    "smallest interval for its feed": "наименьший интервал для её подачи",
+    "{label}: detection unit": "{label}: единица измерения",
+    "read: {evidence}": "прочитано: {evidence}",
 }

@@ -161,4 +161,6 @@ TEXTS: Final[dict[str, str]] = {
     "kw.ssfk.max_points must be larger; it cannot change after the start (error 110638).": (
         "kw.ssfk.max_points должно быть больше; после запуска его менять нельзя (ошибка 110638)."
     ),
+    "in no list that was given": "ни в одном данном списке",
+    "{label}: {fact}": "{label}: {fact}",
 }

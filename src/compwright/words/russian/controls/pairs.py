@@ -355,4 +355,18 @@ TEXTS: Final[dict[str, str]] = {
     "$AN_CEC_MAX ends the tables, and the end value stays beyond it.": (
         "$AN_CEC_MAX кончает таблицы, и крайнее значение сохраняется дальше."
     ),
+    "axis {name}: number of points of its CEC tables (MD18342)": (
+        "ось {name}: число точек её таблиц CEC (MD18342)"
+    ),
+    "axis {name}: limit of the sum of its CEC tables (MD32720)": (
+        "ось {name}: предел суммы её таблиц CEC (MD32720)"
+    ),
+    "not reached (default 1 {unit})": "не достигнут (по умолчанию 1 {unit})",
+    "the control's files do not say it, or reserve none yet": (
+        "файлы УЧПУ этого не говорят или ещё ничего не резервируют"
+    ),
+    "in no file, its default from memory": "ни в одном файле, значение по умолчанию по памяти",
+    "one manual of Siemens says error; no readings depend on it here": (
+        "одно руководство Siemens говорит error; здесь отсчёты от этого не зависят"
+    ),
 }

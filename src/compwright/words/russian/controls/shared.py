@@ -115,4 +115,25 @@ TEXTS: Final[dict[str, str]] = {
     "axis {axis}, test {test}": "ось {axis}, проверка {test}",
     "as the file was read ({code})": "как прочитан файл ({code})",
     "All files or none": "Все файлы или ни одного",
+    "not given": "не задано",
+    "default of the definition; {evidence}": "по умолчанию в определении; {evidence}",
+    "default of the definition": "по умолчанию в определении",
+    "option {name}": "опция {name}",
+    "its tests cover less than half of its travel, which is more than a turn": (
+        "её проверки охватывают меньше половины хода, который больше оборота"
+    ),
+    "axis {name}: its error repeats every": "ось {name}: погрешность повторяется каждые",
+    "address of axis {name}": "адрес оси {name}",
+    "confirmed: {what}": "подтверждено: {what}",
+    "unconfirmed: {what}": "не подтверждено: {what}",
+    "inferred: {what}": "выведено: {what}",
+    "{label}: compensation during the test": "{label}: компенсация во время проверки",
+    "the job's answer (active)": "ответ задания (active)",
+    "on": "включена",
+    "the files end with it switched on (active: no is of the others)": (
+        "файлы кончаются с включённой (active: no относится к другим)"
+    ),
+    "off": "выключена",
+    "axis {name}: kind": "ось {name}: вид",
+    "{plan} above the files": "{plan} выше файлов",
 }
