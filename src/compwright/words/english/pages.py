@@ -262,8 +262,7 @@ SENTENCES: Final[dict[str, str]] = {
     "run.files_written": "Files written",
     "run.in_english": (
         "Texts of the job, of the files and of the control's definition are as they were given;"
-        " assumed facts, reasons why an axis gets no table, and the names in the certificate of the"
-        " fit are in English."
+        " refusals of a control's files are in English."
     ),
     "run.legend": (
         "Grey: before. Blue: 5 to 95 % of fresh tests at the same targets, upright line: median."
@@ -312,8 +311,8 @@ SENTENCES: Final[dict[str, str]] = {
     "verify.factor": "factor",
     "verify.further_table": "further table",
     "verify.in_english": (
-        "Texts of the job, of the files and of the control's definition are as they were given; the"
-        " reasons of the next round are in English."
+        "Texts of the job, of the files and of the control's definition are as they were given;"
+        " refusals of a control's files are in English."
     ),
     "verify.legend": (
         "Grey: before. Blue: predicted 5 to 95 %, upright line: measured after loading. Dashed:"

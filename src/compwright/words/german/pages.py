@@ -281,10 +281,11 @@ SENTENCES: Final[dict[str, str]] = {
     "run.files": "Dateien",
     "run.files_written": "Geschriebene Dateien",
     "run.in_english": (
-        "Texte aus Auftrag, Dateien und Definition der Steuerung stehen, wie sie angegeben sind."
-        " Auf Englisch sind die angenommenen Tatsachen, die Gründe, warum eine Achse keine Tabelle"
-        " bekommt, und die Namen im Nachweis der Ausgleichung. Die Übersetzung hat noch kein"
-        " Muttersprachler geprüft."
+        "Texte des Auftrags, der Dateien und der Definition der Steuerung sind, wie sie gegeben"
+        " wurden; Ablehnungen von Dateien der Steuerung sind auf Englisch. Auf Englisch sind die"
+        " angenommenen Tatsachen, die Gründe, warum eine Achse keine Tabelle bekommt, und die"
+        " Namen im Nachweis der Ausgleichung. Die Übersetzung hat noch kein Muttersprachler"
+        " geprüft."
     ),
     "run.legend": (
         "Grau: vorher. Blau: 5 bis 95 % neuer Prüfungen an den gleichen Zielpositionen, senkrechter"
@@ -337,9 +338,9 @@ SENTENCES: Final[dict[str, str]] = {
     "verify.factor": "Faktor",
     "verify.further_table": "weitere Tabelle",
     "verify.in_english": (
-        "Texte aus Auftrag, Dateien und Definition der Steuerung stehen, wie sie angegeben sind."
-        " Auf Englisch sind die Gründe der nächsten Runde. Die Übersetzung hat noch kein"
-        " Muttersprachler geprüft."
+        "Texte des Auftrags, der Dateien und der Definition der Steuerung sind, wie sie gegeben"
+        " wurden; Ablehnungen von Dateien der Steuerung sind auf Englisch. Auf Englisch sind die"
+        " Gründe der nächsten Runde. Die Übersetzung hat noch kein Muttersprachler geprüft."
     ),
     "verify.legend": (
         "Grau: vorher. Blau: Vorhersage 5 bis 95 %, senkrechter Strich: nach dem Laden gemessen."
