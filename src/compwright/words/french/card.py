@@ -42,7 +42,8 @@ SENTENCES: Final[dict[str, str]] = {
         "Les nombres des tableaux et des étapes ont un point décimal, comme on les saisit à une"
         " commande. Les noms des paramètres, options et fichiers sont ceux de la commande et du"
         " dossier de travail.{foreign:if| Les étapes de votre propre définition n'ont pas de"
-        " traduction et sont en anglais.}"
+        " traduction et sont en anglais.} La traduction n'a pas encore été relue par une personne"
+        " de langue française."
     ),
     "card.parameter": "{name} = {value}",
     "card.points": "La commande doit avoir au moins {points} points pour cet axe.",

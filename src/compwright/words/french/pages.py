@@ -287,10 +287,8 @@ SENTENCES: Final[dict[str, str]] = {
     "run.files_written": "Fichiers écrits",
     "run.in_english": (
         "Les textes du dossier de travail, des fichiers et de la définition de la commande sont"
-        " tels qu'ils ont été donnés ; les refus de fichiers de la commande sont en anglais. Sont"
-        " en anglais les faits supposés, les raisons pour lesquelles un axe n'a pas de table et"
-        " les noms du certificat de l'ajustement. La traduction n'a pas encore été relue par une"
-        " personne de langue française."
+        " tels qu'ils ont été donnés ; les refus de fichiers de la commande sont en anglais. La"
+        " traduction n'a pas encore été relue par une personne de langue française."
     ),
     "run.legend": (
         "Gris : avant. Bleu : 5 à 95 % de nouveaux essais aux mêmes points visés, trait vertical :"
@@ -341,9 +339,8 @@ SENTENCES: Final[dict[str, str]] = {
     "verify.further_table": "nouvelle table",
     "verify.in_english": (
         "Les textes du dossier de travail, des fichiers et de la définition de la commande sont"
-        " tels qu'ils ont été donnés ; les refus de fichiers de la commande sont en anglais. Sont"
-        " en anglais les raisons du tour suivant. La traduction n'a pas encore été relue par une"
-        " personne de langue française."
+        " tels qu'ils ont été donnés ; les refus de fichiers de la commande sont en anglais. La"
+        " traduction n'a pas encore été relue par une personne de langue française."
     ),
     "verify.legend": (
         "Gris : avant. Bleu : prévision de 5 à 95 %, trait vertical : mesuré après chargement."

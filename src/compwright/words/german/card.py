@@ -42,7 +42,7 @@ SENTENCES: Final[dict[str, str]] = {
         "Zahlen in Tabellen und Schritten haben einen Dezimalpunkt, wie sie an einer Steuerung"
         " getippt werden. Namen von Parametern, Optionen und Dateien sind wie in der Steuerung und"
         " im Auftrag.{foreign:if| Schritte der eigenen Definition haben keine Übersetzung und sind"
-        " englisch.}"
+        " englisch.} Die Übersetzung hat noch kein Muttersprachler geprüft."
     ),
     "card.parameter": "{name} = {value}",
     "card.points": "Die Steuerung muss mindestens {points} Punkte für diese Achse haben.",

@@ -282,10 +282,8 @@ SENTENCES: Final[dict[str, str]] = {
     "run.files_written": "Geschriebene Dateien",
     "run.in_english": (
         "Texte des Auftrags, der Dateien und der Definition der Steuerung sind, wie sie gegeben"
-        " wurden; Ablehnungen von Dateien der Steuerung sind auf Englisch. Auf Englisch sind die"
-        " angenommenen Tatsachen, die Gründe, warum eine Achse keine Tabelle bekommt, und die"
-        " Namen im Nachweis der Ausgleichung. Die Übersetzung hat noch kein Muttersprachler"
-        " geprüft."
+        " wurden; Ablehnungen von Dateien der Steuerung sind auf Englisch. Die Übersetzung hat"
+        " noch kein Muttersprachler geprüft."
     ),
     "run.legend": (
         "Grau: vorher. Blau: 5 bis 95 % neuer Prüfungen an den gleichen Zielpositionen, senkrechter"
@@ -339,8 +337,8 @@ SENTENCES: Final[dict[str, str]] = {
     "verify.further_table": "weitere Tabelle",
     "verify.in_english": (
         "Texte des Auftrags, der Dateien und der Definition der Steuerung sind, wie sie gegeben"
-        " wurden; Ablehnungen von Dateien der Steuerung sind auf Englisch. Auf Englisch sind die"
-        " Gründe der nächsten Runde. Die Übersetzung hat noch kein Muttersprachler geprüft."
+        " wurden; Ablehnungen von Dateien der Steuerung sind auf Englisch. Die Übersetzung hat"
+        " noch kein Muttersprachler geprüft."
     ),
     "verify.legend": (
         "Grau: vorher. Blau: Vorhersage 5 bis 95 %, senkrechter Strich: nach dem Laden gemessen."
