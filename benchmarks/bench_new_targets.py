@@ -20,7 +20,6 @@ import json
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-from unittest.mock import patch
 
 import numpy as np
 from examiner_axes import (
@@ -37,7 +36,6 @@ from examiner_axes import (
     wave,
 )
 
-from compwright.planning import new_targets
 from compwright.planning.axis_work import predict_axis, start_axis
 from compwright.planning.limit_decisions import accept_decisions
 from compwright.prediction.active_corrections import no_correction
@@ -133,13 +131,10 @@ def judged(virtual: Axis, number: int, *, sound: bool) -> dict[str, object]:
         if sound
         else [factor * predicted.predicted["A"].p95 / UM for factor in FACTORS]
     )
-    with patch.object(new_targets, "accept_decisions", wraps=accept_decisions) as asked:
-        entry = replace(entry, accept=Acceptance(limits={"A": limits[0]}))
-        predict_axis(replace(work, entry=entry), change, None, job)
     decisions = []
     for limit in limits:
         entry = replace(entry, accept=Acceptance(limits={"A": limit}))
-        decisions.append(accept_decisions(entry, *asked.call_args.args[1:])["A"].decision)
+        decisions.append(accept_decisions(entry, (predicted,), "simple")["A"].decision)
     return {
         "axis": virtual.name,
         "targets": len(virtual.targets),
@@ -149,7 +144,6 @@ def judged(virtual: Axis, number: int, *, sound: bool) -> dict[str, object]:
         "limits": [round(limit, 3) for limit in limits],
         "decisions": decisions,
         "broken": [float(np.mean(values > limit)) for limit in limits],
-        "decides": round(asked.call_args.args[3]["A"].p95 / UM, 3),
         "periods": [(p.period, p.probability) for p in work.posterior.own.periods],
     }
 

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from compwright.estimation.axis import Draws
+from compwright.estimation.hidden_periods import HiddenPeriods
 from compwright.evaluation.standards import evaluate
 from compwright.planning.axis_work import AxisWork
 from compwright.planning.circles import CircleWork
@@ -74,6 +75,7 @@ class KnownAxis:
     ) -> None:
         self.plus, self.minus, self.std, self.noise = plus, minus, std, noise
         self.noise_dof, self.reversal_log_odds, self.findings = 10.0, odds, ()
+        self.hidden = HiddenPeriods(())
 
     def summary(self, positions: Floats) -> ErrorEstimate:
         return estimate_of(positions, self.plus, self.minus, std=self.std, noise=self.noise)

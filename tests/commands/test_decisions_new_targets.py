@@ -5,7 +5,7 @@ error, and those that the targets cannot show. Readings from a machine with a kn
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -55,16 +55,20 @@ def run(folder: Path, machine: Machine, targets: Floats, limit: float) -> tuple[
 )
 def test_new_targets_have_to_keep_a_limit_too(new: float, limit: float, decision: str) -> None:
     shown = {"A": Quantiles(2.0 * UM, 1.0 * UM, new * UM)}
-    found = accept_decisions(entry_of({"A": limit}), (predicted(1.0, 2.0),), "simple", shown)
+    test = replace(predicted(1.0, 2.0), predicted_new_targets=shown)
+    found = accept_decisions(entry_of({"A": limit}), (test,), "simple")
     assert found["A"].decision == decision
 
 
 @pytest.mark.parametrize(("count", "code"), [(6, 1), (25, 0)])
 def test_six_targets_tell_nothing_of_a_period(tmp_path: Path, count: int, code: int) -> None:
-    """4 µm are 1.5 µm more than the noise alone needs (R of 0.4 µm: 6 sigma)."""
+    """4 µm are 1.5 µm more than the noise alone needs (R of 0.4 µm: 6 sigma). What six targets
+    leave open is in the band at new targets.
+    """
     machine = Machine(bow=0.0005)
     found, axis = run(tmp_path, machine, machine.targets(count), 4.0)
     assert axis["predicted"]["A"]["p95"] < 4.0
+    assert (axis["predicted_new_targets"]["A"]["p95"] > 4.0) is (code == 1)
     assert found == code
     codes = {finding["code"] for finding in axis["findings"]}
     assert ("CW-P133" in codes) is (code == 1)
@@ -152,16 +156,24 @@ def test_no_limit_is_accepted_that_fresh_tests_break(
 ) -> None:
     """A lead of 16 mm every 112 mm; one that looks like a longer wave; and one of 39.92 mm that
     bumps twice in a turn, which may also be one of 19.96 mm. Fresh tests take the error out as it
-    is at the measured targets, by straight lines.
+    is at the measured targets, by straight lines. With the written table most stay below the end of the band, though the amplitudes are larger
+    than expected.
     """
     machine = Waving(bow=0.0005, waves=waves)
     _, axis = run(tmp_path, machine, targets, limit)
     before = {sign: machine.error(targets, sign) for sign in (1, -1)}
-    broken = []
+    table, band = axis["table"], axis["predicted_new_targets"]["A"]
+    columns = {1: table["correction_positive"], -1: table["correction_negative"]}
+    broken, held = [], []
     for seed in range(60):
         new = machine.targets(targets.size, seed)
         readings = machine.measure(new, seed, lambda x, sign: -np.interp(x, targets, before[sign]))
         broken.append(accuracy(readings) > limit * UM)
+        with_table = machine.measure(
+            new, seed, lambda x, sign: UM * np.interp(x, table["positions"], columns[sign])
+        )
+        held.append(accuracy(with_table) <= band["p95"] * UM)
     assert np.mean(broken) > 0.05
+    assert np.mean(held) > 0.5
     assert axis["predicted"]["A"]["p95"] < limit
     assert axis["accept"]["A"]["decision"] == "undecided"

@@ -108,8 +108,8 @@ def test_the_guard_counts_at_new_targets_too() -> None:
     """Limit 8, U 1 µm: at the same targets 6 keeps it; at new ones 7.5 does not, 6.5 does."""
     for p95, decision in ((7.5, "undecided"), (6.5, "accept")):
         new = {"A": Quantiles(median=6.0 * UM, p05=5.0 * UM, p95=p95 * UM)}
-        test = predicted(4.0, 6.0, U=1.0)
-        found = accept_decisions(entry_of({"A": 8.0}), (test,), "guarded", new)["A"]
+        test = replace(predicted(4.0, 6.0, U=1.0), predicted_new_targets=new)
+        found = accept_decisions(entry_of({"A": 8.0}), (test,), "guarded")["A"]
         assert found.decision == decision
 
 

@@ -21,6 +21,7 @@ between models, section 5.2.
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Final
@@ -65,7 +66,7 @@ class Draws:
     noise: NoiseDraws
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class AxisPosterior:
     """What is known of an axis after its tests, mm or deg, machine coordinates.
 
@@ -88,18 +89,8 @@ class AxisPosterior:
 
     @property
     def hidden(self) -> HiddenPeriods:
-        """The periods that the readings leave open."""
-        basis = replace(self.parts[0].basis, periods=(), kept=(), reversal_sines=0)
-        given = [each.period for each in self.periods if each.source == "job"]
-        shown = visible_periods(self.cells.targets, given)
-        return hidden_periods(
-            bidirectional_means(self.cells, endless=basis.turn is not None),
-            basis,
-            self.kind,
-            self.search,
-            shown,
-            [period for period in given if period not in shown],
-        )
+        """The periods that the readings leave open: worked out once, when they are needed."""
+        return _hidden_in(self)
 
     def summary(self, positions: FloatArray) -> ErrorEstimate:
         """Return mean and standard deviation of the deviation at ``positions`` (g,) strictly
@@ -253,6 +244,22 @@ class AxisPosterior:
         if self.cells.donor is None:
             return normal_noise(sigma, 0.5 * (low + high), 0.5 * (high - low))
         return replace(self.cells.donor.taken(seats), sigma=np.column_stack([sigma, sigma]))
+
+
+@functools.lru_cache(maxsize=8)
+def _hidden_in(posterior: AxisPosterior) -> HiddenPeriods:
+    cells = posterior.cells
+    basis = replace(posterior.parts[0].basis, periods=(), kept=(), reversal_sines=0)
+    given = [each.period for each in posterior.periods if each.source == "job"]
+    shown = visible_periods(cells.targets, given)
+    return hidden_periods(
+        bidirectional_means(cells, endless=basis.turn is not None),
+        basis,
+        posterior.kind,
+        posterior.search,
+        shown,
+        [period for period in given if period not in shown],
+    )
 
 
 def estimate_axis(

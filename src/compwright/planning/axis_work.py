@@ -258,10 +258,7 @@ def predict_axis(
         _predicted_test(work, place, new, job, None if place else first)
         for place in range(len(work.results))
     )
-    change = difference(new, work.active)
-    accept, undecided = decide_limits(
-        work.entry, work.planned, work.results, work.posterior, change, rule, tests, first
-    )
+    accept, undecided = decide_limits(work.entry, work.posterior.own, rule, tests)
     guard = lacking_guard(axis, work.results[0].standard, unguarded(accept))
     return AxisPrediction(
         tests=tests,

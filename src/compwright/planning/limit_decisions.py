@@ -28,14 +28,13 @@ def accept_decisions(
     entry: AxisJob,
     predictions: tuple[TestPrediction, ...],
     rule: Literal["simple", "guarded"],
-    at_new_targets: Mapping[str, Quantiles] | None = None,
 ) -> Mapping[str, AcceptDecision]:
     """Return the decision about each tolerance of the job from the predicted values (limits in µm
     or arcsec).
 
-    Accepted is what keeps its limit at the same targets and at new ones (``at_new_targets``: with
-    the periods that the test cannot show; None: as predicted). ``guarded``: with the uncertainty of
-    the predicted test as guard band; undecided where it has none.
+    Accepted is what keeps its limit at the same targets and at new ones, where the prediction
+    includes the periods that the test cannot show. ``guarded``: with the uncertainty of the
+    predicted test as guard band; undecided where it has none.
     """
     accept = entry.accept
     if accept is None:
@@ -47,7 +46,7 @@ def accept_decisions(
         prediction.uncertainty,
         rule,
         outside_factor(entry.axis.kind.unit),
-        at_new_targets or prediction.predicted_new_targets,
+        prediction.predicted_new_targets,
     )
 
 

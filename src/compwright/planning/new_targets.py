@@ -4,28 +4,16 @@ that may be there, and such as the readings leave open.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from typing import Final, Literal
 
-from compwright.estimation.hidden_periods import HiddenPeriods
+from compwright.estimation.axis import AxisPosterior
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.limit_decisions import accept_decisions, accepted_index, magnitude
-from compwright.planning.motions import with_motion
-from compwright.planning.simulated_repeat_tests import (
-    FreshTests,
-    RepeatConditions,
-    fresh_tests,
-    generator,
-)
-from compwright.planning.temperature_slopes import fresh_slope
-from compwright.planning.wanted_correction import MeasuredError
-from compwright.prediction.active_corrections import Correction
 from compwright.records.axis import Axis
 from compwright.records.job import AxisJob
-from compwright.records.plan import PlannedAxis
-from compwright.records.prediction import AcceptDecision, Quantiles, TestPrediction
-from compwright.records.result import PositioningResult
+from compwright.records.prediction import AcceptDecision, TestPrediction
 from compwright.records.targets import targets_text
 from compwright.words.sentences import Amount, say
 
@@ -35,48 +23,31 @@ _NAMED: Final = 0.05
 
 def decide_limits(
     entry: AxisJob,
-    planned: PlannedAxis,
-    results: Sequence[PositioningResult],
-    posterior: MeasuredError,
-    change: Correction,
+    posterior: AxisPosterior,
     rule: Literal["simple", "guarded"],
     tests: tuple[TestPrediction, ...],
-    first: FreshTests,
 ) -> tuple[Mapping[str, AcceptDecision], tuple[Finding, ...]]:
-    """Return the decisions about the limits of an axis after a ``change`` of its correction, and
-    what new targets leave undecided.
-
-    ``tests``: the prediction for each test, ``first``: fresh tests like the first one at new
-    targets.
+    """Return the decisions about the limits of an axis from the prediction for each of its
+    ``tests``, and what new targets leave undecided.
     """
     if entry.accept is None:
         return {}, ()
-    axis, place = planned.axis, accepted_index(entry.accept, tuple(each.name for each in tests))
-    test = planned.tests[place]
-    like = RepeatConditions(place, fresh_slope(rule, test))
-    drawn = fresh_tests(results[place], posterior, axis, like) if place else first
-    rng = generator(axis.name, tests[place].name, "hidden periods")
-    count, hidden = drawn.draws.positive.shape[0], posterior.own.hidden
-    shown = drawn.quantiles(
-        with_motion(change, axis, test.backlash_more),
-        waves=hidden.waves(drawn.targets, count, rng),
-    )
-    accept = accept_decisions(entry, tests, rule, shown)
-    return accept, tuple(_left_open(axis, accept, tests[place], shown, posterior, hidden))
+    place = accepted_index(entry.accept, tuple(each.name for each in tests))
+    accept = accept_decisions(entry, tests, rule)
+    return accept, tuple(_left_open(entry.axis, accept, tests[place], posterior))
 
 
 def _left_open(
     axis: Axis,
     accept: Mapping[str, AcceptDecision],
     test: TestPrediction,
-    new: Mapping[str, Quantiles],
-    posterior: MeasuredError,
-    hidden: HiddenPeriods,
+    posterior: AxisPosterior,
 ) -> Iterator[Finding]:
     """Yield what keeps a limit open that is kept at the same targets (CW-P133), and what to
     measure.
     """
     factor, unit = outside_factor(axis.kind.unit), shown_unit(axis.kind.unit)
+    new, hidden = test.predicted_new_targets, posterior.hidden
     left = [
         say(
             "CW-P133.parameter",
@@ -92,7 +63,7 @@ def _left_open(
     ]
     if not left:
         return
-    targets, periods = test.before.test.targets, posterior.own.periods
+    targets, periods = test.before.test.targets, posterior.periods
     reasons = [
         say(
             "CW-P133.period",

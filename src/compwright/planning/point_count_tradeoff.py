@@ -97,7 +97,7 @@ def _worth(
     written: bool = False,
     there: bool = False,
 ) -> PointCountOption:
-    shown = fresh.quantiles(difference(new, active), only=name)[name]
+    shown = fresh.band(difference(new, active), only=name)[name]
     return PointCountOption(
         points=nodes.size,
         spacing=float(np.max(np.diff(nodes))),

@@ -41,7 +41,7 @@ def predict(
         name=result.test.name,
         before=result,
         predicted=predict_same_targets(result, posterior, change, axis, like),
-        predicted_new_targets=drawn.quantiles(change),
+        predicted_new_targets=drawn.band(change),
     )
 
 

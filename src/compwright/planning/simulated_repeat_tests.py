@@ -5,7 +5,7 @@ only by the requested change, not by chance.
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from itertools import pairwise
 from typing import Any, Final
@@ -13,6 +13,7 @@ from typing import Any, Final
 import numpy as np
 
 from compwright.estimation.axis import Draws
+from compwright.estimation.hidden_periods import HiddenPeriods
 from compwright.planning.wanted_correction import MeasuredError
 from compwright.prediction.active_corrections import Correction
 from compwright.prediction.fresh_scatter import FreshScatter, fresh_scatter
@@ -59,7 +60,8 @@ class FreshTests:
     the set of each draw, ascending. Tests like ``result`` add the scatter of the readings, from the
     generator in ``state``, and ``slopes`` (s, m) from an uncertain temperature. ``drawn``: the
     scatter of all parts of the noise, once it is needed, and the scatter without the last removed
-    parts (both are large).
+    parts (both are large). ``hidden``: returns the periods that the readings leave open, and
+    ``waves``: draws (s, m) of these, once they are needed.
     """
 
     result: PositioningResult
@@ -69,6 +71,8 @@ class FreshTests:
     draws: Draws
     slopes: FloatArray
     state: Any
+    hidden: Callable[[], HiddenPeriods]
+    waves: list[FloatArray] = field(default_factory=list)
     drawn: dict[frozenset[NoisePart], FreshScatter] = field(default_factory=dict)
 
     @property
@@ -118,6 +122,30 @@ class FreshTests:
             name: value
             for name, value in found.items()
             if self.result.parameters.get(name) is not None
+        }
+
+    def band(self, change: Correction, *, only: str | None = None) -> Mapping[str, Quantiles]:
+        """Return the parameters of the tests after a ``change`` of the correction, by name, with
+        every period that remains possible.
+
+        Those that the readings show at all are in the draws, each as often as it is probable. Those
+        that they leave open count for the upper end alone: the axis may have none of them.
+        """
+        if not self.waves:
+            result, (count, _) = self.result, self.draws.positive.shape
+            rng = generator(result.test.axis, result.test.name, "hidden periods")
+            self.waves.append(self.hidden().waves(self.targets, count, rng))
+        shown = self.quantiles(change, only=only)
+        if not np.any(self.waves[0]):
+            return shown
+        more = self.quantiles(change, only=only, waves=self.waves[0])
+        return {
+            name: Quantiles(
+                median=each.median,
+                p05=min(each.p05, more[name].p05),
+                p95=max(each.p95, more[name].p95),
+            )
+            for name, each in shown.items()
         }
 
     def has(self, parts: Sequence[NoisePart]) -> bool:
@@ -179,6 +207,7 @@ def fresh_tests(
         draws=draws,
         slopes=fresh_slopes(sets[chosen], count, like.slope_std, rng),
         state=state,
+        hidden=lambda: posterior.hidden,
         drawn=drawn,
     )
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from compwright.estimation.axis import AxisPosterior, Draws, estimate_axis
+from compwright.estimation.hidden_periods import HiddenPeriods
 from compwright.estimation.noise import infer_noise
 from compwright.estimation.noise_posterior import NoisePosterior
 from compwright.estimation.observed_test import ObservedTest
@@ -65,6 +66,11 @@ class MeasuredError:
         position.
         """
         return self.own.reversal_log_odds
+
+    @property
+    def hidden(self) -> HiddenPeriods:
+        """The periods that the readings leave open."""
+        return self.own.hidden
 
     @property
     def findings(self) -> tuple[Finding, ...]:
