@@ -17,7 +17,7 @@ from compwright.fitting.truncation import range_faults, truncation_faults
 from compwright.foundations.errors import CapacityError, raise_all
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
-from compwright.planning.predicted_gain import judged_parameter
+from compwright.planning.predicted_gain import judged_parameter, parameter_spread
 from compwright.planning.repeating_table import with_repeating_table
 from compwright.planning.separate_line import with_line
 from compwright.planning.wanted_correction import without_kept_tables
@@ -30,8 +30,6 @@ from compwright.words.sentences import Amount, SentenceText, say
 
 #: The finding that a new grid is chosen.
 NEW_GRID: Final = "CW-P140"
-#: From 5 to 95 % a normal law is so many standard deviations wide.
-_BAND: Final = 3.29
 #: What a table may lose against the best one: µm or arcsec of what a test shows.
 NEXT_TO_NOTHING: Final = 0.1
 
@@ -200,7 +198,7 @@ def new_grid_offer(
         (kept.predicted_new_targets[name], offered.predicted_new_targets[name]),
     ]
     if not any(
-        mine.median - other.median > max(quantum, (mine.p95 - mine.p05) / _BAND)
+        mine.median - other.median > max(quantum, parameter_spread(mine))
         for mine, other in pairs
     ):
         return None
