@@ -198,8 +198,7 @@ def new_grid_offer(
         (kept.predicted_new_targets[name], offered.predicted_new_targets[name]),
     ]
     if not any(
-        mine.median - other.median > max(quantum, parameter_spread(mine))
-        for mine, other in pairs
+        mine.median - other.median > max(quantum, parameter_spread(mine)) for mine, other in pairs
     ):
         return None
     unit = axis.kind.unit
