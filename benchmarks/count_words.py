@@ -107,6 +107,10 @@ GENERATED = {
 }
 
 
+#: Blocks of code, fenced or indented.
+_SAMPLES = re.compile(r"^```.*?^```|(?<=\n\n)(?:[ ]{4}[^\n]*\n+)+", re.DOTALL | re.MULTILINE)
+
+
 def count_pages() -> None:
     """Print how many words (with a letter or digit) each kind of hand-written page has, outside and
     inside of blocks of code.
@@ -119,7 +123,7 @@ def count_pages() -> None:
         if page.name in GENERATED or "reference" in place.parts:
             continue
         text = page.read_text(encoding="utf-8")
-        prose = re.sub(r"^```.*?^```", "", text, flags=re.DOTALL | re.MULTILINE)
+        prose = _SAMPLES.sub("", text)
         whole, outside = (sum(bool(re.search(r"\w", w)) for w in t.split()) for t in (text, prose))
         for kind in (place.parent.as_posix(), "all"):
             counts[kind, "prose"] += outside
