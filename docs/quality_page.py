@@ -22,6 +22,7 @@ DOCS = Path(__file__).parent
 sys.path.insert(0, str(DOCS.parent / "benchmarks"))
 
 from fault_summary import BANDS  # noqa: E402 - the line above makes it findable
+from machine_kinds import KINDS  # noqa: E402
 from quality_summary import pair, summary  # noqa: E402
 
 Record = dict[str, Any]
@@ -82,13 +83,15 @@ def quality_page(kept: Record) -> str:
         for row in rows
     ]
     near, far = faults["near"], faults["far"]
-    shown = sum(row["axes"] for row in rows[1:])
+    lost = sorted(KINDS.keys() - {row["kind"] for row in rows})
     rest = (
-        f" ({shown} of the axes are of the kinds that are shown)" if shown < whole["axes"] else ""
+        f" Numbers of {len(rows) - 1} of {len(KINDS)} kinds were kept. Those of the other {whole['axes'] - sum(row['axes'] for row in rows[1:])} axes are in *all* only: {'; '.join(lost)}."
+        if lost
+        else ""
     )
     return f"""# How good the table is, and how honest the prediction
 
-Made by `make quality` from `docs/quality.json`. Tables: {whole["axes"]} virtual axes{rest}, measured {tables["date"]} on {tables["commit"]}. Loading faults: {faults["date"]} on {faults["commit"]}.
+Made by `make quality` from `docs/quality.json`. Tables: {whole["axes"]} virtual axes, measured {tables["date"]} on commit {tables["commit"]}. Loading faults: {faults["date"]} on commit {faults["commit"]}. What later commits changed is not in these numbers.{rest}
 
 Each virtual axis is measured and gets the tool's table and prediction; 8 fresh tests each at the same and at new targets follow with the table in the control. A kind of 20 axes is uncertain by 2 to 5 points.
 
@@ -112,7 +115,7 @@ All kinds: A is {whole["A"][0]:.2f} times that of a table that knows the truth. 
 {"|---" * len(head)}|
 {chr(10).join("| " + " | ".join(cells) + " |" for cells in body)}
 
-Unknown periods that were named: {"; ".join(named)}. A wrong period was named on {whole["wrong"]} of {whole["axes"]} axes; on rough curves (random walks, jumps) on 2 to 9 % (`benchmarks/bench_periods.py`).
+Unknown periods that were named: {"; ".join(named)}. A wrong period was named on {whole["wrong"]} of {whole["axes"]} axes; on rough curves (random walks, jumps) on 2 to 9 % (`benchmarks/bench_periods.py`, commit 219310a7).
 
 ## Is a loading fault found?
 

@@ -55,6 +55,22 @@ def test_the_commands_stand_in_the_order_of_work(capsys: pytest.CaptureFixture[s
     assert "..." not in shown.partition("\nOptions:")[2]
 
 
+def test_a_group_has_examples_and_a_page(capsys: pytest.CaptureFixture[str]) -> None:
+    assert compwright(["formats", "--help"]) == 0
+    commands_of, _, rest = capsys.readouterr().out.partition("\nExamples:\n")
+    assert re.findall(r"^  ([a-z]+) ", commands_of, re.MULTILINE) == ["check", "list", "show"]
+    assert rest.count("  compwright formats ") == 2
+    assert "Read more: docs/controls.md" in rest
+
+
+def test_after_a_wrong_value_the_next_step_is_the_help(capsys: pytest.CaptureFixture[str]) -> None:
+    """The message has the values that are right; an example of other options would lead away."""
+    assert compwright(["evaluate", "x.csv", "--lang", "xx"]) == 2
+    shown = capsys.readouterr().err
+    assert "'en', 'de', 'fr', 'ru'" in shown
+    assert shown.splitlines()[-1] == "Next: compwright evaluate --help"
+
+
 @pytest.mark.parametrize("name", NAMES)
 def test_help_has_what_is_required_examples_and_a_page(
     name: str, capsys: pytest.CaptureFixture[str]

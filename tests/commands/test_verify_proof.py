@@ -304,11 +304,16 @@ def test_a_warning_about_the_readings_counts(folder: Path) -> None:
     assert "CW-V024" in codes(document)
 
 
-def test_every_planned_axis_has_to_be_there(two: Path) -> None:
+def test_every_planned_axis_has_to_be_there(two: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (two / "ax.csv").write_text(csv_of(TARGETS, honest(two)))
     (two / "ay.csv").write_text(csv_of(TARGETS, honest(two, 4, address="AX2"), "Y"))
     code, document = verify(two, "ax.csv")
     assert (code, document["verdict"], codes(document)) == (1, "undecided", ["CW-V023"])
+    step = capsys.readouterr().out.splitlines()[-1]
+    assert step == (
+        "Next: measure what CW-V023 names, then type: compwright verify"
+        f" {two / 'job.yaml'} --after {two / 'ax.csv'} --after AFTER_FILE --force"
+    )
     assert document["doubts"][0]["values"]["axis"] == "Y"
     code, document = verify(two, "ax.csv", "ay.csv")
     assert (code, document["verdict"]) == (0, "good")

@@ -699,7 +699,7 @@ def test_of_a_period_between_two_and_three_points_the_nodes_hold_their_part(
     assert left == pytest.approx(0.416 * size, rel=0.01)
     assert causes(result)["spacing too wide for the period"] == pytest.approx(left, rel=0.02)
     (said,) = (each.message for each in result.findings if each.code == "CW-F002")
-    assert "(41%)" in said or "(42%)" in said
+    assert "(41 %)" in said or "(42 %)" in said
     assert "2.66 mm, 302 points" in said
     assert "has 256" in said
 

@@ -22,6 +22,7 @@ from compwright.words.sentences import Amount, Sentence, filled, placeholders, s
         ("{size:.2f} µm", {"size": 2 / 3}, "0.67 µm"),
         ("{size:+.1f}", {"size": 0.04}, "+0.0"),
         ("{odds:2sig} to 1", {"odds": 1234567.0}, "1200000 to 1"),
+        ("{share:.0%}", {"share": 0.173}, "17 %"),
         ("{shift:+3sig}", {"shift": 0.0001234}, "+0.000123"),
         ("{axes:and}", {"axes": ("X", "Y", "Z")}, "X and Y and Z"),
         ("{axes}", {"axes": ("X", "Y")}, "X, Y"),

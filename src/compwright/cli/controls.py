@@ -215,7 +215,10 @@ def diff(
     return outcome.exit_code
 
 
-@compwright.group()
+@compwright.group(
+    examples=("compwright formats list", "compwright formats show fanuc-30i"),
+    page="docs/controls.md, docs/formats.md",
+)
 def formats() -> None:
     """List, show and check the definitions of the controls."""
 

@@ -64,8 +64,13 @@ def _row(param: click.Parameter, ctx: click.Context) -> tuple[str, str] | None:
     return record and (record[0], record[1].removesuffix("[required]").rstrip())
 
 
-class OrderedGroup(click.Group):
+class OrderedGroup(HelpfulCommand, click.Group):
     """A group that lists its commands in the order of work, each with its whole sentence."""
+
+    def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """Write the options, then the commands."""
+        super().format_options(ctx, formatter)
+        self.format_commands(ctx, formatter)
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         """Return the names of the commands, those of no heading last."""

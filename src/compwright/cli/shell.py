@@ -93,7 +93,10 @@ def _wrong_words(error: click.ClickException) -> int:
         return UsageError.exit_code
     errors([error.format_message()])
     if context is not None:
-        example = next(iter(getattr(context.command, "examples", ())), "")
+        # A value that is wrong is in the message with those that are right: an example of
+        # other options would lead away from it.
+        wrong_value = type(error) is click.BadParameter
+        example = "" if wrong_value else next(iter(getattr(context.command, "examples", ())), "")
         tell(f"Next: {example and f'{example}; or '}{context.command_path} --help")
     return UsageError.exit_code
 

@@ -174,6 +174,7 @@ def _acceptance(section: Mapping[str, Any], path: KeyPath, standard: Any) -> Ite
     accept = mapping_of(section.get("accept"))
     known = VDI_PARAMETERS if standard == "vdi3441" else ISO_PARAMETERS
     undefined = _NOT_IN_1988 if standard == "iso230-2:1988" else ()
+    defined = [name for name in known if name not in undefined]
     for key, limit in accept.items():
         here = (*path, "accept", key)
         if key == "test":
@@ -183,13 +184,9 @@ def _acceptance(section: Mapping[str, Any], path: KeyPath, standard: Any) -> Ite
                     here, "names no test of this axis", suggestion(str(limit), names), shown(limit)
                 )
         elif key not in known:
-            yield KeyFault(here, f"is no parameter of {standard}", suggestion(key, known))
+            yield KeyFault(here, f"is no parameter of {standard}", suggestion(key, defined))
         elif key in undefined:
-            yield KeyFault(
-                here,
-                f"is not defined by {standard}",
-                suggestion("", [n for n in known if n not in undefined]),
-            )
+            yield KeyFault(here, f"is not defined by {standard}", suggestion("", defined))
         else:
             yield from _limit(limit, here)
     if "accept" in section and not set(accept) - {"test"} and isinstance(section["accept"], dict):

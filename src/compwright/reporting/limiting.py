@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, Final
 
-from compwright.reporting.numbers import number, plain, symbol, unit_text
+from compwright.reporting.numbers import number, symbol, unit_text
 from compwright.words.sentences import say
 
 Document = Mapping[str, Any]
@@ -16,6 +16,8 @@ Document = Mapping[str, Any]
 _WIDTH: Final = 200.0
 #: Below this (µm, arcsec) a cause is not worth a word at the terminal.
 _LEAST_SHOWN: Final = 0.005
+#: The names at the terminal that differ from those in the document.
+_SHORT: Final = {"no table is written": "error that no table takes away"}
 
 
 def limits_block(predicted: Document, unit: object) -> dict[str, Any] | None:
@@ -60,7 +62,7 @@ def limits_line(axis: Document) -> str:
         return ""
     unit = unit_text(axis["unit"])
     causes = [
-        f"{plain(cause['cause'])} {number(cause['value'])}"
+        f"{_SHORT.get(cause['cause'], cause['cause'])} {number(cause['value'])}"
         for cause in axis["limits"]
         if cause["value"] >= _LEAST_SHOWN
     ]

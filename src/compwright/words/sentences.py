@@ -228,7 +228,9 @@ def number_text(value: float, form: str, language: Language = "en") -> str:
         if value > _MOST_ODDS:
             return f"{_MORE_THAN[language]} 1000000"
         form = "1sig"
-    if form.endswith("sig"):
+    if form.endswith("%"):
+        text = f"{format(value, form)[:-1]} %"
+    elif form.endswith("sig"):
         digits, sign = form.removesuffix("sig").lstrip("+"), "+" if form[0] == "+" else ""
         text = format(Decimal(f"{value:.{digits}g}"), f"{sign}f")
     else:

@@ -291,8 +291,8 @@ def _planned(
                 file=str(file),
                 expected="--plan with the folder that run has written, or its plan.json",
                 hint=(
-                    "run the job first: `compwright run JOB.yaml`; or give the "
-                    "results folder with `--plan DIR`"
+                    f"run the job first: `compwright run {job.file}`; or give the"
+                    " folder of its results with `--plan DIR`"
                 ),
             )
         )

@@ -63,14 +63,18 @@ def after_verify(
         )
     if document["verdict"] == "good":
         return f"Next: keep the folder {out}. To see the years, type: " + _command("history", out)
+    again = [word for file in after for word in ("--after", file)]
+    loaded = ("--loaded", READ_BACK) if read_back else ()
+    active = all(axis["loading"]["verdict"] == "loaded" for axis in document["axes"].values())
+    if active and any(finding["code"] == "CW-V023" for finding in document["findings"]):
+        return "Next: measure what CW-V023 names, then type: " + _command(
+            "verify", job, *again, "--after", _AFTER, *given, *loaded, "--force"
+        )
     if not read_back:
         return f"Next: save the control's files to {READ_BACK}, then type: " + _command(
             "compare", plan, "--loaded", READ_BACK
         )
-    again = [word for file in after for word in ("--after", file)]
-    if not then and all(
-        axis["loading"]["verdict"] == "loaded" for axis in document["axes"].values()
-    ):
+    if not then and active:
         return "Next: the table is active, but not enough. For a further table type: " + _command(
             "verify", job, *again, *given, "--loaded", READ_BACK, "--update", "--force"
         )
