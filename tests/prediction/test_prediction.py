@@ -323,6 +323,8 @@ def test_targets_of_short_and_rotary_axes() -> None:
     crowded = dithered_targets((0.0, 40.0), 60, rng(1))
     assert np.all(np.diff(crowded) > 0.0)
     assert crowded.min() >= 4.0
+    # 4 mm are six intervals: the same rule over the 32 mm between the margins
+    assert np.all(np.abs((crowded - 4.0) * 60 / 32.0 - np.arange(60) - 0.5) <= 0.3 + 1e-9)
 
 
 def test_short_travels_keep_a_quarter_at_each_end() -> None:

@@ -223,6 +223,16 @@ def test_the_message_says_what_was_seen(case: str, words: str) -> None:
     assert "µm rms" in verdict.message
 
 
+@pytest.mark.parametrize("runs", [2, 5])
+def test_the_standard_error_is_that_of_the_difference_of_two_tests(runs: int) -> None:
+    """Means of two tests with the same noise, taken 20 000 times."""
+    rng = np.random.default_rng(8)
+    one, other = NOISE * rng.standard_normal((2, 20_000, runs)).mean(axis=2)
+    block = np.zeros((TARGETS.size, runs))
+    after = replace(means_of((block, block), NOISE, math.inf, TARGETS), sigma=NOISE)
+    assert after.std_error == pytest.approx(np.std(one - other), rel=0.03)
+
+
 @pytest.mark.parametrize("factor", [2.0, 0.5, 10.0, 0.1, 25.4, 0.75, 1.3, 3.0])
 @pytest.mark.parametrize("with_backlash", [True, False])
 def test_a_factor_is_told(factor: float, with_backlash: bool) -> None:
