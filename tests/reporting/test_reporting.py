@@ -200,6 +200,9 @@ def test_means_and_readings_of_each_direction_stand_at_their_targets(
     assert [negative.get_ydata()[i] for i in (0, -1)] == pytest.approx(
         [2.3, -0.5], abs=0.05 + EXACT
     )
+    # the mean bidirectional deviation is half the sum of both (ISO 230-2:1997, 2.8)
+    both = lines(panel, "mean (±)").get_ydata()
+    assert [both[i] for i in (0, -1)] == pytest.approx([0.35, -2.25], abs=0.05 + EXACT)
     assert (positive.get_marker(), positive.get_linestyle()) == ("^", "-")
     assert (negative.get_marker(), negative.get_linestyle()) == ("v", "--")
     readings = lines(panel, "single readings (+)")
@@ -216,6 +219,7 @@ def test_one_direction_single_runs_and_missing_readings_draw_only_what_there_is(
     panel = drawn().axes[0]
     labels = {line.get_label() for line in panel.get_lines()}
     assert {"mean (+)", "single readings (+)"} <= labels
+    assert "mean (±)" not in labels
     assert not any("(−)" in label for label in labels)
     assert panel.get_ylabel() == "Deviation in arcsec"
     assert panel.get_xlabel() == "Position in deg"

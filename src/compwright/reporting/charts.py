@@ -138,7 +138,7 @@ class Chart:
 
 def result_chart(result: Document) -> Chart:
     """Return one positioning result: for each direction single readings, means and mean ± k s over
-    the targets. After ISO 230-2:1997 figure 2.
+    the targets, and the mean of both directions. After ISO 230-2:1997 figure 2.
 
     ``result`` is an entry of ``results`` of an evaluation document. Its ``deviations_positive`` /
     ``deviations_negative`` per target, where given, are drawn as points; ``coverage`` (default 2)
@@ -174,6 +174,10 @@ def result_chart(result: Document) -> Chart:
             )
         label = say("chart.mean", sign=look.sign)
         chart.curves.append(_means(positions, means, look, label, face=look.colour))
+    both = [_number(target.get("mean")) for target in targets]
+    if _any_known(both):
+        label = say("chart.mean", sign=NEUTRAL.sign)
+        chart.curves.append(ChartCurve(x=positions, y=both, look=NEUTRAL, label=label, width=1.0))
     chart.marks = [
         ChartMark(_number(end.get("position")), _number(end.get("value")), symbol(name))
         for name, ends in (result.get("extremes") or {}).items()
