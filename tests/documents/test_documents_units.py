@@ -134,7 +134,9 @@ def test_a_prediction(kind: AxisKind, factor: float, unit: str) -> None:
             ),
         ),
         periods=(AxisPeriod(10.0, 0.97, "found"), AxisPeriod(20.0, 1.0, "job")),
-        evidence=PeriodEvidence(np.array([5.0, 10.0]), np.array([0.5, 12.0]), ((12.5, 50.0),)),
+        evidence=PeriodEvidence(
+            np.array([5.0, 10.0]), np.array([0.5, 12.0]), np.array([np.inf, 0.001]), ((12.5, 50.0),)
+        ),
         worth=(
             PointCountOption(
                 points=21, spacing=50.0, median=0.02, p05=0.01, p95=0.05, written=True
@@ -171,6 +173,7 @@ def test_a_prediction(kind: AxisKind, factor: float, unit: str) -> None:
     assert found["period_search"] == {
         "periods": [5.0, 10.0],
         "log_odds": [0.5, 12.0],
+        "detectable": [None, pytest.approx(0.001 * factor)],
         "alike": [[12.5, 50.0]],
     }
     assert found["limited"] == {

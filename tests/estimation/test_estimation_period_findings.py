@@ -15,7 +15,7 @@ from compwright.records.estimate import AxisPeriod
 
 ODD: FloatArray = np.array([3.0, 61.0, 97.0, 158.0, 204.0, 247.0, 309.0, 346.0, 402.0, 455.0])
 EQUAL: FloatArray = 50.0 * np.arange(10, dtype=np.float64)
-CURVE = PeriodCurve(np.array([50.0, 2.0]), np.array([0.0, 0.0]))
+CURVE = PeriodCurve(np.array([50.0, 2.0]), np.array([0.0, 0.0]), np.array([1e-3, np.inf]))
 
 
 def said(

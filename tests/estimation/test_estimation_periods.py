@@ -70,6 +70,22 @@ def smooth_basis(length: float, sines: int = 60, turn: float | None = None) -> B
     )
 
 
+def test_the_least_amplitude_is_that_of_least_squares() -> None:
+    """Waves at 40 scattered targets: (3 + 1.645) sigma sqrt(2 / m), sigma of a middle, where the
+    error is a straight line. Every 50 mm a wave of 10 mm is a constant.
+    """
+    rng = np.random.default_rng(4)
+    targets = dithered(rng, 800.0, 40)
+    middles = made(targets, np.zeros_like, rng)
+    least = PeriodLikelihood(middles, smooth_basis(800.0)).detectable(1.0 / np.array([10.0, 16.0]))
+    known = 4.645 * 0.0005 / np.sqrt(10.0) * np.sqrt(2.0 / 40.0)
+    assert np.all((least > 0.9 * known) & (least < 1.7 * known))
+    every = made(np.arange(0.0, 801.0, 50.0), np.zeros_like, rng)
+    hidden = PeriodLikelihood(every, smooth_basis(800.0)).detectable(1.0 / np.array([10.0, 9.7]))
+    assert np.isinf(hidden[0])
+    assert np.isfinite(hidden[1])
+
+
 def bow(x: FloatArray) -> FloatArray:
     """8 µm of smooth error over some 800 mm, and a slope."""
     return np.asarray(0.004 * np.sin(x / 210.0) + 1e-5 * x)

@@ -22,6 +22,7 @@ FOUND = [
 SEARCH = {
     "periods": [2.0, 5.0, 10.0, 50.0],
     "log_odds": [-9.0, 0.0, 6 * math.log(10.0), -1.0],
+    "detectable": [None, 2.0, 0.5, 1.0],
     "alike": [[12.5, 50.0]],
 }
 
@@ -29,14 +30,14 @@ SEARCH = {
 def points(block: dict[str, Any]) -> list[tuple[float, float]]:
     return [
         (float(x), float(y))
-        for x, y in (pair.split(",") for pair in block["picture"]["curve"].split())
+        for x, y in (pair.split(",") for pair in block["odds"]["lines"][0].split())
     ]
 
 
 def test_the_curve_stands_at_its_periods_and_odds() -> None:
     block = periods_block({"periods": FOUND, "period_search": SEARCH}, "um")
     assert block is not None
-    drawn, picture = points(block), block["picture"]
+    drawn, picture = points(block), block["odds"]
     assert [x for x, _ in drawn] == sorted(x for x, _ in drawn)
     assert drawn[2][0] == picture["found"][0]["x"], "the mark stands at the peak"
     assert drawn[1][1] == picture["even"]
@@ -50,11 +51,23 @@ def test_the_curve_stands_at_its_periods_and_odds() -> None:
     assert drawn[0][1] <= picture["bottom"]
 
 
+def test_the_least_amplitude_has_a_gap_where_no_wave_is_shown() -> None:
+    search = {**SEARCH, "detectable": [1.0, None, 0.5, 25.0]}
+    block = periods_block({"periods": FOUND, "period_search": search}, "um")
+    assert block is not None
+    lines, levels = block["least"]["lines"], block["least"]["levels"]
+    assert [len(line.split()) for line in lines] == [1, 1]
+    heights = [float(line.partition(",")[2]) for line in lines]
+    level = {each["text"]: each["y"] for each in levels}
+    assert heights[0] == level["1"]
+    assert heights[1] == pytest.approx((level["0"] + level["1"]) / 2.0, abs=0.1)
+
+
 def test_high_odds_are_written_as_powers_that_can_be_read() -> None:
     high = {**SEARCH, "log_odds": [0.0, 0.0, 30 * math.log(10.0), 0.0]}
     block = periods_block({"periods": FOUND, "period_search": high}, "um")
     assert block is not None
-    texts = [level["text"] for level in block["picture"]["levels"]]
+    texts = [level["text"] for level in block["odds"]["levels"]]
     assert texts[0] == "1"
     assert texts[-1] == "10²⁸"
 
@@ -67,7 +80,7 @@ def test_rows_say_who_tells_a_period_and_only_what_counts_is_marked() -> None:
         ("20", "> 99.9 %", "given by the job"),
         ("4", "6 %", "found in the readings"),
     ]
-    assert [mark["text"] for mark in block["picture"]["found"]] == ["10", "20"]
+    assert [mark["text"] for mark in block["odds"]["found"]] == ["10", "20"]
     assert list(map(str, block["alike"])) == ["These targets cannot tell apart: 50, 12.5 mm."]
     assert periods_block({"periods": [], "period_search": None}, "um") is None
 

@@ -4,6 +4,7 @@ deg.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping
 from dataclasses import asdict
 from typing import Any
@@ -245,7 +246,7 @@ def _axis(axis: AxisPrediction, judged: Judged) -> dict[str, Any]:
         "points_worth": [_worth(one, factor) for one in axis.worth],
         "accept": _accept(axis.accept),
         "periods": [asdict(period) for period in axis.periods],
-        "period_search": None if axis.evidence is None else _evidence(axis.evidence),
+        "period_search": None if axis.evidence is None else _evidence(axis.evidence, factor),
         "findings": finding_documents(axis.findings),
     }
 
@@ -262,10 +263,16 @@ def _accept(accept: Mapping[str, AcceptDecision]) -> dict[str, Any]:
     }
 
 
-def _evidence(evidence: PeriodEvidence) -> dict[str, Any]:
-    """Return periods in mm or deg, and the natural logarithm of what speaks for each."""
+def _evidence(evidence: PeriodEvidence, factor: float) -> dict[str, Any]:
+    """Return periods in mm or deg, the natural logarithm of what speaks for each, and the least
+    amplitude that the test shows (``factor``: to the unit outside; None: none).
+    """
     return {
         "periods": evidence.periods.tolist(),
         "log_odds": evidence.log_odds.tolist(),
+        "detectable": [
+            round(each * factor, 4) if math.isfinite(each) else None
+            for each in evidence.detectable.tolist()
+        ],
         "alike": [list(group) for group in evidence.alike],
     }

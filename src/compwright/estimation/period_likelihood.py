@@ -45,6 +45,11 @@ _NO_EXCESS: Final = 1e-3
 #: Nodes count that come so near to the best one (natural logarithm).
 _MATTERS: Final = 4.0
 
+#: Standard errors by which an amplitude has to differ from zero to be seen.
+_SURE: Final = 3.0
+#: Precision, in that of a typical target's middle, below which no amplitude is seen.
+_UNSEEN: Final = 1e-4
+
 #: Numbers that are worked on at a time: about ten arrays of them stay in the cache of a processor
 #: that has other work too, and are not asked of the system anew each time.
 _CHUNK: Final = 30_000
@@ -196,6 +201,27 @@ class PeriodLikelihood:
         ]
         one, both = (np.concatenate(each) - _log_sum(log) for each in zip(*parts, strict=True))
         return one, both
+
+    def detectable(self, frequencies: FloatArray) -> FloatArray:
+        """Return the least amplitude (f,) of a wave of each of the ``frequencies`` (1 / mm or 1 /
+        deg) that the targets show, mm or deg; inf where they show none.
+
+        A wave of this amplitude exceeds `_SURE` standard errors of its own in 95 % of all tests,
+        whatever its phase: `_SURE` and the 95 % point of the normal law.
+        """
+        choice = self.coarse()
+        shares = np.exp(self._log(choice) - _log_sum(self._log(choice)))
+        chunk = max(1, _CHUNK // shares.size)
+        precisions = []
+        for part in np.split(frequencies, range(chunk, frequencies.size, chunk)):
+            gram = self.moments(part, choice)[0]
+            both, apart = gram[0, 0] + gram[1, 1], gram[0, 0] - gram[1, 1]
+            precisions.append(shares @ (0.5 * (both - np.hypot(apart, 2.0 * gram[1, 0]))))
+        precision = np.concatenate(precisions)
+        seen = precision > _UNSEEN
+        found = np.full(frequencies.size, np.inf)
+        found[seen] = (_SURE + 1.645) * self.unit / np.sqrt(precision[seen])
+        return found
 
     def everything(self) -> NodeChoice:
         """Return all nodes of the grid and of the amplitudes."""

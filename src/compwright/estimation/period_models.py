@@ -43,10 +43,12 @@ class PeriodModel:
 @dataclass(frozen=True, slots=True)
 class PeriodCurve:
     """Evidence over the period, for a picture: ``periods`` (f,) descending, mm or deg, and natural
-    logarithm (f,) of the likelihood of a wave of that period over that of none."""
+    logarithm (f,) of the likelihood of a wave of that period over that of none; ``detectable``
+    (f,): least amplitude that the targets show, mm or deg."""
 
     periods: FloatArray
     log_odds: FloatArray
+    detectable: FloatArray
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,8 +69,8 @@ class PeriodSearch:
         return tuple(group for group, probability in self.alike if probability > 0.5)
 
     def evidence(self) -> PeriodEvidence | None:
-        """Return the curve for a picture: the highest value in each of `_SHOWN` steps that are even
-        in the logarithm of the period; None where nothing was searched.
+        """Return the curve for a picture: the highest values in each of `_SHOWN` steps that are
+        even in the logarithm of the period; None where nothing was searched.
         """
         if self.curve is None:
             return None
@@ -79,7 +81,14 @@ class PeriodSearch:
         _, first = np.unique(step[order], return_index=True)
         best = order[first]
         odds: FloatArray = np.maximum(self.curve.log_odds[best], _LOWEST).round(6)
-        return PeriodEvidence(self.curve.periods[best].round(_DECIMALS), odds, self.sure)
+        largest = np.zeros(_SHOWN)
+        np.maximum.at(largest, step, self.curve.detectable)
+        return PeriodEvidence(
+            self.curve.periods[best].round(_DECIMALS),
+            odds,
+            largest[np.unique(step)].round(_DECIMALS),
+            self.sure,
+        )
 
 
 #: A search that found nothing, for want of targets.

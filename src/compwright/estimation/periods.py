@@ -99,7 +99,9 @@ def search_periods(
             done.append(each if look is None else each.less_certain(look.rest))
             if look is not None:
                 deeper += [each.extended(one) for one in look.candidates]
-                curve = curve or PeriodCurve(1.0 / frequencies, look.log_odds)
+                curve = curve or PeriodCurve(
+                    1.0 / frequencies, look.log_odds, search.detectable(each)
+                )
         level = search.different(deeper)
         if not level:
             break
@@ -165,6 +167,13 @@ class _PeriodSearch:
         if likelihood is None:
             return None
         return find_candidates(likelihood, self.frequencies, self.usual, self._before(members))
+
+    def detectable(self, periods: PeriodSet) -> FloatArray:
+        """Return the least amplitudes (f,) that the targets show, mm or deg, given a set."""
+        likelihood = self._likelihood(periods.members)
+        if likelihood is None:
+            return np.full(self.frequencies.size, np.inf)
+        return likelihood.detectable(self.frequencies)
 
     def refined(self, periods: PeriodSet) -> PeriodSet:
         """Return a set of two or more with each member searched again given all others; the first

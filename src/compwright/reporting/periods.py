@@ -1,14 +1,15 @@
-"""The periods of an axis as they are shown: a row for each, and the evidence over the period as a
-picture. Computes nothing but places in the picture.
+"""The periods of an axis as they are shown: a row for each, and pictures over the period: the
+evidence, and the least amplitude that the test shows. Computes nothing but places in the picture.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any, Final
 
-from compwright.reporting.numbers import position_unit
+from compwright.reporting.numbers import position_unit, unit_text
 from compwright.words.sentences import NumberText, say
 
 Document = Mapping[str, Any]
@@ -23,13 +24,15 @@ _TICKS: Final = (0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500)
 _LEAST_ODDS: Final = 3.0
 #: Below this the curve is cut off: how clearly a period is not there is no news.
 _LOWEST: Final = -2.0
+#: Larger amplitudes, µm or arcsec, are not drawn.
+_LARGEST: Final = 10.0
 #: Zeros of a number that is written out, at most.
 _LONGEST: Final = 6
 _RAISED: Final = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def periods_block(predicted: Document, unit: object) -> dict[str, Any] | None:
-    """Return the rows and the picture of ``periods`` and ``period_search`` of an axis of the
+    """Return the rows and the pictures of ``periods`` and ``period_search`` of an axis of the
     prediction document; None where nothing is known and nothing was searched.
     """
     periods, search = predicted.get("periods") or [], predicted.get("period_search")
@@ -54,7 +57,9 @@ def periods_block(predicted: Document, unit: object) -> dict[str, Any] | None:
             )
             for group in (search or {}).get("alike", [])
         ],
-        "picture": _picture(search, periods) if search and search["periods"] else None,
+        "odds": _odds_picture(search, periods) if search and search["periods"] else None,
+        "least": _amplitude_picture(search) if search and search["periods"] else None,
+        "size": unit_text(unit),
     }
 
 
@@ -64,45 +69,83 @@ def _percent(probability: float) -> str:
     return NumberText(f"{100.0 * probability:.3g} %")
 
 
-def _picture(search: Document, periods: Sequence[Document]) -> dict[str, Any]:
+def _odds_picture(search: Document, periods: Sequence[Document]) -> dict[str, Any]:
     """Return the curve of the logarithm of odds to base 10 over the logarithm of the period."""
-    sizes = [float(period) for period in search["periods"]]
+    sizes = search["periods"]
     odds = [max(float(each) / math.log(10.0), _LOWEST) for each in search["log_odds"]]
     top = max(_LEAST_ODDS, 1.08 * max(odds))
-    low, high = math.log(sizes[0]), math.log(sizes[-1])
-
-    def across(period: float) -> float:
-        return round(_LEFT + _WIDTH * (math.log(period) - low) / (high - low), 1)
-
-    def up(value: float) -> float:
-        return round(_TOP + _HEIGHT * (top - value) / (top - _LOWEST), 1)
-
     step = max(1, math.ceil(top / 5.0))
+    field = _Field(sizes, _LOWEST, top)
     return {
-        "width": _LEFT + _WIDTH + 12.0,
-        "height": _TOP + _HEIGHT + 34.0,
-        "left": _LEFT,
-        "right": _LEFT + _WIDTH,
-        "top": _TOP,
-        "bottom": _TOP + _HEIGHT,
-        "curve": " ".join(
-            f"{across(period)},{up(value)}" for period, value in zip(sizes, odds, strict=True)
-        ),
-        "even": up(0.0),
-        "ticks": [
-            {"x": across(tick), "text": NumberText(f"{tick:g}")}
-            for tick in _TICKS
-            if sizes[0] <= tick <= sizes[-1]
-        ],
+        **field.picture(odds),
         "levels": [
-            {"y": up(level), "text": _power(level)} for level in range(0, int(top) + 1, step)
+            {"y": field.up(level), "text": _power(level)} for level in range(0, int(top) + 1, step)
         ],
         "found": [
-            {"x": across(each["period"]), "text": NumberText(f"{each['period']:.4g}")}
+            {"x": field.across(each["period"]), "text": NumberText(f"{each['period']:.4g}")}
             for each in periods
             if sizes[0] <= each["period"] <= sizes[-1] and each["probability"] > 0.5
         ],
     }
+
+
+def _amplitude_picture(search: Document) -> dict[str, Any]:
+    """Return the curve of the least amplitude that the test shows, over the logarithm of the
+    period; with gaps where it is larger than the picture.
+    """
+    shown = [
+        each if each is not None and each <= _LARGEST else None for each in search["detectable"]
+    ]
+    top = 1.08 * max((each for each in shown if each is not None), default=1.0)
+    step = 10.0 ** math.floor(math.log10(top))
+    step *= 0.5 if top < 3.0 * step else 1.0
+    field = _Field(search["periods"], 0.0, top)
+    levels = [step * each for each in range(int(top / step) + 1)]
+    return {
+        **field.picture(shown),
+        "levels": [{"y": field.up(one), "text": NumberText(f"{one:.3g}")} for one in levels],
+        "found": [],
+    }
+
+
+@dataclass(frozen=True, slots=True)
+class _Field:
+    """Places in a picture over the logarithm of ``periods``, ascending, from ``low`` to ``top``."""
+
+    periods: Sequence[float]
+    low: float
+    top: float
+
+    def across(self, period: float) -> float:
+        low, high = math.log(self.periods[0]), math.log(self.periods[-1])
+        return round(_LEFT + _WIDTH * (math.log(period) - low) / (high - low), 1)
+
+    def up(self, value: float) -> float:
+        return round(_TOP + _HEIGHT * (self.top - value) / (self.top - self.low), 1)
+
+    def picture(self, values: Sequence[float | None]) -> dict[str, Any]:
+        """Return the frame, and lines through the ``values``, with gaps at None."""
+        lines: list[list[str]] = [[]]
+        for period, value in zip(self.periods, values, strict=True):
+            if value is None:
+                lines.append([])
+            else:
+                lines[-1].append(f"{self.across(period)},{self.up(value)}")
+        return {
+            "width": _LEFT + _WIDTH + 12.0,
+            "height": _TOP + _HEIGHT + 34.0,
+            "left": _LEFT,
+            "right": _LEFT + _WIDTH,
+            "top": _TOP,
+            "bottom": _TOP + _HEIGHT,
+            "even": self.up(0.0),
+            "lines": [" ".join(line) for line in lines if line],
+            "ticks": [
+                {"x": self.across(tick), "text": NumberText(f"{tick:g}")}
+                for tick in _TICKS
+                if self.periods[0] <= tick <= self.periods[-1]
+            ],
+        }
 
 
 def _power(exponent: int) -> str:

@@ -155,6 +155,12 @@ SENTENCES: Final[dict[str, str]] = {
         " none, before it is counted how usual the period is. Dashed: periods that count."
     ),
     "period.described": "odds of each period",
+    "period.least": "smallest amplitude that this test shows, by period",
+    "period.least_caption": (
+        "Smallest amplitude ({unit}) of a wave of each period that this test shows in 95 % of all"
+        " cases at three standard errors. Gaps: the test shows no wave below 10 {unit}. For targets"
+        " that show more, type: compwright program JOB.yaml --out DIR"
+    ),
     "period.none": "None is known, and none was found.",
     "period.over": "period / {unit}",
     "period.source": (

@@ -171,6 +171,13 @@ SENTENCES: Final[dict[str, str]] = {
         " qui comptent."
     ),
     "period.described": "rapport de vraisemblance de chaque période",
+    "period.least": "plus petite amplitude que cet essai montre, par période",
+    "period.least_caption": (
+        "Plus petite amplitude ({unit}) d'une onde de chaque période que cet essai montre dans 95 %"
+        " des cas à trois incertitudes-types. Lacunes : l'essai ne montre aucune onde au-dessous de"
+        " 10 {unit}. Pour des positions cibles qui en montrent plus : compwright program JOB.yaml"
+        " --out DIR"
+    ),
     "period.none": "Aucune n'est connue et aucune n'a été trouvée.",
     "period.over": "période / {unit}",
     "period.source": (

@@ -165,6 +165,12 @@ SENTENCES: Final[dict[str, str]] = {
         " Gestrichelt: Perioden, die zählen."
     ),
     "period.described": "Wahrscheinlichkeitsverhältnis jeder Periode",
+    "period.least": "kleinste Amplitude, die diese Prüfung zeigt, je Periode",
+    "period.least_caption": (
+        "Kleinste Amplitude ({unit}) einer Welle jeder Periode, die diese Prüfung in 95 % der Fälle"
+        " mit drei Standardunsicherheiten zeigt. Lücken: Unter 10 {unit} zeigt die Prüfung keine"
+        " Welle. Zielpositionen, die mehr zeigen: compwright program JOB.yaml --out DIR"
+    ),
     "period.none": "Keine ist bekannt, und keine wurde gefunden.",
     "period.over": "Periode / {unit}",
     "period.source": (
