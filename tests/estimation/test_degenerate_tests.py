@@ -272,3 +272,21 @@ def test_a_wave_over_many_runs_is_as_large_and_as_long_as_over_few() -> None:
     waves = np.concatenate(drawn) / UM
     assert np.std(waves[:, 250]) == pytest.approx(1.0, rel=0.06)
     assert np.mean(waves[:, 200] * waves[:, 300]) == pytest.approx(0.483, abs=0.06)
+
+
+# --- calm at one end, rough at the other
+# --------------------------------------------------------------------------------------------------
+
+
+def test_an_outlier_of_a_calm_place_is_not_multiplied_at_a_rough_one() -> None:
+    """Readings at one end are put off by up to 10 µm where most lie within 0.01 µm; at the other
+    end they scatter by 1.5 µm. A disturbance has a size of its own, wherever the axis is.
+    """
+    rng = RNG(0)
+    rough = np.geomspace(0.005, 1.5, 6)[:, np.newaxis] * rng.standard_normal((6, 12))
+    rough[:2, 4:6] += np.array([[8.0, -6.0], [5.0, 10.0]])
+    noise = known(made(rough, rough[:, ::-1])).fresh
+    targets = np.linspace(0.0, 800.0, 6)
+    fresh = np.concatenate([fresh_noise(noise, targets, 12, 0, RNG(k))[0] for k in range(5)])
+    assert np.quantile(np.abs(fresh).max(axis=(1, 2)), 0.95) < 60.0 * UM
+    assert np.mean(np.abs(fresh[:, :2]).max(axis=(1, 2)) > 3.0 * UM) > 0.5  # they come again

@@ -165,4 +165,5 @@ def _noise(
         drift=drift[:, 0],
         drift_tilt=drift[:, 1],
         drift_rate=RATES[[draw.rate for draw in draws]],
+        farthest=readings.farthest,
     )

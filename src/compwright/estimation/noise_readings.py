@@ -45,6 +45,13 @@ class CellReadings:
         return int(np.sum(self.there) - np.count_nonzero(np.any(self.there, axis=1)))
 
     @property
+    def farthest(self) -> float:
+        """The largest distance of a reading from the median of its cell."""
+        values = np.where(self.there, self.values, np.nan)[np.any(self.there, axis=1)]
+        middle = np.nanmedian(values, axis=1, keepdims=True)
+        return float(np.nanmax(np.abs(values - middle), initial=0.0))
+
+    @property
     def powers(self) -> FloatArray:
         """Shape over the travel (2, c) of offset and tilt of a traverse: 1 and u."""
         return np.stack([np.ones_like(self.u), self.u])

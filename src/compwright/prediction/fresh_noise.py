@@ -56,7 +56,7 @@ def fresh_noise(
     moved = np.flatnonzero((draws.offset != 0.0) | (draws.tilt != 0.0))
     blocks = []
     for way, runs in ((_PLUS, positive), (_MINUS, negative)):
-        readings = _errors(draws, (draws.count, targets.size, runs), rng)
+        readings = _errors(draws, scale[:, way], way, runs, rng)
         readings *= scale[:, way, :, np.newaxis]
         turned = u[:, np.newaxis] * tilts[way][moved, np.newaxis]
         readings[moved] += offsets[way][moved, np.newaxis] + turned
@@ -175,11 +175,14 @@ def _moved(
     return blocks[_PLUS], blocks[_MINUS]
 
 
-def _errors(draws: NoiseDraws, shape: tuple[int, int, int], rng: np.random.Generator) -> FloatArray:
-    """Return errors of single readings ``shape`` (count, m, n) of unit scale: normal, Student's (a
-    normal one over the root of a mean square; Gelman et al., Bayesian Data Analysis, 3rd ed. 2013,
-    section 17.2), or of a mixture with outliers (Tukey 1960).
+def _errors(
+    draws: NoiseDraws, scale: FloatArray, way: int, runs: int, rng: np.random.Generator
+) -> FloatArray:
+    """Return errors of single readings (count, m, runs) in units of their ``scale`` (count, m):
+    normal, Student's (a normal one over the root of a mean square; Gelman et al., Bayesian Data
+    Analysis, 3rd ed. 2013, section 17.2), or of a mixture with outliers (Tukey 1960).
     """
+    shape = *scale.shape, runs
     errors = rng.standard_normal(shape)
     heavy = np.flatnonzero(np.isfinite(draws.dof))
     if heavy.size:
@@ -188,7 +191,7 @@ def _errors(draws: NoiseDraws, shape: tuple[int, int, int], rng: np.random.Gener
     spoilt = np.flatnonzero(draws.outlier_share > 0.0)
     if spoilt.size:
         share = draws.outlier_share[spoilt, np.newaxis, np.newaxis]
-        size = draws.outlier_size[spoilt, np.newaxis, np.newaxis]
+        size = draws.taken(spoilt).outlier_size_at(scale[spoilt], way)[:, :, np.newaxis]
         fixed = draws.outlier_fixed[spoilt, np.newaxis, np.newaxis]
         chance = rng.random((spoilt.size, *shape[1:]))
         side = np.where(chance < 0.5 * share, -size, size)

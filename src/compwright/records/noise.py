@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, fields, replace
 from typing import Any, Final, Literal
 
@@ -42,7 +43,8 @@ class NoiseDraws:
     addition). Only a share ``moved`` of the offsets (steps) is there, the others are nothing.
     ``drift``, ``drift_tilt``: what the test showed from its first run to its last, on the way p
     that `progress` gives for ``drift_rate``, with q from `slackening`. What drifts within a run
-    (`within_run`) is the same in every run and part of the error curve.
+    (`within_run`) is the same in every run and part of the error curve. ``farthest``: the largest
+    distance of a reading from the others of its target, mm or deg.
     """
 
     centre: float
@@ -61,6 +63,7 @@ class NoiseDraws:
     drift: FloatArray
     drift_tilt: FloatArray
     drift_rate: FloatArray
+    farthest: float = math.inf
 
     @property
     def count(self) -> int:
@@ -70,6 +73,19 @@ class NoiseDraws:
     def taken(self, index: IndexArray | slice) -> NoiseDraws:
         """Return the draws at ``index`` (n,), of a slice as views."""
         return replace(self, **{name: getattr(self, name)[index] for name in _ARRAYS})
+
+    def outlier_size_at(self, scale: FloatArray, way: int) -> FloatArray:
+        """Return ``outlier_size`` (count, m), in scales of a reading, where these are ``scale``
+        (count, m) in + (``way`` 0) or in -.
+
+        What disturbs a reading does not grow with the scatter along the travel: an outlier is no
+        larger than where the scatter is least, or than the farthest reading seen.
+        """
+        ends = np.linspace(self.centre - self.half, self.centre + self.half, _PLACES)
+        least = np.min(self.scale_at(ends)[:, way], axis=1)
+        largest = np.maximum(self.outlier_size * least, self.farthest)[:, np.newaxis]
+        size = np.broadcast_to(self.outlier_size[:, np.newaxis], scale.shape)
+        return np.where(size * scale > largest, np.maximum(largest / scale, 1.0), size)
 
     def scale_at(self, positions: FloatArray) -> FloatArray:
         """Return the scale s(u) (count, 2, k) of a reading at ``positions`` (k,) in + and in -, mm
@@ -81,11 +97,13 @@ class NoiseDraws:
         return scale
 
 
+#: Places along the travel at which the least scatter is looked for.
+_PLACES: Final = 9
 #: Times within a traverse at which a wave is looked at.
 _WITHIN: Final = 4
 
 _ARRAYS: Final = tuple(
-    field.name for field in fields(NoiseDraws) if field.name not in ("centre", "half")
+    field.name for field in fields(NoiseDraws) if field.name not in ("centre", "half", "farthest")
 )
 
 
