@@ -205,7 +205,7 @@ def test_the_density_of_the_means_is_that_of_their_covariance(
     variances = np.concatenate([np.exp(evidence.log_variances(h)[0]), data.extra_std**2])
     covariance = evidence.rows * variances @ evidence.rows.T
     covariance += data.columns[0] @ data.columns[0].T + np.diag(1.0 / data.precision[0])
-    covariance += evidence.variances(h)[1] * np.equal.outer(data.seats, data.seats)
+    covariance += evidence.variances(h)[1] * np.equal.outer(data.target_index, data.target_index)
     found = among(evidence._scaled(h, None), derivatives=True)
     # The vague columns have 100 times the variance of the scale: eight digits are left.
     assert covariance @ found.residual == pytest.approx(evidence.values, abs=1e-6)

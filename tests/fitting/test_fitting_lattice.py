@@ -119,7 +119,7 @@ def between(nodes: Array, step: bool, where: Array) -> Array:
 
 
 def integral(positions: Array, nodes: Array) -> tuple[Array, Array]:
-    """Three Gauss points in every piece between positions, nodes and middles: exact for squares of
+    """Three Gauss points in every piece between positions, nodes and midpoints: exact for squares of
     straight pieces.
     """
     every = np.concatenate([nodes, 0.5 * (nodes[1:] + nodes[:-1])])
@@ -816,8 +816,8 @@ def test_the_least_range_of_a_step_table_counts_both_sides_of_each_step() -> Non
     curve = np.array([0.0, 0.0, 20.0, 20.0, 60.0]) * UM
     alone = replace(PLAIN, interpolation="step", backlash_quantum=None)
     table = fit(wish(where, curve, curve), alone, spacing=100.0, goal="E").compensation
-    middles = np.array([50.0, 150.0, 250.0, 350.0])
-    dense = np.sort(np.concatenate([where, middles - 1e-7, middles + 1e-7]))
+    midpoints = np.array([50.0, 150.0, 250.0, 350.0])
+    dense = np.sort(np.concatenate([where, midpoints - 1e-7, midpoints + 1e-7]))
     matrix = between(where, step=True, where=dense)[:, 1:]
     aims, ones = np.interp(dense, where, curve), np.ones((dense.size, 1))
     program = linprog(

@@ -175,7 +175,7 @@ class AxisPosterior:
         unique, back = np.unique(where, return_inverse=True)
         places = np.broadcast_to(back.reshape(where.shape), (count, where.shape[-1]))
         positive, negative = np.empty(places.shape), np.empty(places.shape)
-        line, seats = self.cells.line_at(unique), self.cells.seats(unique)
+        line, target_index = self.cells.line_at(unique), self.cells.target_index(unique)
         noises = np.concatenate([part.noises for part in self.parts])
         # All equally often; few draws take any of them, not always the first.
         owner = np.resize(rng.permutation(noises.size), count)
@@ -189,7 +189,7 @@ class AxisPosterior:
                 values += weights.mean
                 local = rng.standard_normal((mine.size, unique.size)) * np.sqrt(weights.local)
                 at_targets = self._local(part, weights, values, rng)
-                local[:, seats >= 0] = at_targets[:, seats[seats >= 0]]
+                local[:, target_index >= 0] = at_targets[:, target_index[target_index >= 0]]
                 own = np.take_along_axis(local, places[mine], axis=1)
                 curve = values[:, : part.basis.size]
                 for into, rows in zip((positive, negative), design, strict=True):
@@ -235,15 +235,17 @@ class AxisPosterior:
         inferred with the error (``variances``, count), moved between traverses as in the test that
         tells it.
         """
-        seats = np.concatenate([part.draws for part in self.parts])[owner]
+        draw_index = np.concatenate([part.draws for part in self.parts])[owner]
         own = self.cells.noises[test]
         if own is not None:
-            return own.taken(_cycle_draws(seats, own.count // self.cells.data.draws))
+            return own.taken(_cycle_draws(draw_index, own.count // self.cells.data.draws))
         sigma = self.cells.data.scale * np.sqrt(variances)
         low, high = self.measured
-        if self.cells.donor is None:
+        if self.cells.other_noise is None:
             return normal_noise(sigma, 0.5 * (low + high), 0.5 * (high - low))
-        return replace(self.cells.donor.taken(seats), sigma=np.column_stack([sigma, sigma]))
+        return replace(
+            self.cells.other_noise.taken(draw_index), sigma=np.column_stack([sigma, sigma])
+        )
 
 
 @functools.lru_cache(maxsize=8)
@@ -329,12 +331,14 @@ def estimate_axis(
     )
 
 
-def _cycle_draws(seats: NDArray[np.intp], each: int) -> NDArray[np.intp]:
-    """Return for ``seats`` (count,) which of the ``each`` members of a seat each takes: in turn."""
-    order = np.argsort(seats, kind="stable")
-    ordered = seats[order]
-    turn = np.arange(seats.size) - np.searchsorted(ordered, ordered)
-    taken = np.empty_like(seats)
+def _cycle_draws(draw_index: NDArray[np.intp], each: int) -> NDArray[np.intp]:
+    """Return for ``draw_index`` (count,) which of the ``each`` members of its draw each entry
+    takes, in turn.
+    """
+    order = np.argsort(draw_index, kind="stable")
+    ordered = draw_index[order]
+    turn = np.arange(draw_index.size) - np.searchsorted(ordered, ordered)
+    taken = np.empty_like(draw_index)
     taken[order] = ordered * each + turn % each
     return taken
 

@@ -46,12 +46,11 @@ class Cells:
 
     ``spread`` and ``roughness`` are in units of ``data.scale``: noise of one reading as guessed,
     scatter about the straight line. ``noises``: by test, the noise of a fresh one like it, as much
-    of it for each draw of ``data``, in their order; ``donor``: the draws of the first whose noise
-    is known, None for none. ``slopes``: by test, the
-    column of its own slope in ``data.extra``, None for none. ``jumps``: steps of the error, taken
-    out with the line. ``repeated``: there are readings of
-    one cell in one test. ``rough_reversal``: standard deviation, mm or deg, by which half the
-    reversal differs from target to target.
+    of it for each draw of ``data``, in their order; ``other_noise``: the draws of the first whose
+    noise is known, None for none. ``slopes``: by test, the column of its own slope in
+    ``data.extra``, None for none. ``jumps``: steps of the error, taken out with the line.
+    ``repeated``: there are readings of one cell in one test. ``rough_reversal``: standard
+    deviation, mm or deg, by which half the reversal differs from target to target.
     """
 
     targets: FloatArray
@@ -65,7 +64,7 @@ class Cells:
     bidirectional: bool
     repeated: bool
     noises: tuple[NoiseDraws | None, ...]
-    donor: NoiseDraws | None
+    other_noise: NoiseDraws | None
     slopes: tuple[int | None, ...]
     jumps: tuple[Jump, ...] = ()
     rough_reversal: float = 0.0
@@ -80,7 +79,7 @@ class Cells:
             line = line + jump.ramp(positions)
         return line + 0.5 * self.reversal, line - 0.5 * self.reversal
 
-    def seats(self, positions: FloatArray) -> NDArray[np.intp]:
+    def target_index(self, positions: FloatArray) -> NDArray[np.intp]:
         """Return for each position (k,) the index of the target that it is, -1 for none."""
         right = np.clip(np.searchsorted(self.targets, positions), 0, self.targets.size - 1)
         left = np.maximum(right - 1, 0)
@@ -118,8 +117,12 @@ def build_cells(
     noises = tuple(
         None if noise is None else _fresh_noise(noise, order) for noise, order in ordered
     )
-    donor = next((noise.draws.taken(order) for noise, order in ordered if noise is not None), None)
-    parts = [cell_means(each, order, donor) for each, order in zip(tests, orders, strict=True)]
+    other_noise = next(
+        (noise.draws.taken(order) for noise, order in ordered if noise is not None), None
+    )
+    parts = [
+        cell_means(each, order, other_noise) for each, order in zip(tests, orders, strict=True)
+    ]
     positions = np.concatenate([part.positions for part in parts])
     targets = _distinct(positions)
     if targets.size < 2:
@@ -135,7 +138,7 @@ def build_cells(
     line = _common_line(parts, targets, endless=turn is not None)
     if stepped:
         line = _refit_without_jumps(parts, targets, line, LEAST_NOISE[tests[0].test.kind], turn)
-    return _stack_cells(tests, parts, targets, line, noises, donor)
+    return _stack_cells(tests, parts, targets, line, noises, other_noise)
 
 
 def _fresh_noise(noise: NoisePosterior, order: NDArray[np.intp]) -> NoiseDraws:
@@ -190,7 +193,9 @@ def _refit_without_jumps(
     if turn is not None:  # the end of a turn is its beginning
         places = np.mod(np.round(np.mod(places, turn), 9), turn)
         different = _distinct(places)
-    seats = np.clip(np.searchsorted(different, places + _target_tolerance(different)) - 1, 0, None)
+    target_index = np.clip(
+        np.searchsorted(different, places + _target_tolerance(different)) - 1, 0, None
+    )
     lefts = [part.means - line.at(part, k, float(targets[0])) for k, part in enumerate(parts)]
     left = np.concatenate(lefts)
     rough = np.median(np.abs(np.diff(left, 2))) / np.sqrt(6.0) if left.size > 2 else 0.0
@@ -203,8 +208,8 @@ def _refit_without_jumps(
         ]
     )
     weights = 1.0 / np.maximum(variances, least**2)
-    total = np.bincount(seats, weights)
-    means = np.bincount(seats, weights * left) / total
+    total = np.bincount(target_index, weights)
+    means = np.bincount(target_index, weights * left) / total
     jumps = find_jumps(different, means, 1.0 / np.sqrt(total), turn)
     if not jumps:
         return line
@@ -301,7 +306,7 @@ def _stack_cells(
     targets: FloatArray,
     line: _CommonLine,
     noises: tuple[NoiseDraws | None, ...],
-    donor: NoiseDraws | None,
+    other_noise: NoiseDraws | None,
 ) -> Cells:
     """Return the cells of all tests in the order of their targets, in units of one scale."""
     lines = [line.at(part, index, float(targets[0])) for index, part in enumerate(parts)]
@@ -310,9 +315,11 @@ def _stack_cells(
     scale = max(sizes.roughness, sizes.spread, sizes.floor)
     floor = max(sizes.floor / scale, 1e-4)
     positions = np.concatenate([part.positions for part in parts])
-    seats = np.clip(np.searchsorted(targets, positions + _target_tolerance(targets)) - 1, 0, None)
+    target_index = np.clip(
+        np.searchsorted(targets, positions + _target_tolerance(targets)) - 1, 0, None
+    )
     signs = np.concatenate([part.signs for part in parts])
-    order = np.lexsort((-signs, seats))
+    order = np.lexsort((-signs, target_index))
     counts = np.concatenate([part.counts for part in parts])
     known = np.concatenate([np.full(part.counts.size, not part.inferred) for part in parts])
     rough = [_rough_reversal(part) for part in parts]
@@ -327,8 +334,8 @@ def _stack_cells(
     )
     own = datum_columns(tests, parts, targets, scale)
     data = CellData(
-        seats=seats[order],
-        starts=np.searchsorted(seats[order], np.arange(targets.size)),
+        target_index=target_index[order],
+        starts=np.searchsorted(target_index[order], np.arange(targets.size)),
         signs=signs[order],
         values=np.hstack([part.by_draw - taken for part, taken in zip(parts, lines, strict=True)])[
             :, order
@@ -358,7 +365,7 @@ def _stack_cells(
         repeated=sizes.dof > 0.0,
         rough_reversal=float(np.sqrt(max(rough) / 2.0)),
         noises=noises,
-        donor=donor,
+        other_noise=other_noise,
         slopes=own.slopes,
     )
 

@@ -43,9 +43,9 @@ class CellData:
     """Mean readings of the c cells that have any, without their straight line, in units of
     ``scale`` (mm or deg).
 
-    A cell is a target and direction of one test. Cells are sorted by target: ``seats`` (c,) is the
-    index of each cell's target, ``starts`` (m,) the first cell of each target, ``signs`` (c,) its
-    direction.
+    A cell is a target and direction of one test. Cells are sorted by target: ``target_index``
+    (c,) is the index of each cell's target, ``starts`` (m,) the first cell of each target,
+    ``signs`` (c,) its direction.
 
     ``values`` (n, c), ``precision`` (n, c) and ``columns`` (n, c, q), one row per draw of the
     noise: the means, their inverse variances, and the effects common to several means as columns of
@@ -56,7 +56,7 @@ class CellData:
     lower bound of the noise.
     """
 
-    seats: NDArray[np.intp]
+    target_index: NDArray[np.intp]
     starts: NDArray[np.intp]
     signs: FloatArray
     values: FloatArray
@@ -132,7 +132,9 @@ class WeightPosterior:
 
 def _own_rows(basis: Basis, targets: FloatArray, data: CellData) -> FloatArray:
     positive, negative = basis.design(targets)
-    own = np.where((data.signs > 0)[:, np.newaxis], positive[data.seats], negative[data.seats])
+    own = np.where(
+        (data.signs > 0)[:, np.newaxis], positive[data.target_index], negative[data.target_index]
+    )
     return np.hstack([own, data.extra])
 
 
@@ -148,7 +150,7 @@ class Evidence:
         self.rows = _own_rows(basis, targets, data)
         self.typical = data.typical()
         self.values = data.values[self.typical]
-        self.together = np.nonzero(data.seats[:, np.newaxis] == data.seats)
+        self.together = np.nonzero(data.target_index[:, np.newaxis] == data.target_index)
         self.frequencies, self.reversal_frequencies = basis.frequencies, basis.reversal_frequencies
         waves = [(i, n) for i, some in enumerate(basis.harmonics) for n in some for _ in range(2)]
         self.wave_of = np.array([PERIODIC + index for index, _ in waves], dtype=np.intp)
@@ -307,7 +309,7 @@ class _Scaled:
             gain, precision = gain[:, np.newaxis], precision[:, np.newaxis]
         scaled = precision * columns
         common = gain * np.add.reduceat(scaled, self.data.starts, axis=0)
-        product: FloatArray = scaled - precision * common[self.data.seats]
+        product: FloatArray = scaled - precision * common[self.data.target_index]
         return product
 
 
@@ -374,7 +376,7 @@ def _by_weights(scaled: _Scaled, *, derivatives: bool) -> _Marginal:
     spread = inverse @ weighted.T
     seen = np.add.reduceat(spread, data.starts, axis=1)
     gain = local / (1.0 + local * total)
-    own = scaled.precision - gain[data.seats] * scaled.precision**2
+    own = scaled.precision - gain[data.target_index] * scaled.precision**2
     return _Marginal(
         log=log,
         residual=scaled.removed(y - scaled.rows @ mean),

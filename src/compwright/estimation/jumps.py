@@ -125,9 +125,11 @@ def find_jumps(
         return ()
     found = []
     for first, count, own in _windows(m, endless=turn is not None):
-        seats = np.arange(first, first + count)
-        x = targets[seats % m] + (0.0 if turn is None else turn * (seats // m))
-        evidence = StepEvidence(x, means[seats % m], stds[seats % m], m - 1 if turn is None else m)
+        indices = np.arange(first, first + count)
+        x = targets[indices % m] + (0.0 if turn is None else turn * (indices // m))
+        evidence = StepEvidence(
+            x, means[indices % m], stds[indices % m], m - 1 if turn is None else m
+        )
         for step in evidence.found():
             gap = (first + step.gap) % m
             if gap in own:

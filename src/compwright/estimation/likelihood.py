@@ -76,8 +76,11 @@ def _fitted(cells: Cells, travel: Travel, periods: Sequence[float]) -> FittedMod
 
 def _with(cells: Cells, observed: ObservedTest, shape: ScaledCurve) -> Cells:
     data = cells.data
-    seats = np.searchsorted(observed.test.targets, cells.targets[data.seats] - 1e-9)
-    curve = np.where(data.signs > 0, shape.positive[seats], shape.negative[seats]) / data.scale
+    target_index = np.searchsorted(observed.test.targets, cells.targets[data.target_index] - 1e-9)
+    curve = (
+        np.where(data.signs > 0, shape.positive[target_index], shape.negative[target_index])
+        / data.scale
+    )
     return replace(
         cells,
         data=replace(

@@ -223,8 +223,8 @@ def _prior_for(cells: Cells, basis: Basis, *, varying: bool) -> Prior:
         np.log(0.7),
     ]
     width = [3.0 if cells.data.dof else 1.0, 1.5, 1.5, 0.8, 1.2, 1.5, 0.7]
-    if cells.donor is not None:
-        centre[NOISE] = _borrowed_noise(cells.donor, cells.data.scale)
+    if cells.other_noise is not None:
+        centre[NOISE] = _borrowed_noise(cells.other_noise, cells.data.scale)
         width[NOISE] = 0.5
     centre += [np.log(max(spread, 0.2 * roughness))] * len(basis.periods)
     width += [1.5] * len(basis.periods)

@@ -52,12 +52,12 @@ class ObservedCells:
 
 
 def cell_means(
-    observed: ObservedTest, order: NDArray[np.intp], donor: NoiseDraws | None
+    observed: ObservedTest, order: NDArray[np.intp], other_noise: NoiseDraws | None
 ) -> ObservedCells:
     """Return the cells of a test with the draws of its noise taken in ``order`` (n,).
 
-    ``donor``: n draws of the noise of another test of the axis: where the own readings do not tell
-    how the traverses moved, it does.
+    ``other_noise``: n draws of the noise of another test of the axis, for where the own readings do
+    not show how the traverses moved.
     """
     test = observed.test
     deviations = (test.positive, test.negative)
@@ -79,8 +79,8 @@ def cell_means(
         precision = np.zeros((order.size, size))
         columns = (
             np.zeros((order.size, size, 0))
-            if donor is None
-            else traverse_columns(donor, positions, signs)
+            if other_noise is None
+            else traverse_columns(other_noise, positions, signs)
         )
     else:
         by_draw = own.mean[order][:, kept]
@@ -100,19 +100,24 @@ def cell_means(
     )
 
 
-def traverse_columns(donor: NoiseDraws, positions: FloatArray, signs: FloatArray) -> FloatArray:
+def traverse_columns(
+    other_noise: NoiseDraws, positions: FloatArray, signs: FloatArray
+) -> FloatArray:
     """Return columns (n, c, 4) of unit variance: how one traverse in each direction is offset and
     tilted; what is there now and then by its root mean square. What moves both alike is the datum
     of the test and its slope.
     """
-    u = (positions - donor.centre) / donor.half
+    u = (positions - other_noise.centre) / other_noise.half
     up, down = signs > 0, signs < 0
-    together = donor.pattern != INDEPENDENT
+    together = other_noise.pattern != INDEPENDENT
     first = np.where(together[:, np.newaxis], 1.0, up)
-    second = np.where((donor.pattern == RUNS)[:, np.newaxis], 0.0, down)
+    second = np.where((other_noise.pattern == RUNS)[:, np.newaxis], 0.0, down)
     columns = [
         size[:, np.newaxis] * side * along
-        for size, along in ((donor.offset * np.sqrt(donor.moved), np.ones_like(u)), (donor.tilt, u))
+        for size, along in (
+            (other_noise.offset * np.sqrt(other_noise.moved), np.ones_like(u)),
+            (other_noise.tilt, u),
+        )
         for side in (first, second)
     ]
     return np.stack(columns, axis=2)

@@ -35,7 +35,7 @@ def bidirectional_means(cells: Cells, *, endless: bool) -> BidirectionalMeans:
     draw = data.typical()
     inferred = data.counts > 0
     precision = np.where(inferred, data.counts / cells.spread**2, data.precision[draw])
-    share, variances = _averages(data.seats, data.signs, precision, cells.targets.size)
+    share, variances = _averages(data.target_index, data.signs, precision, cells.targets.size)
     free = [np.ones(cells.targets.size)]
     if not endless:
         free.append((cells.targets - cells.targets[0]) / float(np.ptp(cells.targets)))
@@ -53,18 +53,18 @@ def bidirectional_means(cells: Cells, *, endless: bool) -> BidirectionalMeans:
 
 
 def _averages(
-    seats: np.ndarray[tuple[int], np.dtype[np.intp]],
+    target_index: np.ndarray[tuple[int], np.dtype[np.intp]],
     signs: FloatArray,
     precision: FloatArray,
     targets: int,
 ) -> tuple[FloatArray, FloatArray]:
     """Return the shares (m, c) of the cells in the middle of each target, and its variance (m,)."""
-    share, variance = np.zeros((targets, seats.size)), np.zeros(targets)
+    share, variance = np.zeros((targets, target_index.size)), np.zeros(targets)
     directions = np.zeros(targets)
     for sign in (1.0, -1.0):
         mine = np.flatnonzero(signs == sign)
-        total = np.bincount(seats[mine], weights=precision[mine], minlength=targets)
-        share[seats[mine], mine] = precision[mine] / total[seats[mine]]
+        total = np.bincount(target_index[mine], weights=precision[mine], minlength=targets)
+        share[target_index[mine], mine] = precision[mine] / total[target_index[mine]]
         variance += np.divide(1.0, total, out=np.zeros(targets), where=total > 0)
         directions += total > 0
     return share / directions[:, np.newaxis], variance / directions**2

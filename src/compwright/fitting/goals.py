@@ -234,8 +234,8 @@ def _of_the_mean(
     inside = nodes[(nodes >= where[0]) & (nodes <= where[-1])]
     points = np.union1d(where, inside)
     if rule == "step":
-        middles = bends(nodes, rule)[1:-1]
-        within = middles[(middles > where[0]) & (middles < where[-1])]
+        midpoints = bends(nodes, rule)[1:-1]
+        within = midpoints[(midpoints > where[0]) & (midpoints < where[-1])]
         points = np.union1d(points, np.concatenate([within, np.nextafter(within, -np.inf)]))
     table = hat_matrix(
         points, nodes, below=capacity.below, above=capacity.above, interpolation=rule

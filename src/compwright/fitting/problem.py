@@ -100,7 +100,7 @@ def hat_matrix(
 
 def bends(nodes: FloatArray, interpolation: Interpolation) -> FloatArray:
     """Return where the control's curve with ``nodes`` (k,) bends or jumps: the nodes (k,), or the
-    middles between them and the ends (k + 1,).
+    midpoints between them and the ends (k + 1,).
     """
     if interpolation == "linear":
         return nodes

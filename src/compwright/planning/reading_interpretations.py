@@ -93,8 +93,8 @@ def _has_shape(bare: ObservedTest, table: Acted) -> bool:
 
 def _symmetric(targets: FloatArray) -> bool:
     interval = float(targets[-1] - targets[0]) / max(targets.size - 1, 1)
-    middles = targets + targets[::-1]
-    return float(np.ptp(middles)) <= _SYMMETRIC * interval
+    midpoints = targets + targets[::-1]
+    return float(np.ptp(midpoints)) <= _SYMMETRIC * interval
 
 
 def _smooth(test: PositioningTest, axis: Axis, table: Acted) -> Acted:

@@ -108,8 +108,8 @@ class AxisCompensation:
             where = self.positions[0] + np.mod(where - self.positions[0], self.period)
         if self.interpolation == "step":
             # The last bits do not decide on which side of a step a position lies.
-            middles = np.round(0.5 * (self.positions[1:] + self.positions[:-1]), 9)
-            total: FloatArray = curve[np.searchsorted(middles, np.round(where, 9), side="right")]
+            midpoints = np.round(0.5 * (self.positions[1:] + self.positions[:-1]), 9)
+            total: FloatArray = curve[np.searchsorted(midpoints, np.round(where, 9), side="right")]
         else:
             total = np.interp(where, self.positions, curve)
         if self.below == "zero":

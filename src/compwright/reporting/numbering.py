@@ -49,7 +49,7 @@ class _Edge(NamedTuple):
 
 
 class _Drawing(NamedTuple):
-    """Cells with their middles, edges, and the middles of gaps; places in units of the drawing."""
+    """Cells and gaps with their midpoints, and edges; places in units of the drawing."""
 
     cells: list[tuple[int, _SectionCell]]
     edges: list[_Edge]

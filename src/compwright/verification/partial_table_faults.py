@@ -138,9 +138,11 @@ def _cuts(ways: HypothesisBuilder) -> list[int]:
     `_CUTS`.
     """
     nodes = ways.table.positions
-    seats = np.searchsorted(ways.targets, nodes)
+    target_index = np.searchsorted(ways.targets, nodes)
     effective = [
-        cut for cut in range(1, nodes.size) if seats[cut] > 0 and seats[cut - 1] < ways.targets.size
+        cut
+        for cut in range(1, nodes.size)
+        if target_index[cut] > 0 and target_index[cut - 1] < ways.targets.size
     ]
     if len(effective) <= _CUTS:
         return effective
