@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-import backup_beside_fanuc  # noqa: F401 - fills the list of families
+import backup_neighbour_functions_fanuc  # noqa: F401 - fills the list of families
 import backup_oddities_fanuc  # noqa: F401 - fills the list of families
 import backup_variations_fanuc  # noqa: F401 - fills the list of families
 from backup_jobs_fanuc import FAMILIES, Job

@@ -10,7 +10,7 @@ import numpy as np
 
 import backup_variations_sinumerik as variations
 import sinumerik_archive as archive
-from backup_acting_sinumerik import ACTING
+from backup_active_sinumerik import ACTIVE
 from backup_cases_sinumerik import MUST_REFUSE, Case, start, style
 from sinumerik_container import Packing
 
@@ -56,7 +56,7 @@ def dealt(seed: int) -> Case:
     """The job of one seed."""
     rng = np.random.default_rng([842, seed])
     case = start(seed, rng)
-    chosen = [special for special, n in (*variations.SPECIALS, *ACTING) for _ in range(n)]
+    chosen = [special for special, n in (*variations.SPECIALS, *ACTIVE) for _ in range(n)]
     special = chosen[int(rng.integers(len(chosen)))]
     case.told.append(special.__name__)
     ground = case.mark, case.demand, case.code

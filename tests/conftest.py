@@ -23,6 +23,7 @@ from typing import Any, Final
 import pytest
 from hypothesis import settings
 
+from cached_results import cached
 from compwright.estimation import (
     axis,
     circle,
@@ -46,7 +47,6 @@ from compwright.planning import (
 )
 from compwright.verification import likelihood as after_tests
 from frames import paint, unpaint
-from remembered import remembered
 from skips import skipped_line
 
 
@@ -75,17 +75,17 @@ _SAMPLING: Final = (
     (step_evidence, "_LOCAL", 3),
 )
 _WHOLE: Final = tuple(getattr(room, name) for room, name, _ in _SAMPLING)
-#: Where estimates are asked for, and the function that remembers them: brief ones, others.
+#: Where estimates are asked for, and the function that caches them: brief ones, others.
 _BRIEF_ESTIMATES, _WHOLE_ESTIMATES = (
     (
         (wanted_correction, "infer_noise", infer_noise),
         (after_tests, "infer_noise", infer_noise),
-        (wanted_correction, "estimate_axis", remembered(axis.estimate_axis)),
-        (sign_and_unit_doubts, "log_likelihood", remembered(likelihood.log_likelihood)),
-        (circle_diagnosis, "diagnose", remembered(circle.diagnose)),
-        (tables, "fit_table", remembered(fit.fit_table)),
+        (wanted_correction, "estimate_axis", cached(axis.estimate_axis)),
+        (sign_and_unit_doubts, "log_likelihood", cached(likelihood.log_likelihood)),
+        (circle_diagnosis, "diagnose", cached(circle.diagnose)),
+        (tables, "fit_table", cached(fit.fit_table)),
     )
-    for infer_noise in (remembered(noise.infer_noise), remembered(noise.infer_noise))
+    for infer_noise in (cached(noise.infer_noise), cached(noise.infer_noise))
 )
 
 look_for_garbage_seldom()  # as every command does

@@ -2,7 +2,7 @@
 5871 to 5874: B-63522EN/02 p. 222), where the job says that the control has it; what the files hold of
 it is counted then, and so is the second table (14985 to 14987: A-78868E p. 6).
 
-The virtual machine is that of test_fanuc_beside: lines and sums by hand from the numbers.
+The virtual machine is that of test_fanuc_neighbour_functions: lines and sums by hand from the numbers.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 import test_fanuc_backup_honoured as plain
 from test_fanuc_backup_honoured import Bench, Edits, said
-from test_fanuc_beside import INCLINED, BesideBench, cyclic, inclination
+from test_fanuc_neighbour_functions import INCLINED, NeighbourBench, cyclic, inclination
 
 from compwright.cli import run as compwright
 from compwright.records.axis import FloatArray
@@ -170,7 +170,7 @@ def test_a_gentle_slope_stays_in_the_table_and_says_why(tmp_path: Path) -> None:
 @pytest.mark.parametrize("state", ["as_found", "old"])
 def test_what_is_there_is_counted_and_stays(state: str, tmp_path: Path) -> None:
     """With the option the lines count: also for a test that was taken without them."""
-    bench = BesideBench(tmp_path, INCLINED, inclination(1.0))
+    bench = NeighbourBench(tmp_path, INCLINED, inclination(1.0))
     measured = ""
     if state == "old":
         old = bench.parameters.replace("A1P-90", "A1P0").replace("A1P60A", "A1P0A")
@@ -192,7 +192,7 @@ def test_what_is_there_is_counted_and_stays(state: str, tmp_path: Path) -> None:
 def test_decode_shows_totals_with_lines_and_second_table(tmp_path: Path) -> None:
     edits = {**INCLINED, (14985, "1"): "400", (14986, "1"): "410", (14987, "1"): "4.0"}
     steps = dict(zip(range(401, 411), (10, 10, 10, -10, -10, -10, -10, -10, 10, 10), strict=True))
-    bench = BesideBench(tmp_path, edits, points=plain.POINTS | steps)
+    bench = NeighbourBench(tmp_path, edits, points=plain.POINTS | steps)
     out = tmp_path / "decoded.json"
     files = [str(tmp_path / name) for name in ("CNC-PARA.TXT", "PITCH.TXT")]
     words = ["--format", "fanuc-30i", "--axis", "1", "--at=-1000:0:7", "--json", str(out)]
@@ -223,7 +223,7 @@ def test_what_cannot_be_counted_is_refused_by_name(
     edits: Edits, named: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """Points not in order, a table without an interval, multiplied, or with a sum that creeps."""
-    bench = BesideBench(tmp_path, edits, points=plain.POINTS | {601: 3})
+    bench = NeighbourBench(tmp_path, edits, points=plain.POINTS | {601: 3})
     options = ", options: {inclination: available, cyclic: available}"
     assert bench.run("X", options=options) == 3
     assert f"parameter {named}" in capsys.readouterr().err

@@ -172,13 +172,13 @@ def test_the_one_reader_decodes_what_two_readers_decode(
         command = ["decode", *files, "--format", form, *words, "--axis", axis, "--json", "-"]
         assert compwright(command) == 0
         answers.append(json.loads(capsys.readouterr().out))
-    judged, read_once = answers
-    assert read_once["cross"] == judged["cross"]
-    assert list(read_once["axes"]) == list(judged["axes"])
+    judged, read_back = answers
+    assert read_back["cross"] == judged["cross"]
+    assert list(read_back["axes"]) == list(judged["axes"])
     for address, axis in judged["axes"].items():
         for key in ("positions", "correction_positive", "correction_negative"):
-            np.testing.assert_allclose(read_once["axes"][address][key], axis[key], atol=1e-9)
-    assert [finding["code"] for finding in read_once["findings"]][:1] == ["CW-S060"]
+            np.testing.assert_allclose(read_back["axes"][address][key], axis[key], atol=1e-9)
+    assert [finding["code"] for finding in read_back["findings"]][:1] == ["CW-S060"]
 
 
 def test_tables_between_axes_are_read_back_by_the_one_reader(tmp_path: Path) -> None:

@@ -148,9 +148,9 @@ def test_what_the_ramp_leaves_out_is_what_the_prediction_leaves_out() -> None:
             negative=negative,
         )
         applied = applied_compensation(table, axis)
-        settled = [stop for stop in session.of(str(joint)) if stop.number > 2 * places.size]
-        assert len(settled) > 2 * places.size
-        for stop in settled:
+        later_stops = [stop for stop in session.of(str(joint)) if stop.number > 2 * places.size]
+        assert len(later_stops) > 2 * places.size
+        for stop in later_stops:
             assert stop.direction is not None
             where = np.array([stop.target])
             assert stop.correction == pytest.approx(

@@ -15,7 +15,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-import backup_acting_sinumerik as acting
+import backup_active_sinumerik as specials
 from backup_cases_sinumerik import Case
 from backup_deal_sinumerik import dealt, deliver
 from backup_variations_sinumerik import Special, named
@@ -89,24 +89,24 @@ def test_a_product_or_a_split_pair_is_written_well(seed: int, tmp_path: Path, ru
 @pytest.mark.parametrize(
     ("special", "seed"),
     [
-        (acting.products_into_the_axis, 1),
-        (acting.odd_tables_into_the_axis, 1),
-        (acting.own_odd_table, 1),
-        (acting.own_product, 1),
-        (acting.step_that_does_not_divide, 1),
-        (acting.step_that_does_not_divide, 2),
-        (acting.step_that_does_not_divide, 3),
-        (acting.stale_points_behind_the_end, 1),
-        (acting.inch_with_builders_tables, 1),
-        (acting.units_of_the_users_own, 1),
-        (acting.second_gantry, 1),
-        (acting.work_on_the_follower, 1),
-        (acting.programs_in_the_container, 1),
-        (acting.small_files_over_the_container, 1),
-        (acting.damaged_container, 1),
-        (acting.copies_that_differ, 1),
-        (acting.pair_of_the_828d, 1),
-        (acting.limits_told_from_the_other_end, 1),
+        (specials.products_into_the_axis, 1),
+        (specials.odd_tables_into_the_axis, 1),
+        (specials.own_odd_table, 1),
+        (specials.own_product, 1),
+        (specials.step_that_does_not_divide, 1),
+        (specials.step_that_does_not_divide, 2),
+        (specials.step_that_does_not_divide, 3),
+        (specials.stale_points_behind_the_end, 1),
+        (specials.inch_with_builders_tables, 1),
+        (specials.units_of_the_users_own, 1),
+        (specials.second_gantry, 1),
+        (specials.work_on_the_follower, 1),
+        (specials.programs_in_the_container, 1),
+        (specials.small_files_over_the_container, 1),
+        (specials.damaged_container, 1),
+        (specials.copies_that_differ, 1),
+        (specials.pair_of_the_828d, 1),
+        (specials.limits_told_from_the_other_end, 1),
     ],
 )
 def test_what_acts_is_honoured_or_refused_by_name(
@@ -127,7 +127,7 @@ def test_the_real_container_with_its_own_texts_is_itself() -> None:
 @pytest.fixture
 def written(tmp_path: Path, run: Run) -> Outcome:
     """A container's job that went well."""
-    case = named(acting.builders_tables_into_the_axis, 2)
+    case = named(specials.builders_tables_into_the_axis, 2)
     case.packing = Packing()
     outcome = try_case(case, tmp_path, run)
     assert not outcome.harms, outcome.line()

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 from test_fanuc_backup_honoured import POINTS, Bench, Edits, said
-from test_fanuc_beside import INCLINED, BesideBench, inclination
+from test_fanuc_neighbour_functions import INCLINED, NeighbourBench, inclination
 
 from compwright.formats.families.shapes import control_format
 from compwright.foundations.errors import InputError
@@ -91,7 +91,7 @@ def test_one_set_of_data_stays_one_where_something_hangs_on_it(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """No page says whether inclination acts beside two sets as beside one."""
-    bench = BesideBench(tmp_path, INCLINED, inclination(1.0))
+    bench = NeighbourBench(tmp_path, INCLINED, inclination(1.0))
     assert bench.run("X", axes={"X": "table: {mode: bidirectional}"}) == 4
     told = " ".join(capsys.readouterr().err.split())
     assert "parameter 5861 of axis 1" in told
@@ -110,7 +110,7 @@ def test_a_finer_grid_that_needs_the_old_ends_is_told_them(
     """3620 = 40, 3621 = 1, 3622 = 41, 3624 = 40 mm. By the manual the point at the negative end has
     the number 3620 - travel/3624 + 1: 40 intervals of 40 mm below the reference, one above.
     """
-    bench = BesideBench(tmp_path, INCLINED, inclination(1.0))
+    bench = NeighbourBench(tmp_path, INCLINED, inclination(1.0))
     assert bench.run("X", axes={"X": "table: {spacing: 20, start: -200, end: 0}"}) == 4
     told = " ".join(capsys.readouterr().err.split())
     found = re.search(r"table: \{(start: \S+, end: \S+?)\}, the old ends", told)

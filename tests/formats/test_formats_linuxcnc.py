@@ -84,8 +84,8 @@ def test_inch_machines() -> None:
     np.testing.assert_allclose(state.axes["0"].positive, [0.0, -0.0508], rtol=0, atol=1e-12)
     np.testing.assert_allclose(state.axes["0"].negative, [-0.0254, -0.0762], rtol=0, atol=1e-12)
     assert correction(state, "1", 0.0, POSITIVE) == pytest.approx(0.254)
-    settled = resolve_options(LINUXCNC, {}, state)
-    assert settled["units"] == "inch"
+    resolved = resolve_options(LINUXCNC, {}, state)
+    assert resolved["units"] == "inch"
     capacity = control_format(LINUXCNC, resolve_options(LINUXCNC, {}), state).capacity(axis_of("0"))
     assert capacity.quantum == pytest.approx(2.54e-6, rel=1e-12)  # mm
     held = table("0", [0.0, 254.0], [0.0, -0.0508], [-0.0254, -0.0762])
@@ -93,7 +93,7 @@ def test_inch_machines() -> None:
     assert (
         comp.content.decode() == "0.0000000 0.0000000 0.0010000\n10.0000000 10.0020000 10.0030000\n"
     )
-    assert control_format(LINUXCNC, settled).write([held], [axis_of("0")])[0] == comp
+    assert control_format(LINUXCNC, resolved).write([held], [axis_of("0")])[0] == comp
 
 
 def test_a_section_counts_by_its_exact_name() -> None:

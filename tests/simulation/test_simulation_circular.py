@@ -259,8 +259,8 @@ def test_corrections_see_machine_positions_and_directions_of_motion() -> None:
         if positions.size > 2:
             seen[axis].append((float(positions.min()), float(positions.max())))
             moving = np.sign(np.diff(positions))
-            settled = (direction[1:] == direction[:-1]) & (moving != 0)
-            assert np.array_equal(moving[settled], direction[1:][settled])
+            steady = (direction[1:] == direction[:-1]) & (moving != 0)
+            assert np.array_equal(moving[steady], direction[1:][steady])
         return np.zeros(positions.shape)
 
     record_circle(

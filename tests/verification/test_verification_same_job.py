@@ -38,12 +38,12 @@ def told(
     now: PositioningTest | None = PLANNED.tests[0].test,
 ) -> list[tuple[str, str, str]]:
     """What differs: place, what the job says, what the plan says."""
-    settled = PLAN.options if options is None else options
+    options = PLAN.options if options is None else options
 
     def read(_entry: AxisJob, _request: TestRequest) -> PositioningTest | None:
         return now
 
-    faults = stale_plan(job, plan, "plan.json", options=settled, read=read)
+    faults = stale_plan(job, plan, "plan.json", options=options, read=read)
     return [(fault.place, fault.expected, fault.found) for fault in faults]
 
 

@@ -450,7 +450,7 @@ def renamed(case: Case, rng: np.random.Generator) -> None:
     case.address = name if rng.random() < 0.5 else case.axis
 
 
-ACTING: tuple[tuple[Special, int], ...] = (
+ACTIVE: tuple[tuple[Special, int], ...] = (
     (builders_tables_into_the_axis, 6),
     (products_into_the_axis, 4),
     (odd_tables_into_the_axis, 4),

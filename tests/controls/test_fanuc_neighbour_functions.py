@@ -61,7 +61,7 @@ def nothing(_parameters: str, x: FloatArray) -> FloatArray:
     return np.zeros_like(x)
 
 
-class BesideBench(Bench):
+class NeighbourBench(Bench):
     """A bench on which something acts beside the table."""
 
     def __init__(
@@ -151,7 +151,7 @@ def test_what_stays_is_named_and_stops_nothing(
 def test_inclination_cancels_whatever_its_sign_and_unit(
     factor: float, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    bench = BesideBench(tmp_path, INCLINED, inclination(factor))
+    bench = NeighbourBench(tmp_path, INCLINED, inclination(factor))
     assert bench.run("X", axes=STAYS) == 0
     # the steps of the lines themselves stay: 25 units of 0.1 µm between two points
     assert bench.left("X") < plainly_left(tmp_path, 40) + abs(factor) * 25 * UNIT + NOISE
@@ -163,7 +163,7 @@ def test_inclination_cancels_whatever_its_sign_and_unit(
 
 
 def test_a_finer_grid_takes_the_numbers_of_the_inclination_with_it(tmp_path: Path) -> None:
-    bench = BesideBench(tmp_path, INCLINED, inclination(1.0))
+    bench = NeighbourBench(tmp_path, INCLINED, inclination(1.0))
     assert bench.run("X", axes={"X": "table: {spacing: 20}"}) == 0
     parameters, _ = bench.written()
     reference = int(said(parameters, 3620, 1))
@@ -198,7 +198,7 @@ def test_a_grid_that_cannot_take_it_along_is_refused_by_name(
     """No node at the old position; beyond the old grid, where the line went on unseen; numbers that
     are not known.
     """
-    bench = BesideBench(tmp_path, edits)
+    bench = NeighbourBench(tmp_path, edits)
     assert bench.run("X", axes={"X": f"table: {{spacing: {spacing}}}"}) == 4
     told = capsys.readouterr().err
     assert named in told
@@ -208,7 +208,7 @@ def test_a_grid_that_cannot_take_it_along_is_refused_by_name(
 def test_a_table_that_is_off_does_not_wake_what_stands_beside_it(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    bench = BesideBench(tmp_path, {**INCLINED, (3623, "1"): "0"})
+    bench = NeighbourBench(tmp_path, {**INCLINED, (3623, "1"): "0"})
     assert bench.run("X", axes=STAYS) == 4
     told = capsys.readouterr().err
     assert "parameter 5861 of axis 1 = 18" in told
@@ -219,7 +219,7 @@ def test_a_table_that_is_off_does_not_wake_what_stands_beside_it(
 def test_the_second_table_cancels(factor: float, tmp_path: Path) -> None:
     edits = {(14985, "1"): "400", (14986, "1"): "410", (14987, "1"): "4.0"}
     steps = dict(zip(range(401, 411), (10, 10, 10, -10, -10, -10, -10, -10, 10, 10), strict=True))
-    bench = BesideBench(tmp_path, edits, cyclic(factor), points=plain.POINTS | steps)
+    bench = NeighbourBench(tmp_path, edits, cyclic(factor), points=plain.POINTS | steps)
     # whole periods apart: what repeats within a section looks like nothing to the test
     assert bench.run("X", axes=STAYS, targets=np.arange(-1000.0, 1.0, 40.0)) == 0
     _, points = bench.written()
@@ -233,7 +233,7 @@ def test_a_second_table_in_the_numbers_of_its_own_axis_is_refused(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     edits = {(14985, "1"): "10", (14986, "1"): "20", (14987, "1"): "4.0"}
-    assert BesideBench(tmp_path, edits).run("X", axes=STAYS) == 3
+    assert NeighbourBench(tmp_path, edits).run("X", axes=STAYS) == 3
     assert "parameter 14985 of axis 1 = 10" in capsys.readouterr().err
 
 
@@ -243,7 +243,7 @@ def test_straightness_takes_its_numbers_along_and_nothing_else(tmp_path: Path) -
         (5711, "L1"): "1", (5721, "L1"): "2", (5731, "L1"): "16", (5732, "L1"): "16",
         (5733, "L1"): "40", (5734, "L1"): "40", (5763, "L1"): "30", (5764, "L1"): "30",
     }  # fmt: skip
-    bench = BesideBench(tmp_path, edits)
+    bench = NeighbourBench(tmp_path, edits)
     assert bench.run("X", axes={"X": "table: {spacing: 20}"}) == 0
     parameters, _ = bench.written()
     reference = int(said(parameters, 3620, 1))
@@ -252,7 +252,7 @@ def test_straightness_takes_its_numbers_along_and_nothing_else(tmp_path: Path) -
     assert ("5731", "L") not in {(str(n), o[0]) for n, o in bench.changed() if n > 5734}
     bench.folder = tmp_path / "bent"
     bench.folder.mkdir()
-    other = BesideBench(bench.folder, edits)
+    other = NeighbourBench(bench.folder, edits)
     assert other.run("Y", axes={"Y": "table: {spacing: 10}"}) == 0  # Y only is moved by it
     assert not {number for number, _ in other.changed()} & set(range(5711, 5800))
 
@@ -265,7 +265,7 @@ def test_each_path_speaks_for_its_own_axes(path: str, tmp_path: Path) -> None:
     edits: Edits = {(981, "1"): path, (5711, mine): "1", (5721, mine): "7"}
     edits = {**edits, **{(number, mine): value for number, value in points.items()}}
     edits = {**edits, **{(number, other): "0" for number in (5711, 5721, *points)}}
-    bench = BesideBench(tmp_path, edits)
+    bench = NeighbourBench(tmp_path, edits)
     text = bench.parameters
     for number in (5732, 5733, 5734):  # both paths on one line, as a control writes them
         row = "".join(f"L{k}P{edits[(number, f'L{k}')]}" for k in (1, 2))
@@ -289,7 +289,7 @@ def test_a_state_in_which_it_differs_is_refused_by_name(
     """A test with everything off, or with another inclination: what the difference does is not
     known.
     """
-    bench = BesideBench(tmp_path, INCLINED, inclination(1.0))
+    bench = NeighbourBench(tmp_path, INCLINED, inclination(1.0))
     bench.run("X", axes=STAYS)
     (tmp_path / "OLD.TXT").write_text(bench.parameters.replace("A1P-90", "A1P-80"))
     job = tmp_path / "job.yaml"
@@ -341,7 +341,7 @@ def test_a_backlash_below_its_own_first_stage_is_refused(
 
 
 def test_the_plan_is_compared_with_the_numbers_that_moved(tmp_path: Path) -> None:
-    bench = BesideBench(tmp_path, INCLINED, inclination(1.0))
+    bench = NeighbourBench(tmp_path, INCLINED, inclination(1.0))
     assert bench.run("X", axes={"X": "table: {spacing: 20}"}) == 0
     folder = tmp_path / "job" / "tables" / "fanuc-30i"
     words = [word for file in sorted(folder.iterdir()) for word in ("--loaded", str(file))]

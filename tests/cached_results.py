@@ -2,7 +2,7 @@
 
 Many tests of a module run a command on one measurement with other files of the control: the same
 readings give the same estimate, from whichever file they were read. That they do so when they are
-worked out anew is tested where nothing is remembered (the fixture ``afresh``; test_same_bytes.py).
+worked out anew is tested where nothing is cached (the fixture ``afresh``; test_same_bytes.py).
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ class _Content(pickle.Pickler):
         return (str, ()) if type(obj) is Source else NotImplemented
 
 
-def remembered(function: Callable[P, R]) -> Callable[P, R]:
+def cached(function: Callable[P, R]) -> Callable[P, R]:
     """Return a pure ``function`` that works once on the same arguments, by their content."""
     known: OrderedDict[bytes, R] = OrderedDict()
 

@@ -17,7 +17,7 @@ from format_samples import DEFINITIONS
 FANUC = ("fanuc-30i", "fanuc-0i-d", "fanuc-0i-f", "fanuc-0i-16i", "fanuc-15i")
 
 
-def entered(control: str, *lines: str) -> dict[str, FileValue]:
+def file_values(control: str, *lines: str) -> dict[str, FileValue]:
     text = "\n".join(("%", *lines, "%", "")).encode()
     family = control_format(DEFINITIONS[control], {})
     return {
@@ -43,7 +43,7 @@ def entered(control: str, *lines: str) -> dict[str, FileValue]:
     ],
 )
 def test_what_acts_is_known(control: str, number: int, word: str) -> None:
-    (one,) = entered(control, f"N{number:05d}A1P1").values()
+    (one,) = file_values(control, f"N{number:05d}A1P1").values()
     assert one.relevant
     assert word in one.meaning
 
@@ -65,7 +65,7 @@ def test_what_acts_is_known(control: str, number: int, word: str) -> None:
     ],
 )
 def test_what_acts_on_the_later_series_is_known(number: int, word: str) -> None:
-    (one,) = entered("fanuc-30i", f"N{number:05d}Q1A1P1").values()
+    (one,) = file_values("fanuc-30i", f"N{number:05d}Q1A1P1").values()
     assert (one.relevant, one.axis) == (True, "1")
     assert word in one.meaning
 
@@ -82,16 +82,16 @@ def test_what_acts_on_the_later_series_is_known(number: int, word: str) -> None:
     ],
 )
 def test_the_grid_of_a_15i_has_its_own_numbers(number: int, word: str) -> None:
-    (one,) = entered("fanuc-15i", f"N{number:05d}A1P1").values()
+    (one,) = file_values("fanuc-15i", f"N{number:05d}A1P1").values()
     assert one.relevant
     assert word in one.meaning
-    (other,) = entered("fanuc-30i", f"N{number:05d}Q1A1P1").values()
+    (other,) = file_values("fanuc-30i", f"N{number:05d}Q1A1P1").values()
     assert (other.relevant, other.meaning) == (False, "")
 
 
 def test_the_grid_of_a_30i_is_none_on_a_15i() -> None:
     for number in (3620, 3621, 3622, 3623, 3624, 3625):
-        (one,) = entered("fanuc-15i", f"N{number:05d}A1P1").values()
+        (one,) = file_values("fanuc-15i", f"N{number:05d}A1P1").values()
         assert (one.relevant, one.meaning) == (False, "")
 
 
@@ -103,7 +103,7 @@ def test_the_grid_of_a_30i_is_none_on_a_15i() -> None:
 def test_a_letter_a_limit_and_a_rate_compensate_nothing(
     control: str, number: int, word: str
 ) -> None:
-    (one,) = entered(control, f"N{number:05d}A1P1").values()
+    (one,) = file_values(control, f"N{number:05d}A1P1").values()
     assert not one.relevant
     assert word in one.meaning
 
@@ -111,7 +111,7 @@ def test_a_letter_a_limit_and_a_rate_compensate_nothing(
 def test_a_large_number_of_an_axis_is_no_point_without_q() -> None:
     """The old series write neither Q1 nor Q0: what names an axis is a parameter (F11, F21)."""
     line = "N14985 A1 P {} A2 P 0"
-    old, new = (entered("fanuc-0i-16i", line.format(value), "N10040P2") for value in (0, 10))
+    old, new = (file_values("fanuc-0i-16i", line.format(value), "N10040P2") for value in (0, 10))
     assert old["N14985A1"].text == "0"
     assert "cyclic" in old["N14985A1"].meaning
     (change,) = changes(old, new)

@@ -1,4 +1,4 @@
-"""Estimates that tests remember are those of the same readings."""
+"""Estimates that tests cache are those of the same readings."""
 
 from __future__ import annotations
 
@@ -7,10 +7,10 @@ from dataclasses import replace
 
 import numpy as np
 
+from cached_results import cached
 from compwright.foundations.provenance import Source
 from compwright.records.axis import AxisKind
 from compwright.records.positioning import PositioningTest
-from remembered import remembered
 
 TEST = PositioningTest(
     name="x",
@@ -29,7 +29,7 @@ def counted() -> tuple[Callable[..., object], list[float]]:
         asked.append(travel)
         return test.positive.sum() / travel
 
-    return remembered(estimate), asked
+    return cached(estimate), asked
 
 
 def test_the_same_readings_from_another_file_are_worked_out_once() -> None:

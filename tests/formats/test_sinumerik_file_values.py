@@ -18,7 +18,7 @@ from format_samples import SIEMENS
 FAMILY = control_format(SIEMENS, {})
 
 
-def entered(**files: str) -> dict[str, FileValue]:
+def file_values(**files: str) -> dict[str, FileValue]:
     texts = [ControlFile(f"{name}.INI", text.encode()) for name, text in files.items()]
     return dict(FAMILY.listing.file_values(FAMILY.definition, texts, ()))
 
@@ -32,15 +32,15 @@ A, B = "$MA_BACKLASH[0,AX1]=0.01\n", "$MA_BACKLASH[0,AX2]=0.02\n"
 
 @pytest.mark.parametrize("unit", ["METRIC", "INCH"])
 def test_one_more_file_in_the_same_unit_is_no_difference(unit: str) -> None:
-    old = entered(A=f"{unit}\n{A}{B}")
-    new = entered(A=f"{unit}\n{A}{B}", BACK=f" {unit.lower()} \n{B}")
+    old = file_values(A=f"{unit}\n{A}{B}")
+    new = file_values(A=f"{unit}\n{A}{B}", BACK=f" {unit.lower()} \n{B}")
     assert differing(old, new) == []
-    assert differing(old, entered(ONE=f"{unit}\n{A}", TWO=f"{unit}\n{B}")) == []
+    assert differing(old, file_values(ONE=f"{unit}\n{A}", TWO=f"{unit}\n{B}")) == []
 
 
 def test_another_unit_is_one_difference() -> None:
-    old = entered(A=f"METRIC\n{A}", B=f"METRIC\n{B}")
-    (change,) = differing(old, entered(A=f"INCH\n{A}", B=f"INCH\n{B}"))
+    old = file_values(A=f"METRIC\n{A}", B=f"METRIC\n{B}")
+    (change,) = differing(old, file_values(A=f"INCH\n{A}", B=f"INCH\n{B}"))
     assert (change.entry.relevant, change.entry.text) == (True, "INCH")
     assert change.old is not None
     assert change.old.text == "METRIC"
@@ -49,7 +49,7 @@ def test_another_unit_is_one_difference() -> None:
 def test_a_file_in_another_unit_than_the_rest_is_one_by_its_name() -> None:
     rest = {"A": f"METRIC\n{A}", "B": f"METRIC\n{B}"}
     for turned in (rest, dict(reversed(rest.items()))):
-        (change,) = differing(entered(**rest), entered(ODD=f"INCH\n{A}", **turned))
+        (change,) = differing(file_values(**rest), file_values(ODD=f"INCH\n{A}", **turned))
         assert (change.old, change.entry.text, change.entry.relevant) == (None, "INCH", True)
         assert change.entry.name.startswith("ODD.INI")
 
@@ -69,7 +69,7 @@ def test_a_file_in_another_unit_than_the_rest_is_one_by_its_name() -> None:
     ],
 )
 def test_a_variable_is_called_what_it_is(line: str, words: str) -> None:
-    (one,) = entered(A=line + "\n").values()
+    (one,) = file_values(A=line + "\n").values()
     assert one.relevant
     assert words in one.meaning
     assert ("value" in one.meaning) == (words.endswith("value"))
