@@ -200,7 +200,7 @@ def test_means_and_readings_of_each_direction_stand_at_their_targets(
     assert [negative.get_ydata()[i] for i in (0, -1)] == pytest.approx(
         [2.3, -0.5], abs=0.05 + EXACT
     )
-    # the mean bidirectional deviation is half the sum of both (ISO 230-2:1997, 2.8)
+    # the mean bidirectional deviation is half the sum of both (ISO 230-2:1997, 2.11)
     both = lines(panel, "mean (±)").get_ydata()
     assert [both[i] for i in (0, -1)] == pytest.approx([0.35, -2.25], abs=0.05 + EXACT)
     assert (positive.get_marker(), positive.get_linestyle()) == ("^", "-")

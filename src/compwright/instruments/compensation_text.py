@@ -29,6 +29,7 @@ from compwright.instruments.sections import Line
 from compwright.instruments.spans import Spans, TextSpan, by_key, whole
 from compwright.instruments.worked_rows import read_so_finding
 from compwright.records.axis import AxisKind, Direction
+from compwright.words.sentences import SentenceText, say
 
 #: The keys, with what their values are.
 KEYS: Final = by_key(
@@ -142,7 +143,10 @@ def read_compensation_text(text: Sequence[str], faults: FaultList, answers: Answ
         kind=AxisKind.LINEAR,
         readings=readings,
         header=header,
-        assumed=("forward: approach in direction +", *(() if answers.unit else ("unit: mm",))),
+        assumed=(
+            SentenceText(say("reading.forward", direction="+")),
+            *(() if answers.unit else (SentenceText(say("reading.unit_mm")),)),
+        ),
         findings=(
             Finding.of(
                 "CW-R058",

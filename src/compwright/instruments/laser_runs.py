@@ -42,7 +42,7 @@ from compwright.instruments.sections import (
 )
 from compwright.instruments.worked_rows import read_so_finding
 from compwright.records.axis import AxisKind, Direction, FloatArray
-from compwright.words.sentences import say
+from compwright.words.sentences import SentenceText, say
 
 _TARGETS, _RUNS, _ROWS = "TARGET DATA", "RUNS", "DEVIATIONS"
 _ROW_HEADER = re.compile(r"run\s+target\s+data\s*:?", re.IGNORECASE)
@@ -132,7 +132,7 @@ def read_laser_runs(text: Sequence[str], faults: FaultList, answers: Answers) ->
     sign = -1.0 if answers.sign == "target minus measured" else 1.0
     readings = _readings(runs, directions, factor * sign)
     header = header_of(sections, ["HEADER", "USER-TEXT", "EQUIPMENT", "ENVIRONMENT"])
-    signs = () if answers.sign else ("deviation: measured minus target",)
+    signs = () if answers.sign else (SentenceText(say("reading.deviation")),)
     worked = read_so_finding(readings, kind)
     stray = stray_finding(_stray(sections))
     about = (no_end_finding(sections), _fewer_runs(runs), stray, unit_finding, *findings, worked)

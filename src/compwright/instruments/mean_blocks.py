@@ -36,7 +36,7 @@ from compwright.instruments.sections import spans_of as spans_of_sections
 from compwright.instruments.spans import Spans, TextSpan
 from compwright.instruments.worked_rows import read_so_finding
 from compwright.records.axis import AxisKind, Direction
-from compwright.words.sentences import say
+from compwright.words.sentences import SentenceText, say
 
 _TITLE = re.compile(
     r"\s*Position\s+(?P<which>Bidirectional|Forward|Reverse|Backward)(?:\s+Directional)?"
@@ -110,9 +110,9 @@ def read_mean_blocks(text: Sequence[str], faults: FaultList, answers: Answers) -
         lines, positions, positive, [1] * len(rows), np.array(values, dtype=np.float64) * factor
     )
     header = header_of(sections, ["HEADER", "USER-TEXT", "EQUIPMENT"])
-    assumed = [] if answers.unit else ["unit: mm"]
-    assumed += [] if answers.sign else ["deviation: measured minus target"]
-    assumed.append(f"forward: approach in direction {directions[0]}")
+    assumed = [] if answers.unit else [SentenceText(say("reading.unit_mm"))]
+    assumed += [] if answers.sign else [SentenceText(say("reading.deviation"))]
+    assumed.append(SentenceText(say("reading.forward", direction=directions[0])))
     worked = read_so_finding(readings, AxisKind.LINEAR)
     findings = [
         _means_only(computed=computed),

@@ -37,7 +37,7 @@ from compwright.instruments.reading_findings import (
 from compwright.instruments.spans import Meaning, Spans, TextSpan, whole
 from compwright.instruments.target_data import is_target_data, read_target_data, split_target_data
 from compwright.instruments.target_data import spans_in as spans_in_target_data
-from compwright.words.sentences import say
+from compwright.words.sentences import SentenceText, say
 
 #: All columns that a plain CSV form reads, but for those of traverses.
 _COLUMNS = COLUMNS | {*CIRCULAR_COLUMNS, AXIS_COLUMN, TIME}
@@ -92,7 +92,9 @@ def read_plain_csv(text: Sequence[str], faults: FaultList) -> Parsed:
         readings=read.readings,
         header=comments.header,
         cycle=cycle_of(comments, faults),
-        assumed=() if read.measured or read.sign_stated else ("deviation: measured minus target",),
+        assumed=()
+        if read.measured or read.sign_stated
+        else (SentenceText(say("reading.deviation")),),
         findings=tuple(findings),
     )
 
@@ -111,9 +113,9 @@ def read_target_data_file(text: Sequence[str], faults: FaultList) -> Parsed:
         findings.append(
             cut_finding(say("CW-R053.one_direction", direction=read.alone)),
         )
-    assumed = ["FWD: approach in direction +, BWD: in direction -"]
+    assumed = [SentenceText(say("reading.fwd"))]
     if not read.unit_stated:
-        assumed.append("unit: mm")
+        assumed.append(SentenceText(say("reading.unit_mm")))
     return Parsed(
         kind=read.kind,
         readings=read.readings,

@@ -179,4 +179,8 @@ SENTENCES: Final[dict[str, str]] = {
         " {more} more})"
     ),
     "CW-R064.sheet": "the whole sheet",
+    "reading.deviation": "deviation: measured minus target",
+    "reading.forward": "forward: approach in direction {direction}",
+    "reading.fwd": "FWD: approach in direction +, BWD: in direction -",
+    "reading.unit_mm": "unit: mm",
 }

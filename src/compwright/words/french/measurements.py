@@ -190,4 +190,8 @@ SENTENCES: Final[dict[str, str]] = {
         " {more} autres})"
     ),
     "CW-R064.sheet": "la feuille entière",
+    "reading.deviation": "écart : mesuré moins visé",
+    "reading.forward": "forward : approche dans le sens {direction}",
+    "reading.fwd": "FWD : approche dans le sens +, BWD : dans le sens -",
+    "reading.unit_mm": "unité : mm",
 }

@@ -190,4 +190,8 @@ SENTENCES: Final[dict[str, str]] = {
         " und {more} weitere})"
     ),
     "CW-R064.sheet": "das ganze Blatt",
+    "reading.deviation": "Abweichung: gemessen minus Ziel",
+    "reading.forward": "forward: Anfahrt in Richtung {direction}",
+    "reading.fwd": "FWD: Anfahrt in Richtung +, BWD: in Richtung -",
+    "reading.unit_mm": "Einheit: mm",
 }

@@ -175,4 +175,8 @@ SENTENCES: Final[dict[str, str]] = {
         " {rows}{more:if| и ещё {more}})"
     ),
     "CW-R064.sheet": "весь лист",
+    "reading.deviation": "отклонение: измеренное минус заданное",
+    "reading.forward": "forward: подход в направлении {direction}",
+    "reading.fwd": "FWD: подход в направлении +, BWD: в направлении -",
+    "reading.unit_mm": "единица: мм",
 }
