@@ -158,9 +158,9 @@ SENTENCES: Final[dict[str, str]] = {
     "period.least": "smallest amplitude that this test shows, by period",
     "period.least_caption": (
         "Smallest amplitude ({unit}) of a wave of each period that this test shows in 95 % of all"
-        " cases at three standard errors. Gaps: the test shows no wave below 10 {unit}. For targets"
-        " that show more, type: compwright program JOB.yaml --out DIR. A period that is not given"
-        " is mostly found from about 1.5 times this amplitude."
+        " cases at three standard errors. Gaps: the test shows no wave below 10 {unit}. A period"
+        " that is not given is mostly found from about 1.5 times this amplitude. More targets, at"
+        " random offsets, show smaller waves."
     ),
     "period.none": "None is known, and none was found.",
     "period.over": "period / {unit}",

@@ -175,9 +175,9 @@ SENTENCES: Final[dict[str, str]] = {
     "period.least_caption": (
         "Plus petite amplitude ({unit}) d'une onde de chaque période que cet essai montre dans 95 %"
         " des cas à trois incertitudes-types. Lacunes : l'essai ne montre aucune onde au-dessous de"
-        " 10 {unit}. Pour des positions cibles qui en montrent plus : compwright program JOB.yaml"
-        " --out DIR. Une période non donnée est le plus souvent trouvée à partir"
-        " d'environ 1,5 fois cette amplitude."
+        " 10 {unit}. Une période non donnée est le plus souvent trouvée à partir d'environ 1,5 fois"
+        " cette amplitude. Plus de positions cibles, décalées au hasard, montrent des ondes plus"
+        " petites."
     ),
     "period.none": "Aucune n'est connue et aucune n'a été trouvée.",
     "period.over": "période / {unit}",

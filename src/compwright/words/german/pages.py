@@ -169,8 +169,8 @@ SENTENCES: Final[dict[str, str]] = {
     "period.least_caption": (
         "Kleinste Amplitude ({unit}) einer Welle jeder Periode, die diese Prüfung in 95 % der Fälle"
         " mit drei Standardunsicherheiten zeigt. Lücken: Unter 10 {unit} zeigt die Prüfung keine"
-        " Welle. Zielpositionen, die mehr zeigen: compwright program JOB.yaml --out DIR. Eine nicht"
-        " angegebene Periode wird meist ab etwa dem 1,5-Fachen gefunden."
+        " Welle. Eine nicht angegebene Periode wird meist ab etwa dem 1,5-Fachen gefunden. Mehr"
+        " Zielpositionen mit zufälligem Versatz zeigen kleinere Wellen."
     ),
     "period.none": "Keine ist bekannt, und keine wurde gefunden.",
     "period.over": "Periode / {unit}",
