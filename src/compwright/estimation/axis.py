@@ -163,10 +163,10 @@ class AxisPosterior:
     def draw(
         self, positions: FloatArray, count: int, rng: np.random.Generator, test: int = 0
     ) -> Draws:
-        """Return ``count`` draws at ``positions`` (k,), or (count, k) with places of their own,
-        joint over positions and directions, mm or deg: mean + root z of the weights with z standard
-        normal (Rasmussen and Williams 2006, appendix A.2), with the noise of the ``test`` (its
-        place among those of the estimate).
+        """Return ``count`` joint draws over positions and directions, mm or deg. ``positions``:
+        (k,), or (count, k) with places of their own. A draw is mean + root z of the weights, z
+        standard normal (Rasmussen and Williams 2006, appendix A.2). The noise is that of the
+        ``test`` (its place among those of the estimate).
 
         At the targets of the tests the local part is what the readings say; anywhere else it is
         drawn afresh.

@@ -33,9 +33,9 @@ def datum_columns(
     targets: FloatArray,
     scale: float,
 ) -> DatumColumns:
-    """Return the columns that single tests have of their own: a datum for each but the first, whose
-    datum is that of the error; and the slope of each whose slope is uncertain, about the middle of
-    the ``targets`` (m,) of all and 1 at their ends. ``scale``: mm or deg.
+    """Return the columns that single tests have of their own. Each test but the first has a datum;
+    the first one's is that of the error. Each test whose slope is uncertain has a slope about the
+    middle of the ``targets`` (m,) of all, 1 at their ends. ``scale``: mm or deg.
     """
     middle, half = 0.5 * (targets[0] + targets[-1]), 0.5 * float(np.ptp(targets))
     columns: list[FloatArray] = []

@@ -43,9 +43,9 @@ def draw_hyperparameters(
     draws: int,
     rng: np.random.Generator,
 ) -> HyperparameterDraws:
-    """Return ``draws`` equally likely hyperparameters (draws, h), and the evidence by importance
-    sampling (Geweke, Econometrica 57, 1989) with ``proposals`` points where the posterior has one
-    peak, half as many again for every other; ``starts``: those of `find_peaks`.
+    """Return ``draws`` equally likely hyperparameters (draws, h), and the evidence. Both come from
+    importance sampling (Geweke, Econometrica 57, 1989): ``proposals`` points where the posterior
+    has one peak, half as many again for every other. ``starts``: those of `find_peaks`.
 
     Equally likely: taken where the cumulative weights cross evenly spaced steps (Kitagawa, J.
     Comput. Graph. Stat. 5, 1996). The draws of the noise are averaged over.

@@ -115,10 +115,10 @@ class Jump:
 def find_jumps(
     targets: FloatArray, means: FloatArray, stds: FloatArray, turn: float | None = None
 ) -> tuple[Jump, ...]:
-    """Return the jumps that the ``means`` of the ``targets`` (m,) with the standard deviations
-    ``stds`` (m,) of their noise show, mm or deg, ascending; the odds of each are those against the
-    best explanation without it. ``turn`` (deg): of an endless axis, whose targets lie within one;
-    the gap between the last and the first is one too.
+    """Return the jumps that the ``means`` of the ``targets`` (m,) show, mm or deg, ascending.
+    ``stds`` (m,): standard deviations of their noise. The odds of each are those against the best
+    explanation without it. ``turn`` (deg): of an endless axis, whose targets lie within one; the
+    gap between the last and the first is one too.
     """
     m = targets.size
     if m < _FEWEST:

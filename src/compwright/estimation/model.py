@@ -73,8 +73,8 @@ class Periods:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class MixturePart:
-    """One model of the mixture: equally likely draws of the weights of its `basis`, one for each of
-    the hyperparameters ``values`` (n, h) with a draw of the noise (``draws``, n).
+    """One model of the mixture. Equally likely draws of the weights of its `basis`, one for each of
+    the hyperparameters ``values`` (n, h), with a draw of the noise (``draws``, n).
     """
 
     evidence: Evidence

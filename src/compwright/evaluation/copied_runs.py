@@ -46,8 +46,9 @@ _AT_ONCE: Final = 1_000_000
 
 
 def copied_runs(test: PositioningTest) -> dict[Direction, list[list[int]]]:
-    """Return for each direction the groups of columns (two or more) that hold the same readings at
-    three targets or more; of many runs those that have the same readings at the same targets.
+    """Return for each direction the groups of columns (two or more) that hold the same readings.
+    They are the same at three targets or more; of many runs those count that have the same readings
+    at the same targets.
     """
     found: dict[Direction, list[list[int]]] = {}
     for direction in _DIRECTIONS:

@@ -53,9 +53,10 @@ def equal_tests(tests: Sequence[PositioningTest]) -> list[list[int]]:
 
 
 def tests_with_equal_run(tests: Sequence[PositioningTest], fewest: int) -> Iterator[list[int]]:
-    """Yield the groups (two or more indices, ascending) of ``tests`` with a run in one direction
-    that agrees but for a constant at the `_LOOKED_AT` lowest of the targets that both have,
-    ``fewest`` or more of them: all tests with a run that agrees at every one are in such a group.
+    """Yield the groups (two or more indices, ascending) of ``tests`` that may share a run.
+    Their runs in one direction agree but for a constant at the `_LOOKED_AT` lowest common targets,
+    of which there are ``fewest`` or more. All tests with a run that agrees at every common target
+    are in such a group.
 
     Runs that are the same everywhere were not made and do not count.
     """

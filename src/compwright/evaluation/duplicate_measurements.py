@@ -74,9 +74,9 @@ def same_readings(one: PositioningTest, other: PositioningTest) -> bool:
 
 
 def share_a_run(one: PositioningTest, other: PositioningTest) -> bool:
-    """Return whether a run of one test is a run of the other, whatever its number, in every
-    direction that both have, but for one constant: some of the runs, or all in another order, given
-    as a test of their own.
+    """Return whether two tests have a common run, but for one constant, in every direction that
+    both have. The number of the run is of no account: some runs, or all in another order, may have
+    been given as a test of their own.
 
     Of the pairs of runs that differ, the share p of targets with one and the same difference tells
     how often coarse digits agree; runs that agree at all of m targets do so with the chance

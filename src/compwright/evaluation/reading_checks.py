@@ -197,9 +197,9 @@ def _longest_row_of_zeros(values: FloatArray) -> int:
 
 
 def drift_findings(test: PositioningTest) -> list[Finding]:
-    """Return a finding when the deviations at the targets progress in order over the runs, that is
-    between successive approaches to any particular target position (ISO 230-2:1997, 3.3), pooled
-    over the targets (CW-T012).
+    """Return a finding (CW-T012) when the deviations at the targets progress in order over the
+    runs. That is a drift between successive approaches to any particular target position (ISO
+    230-2:1997, 3.3), pooled over the targets.
 
     Pooled per direction in two ways: all targets alike (the zero point moves), and in proportion to
     the place along the travel (expansion, which may cancel in the mean). Readings count by their

@@ -37,8 +37,9 @@ def last_digit(test: PositioningTest) -> float:
 
 
 def is_rounded_copy(test: PositioningTest, original: PositioningTest) -> bool:
-    """Return whether nearly every reading of ``test`` is one of ``original`` at the same target but
-    for its last digit and a constant for each run; a run that is none counts as a whole.
+    """Return whether ``test`` is a rounded copy of ``original``. Nearly every reading then agrees
+    with one at the same target but for its last digit and a constant for each run. A run that does
+    not agree counts as a whole.
     """
     if test.kind is not original.kind:
         return False
@@ -60,8 +61,9 @@ def is_rounded_copy(test: PositioningTest, original: PositioningTest) -> bool:
 
 
 def is_coarse(test: PositioningTest, original: PositioningTest) -> bool:
-    """Return whether the runs of ``original``, each but for a constant, scatter by less than a step
-    of ``test``, or no target was approached twice: then fresh readings may agree with it by chance.
+    """Return whether fresh readings may agree with ``original`` by chance. That is where its runs,
+    each but for a constant, scatter by less than a step of ``test``, or no target was approached
+    twice.
     """
     blocks = (original.deviations(direction) for direction in Direction)
     scatter = np.concatenate(

@@ -36,8 +36,8 @@ def without_environment(
     test: PositioningTest, sigma: float, count: int, rng: np.random.Generator
 ) -> tuple[FloatArray, FloatArray]:
     """Return ``count`` draws of the readings in + (count, m, n) and in -, mm or deg, without an
-    environmental variation of standard deviation ``sigma``, one draw per reading; NaN where none
-    was made.
+    environmental variation. Its standard deviation is ``sigma``, one draw per reading; NaN where
+    none was made.
     """
     blocks = (test.positive, test.negative)
     if sigma <= 0.0:

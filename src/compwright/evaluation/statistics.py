@@ -179,8 +179,8 @@ def parameters(
     coverage: float,
     only: str | None = None,
 ) -> dict[str, FloatArray]:
-    """Return the axis parameters of ISO 230-2 (2.13 to 2.24 of 2006), each (...), from means and s
-    (..., m), coverage k = 2 or 3; ``only``: that one alone, where it is one of them.
+    """Return the axis parameters of ISO 230-2 (2.13 to 2.24 of 2006), each (...). From means and s
+    (..., m), coverage k = 2 or 3. ``only``: that one alone, where it is one of them.
 
     B_i = mean+ - mean-, so lost motion gives a negative ``B_mean``; ``R`` is max R_i, not the
     larger of R+ and R-. The unit is that of the input. NaN in means or s goes through to the

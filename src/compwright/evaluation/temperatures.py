@@ -23,7 +23,7 @@ Temperatures = Mapping[str, tuple[float, float]]
 
 def stated_temperatures(header: Mapping[str, str], file: str) -> Temperatures:
     """Return start and end (°C) of ``T_m`` and of ``T_d`` as far as the header of ``file`` states
-    them; upper and lower case, blanks and hyphens in the keys are one.
+    them. Case, blanks and hyphens of the keys do not count.
 
     Raises InputError with a fault for each value that is no temperature, a start without an end,
     and a key given twice.

@@ -336,8 +336,8 @@ def closing_multipliers(chain: CurveChain) -> LimitMultipliers:
 
 def relax(chain: CurveChain, push: LimitMultipliers) -> Relaxation:
     """Return the lower bound that ``push`` gives, but for the price of the limits (`priced`), which
-    alone depends on them: the least of a quadratic Lagrange function (Boyd and Vandenberghe 2004,
-    section 5.2.4).
+    alone depends on them. It is the least of a quadratic Lagrange function (Boyd and Vandenberghe
+    2004, section 5.2.4).
     """
     force = push.force(chain)
     moved, follow = chain.solve(force), chain.solve(chain.coupling)

@@ -18,8 +18,8 @@ from compwright.records.estimate import WantedCorrection
 def with_datum(
     wanted: WantedCorrection, layout: UnknownsLayout, capacity: Capacity
 ) -> tuple[WantedCorrection, tuple[Finding, ...]]:
-    """Return ``wanted`` (totals, mm or deg) shifted so that the table of ``layout`` which comes
-    closest to it is zero in the zero state, and what to say about the reference.
+    """Return ``wanted`` (totals, mm or deg) with its datum, and the findings about the reference.
+    It is shifted so that the closest table of ``layout`` is zero in the zero state.
     """
     zeroed, place, findings = zero_in_the_zero_state(wanted, layout.nodes, capacity)
     if layout.shape == "single":

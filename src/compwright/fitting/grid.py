@@ -67,7 +67,7 @@ def choose_grid(wanted: WantedCorrection, capacity: Capacity, request: TableRequ
 def possible_grids(
     wanted: WantedCorrection, capacity: Capacity, request: TableRequest, most: int
 ) -> list[FloatArray]:
-    """Return the equally spaced grids of at most ``most`` points that the control can hold, one of
+    """Return the equally spaced grids of at most ``most`` points that the control can hold. One of
     each number of points, coarsest first, those with the reference at a node before others.
 
     Raises CapacityError where no end that the job names fits.

@@ -61,8 +61,8 @@ def magnification_needed(nodes: FloatArray, wanted: WantedCorrection, lattice: L
 
 
 def grid_loss(nodes: FloatArray, wanted: WantedCorrection, interpolation: Interpolation) -> float:
-    """Return the rms over the travel and both directions, mm or deg, of what lies between the nodes
-    and is lost there: wanted minus its interpolation at the nodes (de Boor 1978, chapter III).
+    """Return the rms over the travel and both directions, mm or deg, of what is lost between the
+    nodes. Lost is wanted minus its interpolation at the nodes (de Boor 1978, chapter III).
     """
     where = wanted.positions
     rows = rows_at(where, nodes, below="hold", above="hold", interpolation=interpolation)

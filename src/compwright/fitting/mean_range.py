@@ -33,8 +33,8 @@ CERTIFIED_RANGE: Final = 1e-6
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Deviations:
-    """What tests show after the table ``x``: D x + ``base``, mm or deg, (r,), each with ``half``
-    (r,) about it; rows of one test have the same number in ``test`` (r,), from 0 on.
+    """What tests show after the table ``x``: D x + ``base`` (r,), mm or deg. Each has ``half`` (r,)
+    about it; rows of one test have the same number in ``test`` (r,), from 0 on.
     """
 
     D: SparseMatrix

@@ -54,8 +54,8 @@ def circle_decisions(
     accept: Acceptance | None, circle: CirclePrediction, rule: Literal["simple", "guarded"]
 ) -> Mapping[str, AcceptDecision]:
     """Return the decision about each tolerance of a circle from the predicted values (limits in
-    µm), as `accept_decisions` does; its U is that of the measured circle, whose size the tables
-    hardly change. Undecided where the causes in the circle are not known (CW-P134).
+    µm), as `accept_decisions` does. Its U is that of the measured circle, because the tables hardly
+    change its size. Undecided where the causes in the circle are not known (CW-P134).
     """
     if accept is None:
         return {}

@@ -51,8 +51,9 @@ def mirror_image_doubts(
     axis: Axis,
     states: Mapping[str, ControlState],
 ) -> Iterator[tuple[int, Finding]]:
-    """Yield the place and a doubt (CW-P161) of each test whose mirror image is the table of its
-    state, or what that table has more than the one of another state; ``observed``: the same tests.
+    """Yield the place and a doubt (CW-P161) of each test whose mirror image is a table. The table
+    is that of its state, or what that one has more than the table of another state. ``observed``:
+    the same tests.
     """
     for place, (planned, bare) in enumerate(zip(tests, observed, strict=True)):
         if planned.measured_in not in states or planned.test.targets.size < _FEWEST:

@@ -39,9 +39,8 @@ BAND: Final = 3.29
 
 @dataclass(frozen=True, slots=True)
 class RepeatConditions:
-    """How a fresh test is taken: with the noise of which test of the axis (its ``place`` among
-    them), and with which standard deviation of its slope, mm/mm, from a temperature that is not
-    known better.
+    """How a fresh test is taken. It has the noise of a test of the axis (its ``place`` among them).
+    Its slope has a standard deviation, mm/mm, from a temperature that is not known better.
     """
 
     place: int = 0
@@ -170,7 +169,7 @@ class FreshTests:
 
 
 def draws_like(result: PositioningResult) -> int:
-    """Return how many fresh tests like ``result`` are drawn: time and memory of all of them grow no
+    """Return how many fresh tests like ``result`` are drawn. Time and memory of all of them grow no
     more than its own readings do, and many readings scatter less from test to test.
     """
     readings = result.test.positive.size + result.test.negative.size

@@ -36,8 +36,8 @@ class ValueWithError:
 
 
 def contradictory(scatter: float, free: float) -> bool:
-    """Return whether a sum of squares of ``free`` degrees of freedom is too large for one machine:
-    the cube root of chi-square is nearly normal (Wilson and Hilferty, Proceedings of the National
+    """Return whether a sum of squares of ``free`` degrees of freedom is too large for one machine.
+    The cube root of chi-square is nearly normal (Wilson and Hilferty, Proceedings of the National
     Academy of Sciences 17, 1931).
     """
     share = 2.0 / (9.0 * free)

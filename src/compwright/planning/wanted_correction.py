@@ -93,9 +93,9 @@ class MeasuredError:
     def draw(
         self, positions: FloatArray, count: int, rng: np.random.Generator, test: int = 0
     ) -> Draws:
-        """Return ``count`` joint draws of the deviation at ``positions`` (k,), with the correction
-        of the first test active, and of the noise of ``test`` (its index among the tests of the
-        axis).
+        """Return ``count`` joint draws of the deviation at ``positions`` (k,) and of the noise of
+        ``test``. The correction of the first test is active; ``test`` is an index among the tests
+        of the axis.
         """
         place, own = self.counted[test], self.noises[test]
         draws = self.own.draw(positions, count, rng, place or 0)

@@ -75,9 +75,9 @@ def fresh_parameters(
     vdi: bool = False,
     only: str | None = None,
 ) -> dict[str, FloatArray]:
-    """Return the parameters (s,) of fresh tests of axes whose deviations are ``positive``,
-    ``negative`` (s, m), by their contract names; those that such a test does not have are left out.
-    ``only``: the others of ISO 230-2 are not worked out.
+    """Return the parameters (s,) of fresh tests by their contract names. The deviations of their
+    axes are ``positive``, ``negative`` (s, m); parameters that such a test does not have are left
+    out. ``only``: the others of ISO 230-2 are not worked out.
     """
     means = (positive + scatter.mean_positive, negative + scatter.mean_negative)
     if vdi:
@@ -91,10 +91,9 @@ def fresh_parameters(
 def fresh_slopes(
     positions: FloatArray, count: int, slope_std: float, rng: np.random.Generator
 ) -> FloatArray:
-    """Return deviations (count, m) at ``positions`` (m,) or (count, m), mm, of fresh
-    tests whose axis and instrument have another temperature than they should: a slope each, of
-    standard deviation ``slope_std`` (mm/mm), the same in both directions. No parameter depends on
-    where it is zero.
+    """Return deviations (count, m), mm, of fresh tests at another temperature of axis or
+    instrument. At ``positions`` (m,) or (count, m), mm. Each test has a slope of standard deviation
+    ``slope_std`` (mm/mm), the same in both directions. No parameter depends on where it is zero.
     """
     slopes = slope_std * rng.standard_normal((count, 1))
     deviations: FloatArray = slopes * (positions - np.mean(positions, axis=-1, keepdims=True))

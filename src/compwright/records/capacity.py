@@ -34,9 +34,9 @@ class Lattice:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Wave:
-    """A second table that repeats over a short period: whole increments of ``unit``, mm or deg, at
-    most ``increment`` of them in a section; ``room``: points that are free; ``step``: of which the
-    sections are multiples, mm or deg.
+    """A second table that repeats over a short period. Whole increments of ``unit``, mm or deg, at
+    most ``increment`` of them in a section; ``room``: points that are free; ``step``: the sections
+    are multiples of it, mm or deg.
     """
 
     unit: float

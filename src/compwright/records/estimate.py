@@ -84,8 +84,8 @@ class ErrorEstimate:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Scenarios:
-    """Fresh tests that may come, equally likely, by which a goal of the fit is judged: ``count`` of
-    them, of m targets each; arrays (count * m,), test by test, mm or deg.
+    """Fresh tests that may come, equally likely, by which a goal of the fit is judged. ``count``
+    tests of m targets each; arrays (count * m,), test by test, mm or deg.
 
     ``positive``, ``negative``: by how much the mean of the readings lies beyond the estimated
     error; ``half_*``: k s of those readings, 0 where there is no s. Empty: a direction that is not

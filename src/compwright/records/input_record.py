@@ -22,8 +22,8 @@ InputRole = Literal[
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RecordedInput:
-    """A file that a command read: ``file`` as the job or the command line names it, ``copy`` where
-    the same bytes lie below the result folder (None: not in it), ``of`` the test or state.
+    """A file that a command read. ``file``: as the job or the command line names it; ``copy``:
+    where the same bytes are below the result folder (None: not in it); ``of``: the test or state.
 
     ``by``: ``run`` or ``verify``.
     """

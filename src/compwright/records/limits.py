@@ -21,7 +21,7 @@ class LimitingCause:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LimitingCauses:
-    """What a fresh test at new targets is expected to show of one ``parameter``, medians in mm or
+    """What a fresh test at new targets is expected to show of one ``parameter``. Medians in mm or
     deg: ``now`` with what is in the control, ``then`` with what is written, ``least`` of an axis
     without any error, by its scatter alone.
 

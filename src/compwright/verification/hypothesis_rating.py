@@ -51,8 +51,8 @@ class RatedHypothesis:
 def rate_hypotheses(
     after: AfterMeans, views: Sequence[MeasurementCase], slope: float | None
 ) -> tuple[list[RatedHypothesis], tuple[float, float]]:
-    """Return all hypotheses rated by the test, and the part of the planned effect that it shows (1
-    loaded, 0 not active) with its standard error (inf: the test cannot show it).
+    """Return all hypotheses rated by the test, and the part of the planned effect that it shows. 1
+    is loaded, 0 not active; with its standard error (inf: the test cannot show it).
     """
     found: list[RatedHypothesis] = []
     effect = (0.0, math.inf)

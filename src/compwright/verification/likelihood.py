@@ -43,8 +43,9 @@ _MANY_CELLS: Final = 800
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ErrorBelief:
-    """The expected deviation at m targets: normal with ``mean`` (2, m) in + and -, and covariance
-    ``root`` root' (root (2, m, r)) and ``blocks`` (m, 2, 2), of both directions at one target.
+    """The expected deviation at m targets, normally distributed. ``mean`` (2, m) in + and -;
+    covariance ``root`` root' (root (2, m, r)), and ``blocks`` (m, 2, 2) of both directions at one
+    target.
     """
 
     mean: FloatArray

@@ -32,10 +32,11 @@ VISIBLE: Final = 10.2
 
 @dataclass(frozen=True, slots=True)
 class ShownTest:
-    """What a test shows: its ``means`` (2, m) in + and -, NaN where there is none, at ``targets``;
-    ``noise`` of a reading; the means expected with the new table and without it; ``effect``: which
-    part of their difference it shows, with its standard error; ``read_back``: the values that were
-    read back from the control are the plan's. mm or deg by ``unit``.
+    """What a test shows, and what it was expected to show. ``means`` (2, m) in + and - at
+    ``targets``, NaN where there is none; ``noise`` of a reading; the means expected with the new
+    table and without it. ``effect``: which part of their difference the test shows, with its
+    standard error. ``read_back``: the values that were read back from the control are the plan's.
+    mm or deg by ``unit``.
     """
 
     means: FloatArray
