@@ -18,7 +18,9 @@ def cholesky_factor(matrix: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Return a symmetric ``matrix`` (n, n) and its lower Cholesky factor (n, n). Where rounding has
     left it indefinite (readings without any scatter), a jitter as large as is
     needed is added to its diagonal first (Rasmussen and Williams, Gaussian Processes for Machine
-    Learning, 2006, section 3.4.3: numerical stability). Raises LinAlgError where that is not enough.
+    Learning, 2006, section 3.4.3: numerical stability).
+
+    Raises LinAlgError where that is not enough.
     """
     for exponent in range(-15, -3):
         try:
