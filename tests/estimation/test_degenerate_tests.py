@@ -20,7 +20,7 @@ from compwright.prediction.fresh_noise import fresh_noise
 from compwright.prediction.fresh_scatter import fresh_scatter
 from compwright.prediction.positioning import predict_test
 from compwright.records.axis import AxisKind, FloatArray
-from compwright.records.noise import NoiseDraws
+from compwright.records.noise import NoiseDraws, without
 from compwright.records.positioning import PositioningTest
 from compwright.records.prediction import Quantiles
 
@@ -290,3 +290,4 @@ def test_an_outlier_of_a_calm_place_is_not_multiplied_at_a_rough_one() -> None:
     fresh = np.concatenate([fresh_noise(noise, targets, 12, 0, RNG(k))[0] for k in range(5)])
     assert np.quantile(np.abs(fresh).max(axis=(1, 2)), 0.95) < 60.0 * UM
     assert np.mean(np.abs(fresh[:, :2]).max(axis=(1, 2)) > 3.0 * UM) > 0.5  # they come again
+    assert not np.any(fresh_noise(without(noise, "scatter", "traverses"), targets, 9, 9, RNG(0)))

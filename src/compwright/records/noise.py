@@ -85,7 +85,8 @@ class NoiseDraws:
         least = np.min(self.scale_at(ends)[:, way], axis=1)
         largest = np.maximum(self.outlier_size * least, self.farthest)[:, np.newaxis]
         size = np.broadcast_to(self.outlier_size[:, np.newaxis], scale.shape)
-        return np.where(size * scale > largest, np.maximum(largest / scale, 1.0), size)
+        allowed = np.maximum(largest / np.maximum(scale, _TINY), 1.0)
+        return np.where(size * scale > largest, allowed, size)
 
     def scale_at(self, positions: FloatArray) -> FloatArray:
         """Return the scale s(u) (count, 2, k) of a reading at ``positions`` (k,) in + and in -, mm
@@ -97,6 +98,8 @@ class NoiseDraws:
         return scale
 
 
+#: Below every scale of a reading: where there is no scatter, nothing is divided by it.
+_TINY: Final = 1e-300
 #: Places along the travel at which the least scatter is looked for.
 _PLACES: Final = 9
 #: Times within a traverse at which a wave is looked at.
