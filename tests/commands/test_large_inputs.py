@@ -178,7 +178,7 @@ def test_a_text_longer_than_any_of_a_control_is_refused(tmp_path: Path) -> None:
     with pytest.raises(InputError) as caught:
         read_files(Session(), [file])
     assert without_hint(str(caught.value)) == (
-        "m.cfg: is too large; expected a text of a control of at most 8 MB, found 8.4 MB"
+        "m.cfg: the file is too large; expected a text of a control of at most 8 MB, found 8.4 MB"
     )
     file.write_bytes(b"@@MMCIBN." + b"0 0 0\n" * 1_400_000)
     assert (

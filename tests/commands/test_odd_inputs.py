@@ -523,7 +523,7 @@ def test_a_key_that_stands_twice_in_a_plan(plan: dict[str, Any]) -> None:
                 "half_positive": [0.0, float("nan")],
                 "half_negative": [0.0],
             },
-            "plan.json: is not JSON; expected plan.json of a run, found NaN in the place of a number",
+            "plan.json: the file is not JSON; expected plan.json of a run, found NaN in the place of a number",
         ),
     ],
 )

@@ -361,7 +361,7 @@ def test_a_damaged_ini_is_not_left_out_beside_another_one(damaged: str) -> None:
     content = damaged.encode("latin-1" if damaged.startswith("[") else "utf-16")
     other = "[TRAJ]\nLINEAR_UNITS = mm\n[JOINT_0]\nTYPE = LINEAR\nBACKLASH = 0.0\n"
     files = [ControlFile("haas.ini", content), ControlFile("other.ini", other.encode())]
-    with pytest.raises(InputError, match=r"haas\.ini: is not a text file"):
+    with pytest.raises(InputError, match=r"haas\.ini: the file is not a text file"):
         decode(open_control(Session(), "linuxcnc", {}), files, address="0")
 
 

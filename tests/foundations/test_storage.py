@@ -278,7 +278,7 @@ def test_a_file_larger_than_its_kind_is_refused_before_it_is_read(
     with pytest.raises(InputError) as caught:
         storage.read_bytes(Session(), large, kind)
     assert without_hint(str(caught.value)) == (
-        f"{large}: is too large; expected {kind.name} of at most {kind.most_bytes // 1_000_000} MB,"
+        f"{large}: the file is too large; expected {kind.name} of at most {kind.most_bytes // 1_000_000} MB,"
         f" found {kind.most_bytes // 1_000_000 + 100} MB"
     )
 

@@ -140,7 +140,7 @@ def test_faults_of_single_keys_leave_the_rest_readable() -> None:
     [
         (b"", "is empty"),
         (b"# only a comment\n", "is empty"),
-        (b"a: \xff", "byte 4: is not UTF-8"),
+        (b"a: \xff", "byte 4: the file is not UTF-8"),
         ("a: ä".encode("utf-16"), "is not UTF-8"),
         (b"a: [1, 2\nb: 3\n", "line 2"),
         (b"a:\n\t- 1\n", "line 2, column 1"),

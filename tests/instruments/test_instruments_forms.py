@@ -34,9 +34,9 @@ def fault(content: bytes) -> str:
         (b"\xd0\xcf\x11\xe0....", "an old Excel workbook"),
         (
             "# operator: Müller\ntarget_mm\n".encode("latin-1"),
-            "line 1: is not text in a known encoding",
+            "line 1: the file is not text in a known encoding",
         ),
-        (b"# a\r# b\r\n# c\n\xff", "line 4: is not text in a known encoding"),
+        (b"# a\r# b\r\n# c\n\xff", "line 4: the file is not text in a known encoding"),
         (b"\xff\xfea", "is not text in a known encoding"),
         (b"<html><body>", "found XML or HTML"),
         (b'{"schema": "compwright/plan/1"}', "JSON"),

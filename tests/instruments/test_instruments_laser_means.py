@@ -95,7 +95,7 @@ def test_means_that_are_refused(blocks: dict[str, list[tuple[str, str]]], words:
 def test_two_forms_at_once() -> None:
     runs = laser_file(["0", "1"], {(1, 1): "0.0", (1, 2): "1.0"})
     both = runs.replace("EQUIPMENT::", "Position\tBidirectional Avg Error\n0\t0.1\nEQUIPMENT::")
-    assert "has two forms at once" in refused(both)
+    assert "mixes two formats" in refused(both)
 
 
 ROWS = [["1", "-250", "0", "-0.0002"], ["2", "-225", "0.0013", "0.0008"]]

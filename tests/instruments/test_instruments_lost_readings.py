@@ -220,7 +220,7 @@ def test_the_code_page_of_windows_among_readings_is_answered_with_what_to_do() -
         read_positioning(text.encode("cp1252"), "x.csv")
     assert (
         without_hint(str(caught.value))
-        == "x.csv: line 4: is not text in a known encoding; expected UTF-8: save the file again"
+        == "x.csv: line 4: the file is not text in a known encoding; expected UTF-8: save the file again"
         " with that encoding (editor: save as, encoding UTF-8; spreadsheet: CSV UTF-8), or write"
         " u for µ and deg for °, found '0,–,1,0.5' (Windows-1252)"
     )

@@ -30,13 +30,13 @@ def test_bars_are_as_long_as_their_part() -> None:
 
 def test_the_report_names_what_limits_an_axis_in_plain_words() -> None:
     page = run_report(run_view()).decode()
-    part = page[page.index("what limits it") :].partition("<h3>")[0]
+    part = page[page.index("what limits its accuracy") :].partition("<h3>")[0]
     text = " ".join(re.sub("<[^>]*>", " ", part).split())
     assert "4.89 µm expected, 24.60 µm with what is in the control now" in text
     assert "would give 3.90 µm" in text
     assert "repeatability" in text
     assert "do not add up" in text
-    assert page.count("what limits it") == 1  # the other axis has nothing to show
+    assert page.count("what limits its accuracy") == 1  # the other axis has nothing to show
 
 
 def test_the_terminal_says_it_in_one_line() -> None:

@@ -290,7 +290,7 @@ def _long_text(file: ControlFile) -> Fault | None:
     if len(file.content) <= MOST_CONTROL_TEXT or is_container(file):
         return None
     return Fault(
-        message="is too large",
+        message="the file is too large",
         file=file.name,
         expected=f"a text of a control of at most {in_words(MOST_CONTROL_TEXT)}",
         found=in_words(len(file.content)),

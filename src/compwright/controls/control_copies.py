@@ -361,7 +361,7 @@ def texts_in(file: ControlFile) -> tuple[ControlFile, ...]:
 def _unknown(file: ControlFile) -> InputError:
     return InputError(
         Fault(
-            message="is in an unknown form, so its names cannot be found; it is not copied",
+            message="the file has an unknown form: its names cannot be found, it is not copied",
             file=file.name,
             expected="a measurement file or a text of a control that compwright reads",
             found=unknown_container(file.content).rstrip(","),

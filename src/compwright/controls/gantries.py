@@ -77,8 +77,8 @@ def partner_questions(
             faults.append(
                 Fault(
                     message=(
-                        f"axis {axis.gantry} differs from axis {axis.address} by other values in"
-                        f" the state of the first test, {measured_in[0]}, than in {AS_FOUND}"
+                        f"the difference between axes {axis.gantry} and {axis.address} has changed:"
+                        f" state {measured_in[0]} of the first test and state {AS_FOUND} differ"
                     ),
                     file=job.file,
                     place=place,

@@ -86,7 +86,7 @@ def read_json(content: bytes, file: str, schema: str, name: str, expected: str) 
     except (ValueError, RecursionError) as error:
         raise InputError(
             Fault(
-                message="is not JSON",
+                message="the file is not JSON",
                 file=file,
                 expected=expected,
                 found=str(error),

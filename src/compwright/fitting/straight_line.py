@@ -118,8 +118,9 @@ class _FittedLine:
     def relaxed(
         self, slopes: tuple[float, float], reversals: tuple[float, float]
     ) -> tuple[float, float]:
-        """Return the best slope and reversal between their ends, not whole: with a free datum
-        neither needs the other.
+        """Return the best slope and reversal within their ranges, before rounding.
+
+        The datum is free, so that each is found without the other.
         """
         slope = (
             0.5

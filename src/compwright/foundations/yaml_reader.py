@@ -199,7 +199,7 @@ def read_yaml_with_faults(content: bytes, file: str) -> tuple[YamlDocument, tupl
         if node is None:
             raise InputError(
                 Fault(
-                    message="is empty",
+                    message="the file is empty",
                     file=file,
                     expected="a YAML document",
                     hint="write its keys and values into it",
@@ -246,7 +246,7 @@ def _decoded(content: bytes, file: str) -> str:
     except UnicodeDecodeError as error:
         raise InputError(
             Fault(
-                message="is not UTF-8 text",
+                message="the file is not UTF-8 text",
                 file=file,
                 place=f"byte {error.start + 1}",
                 expected="a YAML text file",

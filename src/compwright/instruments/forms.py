@@ -93,11 +93,11 @@ def form_of(text: Sequence[str], file: str) -> MeasurementForm:
     if len(found) > 1:
         raise InputError(
             Fault(
-                message="has two forms at once, whose meanings may differ",
+                message="the file mixes two formats, which may give its values other meanings",
                 file=file,
-                expected="a file of one form",
+                expected="a file of one format",
                 found=" and ".join(form.name for form in found),
-                hint="keep the lines of one form only",
+                hint="keep the lines of one format only",
             )
         )
     return found[0] if found else PLAIN_CSV

@@ -115,7 +115,7 @@ def _unknown_form(number: int, first: str, names: Sequence[str], file: str) -> I
     elif in_inches(names):
         return InputError(
             Fault(
-                message="is in inches, which compwright does not read",
+                message="the file is in inches, which compwright does not read",
                 file=file,
                 place=f"line {number}",
                 expected=INCHES,
@@ -133,7 +133,7 @@ def _unknown_form(number: int, first: str, names: Sequence[str], file: str) -> I
             what += f", without {', '.join(list(DELIMITERS.values())[:-1])} or tab"
     return InputError(
         Fault(
-            message="is not a positioning file",
+            message="the file is not a positioning file",
             file=file,
             place=f"line {number}",
             expected=ACCEPTED_FORMS,

@@ -66,7 +66,7 @@ def read_profile(content: bytes, file: str) -> Profile:
         )
         raise UsageError(
             Fault(
-                message="is not a mapping profile",
+                message="the file is not a mapping profile",
                 file=file,
                 expected=expected,
                 hint="make one with `compwright profile FILE --out P.yaml`",

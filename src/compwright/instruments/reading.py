@@ -166,7 +166,7 @@ def _refuse_no_sheet(reads: Sequence[_Read], sheets: Sequence[WorkbookSheet], fi
     if not reads:
         raise InputError(
             Fault(
-                message="is an Excel workbook, but no sheet contains a test",
+                message="the file is an Excel workbook, but no sheet contains a test",
                 file=file,
                 expected=(
                     "a sheet with the columns of plain CSV (target_mm, direction, "

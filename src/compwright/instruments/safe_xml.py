@@ -114,7 +114,7 @@ def read_xml(content: bytes, file: str) -> Element:
     if len(content) > XML.most_bytes:
         raise InputError(
             Fault(
-                message="is too large",
+                message="the file is too large",
                 file=file,
                 expected=f"at most {in_words(XML.most_bytes)}",
                 found=in_words(len(content)),
@@ -161,7 +161,7 @@ def read_xml(content: bytes, file: str) -> Element:
     ) as error:  # an encoding that Python knows as no single-byte one, or not at all
         raise InputError(
             Fault(
-                message="is XML in an unknown encoding",
+                message="the file is XML in an unknown encoding",
                 file=file,
                 place="line 1",
                 expected="UTF-8 or UTF-16",

@@ -63,7 +63,9 @@ def read_any_lines(content: bytes, file: str, encoding: str | None = None) -> tu
         known = not isinstance(error, LookupError)
         raise InputError(
             Fault(
-                message="is not text in the encoding that was named" if encoding else "is no text",
+                message="the file is not text in the encoding that was named"
+                if encoding
+                else "the file is no text",
                 file=file,
                 expected="the encoding in which the file was written: utf-8, utf-16, cp1252, ..",
                 found=f"{name}{'' if known else ', which is not known'}",
@@ -105,7 +107,7 @@ def _refuse_other_files(content: bytes, file: str) -> None:
         if content.startswith(signature):
             raise InputError(
                 Fault(
-                    message="is not a text file",
+                    message="the file is not a text file",
                     file=file,
                     expected=_WANTED,
                     found=name,
@@ -121,7 +123,7 @@ def _lines(text: str, file: str) -> list[str]:
     if not text.strip("\ufeff \t\r\n"):
         raise InputError(
             Fault(
-                message="is empty",
+                message="the file is empty",
                 file=file,
                 expected="a header row and readings",
                 hint="add a header row and the readings",
@@ -131,7 +133,7 @@ def _lines(text: str, file: str) -> list[str]:
     if control:
         raise InputError(
             Fault(
-                message="is a binary file",
+                message="the file is a binary file",
                 file=file,
                 place=f"line {_line_number(text[: control.start()])}",
                 expected=_WANTED,
@@ -188,7 +190,9 @@ def _decode(content: bytes, file: str) -> str:
         binary = b"\x00" in content and not utf16
         raise InputError(
             Fault(
-                message="is a binary file" if binary else "is not text in a known encoding",
+                message="the file is a binary file"
+                if binary
+                else "the file is not text in a known encoding",
                 file=file,
                 place=place,
                 expected=_WANTED if binary or utf16 else _SAVE_AGAIN,

@@ -64,7 +64,7 @@ def sheets_of(content: bytes, file: str) -> tuple[WorkbookSheet, ...]:
     except ImportError as error:
         raise InputError(
             Fault(
-                message="is an Excel workbook, which needs the package openpyxl",
+                message="the file is an Excel workbook; reading it needs the package openpyxl",
                 file=file,
                 hint=f"save the sheet as CSV UTF-8, or {installing('excel')}",
             )
@@ -81,7 +81,7 @@ def sheets_of(content: bytes, file: str) -> tuple[WorkbookSheet, ...]:
     except Exception as error:
         raise InputError(
             Fault(
-                message="is an Excel workbook that cannot be opened",
+                message="the file is an Excel workbook that cannot be opened",
                 file=file,
                 expected="it saved anew by a spreadsheet program, or the sheet as CSV UTF-8",
                 hint=(
@@ -108,7 +108,7 @@ def _check_size(content: bytes, file: str) -> bool:
     except (zipfile.BadZipFile, ValueError, NotImplementedError) as error:
         raise InputError(
             Fault(
-                message="is a damaged archive",
+                message="the file is a damaged archive",
                 file=file,
                 expected="an Excel workbook (.xlsx), or the sheet saved as CSV UTF-8",
                 found="an Excel workbook or another zip archive that cannot be opened",
@@ -118,7 +118,7 @@ def _check_size(content: bytes, file: str) -> bool:
     if "xl/workbook.xml" not in names:
         raise InputError(
             Fault(
-                message="is a zip archive",
+                message="the file is a zip archive",
                 file=file,
                 expected="the files in it, unpacked; or an Excel workbook (.xlsx)",
                 found=f"{', '.join(sorted(names)[:3])}, ..",
@@ -146,7 +146,7 @@ def _check_parts(parts: Sequence[zipfile.ZipInfo], file: str) -> None:
         if size > most:
             raise InputError(
                 Fault(
-                    message="is too large when unpacked",
+                    message="the file is too large when unpacked",
                     file=file,
                     expected=f"at most {in_words(most)} {what}",
                     found=in_words(size),

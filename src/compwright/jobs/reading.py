@@ -101,7 +101,7 @@ def check(document: YamlDocument, file: str, further: Further = _nothing_further
             None,
             (
                 Fault(
-                    message="is not a job",
+                    message="the file is not a job",
                     file=file,
                     expected="keys and values",
                     found=shown(data),

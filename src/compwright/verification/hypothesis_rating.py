@@ -84,7 +84,10 @@ def rate_hypotheses(
 def _rated_by(
     after: AfterMeans, view: MeasurementCase, fits: Fits, index: int, way: Hypothesis
 ) -> RatedHypothesis:
-    """Return a way of ``view`` with row ``index`` of ``fits``; its probability is not known yet."""
+    """Return a hypothesis with its expected test and likelihood; ``index``: its row in ``fits``.
+
+    The probability is 0 until all hypotheses are rated.
+    """
     expected = view.belief.mean + way.change
     amount = float(fits.amount[index, 0]) if way.free is not None else 0.0
     if way.free is not None:
@@ -139,8 +142,8 @@ def _effect(ways: Sequence[Hypothesis]) -> Hypothesis | None:
 
 
 def _on_slope(way: Hypothesis, share: float) -> Hypothesis:
-    """Return a way of loading on an axis that is longer or shorter now; ``share``: prior odds of a
-    fault there against the fault alone.
+    """Return the hypothesis for an axis whose length has changed (a slope in the deviations);
+    ``share``: prior odds of a fault with the slope against the fault alone.
     """
     odds = _THERMAL if way.name == "loaded" else share
     return replace(way, sloped=True, weight=odds * way.weight)

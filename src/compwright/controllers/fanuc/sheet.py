@@ -58,7 +58,7 @@ def read_sheet(
         return TapeContent(
             faults=[
                 Fault(
-                    message="is not UTF-8 text",
+                    message="the file is not UTF-8 text",
                     file=file.name,
                     place=f"byte {error.start}",
                     hint="save the sheet as CSV UTF-8",

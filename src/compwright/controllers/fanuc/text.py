@@ -120,7 +120,7 @@ def read_file(file: ControlFile, series: ControlSeries) -> TapeContent:
     """
     if b"\x00" in file.content:
         fault = Fault(
-            message="is a binary file",
+            message="the file is a binary file",
             file=file.name,
             expected="the text that the control punches out",
             hint="punch the file out of the control as text",

@@ -128,7 +128,7 @@ def binary_fault(file: str, content: bytes) -> Fault | None:
     if b"\x00" not in content:
         return None
     return Fault(
-        message="is a binary file",
+        message="the file is a binary file",
         file=file,
         expected="the text form (ASCII) of the table",
         hint="export the table from the control as text",

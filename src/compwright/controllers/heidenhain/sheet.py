@@ -70,7 +70,7 @@ def read_sheet(file: ControlFile, generation: Generation) -> tuple[JudgedSheet |
     except UnicodeDecodeError as error:
         return None, [
             Fault(
-                message="is not ASCII or UTF-8",
+                message="the file is not ASCII or UTF-8",
                 file=file.name,
                 place=f"byte {error.start + 1}",
                 hint="save the sheet as CSV UTF-8",
@@ -234,7 +234,7 @@ class _SheetLines:
         if self.header is None and not self.faults:
             self.faults.append(
                 Fault(
-                    message="is no entry sheet",
+                    message="the file is no entry sheet",
                     file=self.file,
                     expected=f"the header {HEADER}",
                     hint="use the sheet `entry_<axis>.csv` of the folder `card/`",

@@ -112,8 +112,8 @@ def _increment(request: Request, address: str, name: str) -> float:
     if increment is None or increment <= 0.0:
         raise UsageError(
             Fault(
-                message=f"option encoder_increment of axis {address}: {name} 0 counts encoder"
-                " increments",
+                message=f"option encoder_increment of axis {address}: the list is in encoder"
+                f" increments ({name} 0)",
                 expected="mm or deg per increment, larger than 0",
                 found="none" if given is None else repr(given),
                 hint=("give `--option encoder_increment=0.001` with the value of this encoder"),

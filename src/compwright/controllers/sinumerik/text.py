@@ -222,7 +222,7 @@ def read_file(file: ControlFile) -> ProgramContent:
     if b"\x00" in file.content:
         found.faults.append(
             Fault(
-                message="is a binary file",
+                message="the file is a binary file",
                 file=file.name,
                 expected="text, or a commissioning archive in its container (@@MMCIBN)",
                 hint="export it from the control as text, or as an archive",

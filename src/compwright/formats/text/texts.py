@@ -81,10 +81,10 @@ def no_text(content: bytes) -> str:
     )
     if plain or head.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
         return (
-            "is not a text file of one byte a character, but saved as UTF-16 (Unicode): give it as"
-            " the control wrote it, or save it as ANSI (Notepad: Save As, Encoding)"
+            "the file is not a text file of one byte a character, but saved as UTF-16 (Unicode):"
+            " give it as the control wrote it, or save it as ANSI (Notepad: Save As, Encoding)"
         )
-    return "is not a text file (a binary archive?)"
+    return "the file is not a text file (a binary archive?)"
 
 
 @lru_cache(maxsize=KEPT_READERS)

@@ -48,7 +48,7 @@ def read_bytes(session: Session, path: Path, kind: InputKind = ANY) -> bytes:
         raise InputError(_absent(path).in_file(str(path))) from error
     except (OSError, ValueError) as error:  # ValueError: a name that no file can have (a null byte)
         refused = Fault(
-            message="cannot be read",
+            message="the file cannot be read",
             found=reason(error),
             hint="check the path, and whether you may read the file",
         )
@@ -128,7 +128,7 @@ def _not_to_be_read(seen: os.stat_result, kind: InputKind) -> Fault | None:
     found = next((name for is_kind, name in kinds if is_kind(seen.st_mode)), None)
     if found is not None:
         hint = f"give {kind.help or 'the name of a file'}"
-        return Fault(message="cannot be read", expected=kind.name, found=found, hint=hint)
+        return Fault(message="the file cannot be read", expected=kind.name, found=found, hint=hint)
     if seen.st_size > kind.most_bytes:
         return _too_large(kind, in_words(seen.st_size))
     return None
@@ -137,7 +137,7 @@ def _not_to_be_read(seen: os.stat_result, kind: InputKind) -> Fault | None:
 def _too_large(kind: InputKind, found: str) -> Fault:
     expected = f"{kind.name} of at most {in_words(kind.most_bytes)}"
     hint = f"give {kind.help or 'a smaller file'}"
-    return Fault(message="is too large", expected=expected, found=found, hint=hint)
+    return Fault(message="the file is too large", expected=expected, found=found, hint=hint)
 
 
 def state_of(session: Session, paths: Sequence[Path]) -> str:

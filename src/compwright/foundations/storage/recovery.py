@@ -344,11 +344,11 @@ def _lost_since(folder: Path, journal: Journal) -> Iterator[Fault]:
 
 def _lost(what: str, target: Path, folder: Path) -> Fault:
     return Fault(
-        message=f"the earlier file, which a stopped command had moved, {what}",
+        message=f"the earlier file {what}; a command that was stopped had moved it to a safe place",
         file=str(target),
         hint=(
             "copy the folder again as a whole with hidden files, or remove "
-            f"{folder / UNFINISHED} (this keeps old and new files as they are)"
+            f"{folder / UNFINISHED} (old and new files then stay as they are)"
         ),
     )
 

@@ -236,7 +236,7 @@ def _proposed(content: bytes, file: str) -> tuple[Profile, bool]:
     except CompwrightError as error:
         raise InputError(
             Fault(
-                message="is a table of another program, whose columns are not certain",
+                message="the file is a table of another program, whose columns are not certain",
                 file=file,
                 expected="a mapping profile",
                 found=", ".join(dict.fromkeys(one.partition(":")[0] for one in proposed.open))

@@ -49,7 +49,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-D011": (
         "the axes reverse {lag:.1f} ± {error:.1f} ms after their commands; the angles were"
-        " corrected by that"
+        " corrected for this delay"
     ),
     "CW-E001": (
         "Measured in one direction only: the same error is assumed in both, lost motion is"
@@ -92,8 +92,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-E012.period": "{period:.5g} {unit} ({percent:.0f} %)",
     "CW-E012.possible": (
-        "The error may repeat every {periods}: these targets do not decide it, and each"
-        " counts with its probability. More targets at random offsets would show it"
+        "The error may repeat every {periods}: these targets do not decide it. Each of"
+        " these periods counts with its probability. More targets at random offsets would show it"
     ),
     "CW-E013": (
         "The error repeats, but these targets do not show with which period:"

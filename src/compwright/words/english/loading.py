@@ -27,9 +27,9 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-V020.range": "it covers {range}",
     "CW-V021": (
         "Repeated readings scatter by {scatter}, {ratio:3sig} times {less:if|less|more} than"
-        " in the first test ({first}): an honest test whose noise differs by up to {factor:g}"
-        " times does so less than once in 1000. Are unit and readings right? Measure again"
-        " with the instrument set as for the first test."
+        " in the first test ({first}). Where the noise of two tests differs by up to {factor:g}"
+        " times, chance alone does this less than once in 1000 tests. Are unit and readings"
+        " right? Measure again with the instrument set as for the first test."
     ),
     "CW-V022": (
         "The job was edited after the run: {what:choose|standard=the standard|rule=the decision"
@@ -62,8 +62,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-V024": "The test after loading, {code}: {finding} Clear this up, or measure again.",
     "CW-V025": (
-        "The circle {circle} given as measured after loading is the one from before. Measure"
-        " it again."
+        "The file given with --after for circle {circle} is one from before loading. Measure the"
+        " circle again."
     ),
     "CW-V026.certain": (
         "This cannot be right: {why}. Export the test in the unit that its file states."
@@ -154,11 +154,11 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "loading.no_table": "The plan holds no table for this axis: nothing was to be loaded.",
     "loading.open": (
-        "Cannot tell: the new table changes the targets by {size} rms, and the noise of a"
-        " reading is {noise}{needed:if|; the correction is smaller than the {needed} rms that"
-        " this test can prove}{effect:if|. Measured: {effect}}. Possible: {candidates}.{off:if|"
-        " But the test deviates from the first of these by {off}, at worst by {worst}. That is"
-        " more than noise: something else changed, or the test is at fault.}"
+        "Cannot tell what was loaded: the new table changes the deviations by {size} rms, and the"
+        " noise of a reading is {noise}{needed:if|; the correction is smaller than the {needed}"
+        " rms that this test can prove}{effect:if|. Measured: {effect}}. Possible:"
+        " {candidates}.{off:if| But the test deviates from the first of these by {off}, at worst"
+        " by {worst}. That is more than noise: something else changed, or the test is at fault.}"
     ),
     "loading.rms": "{rms} rms",
     "loading.slope": (

@@ -70,8 +70,8 @@ SENTENCES: Final[dict[str, str]] = {
         " The true one is used."
     ),
     "CW-R032": (
-        "Run {direction} {run} has {number} {more:if|more|fewer} readings after the arc than"
-        " before it: a reading may be doubled or lost."
+        "Run {direction} {run} has {number} {more:if|more|fewer} readings after the measured arc"
+        " than before it: a reading may be doubled or lost."
     ),
     "CW-R033": "The test asks for a {sense} run, but the file holds none.",
     "CW-R034": (

@@ -30,7 +30,7 @@ SENTENCES: Final[dict[str, str]] = {
         " add the lines{file:if| with the file of each direction for FILE|}, then `compwright run"
         " job.yaml`."
     ),
-    "circle.least_squares": "least-squares circle, {base} µm from nominal",
+    "circle.least_squares": "least-squares circle, radius {base} µm from nominal",
     "circle.magnified": "{setting}\nMagnification {magnification} : 1, rings in µm",
     "circle.next": "What to do next",
     "circle.no_table": "No table corrects these causes. Repeat the test after the work.",
@@ -277,7 +277,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "run.limit_missed": "At least one limit is predicted to be missed",
     "run.limit_open": "At least one limit may or may not be met",
-    "run.limits": "Axis {axis}: what limits it",
+    "run.limits": "Axis {axis}: what limits its accuracy",
     "run.limits_met": "All limits are predicted to be met",
     "run.limits_met_if": (
         "All limits are predicted to be met, as far as what is named above is right"

@@ -195,12 +195,12 @@ SENTENCES: Final[dict[str, str]] = {
         " it; what depends on the old one moves along, or is named where it cannot"
     ),
     "CW-P142.line": (
-        "The slope of {slope} goes into a line of its own, because without it {left} rms are"
-        " left at its points, {with_line} with it"
+        "The slope of {slope} goes into a separate straight line. At the table points {left} rms"
+        " are left without this line, and {with_line} with it"
     ),
     "CW-P142.table": (
-        "The slope of {slope} stays in the table: without a line of its own {left} rms are"
-        " left at its points, {with_line} with it"
+        "The slope of {slope} stays in the table. At the table points {left} rms are left without"
+        " a separate straight line, and {with_line} with it"
     ),
     "CW-P143.none": "No table of its own for {period}",
     "CW-P143.period": (

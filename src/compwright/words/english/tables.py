@@ -56,7 +56,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-F011": (
         "The existing grid stays although its points are {spacing:g} {unit} apart: {reason}; the"
-        " control has run with it. table.spacing: auto chooses one that keeps the rule"
+        " control has run with it. table.spacing: auto chooses a spacing that is large enough"
     ),
     "mode.one_asked": "One table and one reversal value, as the job asks",
     "mode.one_constant": (

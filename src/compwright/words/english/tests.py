@@ -163,15 +163,15 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-T015": "Targets without any reading are left out: {targets}.",
     "CW-T016": (
-        "Fewer than two readings per direction at {targets}: no standard deviation there, so what"
-        " needs it is not given.{others:if| Over the other targets: {others}.}"
+        "Fewer than two readings per direction at {targets}: no standard deviation there."
+        " Parameters that need it are not given.{others:if| Over the other targets: {others}.}"
     ),
     "CW-T020": (
         "Uncertainty: U (k = 2) from the contributors of ISO 230-2:2006, annex A, as far as the job"
         " declares them; their distributions are propagated (JCGM 101:2008), not the coefficients"
-        " of the annex.{misalignment:if| A misaligned beam only reads too short, by up to"
-        " {misalignment:.2f} µm over these targets; U counts {counted:.2f} µm of it, to either"
-        " side.}"
+        " of the annex.{misalignment:if| A misaligned beam makes distances too short, never"
+        " too long: by up to {misalignment:.2f} µm over these targets. U includes"
+        " ±{counted:.2f} µm for this.}"
     ),
     "CW-T021": (
         "No uncertainty is stated for VDI/DGQ 3441: annex A of ISO 230-2 treats its own parameters"

@@ -50,7 +50,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-D011": (
         "les axes s'inversent {lag:.1f} ± {error:.1f} ms après leurs consignes ; les angles ont été"
-        " corrigés d'autant"
+        " corrigés de ce retard"
     ),
     "CW-E001": (
         "Mesuré dans un seul sens : la même erreur est supposée dans les deux, le jeu n'est pas"

@@ -28,9 +28,10 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-V020.range": "il couvre {range}",
     "CW-V021": (
         "Les mesures répétées se dispersent de {scatter}, {ratio:3sig} fois {less:if|moins|plus}"
-        " que dans le premier essai ({first}) : un essai sincère dont le bruit diffère jusqu'à"
-        " {factor:g} fois le fait moins d'une fois sur 1000. Unité et mesures sont-elles justes ?"
-        " Mesurer de nouveau, l'instrument réglé comme au premier essai."
+        " que dans le premier essai ({first}) : si le bruit de deux essais diffère jusqu'à"
+        " {factor:g} fois, le hasard seul le fait moins d'une fois sur 1000 essais. Unité et"
+        " mesures sont-elles justes ? Mesurer de nouveau, l'instrument réglé comme au premier"
+        " essai."
     ),
     "CW-V022": (
         "Le dossier de travail a été modifié après le calcul : {what:choose|standard=la"
@@ -68,8 +69,8 @@ SENTENCES: Final[dict[str, str]] = {
         "L'essai après chargement, {code} : {finding} Éclaircir cela, ou mesurer de nouveau."
     ),
     "CW-V025": (
-        "Le cercle {circle} donné comme mesuré après chargement est celui d'avant. Le mesurer de"
-        " nouveau."
+        "Le fichier donné par --after pour le cercle {circle} date d'avant le chargement. Mesurer"
+        " le cercle de nouveau."
     ),
     "CW-V026.certain": (
         "Cela ne peut être juste : {why}. Exporter l'essai dans l'unité que son fichier indique."
@@ -160,12 +161,12 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "loading.no_table": "Le plan n'a pas de table pour cet axe : il n'y avait rien à charger.",
     "loading.open": (
-        "Indécidable : avec et sans la nouvelle table, les points visés diffèrent de {size} (valeur"
-        " efficace), et le bruit d'une mesure est {noise}{needed:if| ; la correction est plus"
-        " petite que les {needed} (valeur efficace) que cet essai peut prouver}{effect:if|. Mesuré"
-        " : {effect}}. Possible : {candidates}.{off:if| Mais par rapport à la première de ces"
-        " causes il s'écarte de {off} et au pire de {worst}. C'est plus que du bruit : autre chose"
-        " a changé, ou l'essai est fautif.}"
+        "Impossible de dire ce qui a été chargé : la nouvelle table change les écarts de {size}"
+        " (valeur efficace), et le bruit d'une mesure est {noise}{needed:if| ; la correction est"
+        " plus petite que les {needed} (valeur efficace) que cet essai peut prouver}{effect:if|."
+        " Mesuré : {effect}}. Possible : {candidates}.{off:if| Mais par rapport à la première de"
+        " ces causes il s'écarte de {off} et au pire de {worst}. C'est plus que du bruit : autre"
+        " chose a changé, ou l'essai est fautif.}"
     ),
     "loading.rms": "{rms} (valeur efficace)",
     "loading.slope": (

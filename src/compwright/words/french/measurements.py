@@ -75,7 +75,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-R032": (
         "Le parcours {direction} {run} a {number} mesures de {more:if|plus|moins} après l'arc"
-        " qu'avant : une mesure est peut-être doublée ou perdue."
+        " mesuré qu'avant : une mesure est peut-être doublée ou perdue."
     ),
     "CW-R033": "L'essai demande un parcours {sense}, mais le fichier n'en contient aucun.",
     "CW-R034": (

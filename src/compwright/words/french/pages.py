@@ -304,7 +304,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "run.limit_missed": "D'après la prévision, au moins une limite ne sera pas respectée",
     "run.limit_open": "Pour au moins une limite, il est incertain qu'elle soit respectée",
-    "run.limits": "Axe {axis} : causes limitantes",
+    "run.limits": "Axe {axis} : ce qui limite sa précision",
     "run.limits_met": "D'après la prévision, toutes les limites seront respectées",
     "run.limits_met_if": (
         "D'après la prévision, toutes les limites seront respectées, si ce qui est cité ci-dessus"

@@ -67,8 +67,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-F011": (
         "La grille existante reste bien que ses points soient espacés de {spacing:g} {unit} :"
-        " {reason} ; la commande a fonctionné avec elle. table.spacing: auto en choisit une qui"
-        " respecte la règle"
+        " {reason} ; la commande a fonctionné avec elle. table.spacing: auto choisit un pas"
+        " assez grand"
     ),
     "mode.one_asked": (
         "Une table et une valeur de réversibilité, comme le demande le dossier de travail"

@@ -182,9 +182,9 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-T020": (
         "Incertitude : U (k = 2) d'après les composantes de l'ISO 230-2:2006, annexe A, dans la"
         " mesure où le dossier de travail les déclare ; leurs lois sont propagées (JCGM 101:2008),"
-        " non les coefficients de l'annexe.{misalignment:if| Un faisceau mal aligné ne mesure que"
-        " trop court, de {misalignment:.2f} µm au plus sur ces points visés ; U en compte"
-        " {counted:.2f} µm, de chaque côté.}"
+        " non les coefficients de l'annexe.{misalignment:if| Un faisceau mal aligné mesure trop"
+        " court, jamais trop long, de {misalignment:.2f} µm au plus sur ces points visés. U"
+        " contient ±{counted:.2f} µm pour cela.}"
     ),
     "CW-T021": (
         "Aucune incertitude n'est indiquée pour VDI/DGQ 3441 : l'annexe A de l'ISO 230-2 ne traite"

@@ -52,7 +52,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-D011": (
         "die Achsen kehren {lag:.1f} ± {error:.1f} ms nach ihrem Sollwert um; die Winkel wurden"
-        " entsprechend berichtigt"
+        " um diesen Verzug berichtigt"
     ),
     "CW-E001": (
         "Nur in einer Richtung gemessen: Derselbe Fehler wird in beiden angenommen, das Umkehrspiel"

@@ -26,10 +26,11 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-V020.gap": "{gap} des Verfahrwegs sind ohne Zielposition",
     "CW-V020.range": "sie umfasst {range}",
     "CW-V021": (
-        "Wiederholte Messwerte streuen um {scatter}, {ratio:3sig}-mal {less:if|weniger|mehr} als in"
-        " der ersten Prüfung ({first}): Bei einer ehrlichen Prüfung, deren Rauschen bis zu"
-        " {factor:g}-mal anders ist, kommt das seltener als einmal in 1000 vor. Stimmen Einheit und"
-        " Messwerte? Neu messen, mit dem Messgerät eingestellt wie bei der ersten Prüfung."
+        "Wiederholte Messwerte streuen um {scatter}, {ratio:3sig}-mal {less:if|weniger|mehr} als"
+        " in der ersten Prüfung ({first}): Wo sich das Rauschen zweier Prüfungen bis zu"
+        " {factor:g}-mal unterscheidet, kommt das zufällig seltener als einmal in 1000 Prüfungen"
+        " vor. Stimmen Einheit und Messwerte? Neu messen, mit dem Messgerät eingestellt wie bei"
+        " der ersten Prüfung."
     ),
     "CW-V022": (
         "Der Auftrag wurde nach der Berechnung geändert: {what:choose|standard=die Norm|rule=die"
@@ -64,7 +65,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-V024": "Die Prüfung nach dem Laden, {code}: {finding} Das klären oder neu messen.",
     "CW-V025": (
-        "Der Kreis {circle}, als nach dem Laden gemessen angegeben, ist der von vorher. Neu messen."
+        "Die mit --after angegebene Datei des Kreises {circle} ist eine von vor dem Laden. Den"
+        " Kreis neu messen."
     ),
     "CW-V026.certain": (
         "Das kann nicht stimmen: {why}. Die Prüfung in der Einheit exportieren, die ihre Datei"
@@ -159,7 +161,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "loading.no_table": "Der Plan enthält keine Tabelle für diese Achse: Es war nichts zu laden.",
     "loading.open": (
-        "Nicht zu entscheiden: Mit und ohne die neue Tabelle unterscheiden sich die Zielpositionen"
+        "Nicht zu entscheiden, was geladen wurde: Die neue Tabelle ändert die Abweichungen"
         " um {size} (Effektivwert), und das Rauschen eines Messwerts ist {noise}{needed:if|; die"
         " Korrektur ist kleiner als die {needed} (Effektivwert), die diese Prüfung beweisen"
         " kann}{effect:if|. Gemessen: {effect}}. Möglich: {candidates}.{off:if| Aber gegen die"

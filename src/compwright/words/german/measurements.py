@@ -74,8 +74,8 @@ SENTENCES: Final[dict[str, str]] = {
         " folgte. Der wahre wird verwendet."
     ),
     "CW-R032": (
-        "Lauf {direction} {run} hat nach dem Bogen {number} {more:if|mehr|weniger} Messwerte als"
-        " davor: Ein Messwert kann doppelt oder verloren sein."
+        "Lauf {direction} {run} hat nach dem gemessenen Bogen {number} {more:if|mehr|weniger}"
+        " Messwerte als davor: Ein Messwert kann doppelt oder verloren sein."
     ),
     "CW-R033": "Die Prüfung verlangt einen Lauf {sense}, aber die Datei enthält keinen.",
     "CW-R034": (

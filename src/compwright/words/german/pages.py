@@ -298,7 +298,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "run.limit_missed": "Nach der Vorhersage wird mindestens ein Grenzwert nicht eingehalten",
     "run.limit_open": "Bei mindestens einem Grenzwert ist offen, ob er eingehalten wird",
-    "run.limits": "Achse {axis}: begrenzende Ursachen",
+    "run.limits": "Achse {axis}: was ihre Genauigkeit begrenzt",
     "run.limits_met": "Nach der Vorhersage werden alle Grenzwerte eingehalten",
     "run.limits_met_if": (
         "Nach der Vorhersage werden alle Grenzwerte eingehalten, soweit zutrifft, was oben genannt"

@@ -207,12 +207,12 @@ SENTENCES: Final[dict[str, str]] = {
         " vom alten abhängt, zieht mit um oder wird genannt, wo es das nicht kann"
     ),
     "CW-P142.line": (
-        "Die Steigung von {slope} kommt in eine eigene Gerade, denn ohne sie bleiben an den Punkten"
-        " {left} (Effektivwert), mit ihr {with_line}"
+        "Die Steigung von {slope} kommt in eine getrennte Gerade. An den Tabellenpunkten bleiben"
+        " ohne diese Gerade {left} (Effektivwert), mit ihr {with_line}"
     ),
     "CW-P142.table": (
-        "Die Steigung von {slope} bleibt in der Tabelle: ohne eigene Gerade bleiben an den Punkten"
-        " {left} (Effektivwert), mit ihr {with_line}"
+        "Die Steigung von {slope} bleibt in der Tabelle: ohne getrennte Gerade bleiben an den"
+        " Punkten {left} (Effektivwert), mit ihr {with_line}"
     ),
     "CW-P143.none": "Keine eigene Tabelle für {period}",
     "CW-P143.period": (

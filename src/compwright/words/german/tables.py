@@ -67,8 +67,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-F011": (
         "Das vorhandene Raster bleibt, obwohl seine Punkte {spacing:g} {unit} auseinanderliegen:"
-        " {reason}; die Steuerung lief damit. table.spacing: auto wählt eines, das die Regel"
-        " einhält"
+        " {reason}; die Steuerung lief damit. table.spacing: auto wählt einen Abstand, der groß"
+        " genug ist"
     ),
     "mode.one_asked": "Eine Tabelle und ein Umkehrwert, wie der Auftrag verlangt",
     "mode.one_constant": (

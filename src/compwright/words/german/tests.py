@@ -173,15 +173,15 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-T015": "Zielpositionen ohne Messwert sind weggelassen: {targets}.",
     "CW-T016": (
         "Weniger als zwei Messwerte je Richtung bei {targets}: dort gibt es keine"
-        " Standardabweichung, und was sie braucht, wird nicht angegeben.{others:if| Über die"
-        " anderen Zielpositionen: {others}.}"
+        " Standardabweichung. Kenngrößen, die sie brauchen, werden nicht angegeben.{others:if|"
+        " Über die anderen Zielpositionen: {others}.}"
     ),
     "CW-T020": (
         "Unsicherheit: U (k = 2) aus den Beiträgen von ISO 230-2:2006, Anhang A, soweit der Auftrag"
         " sie angibt; fortgepflanzt werden ihre Verteilungen (JCGM 101:2008), nicht die"
-        " Koeffizienten des Anhangs.{misalignment:if| Ein schräger Strahl misst nur zu kurz, über"
-        " diese Zielpositionen um bis zu {misalignment:.2f} µm; U zählt davon {counted:.2f} µm,"
-        " nach beiden Seiten.}"
+        " Koeffizienten des Anhangs.{misalignment:if| Ein schräger Strahl misst zu kurz, nie zu"
+        " lang, über diese Zielpositionen um bis zu {misalignment:.2f} µm. U enthält dafür"
+        " ±{counted:.2f} µm.}"
     ),
     "CW-T021": (
         "Für VDI/DGQ 3441 wird keine Unsicherheit angegeben: Anhang A von ISO 230-2 behandelt nur"

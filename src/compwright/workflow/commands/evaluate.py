@@ -348,7 +348,7 @@ def _standards(names: Sequence[str], spread: str) -> tuple[str, str]:
     for kind, chosen in kinds.items():
         if len(chosen) > 1:
             fault = Fault(
-                message=f"more than one for {kind} tests",
+                message=f"more than one standard for {kind} tests",
                 place="--standard",
                 expected="one per kind of test",
                 found=", ".join(chosen),

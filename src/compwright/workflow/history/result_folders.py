@@ -146,7 +146,7 @@ def _document(session: Session, path: Path) -> Mapping[str, Any] | None:
     except (ValueError, RecursionError) as error:
         raise InputError(
             Fault(
-                message="is not JSON",
+                message="the file is not JSON",
                 file=shown_path(path),
                 found=str(error),
                 hint="make the results again with `compwright run`",
@@ -155,7 +155,7 @@ def _document(session: Session, path: Path) -> Mapping[str, Any] | None:
     if not isinstance(data, dict):
         raise InputError(
             Fault(
-                message="is not a document of compwright",
+                message="the file is not a document of compwright",
                 file=shown_path(path),
                 found=str(data),
                 hint="make the results again with `compwright run`",

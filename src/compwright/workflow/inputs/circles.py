@@ -136,7 +136,7 @@ def _read_part(session: Session, path: Path) -> CircularTest:
     if not is_circular(content, file):
         raise InputError(
             Fault(
-                message="is not a circular test",
+                message="the file is not a circular test",
                 file=file,
                 expected="a .b5r file or CSV with angle_deg",
                 hint="give a .b5r file, or CSV with the column angle_deg",

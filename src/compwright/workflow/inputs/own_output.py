@@ -91,12 +91,12 @@ def _inside_out(job: Job, folder: Path, out: Path) -> Iterator[Fault]:
         path = storage.resolved(storage.named_from(folder, text))
         if any(below == path or below in path.parents for below in made):
             yield Fault(
-                message="is an output of this run, so it cannot be its input",
+                message="this file is an output of this run, so it cannot be an input",
                 file=job.file,
                 place="states.as_found",
                 expected=(
-                    "the control's files in a folder of their own (read back from the control, or a"
-                    " copy), with a test that was taken with them loaded"
+                    "the control's own files (read back from the control, or a copy) in a separate"
+                    " folder, and a test that was measured while they were loaded"
                 ),
                 found=f"{text}, inside {out}",
                 hint=(

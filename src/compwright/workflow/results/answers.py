@@ -36,7 +36,7 @@ def show(renderables: list[Any]) -> None:
 
 
 def run_summary(outcome: Any) -> list[Any]:
-    """Return what ``run`` says: assumptions first, then each axis, then the files."""
+    """Return what ``run`` prints on the terminal: assumptions, then each axis, then the files."""
     from compwright.reporting import summaries
 
     doubts = outcome.prediction["doubts"]
@@ -76,28 +76,28 @@ def _words(result: Mapping[str, Any]) -> str:
 
 
 def decode_summary(document: Mapping[str, Any]) -> list[Any]:
-    """Return what ``decode`` says."""
+    """Return what ``decode`` prints on the terminal."""
     from compwright.reporting import summaries
 
     return summaries.decode_tables(document)
 
 
 def compare_summary(document: Mapping[str, Any]) -> list[Any]:
-    """Return what ``compare`` says."""
+    """Return what ``compare`` prints on the terminal."""
     from compwright.reporting import differing
 
     return differing.compare_tables(document)
 
 
 def diff_summary(document: Mapping[str, Any]) -> list[Any]:
-    """Return what ``diff`` says."""
+    """Return what ``diff`` prints on the terminal."""
     from compwright.reporting import differing
 
     return differing.diff_tables(document)
 
 
 def verify_summary(outcome: Any) -> list[Any]:
-    """Return what ``verify`` says."""
+    """Return what ``verify`` prints on the terminal."""
     from compwright.reporting import summaries
 
     return [

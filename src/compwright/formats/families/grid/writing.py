@@ -1,5 +1,5 @@
-"""Tables on one axis -> files: the control's own ones if they have a place for them, else the
-skeletons of the definition with single values and rows filled in.
+"""Write the tables of an axis into the control's own files if these contain such tables; else into
+the empty file skeletons of the definition.
 """
 
 from __future__ import annotations

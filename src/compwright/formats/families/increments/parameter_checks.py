@@ -88,8 +88,8 @@ def unread_bits(own: AxisParameters, kind: AxisKind) -> Iterator[Fault]:
 
 
 def unclear_path(own: AxisParameters, kind: AxisKind) -> Iterator[Fault]:
-    """Yield a fault for each parameter of a path that the axis' table depends on, if the paths
-    differ and 981 is in no file.
+    """Yield a fault for each path parameter that decides the table of the axis and differs between
+    paths, where no file gives the path of the axis (parameter 981).
 
     Inches (1001#0) decide lengths and detection unit of a linear axis, the increment system (1004)
     that of an axis without 1013; 1800#4 decides whether 1852 is active, if that is in the files.

@@ -152,7 +152,8 @@ class Switches:
         faults.extend(
             Fault(
                 message=(
-                    f"axis {output}: its CEC values are in inch (MD32711), which is not written"
+                    f"axis {output}: its CEC values are in inch (MD32711), which compwright does"
+                    " not write"
                 ),
                 file=place.occurrence.file,
                 place=place.occurrence.place,
