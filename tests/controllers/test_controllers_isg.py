@@ -162,7 +162,9 @@ class TestTable:
         assert um(finer, [-44.45], UP) == close([-4.5])
 
     def test_encoder_increments_need_their_size(self) -> None:
-        with pytest.raises(UsageError, match=r"encoder_increment of axis 1: .*\(kw\.ssfk\.unit 0\)"):
+        with pytest.raises(
+            UsageError, match=r"encoder_increment of axis 1: .*\(kw\.ssfk\.unit 0\)"
+        ):
             isg(EVEN)
         with pytest.raises(InputError, match="kw_startpos; expected -2147483647 to 2147483647"):
             isg(EVEN.replace("-909000", "-1e308"), options={"encoder_increment": 1e-4})
