@@ -1,5 +1,5 @@
 """For all tests: pages hold empty frames for figures of circles unless a module or a test says
-`pytest.mark.painted`; those about the control's files say `pytest.mark.brief`; random cases have
+`pytest.mark.real_figures`; those about the control's files say `pytest.mark.brief`; random cases have
 fixed seeds.
 
 Circles are looked at in the tests of the reporting room, of the examples and of the plots that
@@ -123,7 +123,7 @@ def compiled(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
 def of_module(request: pytest.FixtureRequest) -> Iterator[None]:
     """Let tests of a module sample and paint as its marks say."""
     with pytest.MonkeyPatch.context() as patch:
-        if not request.node.get_closest_marker("painted"):
+        if not request.node.get_closest_marker("real_figures"):
             unpaint(patch)
         _sample(patch, brief=request.node.get_closest_marker("brief") is not None)
         yield
@@ -136,7 +136,7 @@ def of_test(request: pytest.FixtureRequest) -> Iterator[None]:
     """
     marks = {mark.name for mark in request.node.own_markers}
     with pytest.MonkeyPatch.context() as patch:
-        if "painted" in marks:
+        if "real_figures" in marks:
             paint(patch)
         if marks & {"brief", "whole"}:
             _sample(patch, brief="brief" in marks)

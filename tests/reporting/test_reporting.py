@@ -37,7 +37,7 @@ from reporting_samples import (
     verify_view,
 )
 
-pytestmark = pytest.mark.painted
+pytestmark = pytest.mark.real_figures
 
 HOSTILE = "<script>alert('x')</script> & \"$\\frac{1}{0}$\" \x00\x0b\ud800\uffff\nnext"
 EXACT = 1e-9  # µm: a number that only passes through

@@ -33,7 +33,7 @@ from compwright.reporting.polar import (
     polar_figure,
 )
 
-pytestmark = pytest.mark.painted
+pytestmark = pytest.mark.real_figures
 
 RADIUS = 100.0
 #: µm. Points are laid by geometry in double precision.

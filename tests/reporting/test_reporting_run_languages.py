@@ -19,7 +19,7 @@ from compwright.reporting.verify_report import verify_report
 from places import PROJECT
 from reporting_samples import run_view, verify_view
 
-pytestmark = [pytest.mark.brief, pytest.mark.painted]
+pytestmark = [pytest.mark.brief, pytest.mark.real_figures]
 
 LANGUAGES = ("de", "fr", "ru")
 EXAMPLE = PROJECT / "examples" / "linuxcnc-two-axes"

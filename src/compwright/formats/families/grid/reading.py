@@ -312,7 +312,7 @@ class GridReader:
                         message=message,
                         file=file.name,
                         expected=self.export_instead,
-                        hint="give the file as the control exports it",
+                        hint="leave this file out, and give the file as the control exports it",
                     )
                 )
         raise_all(InputError, self.notes.faults)
