@@ -17,7 +17,7 @@ from compwright.cli import run as compwright
 from compwright.documents.evaluation import in_short
 from compwright.reporting.causes import _KINDS, named_in_words, ranked_causes
 from compwright.reporting.circle_report import _causes, _words
-from compwright.reporting.circle_steps import job_lines, next_step
+from compwright.reporting.circle_steps import job_lines, next_step, steps_for
 from compwright.reporting.circular_parameters import parameter_words, printed_parameters
 from compwright.reporting.circular_tables import circular_tables
 from compwright.words.sentences import say
@@ -176,3 +176,23 @@ def test_fit_and_residual_add_up_to_the_measured_run(tmp_path: Path) -> None:
             assert value + rest == pytest.approx(measured[nearest], abs=1e-5)
             squares.append(rest**2)
     assert math.sqrt(sum(squares) / len(squares)) == pytest.approx(result["residual"], rel=0.1)
+
+
+def test_the_largest_causes_have_a_step_or_a_reason() -> None:
+    """Ends of +2 and -2 µm cancel in the mean and are a cause; 1 ± 1 µm is none, and is named."""
+    diagnosis = {
+        "reversal_spike_first": entry(0.0, 0.3, 4.0, 0.4),
+        "reversal_spike_first_at_positive": entry(2.0, 0.3, 2.0, 0.0),
+        "reversal_spike_first_at_negative": entry(-2.0, 0.3, 2.0, 0.0),
+        "lateral_play_second": entry(1.0, 1.0, 3.0, 0.3),
+        "straightness_first": entry(2.0, 0.1, 2.0, 0.2),
+        "spiral": entry(0.1, 0.5, 0.2, 0.1),
+    }
+    steps = [
+        str(step) for step in steps_for(ranked_causes({"axes": AXES, "diagnosis": diagnosis}), AXES)
+    ]
+    assert len(steps) == 3
+    assert "Reversal spike Z" in steps[0]
+    assert "Straightness Z" in steps[1]
+    assert "No step for Lateral play X (30 % of all effects)" in steps[2]
+    assert "Spiral" not in steps[2]

@@ -21,7 +21,7 @@ from compwright.estimation.circle_model import (
     prior_width,
 )
 from compwright.estimation.circle_path import by_full_circle
-from compwright.estimation.circle_reversal import SpikeDraws
+from compwright.estimation.circle_reversal import INWARD, SpikeDraws
 from compwright.estimation.circle_solution import Solution
 from compwright.estimation.circle_symptoms import (
     lobes,
@@ -323,10 +323,11 @@ def _spike(
     pick = slice(None) if index is None else slice(index, index + 1)
     heights = np.mean(spike.heights[:, pick], axis=1)
     depths = np.mean(spike.depths[:, pick], axis=1)
-    slow = np.mean(spike.extrapolated[:, pick], axis=1)
+    slow, unseen = np.mean(spike.extrapolated[:, pick], axis=1), spike.unseen[:, pick]
     doubt = np.hypot(np.std(depths), (1.0 - spike.there) * spike.least_error)
-    if float(np.mean(depths)) > 2.0 * max(float(np.mean(heights)), float(doubt)):
+    if float(np.mean(depths)) > INWARD * max(float(np.mean(heights)), float(doubt)):
         heights = slow = -depths
+        unseen = 2.0 * spike.deeper[:, pick]  # uniform from the depth on, not about it
     value = float(np.mean(heights))
     decay = np.where(spike.decay > 0.0, spike.decay, np.inf)
     response = max(_RESPONSE * samples.speed, _FILTER * sample_spacing(samples))
@@ -334,7 +335,7 @@ def _spike(
     variance = (
         float(np.mean((heights * late) ** 2)) / 3.0
         + float(np.mean((slow - heights) ** 2)) / 12.0
-        + float(np.mean(spike.unseen[:, pick] ** 2)) / 12.0
+        + float(np.mean(unseen**2)) / 12.0
         + (1.0 - spike.there) * spike.least_error**2
     )
     error = float(np.sqrt(np.var(heights) + variance))

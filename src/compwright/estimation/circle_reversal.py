@@ -43,6 +43,8 @@ _UNLIKE: Final = 0.1
 _CLIMBS: Final = 4
 _FORGOTTEN: Final = 6
 _SWEEPS: Final = 40
+#: A spike goes inward where its depth is more than this many times its height.
+INWARD: Final = 2.0
 #: Added to the diagonal of scaled normal equations: readings without noise leave only rounding.
 _ROUNDING: Final = 1e-10
 #: Rare causes are drawn in every so many sweeps.
@@ -261,9 +263,11 @@ class SpikeDraws:
     """Drawn spikes of one reversal point: ``heights`` (d, s), outward peak above the lost motion,
     µm, for both directions (s = 2: ccw, cw) or the one; ``depths`` (d, s), how far samples go
     inward; ``extrapolated`` (d, s): the slowest decay at the reversal; ``unseen`` (d, s): range of
-    the heights that no sample decides; ``decay`` (from the peak to 1/e of it) and ``rise`` (to the
-    peak) (d,) mm, 0 without; ``there`` and ``unlike``: probability of a spike, and of different
-    directions; ``curve``: mean amplitude µm of each shape by direction (s, m).
+    the heights that no sample decides; ``deeper`` (d, s): by how much more they go inward while the
+    lost motion is taken up; ``decay`` (from the peak, of the depth where it is an `INWARD` spike,
+    to 1/e of it) and ``rise`` (to the peak) (d,) mm, 0 without; ``there`` and ``unlike``:
+    probability of a spike, and of different directions; ``curve``: mean amplitude µm of each shape
+    by direction (s, m).
     """
 
     reversal: Reversal
@@ -271,6 +275,7 @@ class SpikeDraws:
     depths: FloatArray
     extrapolated: FloatArray
     unseen: FloatArray
+    deeper: FloatArray
     decay: FloatArray
     rise: FloatArray
     there: float
@@ -399,13 +404,16 @@ class _Recorder:
         # Inside while the lost motion is taken up, the axis stands still.
         lost = UM * abs(float(np.mean(of[self.lost])))
         seen = self.arcs >= 0.5 * self.spacing + np.sqrt(2.0 * lost * self.radius)
-        depths = np.maximum(-np.min(curve[:, :, seen], axis=2, initial=0.0), 0.0)
+        depths = -np.min(curve[:, :, seen], axis=2, initial=0.0)
+        deepest = -np.min(curve[:, :, self.arcs >= 0.5 * self.spacing], axis=2, initial=0.0)
         decay, rise = np.zeros(count), np.zeros(count)
         slow = heights
         if sizes:
             places = sorted(sizes, key=lambda place: self.reversal.shapes[place].length)
             longest = self.reversal.shapes[places[-1]]
             whole = np.mean(curve, axis=(0, 1))
+            if np.mean(depths) > INWARD * np.mean(heights):
+                whole = np.where(seen, -whole, 0.0)
             peak = int(np.argmax(whole))
             rise += self.arcs[peak]
             decay += self._died(whole, peak)
@@ -417,7 +425,7 @@ class _Recorder:
         unseen = guessed * (heights - first)
         heights = heights - 0.5 * unseen
         slow = slow - 0.5 * unseen
-        self.parts.append((heights, depths, slow, unseen, decay, rise))
+        self.parts.append((heights, depths, slow, unseen, deepest - depths, decay, rise))
         self.there += bool(sizes)
         decays = slice(_DECAYS)
         turned = shapes.unlike[index, decays] & (shapes.place[index, decays] >= 0)
@@ -436,7 +444,7 @@ class _Recorder:
 
     def result(self, least_error: float) -> SpikeDraws:
         count = len(self.parts)
-        heights, depths, slow, unseen, decay, rise = (
+        heights, depths, slow, unseen, deeper, decay, rise = (
             np.concatenate(part) for part in zip(*self.parts, strict=True)
         )
         return SpikeDraws(
@@ -445,6 +453,7 @@ class _Recorder:
             depths=depths,
             extrapolated=slow,
             unseen=unseen,
+            deeper=deeper,
             decay=decay,
             rise=rise,
             there=self.there / count,

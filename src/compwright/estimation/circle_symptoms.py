@@ -43,8 +43,8 @@ def stick_slip(solution: Solution, axis: str) -> tuple[float, float] | None:
     that of the other samples. None where the arc has no reversal of the axis.
 
     Standard errors by the chi-square law of a variance, with as many independent samples as the
-    correlation length of the residuals leaves (Bartlett, J. Royal Statistical Society Suppl. 8,
-    1946).
+    squared correlations of the residuals leave, whose sum is n Σ f² / (Σ f)² of their spectrum f
+    (Bartlett, J. Royal Statistical Society Suppl. 8, 1946).
     """
     problem = solution.problem
     samples, residual = problem.samples, solution.residual / UM
@@ -55,9 +55,10 @@ def stick_slip(solution: Solution, axis: str) -> tuple[float, float] | None:
         own, other = other, own
     slow, fast = np.abs(own) < np.sin(_SLOW), np.abs(other) >= np.sin(_SLOW)
     fast &= ~slow
-    length = max(float(np.mean([s.length for s in solution.fitted.spectra])), 1.0)
+    densities = [each.density for each in solution.fitted.spectra]
+    length = float(np.mean([np.mean(f**2) / np.mean(f) ** 2 for f in densities]))
     counts = [float(np.sum(part)) / length for part in (slow, fast)]
-    if min(counts) < 8.0:
+    if min(counts) < 5.0:
         return None
     variances = [float(np.mean(residual[part] ** 2)) for part in (slow, fast)]
     error = np.sqrt(sum(2.0 * v**2 / n for v, n in zip(variances, counts, strict=True)))

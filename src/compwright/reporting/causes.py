@@ -101,9 +101,14 @@ class CircleCause:
         return self.share >= LEAST_SHARE and self.effect >= LEAST_EFFECT
 
     @property
-    def significant(self) -> bool:
+    def known(self) -> bool:
         """Whether the value is more than twice its standard error."""
         return abs(self.value) > 2.0 * self.error
+
+    @property
+    def significant(self) -> bool:
+        """Whether the value is known, or that of a part: two ends may cancel in the mean."""
+        return self.known or any(part.known for part in self.parts)
 
     @property
     def limits(self) -> tuple[float, float]:

@@ -29,7 +29,6 @@ def circle_page(result: Document, index: int) -> dict[str, Any]:
     """Return the page of a circular result, the ``index``-th test of its report."""
     name = plain(result.get("name") or "")
     causes = ranked_causes(result)
-    significant = [cause for cause in causes if cause.significant and cause.shown]
     axes = result.get("axes") or ("first", "second")
     residual = residual_figure(result, name)
     return {
@@ -40,7 +39,7 @@ def circle_page(result: Document, index: int) -> dict[str, Any]:
         "causes": _causes(causes) if causes else None,
         "comparison": say("circle.comparison") if _any_printed(causes) else "",
         "steps": steps_for(causes, axes),
-        "job": job_lines([cause.name for cause in significant], result),
+        "job": job_lines([cause.name for cause in causes if cause.known and cause.shown], result),
         "reasons": _reasons(result),
         "sheet": paper.sheet(result, {}),
     }

@@ -30,12 +30,24 @@ _WORD: Final = re.compile(r"[A-Za-z_][\w./-]*")
 
 
 def steps_for(causes: Sequence[CircleCause], axes: Sequence[str]) -> list[Sentence]:
-    """Return what to do about the largest significant causes, a sentence each."""
-    significant = [cause for cause in causes if cause.significant and cause.shown]
+    """Return what to do about the largest significant causes, a sentence each, and why larger
+    causes are not among them.
+    """
+    shown = [cause for cause in causes if cause.shown]
+    significant = [cause for cause in shown if cause.significant][:_MOST]
+    last = shown.index(significant[-1]) if significant else _MOST
+    open_causes = [
+        say("circle.cause_share", cause=cause.words, share=100.0 * cause.share)
+        for cause in shown[:last]
+        if not cause.significant
+    ]
     return [
-        say("circle.to_do", cause=cause.words, share=100.0 * cause.share, step=step)
-        for cause in significant[:_MOST]
-        if (step := next_step(cause.name, axes))
+        *(
+            say("circle.to_do", cause=cause.words, share=100.0 * cause.share, step=step)
+            for cause in significant
+            if (step := next_step(cause.name, axes))
+        ),
+        *([say("circle.open_causes", causes=open_causes)] if open_causes else []),
     ]
 
 

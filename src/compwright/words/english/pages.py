@@ -8,6 +8,7 @@ SENTENCES: Final[dict[str, str]] = {
     "circle.about": "{centre:choose|set_up= (set-up centre)|own= (own centre)}",
     "circle.agreement": "{how:choose|agrees=agrees|differs=differs|not_valid=not valid}",
     "circle.cause": "{cause}  {value} {unit}",
+    "circle.cause_share": "{cause} ({share:.0f} % of all effects)",
     "circle.centre": (
         "{name:choose|common=common least-squares centre|set-up=set-up centre|ccw=least-squares"
         " centre of ccw|cw=least-squares centre of cw}: {first} {x}, {second} {y} µm{H:if|; H {H}"
@@ -35,6 +36,10 @@ SENTENCES: Final[dict[str, str]] = {
     "circle.next": "What to do next",
     "circle.no_table": "No table corrects these causes. Repeat the test after the work.",
     "circle.nominal": "nominal circle",
+    "circle.open_causes": (
+        "No step for {causes}: the standard error is more than half of the value. Repeat the"
+        " circle, if possible at a lower feed; a cause that returns is real."
+    ),
     "circle.parameter": (
         "{name:choose|G=Circular deviation, minimum zone|G_lsc=by the least-squares"
         " circle|F_max=Radial deviation, largest|F_min=Radial deviation,"

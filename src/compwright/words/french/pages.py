@@ -8,6 +8,7 @@ SENTENCES: Final[dict[str, str]] = {
     "circle.about": "{centre:choose|set_up= (centre de montage)|own= (centre propre)}",
     "circle.agreement": "{how:choose|agrees=concorde|differs=diffère|not_valid=non valable}",
     "circle.cause": "{cause}  {value} {unit}",
+    "circle.cause_share": "{cause} ({share:.0f} % de tous les effets)",
     "circle.centre": (
         "{name:choose|common=centre commun des moindres carrés|set-up=centre de montage|ccw=centre"
         " des moindres carrés ↺|cw=centre des moindres carrés ↻} : {first} {x}, {second} {y}"
@@ -37,6 +38,10 @@ SENTENCES: Final[dict[str, str]] = {
     "circle.next": "Que faire ensuite",
     "circle.no_table": "Aucune table ne corrige ces causes. Répéter l'essai après les travaux.",
     "circle.nominal": "trajectoire nominale",
+    "circle.open_causes": (
+        "Aucune action pour {causes} : l'erreur type dépasse la moitié de la valeur. Répéter le"
+        " cercle, si possible à une avance plus faible ; une cause qui revient est réelle."
+    ),
     "circle.parameter": (
         "{name:choose|G=Écart circulaire, zone minimale|G_lsc=selon le cercle des moindres"
         " carrés|F_max=Écart radial, le plus grand|F_min=Écart radial, le plus petit|F_max_lsc=le"

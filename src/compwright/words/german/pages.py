@@ -10,6 +10,7 @@ SENTENCES: Final[dict[str, str]] = {
         "{how:choose|agrees=stimmt überein|differs=weicht ab|not_valid=nicht gültig}"
     ),
     "circle.cause": "{cause}  {value} {unit}",
+    "circle.cause_share": "{cause} ({share:.0f} % aller Wirkungen)",
     "circle.centre": (
         "{name:choose|common=gemeinsamer Mittelpunkt der"
         " Ausgleichskreise|set-up=Aufbaumittelpunkt|ccw=Mittelpunkt des Ausgleichskreises"
@@ -40,6 +41,10 @@ SENTENCES: Final[dict[str, str]] = {
         "Keine Tabelle korrigiert diese Ursachen. Die Prüfung nach den Arbeiten wiederholen."
     ),
     "circle.nominal": "Sollbahn",
+    "circle.open_causes": (
+        "Kein Schritt für {causes}: Der Standardfehler ist größer als der halbe Wert. Den Kreis"
+        " wiederholen, möglichst mit kleinerem Vorschub; was wiederkehrt, ist wirklich."
+    ),
     "circle.parameter": (
         "{name:choose|G=Kreisformabweichung, kleinste Ringzone|G_lsc=nach dem"
         " Ausgleichskreis|F_max=Radialabweichung, größte|F_min=Radialabweichung,"
