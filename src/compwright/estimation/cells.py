@@ -70,9 +70,9 @@ class Cells:
     rough_reversal: float = 0.0
 
     def line_at(self, positions: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return what was taken out (k,) at ``positions`` for the two directions, mm or deg: line
-        of the first test, jumps, +- half the mean reversal mean(+) - mean(-) (ISO 230-2:1997,
-        2.14).
+        """Return what was taken out (k,) at ``positions`` for the two directions, mm or deg. That
+        is the line of the first test, jumps, and +- half the mean reversal mean(+) - mean(-) (ISO
+        230-2:1997, 2.14).
         """
         line = self.offset + self.slope * (positions - self.targets[0])
         for jump in self.jumps:

@@ -17,9 +17,9 @@ from compwright.records.axis import FloatArray
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DatumColumns:
-    """``columns`` (c, e) over the cells of all tests, with the standard deviations ``stds`` (e,) of
-    their weights, in units of the scale; ``slopes``: by test, the column of its own slope, None
-    where it has none.
+    """The columns of single tests: ``columns`` (c, e) over the cells of all tests. ``stds`` (e,):
+    the standard deviations of their weights, in units of the scale. ``slopes``: by test, the column
+    of its own slope, None where it has none.
     """
 
     columns: FloatArray

@@ -118,7 +118,7 @@ class Prior:
 
 @dataclass(frozen=True, slots=True)
 class WeightPosterior:
-    """Posterior of the weights: ``mean`` (j,), ``root`` (j, j) with covariance root @ root.T, those
+    """Posterior of the weights. ``mean`` (j,), ``root`` (j, j) with covariance root @ root.T, those
     of the basis first; variances ``noise`` (of a reading, where it is inferred) and ``local``;
     ``draw`` of the noise.
     """
@@ -172,8 +172,8 @@ class Evidence:
 
     def log_variances(self, h: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Return log prior variances (j,) of the weights and their derivatives (hyperparameters,
-        j): the spectral density at each sine (Solin and Särkkä, Statistics and Computing 30, 2020),
-        1 / harmonic^2 for those of a period.
+        j). A variance is the spectral density at each sine (Solin and Särkkä, Statistics and
+        Computing 30, 2020), and 1 / harmonic^2 for those of a period.
         """
         smooth, varying = self.smooth, self.varying
         slopes = self.slopes.copy()

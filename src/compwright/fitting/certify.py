@@ -27,8 +27,9 @@ WHOLE: Final = 1e-6
 
 
 def certificate(problem: QuadraticProblem, x: FloatArray, y: FloatArray) -> dict[str, float]:
-    """Return by how much each condition of Karush, Kuhn and Tucker (Boyd and Vandenberghe 2004,
-    section 5.5.3) is missed by ``x`` (n,) and multipliers ``y`` (c,), in mm or deg.
+    """Return by how much ``x`` (n,) and multipliers ``y`` (c,) miss each optimality condition, in
+    mm or deg. The conditions are those of Karush, Kuhn and Tucker (Boyd and Vandenberghe 2004,
+    section 5.5.3).
 
     ``primal``: the worst violated limit. ``stationarity``: the gradient against the stiffness of
     each unknown, that is how far a value would move. ``dual``: a multiplier of the wrong sign on a

@@ -128,8 +128,8 @@ def build_chain(
     closed: bool,
 ) -> CurveChain:
     """Return the chain of a curve with ``size`` nodes whose mean square is half the sum over
-    ``wishes``: the normal equations of hat functions, which couple neighbours alone (de Boor 1978,
-    chapter III).
+    ``wishes``. These are the normal equations of hat functions, which couple neighbours alone (de
+    Boor 1978, chapter III).
 
     ``fixed``: nodes at which the value is zero; ``kept``: further nodes that have limits of their
     own.

@@ -104,9 +104,9 @@ def best_totals(
 def relaxed_bound(
     parts: tuple[LatticePart, ...], *, unit: float, increments: tuple[int, int], magnification: int
 ) -> float:
-    """Return a lower bound of the objective under the limits, without whole numbers: the least
-    value but for OSQP's accuracy (weak duality; Boyd and Vandenberghe, Convex Optimization, 2004,
-    section 5.2.2). Square of mm or deg.
+    """Return a lower bound of the objective under the limits, without whole numbers. It is the
+    least value but for OSQP's accuracy (weak duality; Boyd and Vandenberghe, Convex Optimization,
+    2004, section 5.2.2). Square of mm or deg.
     """
     return _LatticeSearch(parts, unit, increments).without_whole_numbers(magnification)
 

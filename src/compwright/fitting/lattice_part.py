@@ -187,8 +187,9 @@ def whole_bounds(
     shifts: FloatArray,
     counts: IntArray,
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the distances (n,) of the whole reversal values ``counts`` (n,) from the optimum, and
-    the lower bounds (shifts * n,) with whole numbers: all of the first shift, then of the next.
+    """Return distances and lower bounds of whole reversal values. The distances (n,) of the
+    ``counts`` (n,) are from the optimum; the bounds (shifts * n,) are with whole numbers: all of
+    the first shift, then of the next.
     """
     step = part.constant[0] if part.constant else 0.0
     distance = counts.astype(np.float64) * step - part.chain.constant

@@ -168,8 +168,8 @@ class UnknownsLayout:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class QuadraticProblem:
-    """Minimise x'Px/2 + q'x + constant subject to lower <= Ax <= upper (Boyd and Vandenberghe 2004,
-    section 4.4); x (n,), P (n, n), A (c, n); mm or deg.
+    """Minimise x'Px/2 + q'x + constant subject to lower <= Ax <= upper. Boyd and Vandenberghe 2004,
+    section 4.4; x (n,), P (n, n), A (c, n); mm or deg.
 
     The objective is the mean square of (held - wanted) over the travel and both directions.
     Rows of A with ``lower`` equal to ``upper`` are equalities: the zero state, the closed period.

@@ -52,8 +52,8 @@ def practical_table(
 def planned_request(
     capacity: Capacity, request: TableRequest, planned: FittedTable
 ) -> tuple[Capacity, TableRequest]:
-    """Return the limits and the request by which the fit of a plan's table comes out again: with
-    the magnification that stayed, and on the few points that are typed.
+    """Return the limits and the request that give the table of a plan again. They have the
+    magnification that stayed, and the few points that are typed.
     """
     lattice, nodes = capacity.lattice, planned.compensation.positions
     kept = None if lattice is None else lattice.there

@@ -33,7 +33,7 @@ def predict(
     like: RepeatConditions = FIRST,
     fresh: FreshTests | None = None,
 ) -> TestPrediction:
-    """Return what a fresh test like ``result`` will show with the changed correction, at its
+    """Return what a fresh test like ``result`` will show with the changed correction. At its
     targets and at new ones; ``fresh``: tests at new ones, where they are drawn already.
     """
     drawn = fresh or fresh_tests(result, posterior, axis, like)

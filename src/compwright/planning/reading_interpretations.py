@@ -27,9 +27,9 @@ _SHAPELESS: Final = 0.5
 
 @dataclass(frozen=True, slots=True)
 class InterpretedTest:
-    """One way of reading a test: the error of the axis that it leaves, in ``error``; ``table``: the
-    table that is known, at its targets, (m,) by direction, mm or deg, and its ``smooth`` part. None
-    where there is none.
+    """One way of reading a test. ``error``: the error of the axis that it leaves; ``table``: the
+    known table at its targets, (m,) by direction, mm or deg, and its ``smooth`` part. None where
+    there is none.
     """
 
     way: Interpretation

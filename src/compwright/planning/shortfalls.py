@@ -42,8 +42,8 @@ _FINE: Final = 1e-9
 
 @dataclass(frozen=True, slots=True)
 class Shortfall:
-    """The held correction minus the wanted one, mm or deg, as far as it comes from ``cause``;
-    ``rms``: what the fit reports for this cause, None where it reports nothing.
+    """The part of held minus wanted correction, mm or deg, that comes from ``cause``. ``rms``: what
+    the fit reports for this cause, None where it reports nothing.
     """
 
     cause: str

@@ -131,8 +131,8 @@ def free_grid_table(
 
 
 def negligible_loss(kept: TestPrediction, best: TestPrediction) -> bool:
-    """Return whether tests show next to nothing of what one table loses against the ``best`` one:
-    at the same targets and at new ones, by the parameter that judges tables.
+    """Return whether tests show next to nothing of what one table loses against the ``best`` one.
+    At the same targets and at new ones, by the parameter that judges tables.
     """
     name = judged_parameter(best.before)
     if name is None:

@@ -106,7 +106,7 @@ class CircularEffect:
 
 @dataclass(frozen=True, slots=True)
 class FreshRun:
-    """What the fit of a circular test knows of one run of a fresh test, at the ``angles`` (n,) deg:
+    """What the fit of a circular test knows of one run of a fresh test. At the ``angles`` (n,) deg:
     readings without noise ``paths`` and ``noise`` (d, n) mm, each row as probable as the others.
     """
 

@@ -60,9 +60,9 @@ class UncertaintyBudget:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CircularBudget:
-    """Contributors to the uncertainty of circular tests (k = 2): instrument ``U`` (a change in
-    length), calibrated ``length`` of the bar and ``setup`` in µm, ``U_theta`` K, ``U_alpha``
-    µm/(m K); ``E_VE`` is a range, µm.
+    """Contributors to the uncertainty of circular tests (k = 2). Instrument ``U`` (a change in
+    length), calibrated ``length`` of the bar and ``setup`` in µm, ``U_theta`` K, ``U_alpha`` µm/(m
+    K); ``E_VE`` is a range, µm.
     """
 
     U: float = 0.0

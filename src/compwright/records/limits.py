@@ -7,8 +7,9 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LimitingCause:
-    """``value``: the predicted median of the parameter with the cause less the one without it, mm
-    or deg, from the same draws; negative where it happens to cancel another one.
+    """One cause: ``value`` is the predicted median of the parameter with the cause less the one
+    without it, mm or deg. Both are from the same draws; it is negative where it happens to cancel
+    another cause.
 
     ``rms``: of a limit of the control, the root mean square that it leaves over the travel and both
     directions (mm or deg); None: not one of those.
@@ -41,8 +42,8 @@ class LimitingCauses:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PointCountOption:
-    """What a fresh test at new targets shows of a parameter with a table of so many ``points``,
-    ``spacing`` apart (mm or deg; the widest section): median and 5 to 95 %, mm or deg.
+    """What a fresh test at new targets shows of a parameter with a table of so many ``points``.
+    They are ``spacing`` apart (mm or deg; the widest section). Median and 5 to 95 %, mm or deg.
 
     ``written``: the table that is written; ``there``: on the nodes that are in the control.
     """

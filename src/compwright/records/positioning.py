@@ -103,8 +103,8 @@ def to_machine(test: PositioningTest, position_map: PositionMap) -> PositioningT
 
 
 def merge(tests: Sequence[PositioningTest], name: str) -> PositioningTest:
-    """Return one test from several files of the same axis: their targets united, their traverses
-    side by side, of each key of their headers every value once, one per line.
+    """Return one test from several files of the same axis. Their targets are united, their
+    traverses side by side; of each key of their headers every value is there once, one per line.
 
     Raises InputError when axes, kinds, cycles or frames differ.
     """

@@ -55,7 +55,7 @@ class AfterTest:
 
 def changed_limits(job: Job, plan: Plan) -> Iterator[Finding]:
     """Yield a finding (CW-V022) for limits, standard, decision rule and declared uncertainty that
-    differ from those of the run: an uncertainty declared after the measurement could explain any
+    differ from those of the run. An uncertainty declared after the measurement could explain any
     slope.
     """
     if job.standard != plan.standard:
