@@ -242,7 +242,8 @@ class WrappedStateReader:
         counts = counts_of(self.definition, options, axis.name if axis else str(motor))
         if motor in self.scales:
             defined, place = self.scales[motor]
-            self.notes.faults.extend(wrong_counts(counts, defined, place))
+            for fault in wrong_counts(counts, defined, place):
+                self.notes.once(fault)
         return counts
 
     def _motor(self, motor: int) -> tuple[AxisCompensation, AxisFacts]:
