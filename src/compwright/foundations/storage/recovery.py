@@ -344,7 +344,7 @@ def _lost_since(folder: Path, journal: Journal) -> Iterator[Fault]:
 
 def _lost(what: str, target: Path, folder: Path) -> Fault:
     return Fault(
-        message=f"the earlier file {what}; a command that was stopped had moved it to a safe place",
+        message=f"a command was stopped after it had moved the earlier file; the moved file {what}",
         file=str(target),
         hint=(
             "copy the folder again as a whole with hidden files, or remove "

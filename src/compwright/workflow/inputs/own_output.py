@@ -91,7 +91,7 @@ def _inside_out(job: Job, folder: Path, out: Path) -> Iterator[Fault]:
         path = storage.resolved(storage.named_from(folder, text))
         if any(below == path or below in path.parents for below in made):
             yield Fault(
-                message="this file is an output of this run, so it cannot be an input",
+                message="this entry is an output of this run, so it cannot be an input",
                 file=job.file,
                 place="states.as_found",
                 expected=(

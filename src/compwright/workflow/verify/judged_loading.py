@@ -127,8 +127,8 @@ def _view(
 
 
 def _motion(planned: PlannedAxis, place: int, targets: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return how much more backlash compensation the motion of the repeated test (feed or rapid)
-    receives at the targets, for approaches from + and from -.
+    """Return the correction at the targets that backlash compensation adds because of the motion of
+    the repeated test (feed or rapid), for + and - approaches.
     """
     more = with_motion(no_correction, planned.axis, planned.tests[place].backlash_more)
     return more(targets, Direction.POSITIVE), more(targets, Direction.NEGATIVE)
