@@ -297,10 +297,15 @@ def test_no_card_calls_a_sign_confirmed_and_not_confirmed(name: str, variant: st
 def sinumerik_card(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
     """The card of an axis with an old table, as data."""
     given: list[dict[str, Any]] = []
+
+    def kept(card: dict[str, Any]) -> bytes:
+        given.append(card)
+        return b""
+
     out = tmp_path_factory.mktemp("sinumerik") / "out"
     job = PROJECT / "examples" / "sinumerik-old-table" / "job.yaml"
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(reporting_card, "card_html", lambda card: given.append(card) or b"")
+        patch.setattr(reporting_card, "card_html", kept)
         assert compwright(["run", str(job), "--out", str(out)]) == 0
     (card,) = given
     return card

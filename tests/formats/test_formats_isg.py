@@ -260,19 +260,20 @@ def test_both_readers_compare_the_type_of_the_axis_with_its_kind(
     word: str, kind: AxisKind | None
 ) -> None:
     """P-AXIS-00018: 0x0001 ACHSTYP_TRANSLATOR, 0x0002 ACHSTYP_ROTATOR, 0x0004 ACHSTYP_SPINDEL."""
-    lists = {"achsmds1": f"kopf.achs_nr 1\nkenngr.achs_typ {word}\n", "achskw1": EVEN}
+    first = f"kopf.achs_nr 1\nkenngr.achs_typ {word}\n"
+    lists = files(achsmds1=first, achskw1=EVEN)
     for asked in AxisKind:
         axis = replace(X, kind=asked, modulo=None)
         if kind is asked:
-            assert read(axis, **lists).facts_of("1").kind is kind
-            virtual_control(ISG, files(**lists), kinds={"1": asked}, axes_under_work=["1"])
+            assert read(axis, achsmds1=first, achskw1=EVEN).facts_of("1").kind is kind
+            virtual_control(ISG, lists, kinds={"1": asked}, axes_under_work=["1"])
             continue
         with pytest.raises(InputError, match=r"line 2.*achs_typ"):
-            read(axis, **lists)
+            read(axis, achsmds1=first, achskw1=EVEN)
         with pytest.raises(InputError, match=r"line 2.*type of axis 1"):
-            virtual_control(ISG, files(**lists), kinds={"1": asked}, axes_under_work=["1"])
+            virtual_control(ISG, lists, kinds={"1": asked}, axes_under_work=["1"])
     if kind is not None:
-        assert read(**lists).axes["1"].kind is kind
+        assert read(achsmds1=first, achskw1=EVEN).axes["1"].kind is kind
 
 
 def test_what_no_list_says_of_an_axis_is_refused() -> None:

@@ -627,9 +627,9 @@ def options(definition: Definition) -> None:
         ("cec", "available"),
         ("cec_tables", (1, 2)),
     )
-    for name, value in own_options:
-        own = replace(X, options={name: value})
-        assert control.options_of(own)[name] == value
+    for name, chosen_value in own_options:
+        own = replace(X, options={name: chosen_value})
+        assert control.options_of(own)[name] == chosen_value
     assert refused(control_format, definition, {"points": 7.5})
     for system in ("1", "2"):
         two = text_of(EEC, eec_lines("AX1", 1, 0, 100, [0, 0.5, 0], modulo=False))

@@ -16,7 +16,7 @@ import jinja2.nodes
 import pytest
 from test_house import trees
 
-from compwright.formats.definition.schema import Definition
+from compwright.formats.definition.schema import CardRule, Definition, LookRule
 from compwright.words.sentences import (
     Language,
     catalogue,
@@ -139,9 +139,10 @@ def texts_of_controls() -> frozenset[str]:
 def _texts_of(definition: Definition) -> set[str]:
     steps = (*definition.card, *definition.restore)
     looks = [rule for rules in definition.look_at.values() for rule in rules]
+    shown: list[CardRule | LookRule] = [*steps, *looks]
     typed = {getattr(rule, "typed", "") or "" for rule in definition.bindings.values()}
     return {
-        *(text.strip() and text for one in (*steps, *looks) for text in (one.text, one.two_curves)),
+        *(text.strip() and text for one in shown for text in (one.text, one.two_curves)),
         *(step.title for step in steps),
         definition.diameter.card,
         definition.between_axes.instead or "",

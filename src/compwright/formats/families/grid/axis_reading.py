@@ -78,9 +78,15 @@ class GridAxisReader:
         options = control.options_of(source.axis)
         system = self._measuring_system(options)
         self.system = None if system is None else int(system) + 1
-        self.label = control_text("axis {address}", address=self.address)
-        if system is not None:
-            self.label += f", measuring system {self.system}"
+        self.label = (
+            control_text("axis {address}", address=self.address)
+            if system is None
+            else control_text(
+                "axis {address}, measuring system {system}",
+                address=self.address,
+                system=str(self.system),
+            )
+        )
         self.rows = (
             gathered.rows.get((self.address, system), []) if source.rows is None else source.rows
         )

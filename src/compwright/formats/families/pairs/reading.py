@@ -216,7 +216,7 @@ class CecReader(SingleValues):
         """Return the limit of the sum by output axis."""
         sums: dict[str, float] = {}
         for (address, _), places in self.gathered.singles.items():
-            label = control_text("axis {address}", address=address)
+            label = control_text("axis {address}", address=str(address))
             found = self.values(label).one("cross_max_sum", places.get("cross_max_sum", ()))
             if address is not None and found is not None:
                 sums[address] = float(found.text) * self.units.basic(address)

@@ -296,6 +296,7 @@ TEXTS: Final[dict[str, str]] = {
     ),
     "At most 256 points.": "Au plus 256 points.",
     "axis {address}": "axe {address}",
+    "axis {address}, measuring system {system}": "axe {address}, système de mesure {system}",
     "axis {name}: curve for travel in -": "axe {name} : courbe pour la course en -",
     "none: no table of the axis with a column BACKLASH was given": (
         "aucune : pas de table de l'axe avec une colonne BACKLASH"

@@ -295,6 +295,7 @@ TEXTS: Final[dict[str, str]] = {
     ),
     "At most 256 points.": "Höchstens 256 Punkte.",
     "axis {address}": "Achse {address}",
+    "axis {address}, measuring system {system}": "Achse {address}, Messsystem {system}",
     "axis {name}: curve for travel in -": "Achse {name}: Kurve für die Fahrt in -",
     "none: no table of the axis with a column BACKLASH was given": (
         "keine: Eine Tabelle der Achse mit einer Spalte BACKLASH war nicht angegeben"

@@ -282,6 +282,7 @@ TEXTS: Final[dict[str, str]] = {
     ),
     "At most 256 points.": "Не более 256 точек.",
     "axis {address}": "ось {address}",
+    "axis {address}, measuring system {system}": "ось {address}, измерительная система {system}",
     "axis {name}: curve for travel in -": "ось {name}: кривая для хода в -",
     "none: no table of the axis with a column BACKLASH was given": (
         "нет: таблица оси со столбцом BACKLASH не дана"
