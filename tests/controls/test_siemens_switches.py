@@ -174,6 +174,32 @@ def test_the_card_of_a_table_between_axes_names_our_table_alone_and_checks_its_s
     assert not re.search(r"\. [a-z]", " ".join(text.values()))
 
 
+def test_a_table_between_axes_is_loaded_only_after_its_sign_check(tmp_path: Path) -> None:
+    """Not among the files of the axis that has a pair of its own, whose step comes first."""
+    rows = [
+        f"{x},{way},{run},{0.03 * x + 1.5 * (way == '-') * (1 + x / 600) + 0.3 * (run - 2)}"
+        for run in (1, 2, 3, 4, 5)
+        for way in "+-"
+        for x in range(-590, 0, 58)
+    ]
+    head = "# axis: X\ntarget_mm,direction,run,deviation_um\n"
+    (tmp_path / "x.csv").write_text(head + "\n".join(rows) + "\n", encoding="utf-8")
+    (tmp_path / "job.yaml").write_text(
+        "compwright: 1\ncontroller: {format: siemens-840d-sl, options: {cec: available,"
+        " cec_tables: [3, 4, 5], cec_sign: correction}}\nstates: {as_found: none}\naxes:\n"
+        "  X: {travel: [-600, 0], address: AX1, before: [x.csv], table: {mode: bidirectional}}\n"
+        "  Y: {travel: [-400, 0], address: AX2, before: []}\ncross:\n"
+        "  - {input: X, output: Y, positions: [-500, -250, 0], deviations: [-15, -7.5, 0],"
+        " unit: um}\n",
+        encoding="utf-8",
+    )
+    with redirect_stdout(io.StringIO()):
+        compwright(["run", str(tmp_path / "job.yaml"), "--out", str(tmp_path / "out")])
+    card = (tmp_path / "out" / "card" / "card.md").read_text(encoding="utf-8")
+    steps = [title for title, said in re.findall(r"\*\*(.+?)\*\*\n(.+)", card) if "_CROSS" in said]
+    assert steps == ["Y over X: check the sign", "Y over X: load"]
+
+
 def test_that_no_file_holds_a_table_is_said_of_its_axis_alone() -> None:
     """Of the axis, not of its measuring system: a doubt about one axis leaves others decided."""
     given = [ControlFile("MD.INI", b"$MA_BACKLASH[0,AX1]=0\n$MA_BACKLASH[0,AX3]=0\nM17\n")]

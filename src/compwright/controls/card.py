@@ -221,10 +221,13 @@ def unconfirmed_diameters(control: Control, axes: Sequence[Axis]) -> list[str]:
 
 
 def step_documents(
-    control: Control, written: Mapping[str, AxisWork], loaded: DecodedState
-) -> list[dict[str, Any]]:
-    """Return the steps in the order of the definition; what is the same for all axes stands
-    once.
+    control: Control,
+    written: Mapping[str, AxisWork],
+    loaded: DecodedState,
+    between: Sequence[Mapping[str, Any]],
+) -> list[Mapping[str, Any]]:
+    """Return the steps in the order of the definition, then those of tables ``between`` axes; what
+    is the same for all axes is there once.
     """
     tells = any("{gantry}" in rule.text for rule in control.definition.card)
     steps = [
@@ -241,7 +244,7 @@ def step_documents(
         if axis.gantry is not None and not tells
     ]
     steps += _plain(card_steps_of_all(control.definition, _with_values(control, written, loaded)))
-    return _with_all_files(steps, loaded.files)
+    return [*_with_all_files(steps, between, loaded.files), *between]
 
 
 def restore_steps(
@@ -285,10 +288,12 @@ def _plain(steps: Sequence[CardStep]) -> list[dict[str, Any]]:
 
 
 def _with_all_files(
-    steps: list[dict[str, Any]], files: Sequence[ControlFile]
+    steps: list[dict[str, Any]],
+    between: Sequence[Mapping[str, Any]],
+    files: Sequence[ControlFile],
 ) -> list[dict[str, Any]]:
     """Return the steps, those files named in that of loading that no step names."""
-    named = " ".join(f"{step['text']} {step['rows']}" for step in steps)
+    named = " ".join(f"{step['text']} {step.get('rows')}" for step in (*steps, *between))
     left = [file.name for file in files if file.name not in named]
     loading = next((step for step in steps if step["title"].startswith(("Load", "Enter"))), None)
     if left and loading is not None:

@@ -45,12 +45,14 @@ def card_document(
     *,
     entered: Sequence[ControlFile],
     back: Sequence[ControlFile],
+    between: Sequence[Mapping[str, Any]],
     harmful: Sequence[str],
 ) -> dict[str, Any]:
     """Return the card of a run as plain data, values in µm or arcsec.
 
     ``entered``: the control's own files as patched, and new ones; ``back``: small files that bring
-    the old values back; ``harmful``: what some of the files do without the others.
+    the old values back; ``between``: the steps of tables between axes; ``harmful``: what some of
+    the files do without the others.
     """
     written = {name: work for name, work in works.items() if work.planned.fitted is not None}
     facts = assumed_documents(assumed)
@@ -70,7 +72,7 @@ def card_document(
         ],
         "steps": [
             *_in_one_step(harmful),
-            *(step_documents(control, written, loaded) if loaded else ()),
+            *(step_documents(control, written, loaded, between) if loaded else between),
         ],
         "changes": changes_document(control, old.files, entered),
         "unconfirmed": [

@@ -114,11 +114,11 @@ def _card(finished: Finished, prediction: Mapping[str, Any]) -> Mapping[str, Any
         finished.assumed,
         entered=written.entered,
         back=written.back,
+        between=written.cross.steps,
         harmful=_harmful(finished),
     )
     return {
         **card,
-        "steps": [*card["steps"], *written.cross.steps],
         "doubts": prediction["doubts"],
         "acknowledged": prediction["acknowledged"],
         "limits": prediction["axes"],

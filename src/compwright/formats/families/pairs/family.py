@@ -249,18 +249,20 @@ class PairsFamily(GridFamily):
             return super().between(request)
         return pairs_between(self, request, small=self._small_files(request.found))
 
-    def _named_files(self, axis: Axis, files: Sequence[ControlFile]) -> dict[str, str]:
+    def _named_files(self, request: CardRequest) -> dict[str, str]:
         """Return the names of the files on the card: of one table on an axis, and of those over
         itself that it empties; of a pair one table may be in a new file, the other in the control's
         own.
         """
+        axis, files = request.axis, request.files
         names, written = named_files(self, axis, files), [file.name for file in files]
         table, emptied = names.get("file_1", ""), names.get("file_3", "")
         if table in written and emptied in written:
             names["file_1"] = and_joined([emptied, table])
         fresh = numbered_files(self.definition, replace(axis, address=self.address(axis)[0]))
         if fresh["file_3"] in written:
-            indices = "|".join(map(str, allowed_tables(self.definition, self.options_of(axis))))
+            allowed = allowed_tables(self.definition, self.options_of(axis))
+            indices = "|".join(map(str, request.facts.pairs.own or allowed))
             row = re.compile(rb"\$AN_CEC\s*\[\s*(?:%b)\s*," % indices.encode())
             own = [file for file in files if indices and file.name not in fresh.values()]
             with_rows = [file for file in own if row.search(file.content)]
@@ -301,7 +303,7 @@ class PairsFamily(GridFamily):
     def card(self, request: CardRequest) -> AxisCard:
         """See `Family.card`."""
         axis, compensation = request.axis, request.table
-        values = {**super().card(request).values, **self._named_files(axis, request.files)}
+        values = {**super().card(request).values, **self._named_files(request)}
         if axis.gantry is None and request.facts.stated.get("gantry_type") == 0:
             values["gantry"] = control_text("No gantry: MD37100 = 0 in the control's files.")
         if not np.array_equal(compensation.positive, compensation.negative):
