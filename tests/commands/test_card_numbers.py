@@ -5,6 +5,7 @@ positions, compared with the bytes in ``tables/`` (and the entry sheet) by regul
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Mapping
 from pathlib import Path
@@ -14,6 +15,7 @@ import pytest
 from test_fanuc_backup_honoured import Bench
 
 from compwright.cli import run as compwright
+from compwright.records.axis import FloatArray
 from places import PROJECT
 
 pytestmark = pytest.mark.brief
@@ -220,3 +222,129 @@ def test_a_reading_stops_where_the_scatter_of_the_instrument_gives_it_no_more(jo
     assert len(rows) == 6
     for stop in map(float, rows):
         assert 0.75 * 5 * 0.2 * np.sqrt(2) < stop < 1.25 * 5 * 0.2 * np.sqrt(3)
+
+
+#: Format and axis of an example, what ``decode`` needs besides.
+EXAMPLES = {
+    "example fanuc-backup": ("fanuc-30i", "1", ["--option", "detection_unit=0.001"]),
+    "example sinumerik-old-table": ("siemens-840d-sl", "MA_Y", []),
+}
+
+
+def rows_below(text: str, heading: str) -> list[list[str]]:
+    """The cells of the table below a heading, minus signs as a computer reads them."""
+    block = re.split(r"\n#+ ", text.split(heading, 1)[1])[0].replace("\N{MINUS SIGN}", "-")
+    lines = [line for line in block.splitlines() if line.startswith("|")]
+    return [[cell.strip() for cell in line.strip("|").split("|")] for line in lines[2:]]
+
+
+def equals(printed: str, value: float) -> None:
+    """A printed number is that value, within half of its last digit."""
+    digits = len(printed.partition(".")[2])
+    assert float(printed) == pytest.approx(value, abs=0.5001 * 10**-digits), (printed, value)
+
+
+class Example:
+    """Card, documents and read-back files of an example."""
+
+    def __init__(self, name: str, folder: Path) -> None:
+        self.job, self.folder = run_example(name.split()[1], folder), folder
+        self.format, self.address, self.options = EXAMPLES[name]
+        text = (self.job / "card" / "card.md").read_text(encoding="utf-8")
+        self.text = re.sub(r"\\(.)", r"\1", text)
+        prediction, plan = (
+            json.loads((self.job / f"{which}.json").read_text("utf-8"))
+            for which in ("prediction", "plan")
+        )
+        ((self.axis, self.predicted),) = prediction["axes"].items()
+        self.plan = plan["axes"][self.axis]
+
+    def files(self, which: str) -> list[Path]:
+        every = sorted((self.job / which / self.format).iterdir())
+        return [path for path in every if not path.name.startswith("BACK_")]
+
+    def decoded(self, which: str, at: list[float] | None = None) -> dict[str, FloatArray]:
+        answer = self.folder / "decoded.json"
+        words = ["decode", *map(str, self.files(which)), "--format", self.format, *self.options]
+        words += ["--axis", self.address, "--json", str(answer), "--force"]
+        words += [] if at is None else ["--at=" + ",".join(map(str, at))]
+        assert compwright(words) == 0
+        axis = json.loads(answer.read_text("utf-8"))["axes"][self.address]
+        return {key: np.array(value) for key, value in axis.items() if key != "unit"}
+
+
+@pytest.fixture(scope="module", params=EXAMPLES)
+def example(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Example:
+    return Example(request.param, tmp_path_factory.mktemp("example"))
+
+
+def test_old_and_new_values_are_those_of_the_files_read_back(example: Example) -> None:
+    rows = {row[1]: row[2:] for row in rows_below(example.text, "### Values that change")}
+    assert len(rows) == 4
+    for column, which in enumerate(("rollback", "tables")):
+        axis = example.decoded(which)
+        plus = axis["correction_positive"]
+        number = re.compile(r"-?\d+(?:\.\d+)?")
+        points, spanned, added, backlash = (cells[column] for cells in rows.values())
+        equals(points, plus.size)
+        for cell, values in ((spanned, axis["positions"]), (added, plus)):
+            low, high = number.findall(cell)
+            equals(low, values.min())
+            equals(high, values.max())
+        (reversal,) = re.findall(r"\((-?[\d.]+) µm\)", backlash)
+        equals(reversal, float((plus - axis["correction_negative"]).mean()))
+
+
+def test_each_entry_is_that_of_the_files_with_its_count(example: Example) -> None:
+    rows = rows_below(example.text, "## Old to new")
+    old, new = (
+        [line for path in example.files(which) for line in path.read_text().splitlines()]
+        for which in ("rollback", "tables")
+    )
+    for entry, *values in rows:
+        head, axis = re.fullmatch(r"(.*?)(A\d)?", entry).groups()  # type: ignore[union-attr]
+        between = "=" if "$" in entry else rf"(?=[AP]).*?{axis or ''}[PM]"
+        for lines, value in zip((old, new), values, strict=True):
+            found = re.findall(re.escape(head) + between + r"(-?[\d.]+)", "\n".join(lines))
+            assert found == [value], entry
+    changed, same = re.findall(r"(\d+) entries change; (\d+) lines", example.text)[0]
+    assert int(changed) == len(rows) == sum(a != b for a, b in zip(old, new, strict=True))
+    assert int(same) == sum(a == b for a, b in zip(old, new, strict=True))
+
+
+def test_limits_are_those_of_the_prediction(example: Example) -> None:
+    (line,) = re.findall(rf"Axis {example.axis}: (A .*)\.$", example.text, re.MULTILINE)
+    shown = re.findall(r"(\w+) ([\d.]+) µm: (\w+)", line)
+    expected = [
+        (name, f"{one['limit']:g}", one["decision"])
+        for name, one in example.predicted["accept"].items()
+    ]
+    assert shown == expected
+
+
+def test_the_quick_check_is_that_of_the_files_and_of_the_plan(example: Example) -> None:
+    """Expected deviation: what the files add, less the correction that the plan wants, from the
+    first row on.
+    """
+    rows = rows_below(example.text, "### Check positions")
+    at = [float(row[0]) for row in rows]
+    axis, wanted = example.decoded("tables", at), example.plan["wanted"]
+    rest = []
+    for number, row in enumerate(rows):
+        way = {"+": "positive", "-": "negative"}[row[1]]
+        adds = axis[f"correction_{way}"][number]
+        equals(row[2], adds)
+        rest.append(adds - 1000 * np.interp(at[number], wanted["positions"], wanted[way]))
+        assert float(row[4]) == pytest.approx(rest[-1] - rest[0], abs=0.02), row
+        noise = 1000 * example.plan["estimate"]["noise"]
+        assert 5 * np.sqrt(2) * noise < float(row[5])
+
+
+def test_fixed_positions_move_by_the_difference_of_the_files(example: Example) -> None:
+    ((name, at, moves),) = rows_below(example.text, "### Fixed positions that move")
+    assert (name, float(at)) == ("tool_change", -300)
+    old, new = (
+        example.decoded(which, [float(at)])["correction_positive"][0]
+        for which in ("rollback", "tables")
+    )
+    equals(moves, new - old)
