@@ -105,6 +105,39 @@ def test_no_name_of_a_key_is_on_the_page() -> None:
     assert named_in_words("my_file.b5r", AXES) == "my_file.b5r"
 
 
+#: Rows of the results and their three columns, rows of the causes.
+_PARAMETERS = {
+    "Circular deviation, minimum zone": ("G_ccw", "G_cw", "G_bidirectional"),
+    "by the least-squares circle": ("G_ccw_lsc", "G_cw_lsc", "G_bidirectional_lsc"),
+    "Radial deviation, largest": ("F_max_ccw", "F_max_cw"),
+    "Radial deviation, smallest": ("F_min_ccw", "F_min_cw"),
+    "Mean radial deviation": ("none", "none", "D"),
+}
+_CAUSES = {
+    "squareness": "Squareness {0}{1}",
+    "scale_mismatch": "Scale mismatch {0} − {1}",
+    "servo_mismatch": "Servo mismatch {0} − {1}",
+    "radius_change": "Radius change ccw − cw",
+    "backlash_first": "Lost motion {0}",
+    "backlash_second": "Lost motion {1}",
+    "lateral_play_first": "Lateral play {0}",
+    "lateral_play_second": "Lateral play {1}",
+    "reversal_spike_first": "Reversal spike {0}",
+    "reversal_spike_second": "Reversal spike {1}",
+    "cyclic_first": "Cyclic error {0}",
+    "straightness_first": "Straightness {0}",
+    "straightness_second": "Straightness {1}",
+    "offset_change_first": "Centre change {0}, ccw − cw",
+    "offset_change_second": "Centre change {1}, ccw − cw",
+}
+
+
+def _equals(printed: str, value: float) -> bool:
+    """Whether a printed number is that value, within half of its last digit."""
+    digits = len(printed.partition(".")[2])
+    return abs(float(printed.replace("−", "-")) - value) < 0.5001 * 10**-digits
+
+
 @needs_shared
 @pytest.mark.parametrize("path", sorted(BALLBARS.glob("*.b5r")), ids=lambda path: path.stem)
 def test_pages_of_real_files(path: Path, tmp_path: Path) -> None:
@@ -123,14 +156,19 @@ def test_pages_of_real_files(path: Path, tmp_path: Path) -> None:
     assert [key for key in keys if "_" in key and key in text] == []
     rows = [[" ".join("".join(cell.itertext()).split()) for cell in row] for row in body.iter("tr")]
     cells = {row[0]: row for row in rows if row}
-    for key, column in (("G_ccw", 2), ("G_cw", 3), ("G_bidirectional", 4)):
-        if result["parameters"].get(key) is not None:
-            shown = cells["Circular deviation, minimum zone"][column]
-            assert shown == f"{result['parameters'][key]:.2f}"
-    entry = result["diagnosis"]["squareness"]
+    for label, keys in _PARAMETERS.items():
+        for shown, key in zip(cells.get(label, ())[2:5], keys, strict=False):
+            value = result["parameters"].get(key)
+            assert (shown == "") == (value is None), (label, key)
+            assert not shown or _equals(shown, value), (label, key)
+    for key, label in _CAUSES.items():
+        entry, row = result["diagnosis"].get(key), cells.get(label.format(*result["axes"]))
+        if row is not None:
+            value, error = row[3].split(" ± ")
+            shown = dict(zip(("effect", "value", "std_error"), (row[1], value, error), strict=True))
+            assert all(_equals(text, entry[name]) for name, text in shown.items()), key
+            assert _equals(row[2], 100 * entry["share"]), key
     row = cells[f"Squareness {''.join(result['axes'])}"]
-    assert row[3] == f"{entry['value']:.1f} ± {entry['std_error']:.1f}".replace("-", "−")
-    assert row[2] == f"{100 * entry['share']:.0f}"
     block = next(b for title, b in result["vendor"].items() if title.startswith("RENISHAW_DIAG"))
     theirs = block["AF_SQUARENESS"]["value"]
     assert row[5].strip("()") == f"{theirs:.1f}".replace("-", "−")
