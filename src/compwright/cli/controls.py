@@ -216,7 +216,7 @@ def diff(
 
 
 @compwright.group(
-    examples=("compwright formats list", "compwright formats show fanuc-30i"),
+    examples=("compwright formats list", "compwright formats show 840d-sl"),
     page="docs/controls.md, docs/formats.md",
 )
 def formats() -> None:
