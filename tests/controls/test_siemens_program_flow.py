@@ -435,6 +435,7 @@ POSSIBLE = {
     "changed first": "R50=1\nR51=R50\nR50=0\nIF R51==1\n{}ENDIF\n",
     "negative": "R1=1\nR2=-R1\nIF R2<>-1 GOTOF ENDE\n{}ENDE:\n",
     "half": "R50=1/2\nIF R50==0\n{}ENDIF\n",
+    "rounded case": "R1=1.5\nCASE R1 OF 2 GOTOF L1 DEFAULT GOTOF ENDE\nL1:\n{}ENDE:\n",
     "operator": "R50=0\nM0\nR51=R50\nIF R51==1\n{}ENDIF\n",
     "case": "R50=2\nCASE R50 OF 1 GOTOF ENDE DEFAULT GOTOF LADEN\nLADEN:\n{}ENDE:\n",
     "case without the number": "R50=2\nCASE R50 OF 1 GOTOF ENDE 3 GOTOF ENDE\n{}ENDE:\n",
@@ -463,6 +464,29 @@ def test_yes_is_refused_where_the_numbers_of_the_program_contradict_it(
 @pytest.mark.parametrize("kind", POSSIBLE)
 def test_yes_is_taken_where_the_numbers_of_the_program_allow_it(kind: str, read: Reader) -> None:
     read(whole(POSSIBLE[kind]), True)
+
+
+@pytest.mark.parametrize("read", READERS)
+@pytest.mark.parametrize(
+    "form",
+    [
+        f"IF R1{'+1' * 1200}==3\n",
+        f"IF R1=={'-' * 1200}3\n",
+        f"IF {'NOT ' * 1200}R1\n",
+        f"IF {' OR '.join(['(R1==2)'] * 1200)}\n",
+    ],
+    ids=["sum", "signs", "negations", "alternatives"],
+)
+def test_a_condition_of_thousands_of_words_is_not_worked_out(form: str, read: Reader) -> None:
+    text = whole(f"R1=1\n{form}{{}}ENDIF\n")
+    with pytest.raises(UsageError):
+        read(text, None)
+    read(text, True)
+
+
+def test_a_superscript_is_no_number_of_a_parameter() -> None:
+    text = whole("R[\u00b2]=1\nIF R1==1\n{}ENDIF\n")
+    judged(ControlFile("LOAD.MPF", text.encode("latin-1")))
 
 
 def _sum_of(rng: np.random.Generator, depth: int = 0) -> str:

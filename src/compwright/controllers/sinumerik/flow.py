@@ -206,7 +206,7 @@ def _assigned(words: Sequence[str]) -> dict[str, Words | None]:
     if words[0] in _QUIET or "=" not in words:
         return {}
     at = words.index("=")
-    field_of_r = words[0] == "R" and at == 4 and words[2].isdigit()
+    field_of_r = words[0] == "R" and at == 4 and words[2].isdecimal()
     name = f"R{int(words[2])}" if field_of_r else words[0] if at == 1 else EVERYTHING
     return {name: None if name == EVERYTHING else _value(words[at + 1 :])}
 

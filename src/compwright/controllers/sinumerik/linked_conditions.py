@@ -21,6 +21,9 @@ _LOGIC = frozenset({"AND", "OR", "XOR", "NOT", "DIV", "MOD", "TRUE", "FALSE"})
 #: What calculates, the lower rank later.
 _RANKS = {"+": 0, "-": 0, "*": 1, "/": 1, "DIV": 1, "MOD": 1}
 
+#: A block has 512 characters at most.
+_MOST_WORDS = 256
+
 Words = tuple[str, ...]
 
 
@@ -71,8 +74,10 @@ class Cases:
 
 
 def question_of(words: Words) -> Question | None:
-    """Return the question in the words of a condition, `_question_of` with them."""
-    found = _question_of(words)
+    """Return the question in the words of a condition, `_question_of` with them; None for more
+    words than `_MOST_WORDS`, whose recursion would be too deep.
+    """
+    found = _question_of(words) if len(words) <= _MOST_WORDS else None
     return None if found is None else replace(found, words=words)
 
 
@@ -203,7 +208,9 @@ def _open_ways(
         return every
     if isinstance(fork, Cases):
         number = _result(fork.words, _single(values))
-        return every if number is None else fork.by_number.get(number, fork.other)
+        if number is None or number % 1.0:  # a CASE rounds: how is in no page
+            return every
+        return fork.by_number.get(number, fork.other)
     if len(fork.question.what) == 1 and fork.question.what[0] in fork.question.variables:
         answers = {
             None if value is None else fork.question.answer(value)

@@ -30,6 +30,8 @@ _PRODUCTS = re.compile(r"(?P<left>.*[\w).])\s*(?P<sign>[*/]|\bDIV\b|\bMOD\b)\s*(
 _JOINT = re.compile(r"\b(?:AND|OR|XOR)\b")
 _PLAIN_NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)")
 _OPERATORS = frozenset({"AND", "OR", "XOR", "NOT", "DIV", "MOD", "TRUE", "FALSE"})
+#: Longer expressions are not calculated: each operator is a call inside another.
+_LONGEST = 250
 _CALL = re.compile(r"([A-Z_]\w*)\(")
 _TRUTH = {"TRUE": 1.0, "FALSE": 0.0}
 _RELATIONS: Mapping[str, Callable[[float, float], bool]] = {
@@ -88,13 +90,17 @@ class Case:
     def continues(self, values: Mapping[str, float]) -> frozenset[int] | None:
         """Return where it continues with these values; None if they do not decide it."""
         value = value_of(self.text, values)
-        return None if value is None else self.by_number.get(value, self.other)
+        if value is None or value % 1.0 != 0.0:  # rounded, by a rule that is not confirmed
+            return None
+        return self.by_number.get(value, self.other)
 
 
 def expression_of(text: str) -> str | None:
     """Return an expression without blanks that do not matter; None if its value may change from
-    line to line.
+    line to line, or if it is long.
     """
+    if len(text) > _LONGEST:
+        return None
     text = re.sub(r"\s+", " ", text.upper().strip())
     text = re.sub(r"\bR0+(?=\d)", "R", _bare(re.sub(r" (?=\W)|(?<=\W) ", "", text)))
     calls = set(_CALL.findall(text)) - _OPERATORS
