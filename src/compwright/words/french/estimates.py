@@ -148,9 +148,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-E022.all": (
         "{pattern:choose|traverses=Les parcours sont décalés les uns par rapport aux"
-        " autres|runs=Les passages sont décalés en bloc les uns par rapport aux autres|walk=Le zéro"
-        " se promène d'un parcours à l'autre|wave=Les mesures montent et descendent lentement dans"
-        " le temps} de {size}{pattern:choose|walk= par pas|=} (un écart-type ; {odds}){where:if|,"
+        " autres|runs=Les allers-retours sont décalés en bloc les uns par rapport aux"
+        " autres|walk=Le zéro se promène d'un parcours à l'autre|wave=Les mesures montent et"
+        " descendent lentement dans le temps} de {size}{pattern:choose|walk= par pas|=} (un écart-type ; {odds}){where:if|,"
         " {where:and}} : {pattern:choose|wave=regarder l'air du hall (chauffage, refroidissement,"
         " courants d'air, soleil)|=regarder la mise en température, le bridage, les prises de"
         " référence et la fixation de l'instrument entre les parcours}. La prévision tire de"
@@ -163,9 +163,9 @@ SENTENCES: Final[dict[str, str]] = {
         " deux"
     ),
     "CW-E022.seldom": (
-        "{pattern:choose|traverses=Quelques parcours s'écartent des autres|runs=Quelques passages"
-        " s'écartent en bloc des autres|walk=Le zéro saute de temps en temps et reste là,} de"
-        " {size} (un écart-type ; {odds}){where:if|, {where:and}} : regarder la mise en"
+        "{pattern:choose|traverses=Quelques parcours s'écartent des autres|runs=Quelques"
+        " allers-retours s'écartent en bloc des autres|walk=Le zéro saute de temps en temps et reste"
+        " là,} de {size} (un écart-type ; {odds}){where:if|, {where:and}} : regarder la mise en"
         " température, le bridage, les prises de référence et la fixation de l'instrument entre les"
         " parcours. La prévision tire de nouveau de tels décalages, aussi rarement"
     ),

@@ -36,12 +36,12 @@ SENTENCES: Final[dict[str, str]] = {
     "budget.device": "Instrument de mesure (certificat)",
     "budget.distribution": (
         "{distribution:choose|normal=loi normale, k = 2|rectangular=loi rectangulaire, √12} ;"
-        " {per:choose|length=sur la longueur|test=par essai|reading=par lecture}"
+        " {per:choose|length=sur la longueur|test=par essai|reading=par mesure}"
     ),
     "budget.expanded": "Incertitude étendue, k = {k}",
     "budget.misalignment_mm": "Défaut d'alignement de la ligne de mesure",
     "budget.note": (
-        "Composantes selon l'ISO 230-2:2006, annexe A. La somme vaut pour une lecture en bout de"
+        "Composantes selon l'ISO 230-2:2006, annexe A. La somme vaut pour une mesure en bout de"
         " course. Elle n'est pas égale à U de chaque paramètre (ci-dessus) : là, les mêmes lois"
         " sont propagées par la définition du paramètre (JCGM 101). Toutes les valeurs viennent du"
         " dossier de travail ; une valeur absente compte pour 0. Aucune ne vient de l'exemple de la"

@@ -114,11 +114,11 @@ SENTENCES: Final[dict[str, str]] = {
         "non active : rien n'était actif dans la commande (dossier de travail, states.{state})"
     ),
     "given.estimator": (
-        "s : {spread:choose|std=écart-type, n − 1|range=étendue des lectures} ; limites à ±"
+        "s : {spread:choose|std=écart-type, n − 1|range=étendue des mesures} ; limites à ±"
         " {coverage} s ; sans lissage"
     ),
     "given.expansion": (
-        "appliquée par compwright : lectures ramenées à 20 °C,"
+        "appliquée par compwright : mesures ramenées à 20 °C,"
         " {what:choose|scale=règle|workpiece=pièce} {alpha_m} µm/(m K) à {T_m} °C, instrument"
         " {alpha_d} µm/(m K) à {T_d} °C, point fixe {x_fix} mm"
     ),
@@ -196,7 +196,7 @@ SENTENCES: Final[dict[str, str]] = {
         " mesure cités."
     ),
     "report.acknowledged": "Doutes pris en compte",
-    "report.annex_a": "Annexe A : points visés et lectures brutes",
+    "report.annex_a": "Annexe A : points visés et mesures brutes",
     "report.annex_b": "Annexe B : origine des données",
     "report.axis": "Axe {axis:if|{axis}|non nommé}{name:if|, {name}}",
     "report.both": "les deux",
@@ -240,10 +240,10 @@ SENTENCES: Final[dict[str, str]] = {
     "report.provenance": (
         "Évalué par compwright {version}.{command:if| Cette commande refait le rapport :}"
     ),
-    "report.readings": "Lectures",
-    "report.readings_air": "Lectures corrigées de l'effet de l'air sur la lumière",
-    "report.readings_measured": "Lectures telles que mesurées",
-    "report.readings_reduced": "Lectures ramenées à 20 °C",
+    "report.readings": "Mesures",
+    "report.readings_air": "Mesures corrigées de l'effet de l'air sur la lumière",
+    "report.readings_measured": "Mesures non corrigées",
+    "report.readings_reduced": "Mesures ramenées à 20 °C",
     "report.results": "Résultats",
     "report.see_tests": "voir les pages des essais",
     "report.sign_checked": "Vérifié par",
@@ -326,7 +326,7 @@ SENTENCES: Final[dict[str, str]] = {
     "run.periods": "Axe {axis} : périodes de l'erreur",
     "run.points": "Table en chiffres : {count:plural|{count} point|{count} points}",
     "run.provenance": "Origine des données",
-    "run.raw_readings": "Lectures brutes",
+    "run.raw_readings": "Mesures brutes",
     "run.refusal": "Axe {axis} : {reason}.",
     "run.single": "Une courbe et une valeur de réversibilité",
     "run.state": "Axe {axis} : état de la commande pris en compte",

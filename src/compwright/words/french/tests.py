@@ -225,7 +225,7 @@ SENTENCES: Final[dict[str, str]] = {
         " lecture de l'axe au repos, au moins dix fois, aussi longtemps que dure un essai."
     ),
     "CW-T027.coarse": (
-        "jusqu'à {minutes:g} min séparent deux lectures : ce qui va et vient est manqué"
+        "jusqu'à {minutes:g} min séparent deux mesures : ce qui va et vient est manqué"
     ),
     "CW-T027.short": (
         "il dure {minutes:g} min, et {test:if|un essai de positionnement du dossier de travail dure"

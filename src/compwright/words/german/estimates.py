@@ -151,32 +151,32 @@ SENTENCES: Final[dict[str, str]] = {
         " sehen"
     ),
     "CW-E022.all": (
-        "{pattern:choose|traverses=Durchläufe sind gegeneinander verschoben|runs=Läufe sind als"
-        " Ganzes gegeneinander verschoben|walk=Der Nullpunkt wandert von Durchlauf zu"
-        " Durchlauf|wave=Die Messwerte steigen und fallen langsam mit der Zeit} um"
+        "{pattern:choose|traverses=Läufe sind gegeneinander verschoben|runs=Läufe sind samt"
+        " Rückweg gegeneinander verschoben|walk=Der Nullpunkt wandert von Lauf zu"
+        " Lauf|wave=Die Messwerte steigen und fallen langsam mit der Zeit} um"
         " {size}{pattern:choose|traverses=|runs=|wave=|walk= je Schritt} (eine Standardabweichung;"
         " {odds}){where:if|, {where:and}}: {pattern:choose|traverses=Warmlaufen, Klemmung,"
-        " Referenzfahrten und Befestigung des Messgeräts zwischen den Durchläufen"
+        " Referenzfahrten und Befestigung des Messgeräts zwischen den Läufen"
         " ansehen|runs=Warmlaufen, Klemmung, Referenzfahrten und Befestigung des Messgeräts"
-        " zwischen den Durchläufen ansehen|walk=Warmlaufen, Klemmung, Referenzfahrten und"
-        " Befestigung des Messgeräts zwischen den Durchläufen ansehen|wave=die Luft der Halle"
+        " zwischen den Läufen ansehen|walk=Warmlaufen, Klemmung, Referenzfahrten und"
+        " Befestigung des Messgeräts zwischen den Läufen ansehen|wave=die Luft der Halle"
         " ansehen (Heizung, Kühlung, Zugluft, Sonne)}. Die Vorhersage zieht solche"
         " {pattern:choose|wave=Wellen|=Verschiebungen} neu"
     ),
     "CW-E022.either": (
-        "Die Durchläufe bewegen sich gegeneinander ({odds}); ob sie driften oder springen, zeigen"
+        "Die Läufe bewegen sich gegeneinander ({odds}); ob sie driften oder springen, zeigen"
         " diese Messwerte nicht: Warmlaufen, Klemmung, Referenzfahrten und Befestigung des"
-        " Messgeräts zwischen den Durchläufen ansehen. Die Vorhersage rechnet mit beidem"
+        " Messgeräts zwischen den Läufen ansehen. Die Vorhersage rechnet mit beidem"
     ),
     "CW-E022.seldom": (
-        "{pattern:choose|traverses=Einzelne Durchläufe weichen von den anderen ab,|runs=Einzelne"
-        " Läufe weichen als Ganzes von den anderen ab,|walk=Der Nullpunkt springt ab und zu und"
+        "{pattern:choose|traverses=Einzelne Läufe weichen von den anderen ab,|runs=Einzelne"
+        " Läufe weichen samt Rückweg von den anderen ab,|walk=Der Nullpunkt springt ab und zu und"
         " bleibt dort,} um {size} (eine Standardabweichung; {odds}){where:if|, {where:and}}:"
         " Warmlaufen, Klemmung, Referenzfahrten und Befestigung des Messgeräts zwischen den"
-        " Durchläufen ansehen. Die Vorhersage zieht solche Verschiebungen neu, ebenso selten"
+        " Läufen ansehen. Die Vorhersage zieht solche Verschiebungen neu, ebenso selten"
     ),
     "CW-E023": (
-        "Der Maßstab ändert sich von Durchlauf zu Durchlauf: Die Enden des Verfahrwegs bewegen sich"
+        "Der Maßstab ändert sich von Lauf zu Lauf: Die Enden des Verfahrwegs bewegen sich"
         " um {tilt} gegen seine Mitte (eine Standardabweichung; {odds}): die Kompensation von Luft"
         " und Temperatur des Messgeräts und Zugluft ansehen"
     ),
@@ -187,7 +187,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-E024.reading": "ihre Ursache suchen (Strahl, Späne, Klemmung)",
     "CW-E024.target": "alle bei {target}, dort Spindel, Führungen und Abdeckungen ansehen",
-    "CW-E024.traverse": "alle in {traverse}, klären, was in diesem Durchlauf geschah",
+    "CW-E024.traverse": "alle in {traverse}, klären, was in diesem Lauf geschah",
     "CW-E025": (
         "Einzelne Messwerte liegen weiter außen, als übliche Streuung erklärt ({odds}): Ferne"
         " Messwerte zählen in der Schätzung weniger, und in einer wiederholten Prüfung werden"

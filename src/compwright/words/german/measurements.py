@@ -17,7 +17,7 @@ SENTENCES: Final[dict[str, str]] = {
         " {unit}. Die Ergebnisse sprechen nicht von ihnen."
     ),
     "CW-R007": (
-        "Es gibt {positive} Durchläufe in Richtung + und {negative} in Richtung −: Einer wurde"
+        "Es gibt {positive} Läufe in Richtung + und {negative} in Richtung −: Einer wurde"
         " nicht gefahren, oder die Datei ist abgeschnitten."
     ),
     "CW-R008": (

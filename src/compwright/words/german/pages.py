@@ -134,7 +134,7 @@ SENTENCES: Final[dict[str, str]] = {
     "limits.cause": (
         "{cause:choose|noise=Messwerte streuen: Dieselbe Position kommt nicht gleich wieder"
         " (Wiederholpräzision)|single outliers=einzelne Ausreißer|shifts between traverses=ganze"
-        " Durchläufe, die verschoben sind|drift=Drift: Die Achse ändert sich während der"
+        " Läufe, die verschoben sind|drift=Drift: Die Achse ändert sich während der"
         " Messung|temperature within its uncertainty=Temperatur: eine Steigung innerhalb dessen,"
         " was der Auftrag als unsicher angibt|error that the test leaves open=Fehler, den die"
         " Prüfung nicht zeigte: zwischen den Zielpositionen und in der Streuung verborgen|steps"

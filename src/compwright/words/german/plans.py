@@ -339,7 +339,7 @@ SENTENCES: Final[dict[str, str]] = {
         " Mechanik (Spiel, Führungen, Lager, Kupplung, Maßstab)|single outliers=einige Messwerte"
         " sind Ausreißer, was keine Tabelle korrigiert: suchen, was die Messung stört"
         " (unterbrochener Strahl, Wartezeit, Schmutz), und neu messen|shifts between"
-        " traverses=ganze Durchläufe sind verschoben, was keine Tabelle korrigiert: prüfen, ob"
+        " traverses=ganze Läufe sind verschoben, was keine Tabelle korrigiert: prüfen, ob"
         " Messgerät, Spindel und Klemmung fest sind, und Spiel suchen, das von Lauf zu Lauf anders"
         " ist|drift=die Achse ändert sich während der Prüfung, was keine Tabelle korrigiert: wie"
         " bei der Arbeit warmfahren, bis sie stabil ist, und neu messen|one table for both"

@@ -6,7 +6,7 @@ from typing import Final
 
 SENTENCES: Final[dict[str, str]] = {
     "CW-C001": (
-        "Jeder Kennwert gehört zu einem Durchlauf (Abschnitte 3.2 und 5); angegeben sind die von"
+        "Jeder Kennwert gehört zu einem Lauf (Abschnitte 3.2 und 5); angegeben sind die von"
         " {first:and}. Andere: {others}."
     ),
     "CW-C001.other": "{direction} Lauf {run}: G {G}",
@@ -133,12 +133,12 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-T010.direction": "in {direction} {fewer} von {targets} Zielpositionen ({at}{more:if| ...})",
     "CW-T011.rows": (
-        "Bis zu {targets} benachbarte Zielpositionen sind in Durchlauf {traverses}{more:if| und"
+        "Bis zu {targets} benachbarte Zielpositionen sind in Lauf {traverses}{more:if| und"
         " {more} weiteren} genau null, während die anderen Messwerte streuen: wahrscheinlich nicht"
         " gemessen und mit Nullen aufgefüllt. Sie gehören zum Ergebnis."
     ),
     "CW-T011.traverse": (
-        "Durchlauf {run} in {direction} ist an allen {targets} Zielpositionen genau null:"
+        "Lauf {run} in {direction} ist an allen {targets} Zielpositionen genau null:"
         " wahrscheinlich nicht gemessen. Er gehört zum Ergebnis; wo die anderen streuen, entstehen"
         " Tabelle und Vorhersage ohne ihn."
     ),
@@ -159,7 +159,7 @@ SENTENCES: Final[dict[str, str]] = {
         " Messwerte: {scatter}).{compared:if| {compared}}"
     ),
     "CW-T013.traverse": (
-        "Durchlauf {run} in {direction} weicht um {off} von den anderen ab (robuste"
+        "Lauf {run} in {direction} weicht um {off} von den anderen ab (robuste"
         " Standardabweichung ihrer Messwerte: {scatter}).{compared:if| {compared}}"
     ),
     "CW-T014.compared": (
