@@ -7,7 +7,9 @@ from __future__ import annotations
 import json
 import re
 import shutil
+from collections.abc import Iterator
 from pathlib import Path
+from string import Formatter
 from typing import Any
 from xml.etree import ElementTree as ET
 
@@ -16,6 +18,7 @@ import pytest
 from compwright.cli import run as compwright
 from compwright.reporting.run_report import run_report
 from compwright.reporting.verify_report import verify_report
+from compwright.words.sentences import catalogue, parts
 from places import PROJECT
 from reporting_samples import run_view, verify_view
 
@@ -124,3 +127,40 @@ def test_an_english_page_has_no_line_about_languages(kind: str) -> None:
     (footer,) = page.iter("footer")
     assert "in English" not in text_of(footer)
     assert page.get("lang") == "en"
+
+
+def fixed_words(template: str) -> Iterator[str]:
+    """Yield the texts of a template between its fields, those inside of its choices too."""
+    for text, _, form, _ in Formatter().parse(template):
+        yield " ".join(text.split()).strip(" .:;,")
+        how, *texts = parts(form or "")
+        if how in ("plural", "if", "choose"):
+            for one in texts:
+                yield from fixed_words(one.partition("=")[2] if how == "choose" else one)
+
+
+def english_on(report: Path) -> list[str]:
+    """The fixed words of 4 words or more of English sentences that are on a page, its figures
+    included.
+    """
+    (body,) = ET.fromstring(report.read_bytes()).iterfind("body")  # noqa: S314  our own page
+    text = " ".join(" ".join(body.itertext()).split())
+    every = {words for template in catalogue("en").values() for words in fixed_words(template)}
+    return sorted(
+        words for words in every if len(re.findall("[A-Za-z]{2,}", words)) >= 4 and words in text
+    )
+
+
+@pytest.mark.parametrize("language", ["en", *LANGUAGES])
+def test_no_english_sentence_of_the_catalogue_is_on_a_translated_report(
+    tmp_path: Path, language: str
+) -> None:
+    """Without an exception; the English page shows that they would be found."""
+    folder = tmp_path / "work"
+    shutil.copytree(PROJECT / "examples" / "sinumerik-old-table", folder)
+    job = folder / "job.yaml"
+    text = job.read_text(encoding="utf-8") + f"report: {{language: {language}}}\n"
+    job.write_text(text, encoding="utf-8")
+    assert compwright(["run", str(job)]) == 0
+    found = english_on(folder / "job" / "report.html")
+    assert len(found) > 50 if language == "en" else found == []

@@ -150,11 +150,12 @@ SENTENCES: Final[dict[str, str]] = {
         "{pattern:choose|traverses=Les parcours sont décalés les uns par rapport aux"
         " autres|runs=Les allers-retours sont décalés en bloc les uns par rapport aux"
         " autres|walk=Le zéro se promène d'un parcours à l'autre|wave=Les mesures montent et"
-        " descendent lentement dans le temps} de {size}{pattern:choose|walk= par pas|=} (un écart-type ; {odds}){where:if|,"
-        " {where:and}} : {pattern:choose|wave=regarder l'air du hall (chauffage, refroidissement,"
-        " courants d'air, soleil)|=regarder la mise en température, le bridage, les prises de"
-        " référence et la fixation de l'instrument entre les parcours}. La prévision tire de"
-        " nouveau de {pattern:choose|wave=telles ondes|=tels décalages}"
+        " descendent lentement dans le temps} de {size}{pattern:choose|walk= par pas|=} (un"
+        " écart-type ; {odds}){where:if|, {where:and}} : {pattern:choose|wave=regarder l'air du"
+        " hall (chauffage, refroidissement, courants d'air, soleil)|=regarder la mise en"
+        " température, le bridage, les prises de référence et la fixation de l'instrument entre les"
+        " parcours}. La prévision tire de nouveau de {pattern:choose|wave=telles ondes|=tels"
+        " décalages}"
     ),
     "CW-E022.either": (
         "Les parcours bougent les uns par rapport aux autres ({odds}) ; ces mesures ne montrent pas"
@@ -164,10 +165,10 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-E022.seldom": (
         "{pattern:choose|traverses=Quelques parcours s'écartent des autres|runs=Quelques"
-        " allers-retours s'écartent en bloc des autres|walk=Le zéro saute de temps en temps et reste"
-        " là,} de {size} (un écart-type ; {odds}){where:if|, {where:and}} : regarder la mise en"
-        " température, le bridage, les prises de référence et la fixation de l'instrument entre les"
-        " parcours. La prévision tire de nouveau de tels décalages, aussi rarement"
+        " allers-retours s'écartent en bloc des autres|walk=Le zéro saute de temps en temps et"
+        " reste là,} de {size} (un écart-type ; {odds}){where:if|, {where:and}} : regarder la mise"
+        " en température, le bridage, les prises de référence et la fixation de l'instrument entre"
+        " les parcours. La prévision tire de nouveau de tels décalages, aussi rarement"
     ),
     "CW-E023": (
         "L'échelle change d'un parcours à l'autre : les extrémités de la course bougent de {tilt}"
