@@ -562,3 +562,13 @@ def test_the_judge_reads_what_hal_adds_to_an_axis(line: str, says: str) -> None:
             continue
         with pytest.raises(InputError, match=says):
             virtual_control("linuxcnc", files, axes_under_work=("0",))
+
+
+def test_a_superscript_is_no_number_of_a_joint() -> None:
+    """Found in a text of Latin-1; the sections and the count are left out."""
+    ini = "[KINS]\nJOINTS = ²\nKINEMATICS = trivkins\n[TRAJ]\nCOORDINATES = X Y Z\n"
+    ini += "[JOINT_0]\nBACKLASH = 0.002\n[JOINT_²]\nHOME_SEQUENCE = -1\n"
+    found = decode(
+        open_control(Session(), "linuxcnc", {}), [ControlFile("m.ini", ini.encode("latin-1"))]
+    )
+    assert list(found.state.axes) == ["0"]

@@ -175,7 +175,7 @@ def entry_key(definition: Definition, occurrence: Occurrence, names: AxisNames) 
     axis = tokens.get("axis")
     address = "" if axis is None else names.address(normal_text(definition, axis.text))
     texts = (tokens[name].text for name in which_fields(definition, occurrence.statement))
-    which = tuple(str(int(text)) if text.isdigit() else text.upper() for text in texts)
+    which = tuple(str(int(text)) if text.isdecimal() else text.upper() for text in texts)
     return occurrence.statement, address, which
 
 

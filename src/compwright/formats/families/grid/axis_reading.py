@@ -161,7 +161,7 @@ class GridAxisReader:
             for quantity in ("axis_letters", "axis_order", "joint_count")
         )
         letters = joint_letters(names, order, joints)
-        listed = self.address.isdigit() and int(self.address) < len(letters)
+        listed = self.address.isdecimal() and int(self.address) < len(letters)
         if kind is AxisKind.ROTARY:
             self.values.stated_word("angle_unit")
         homing, zero = homing_of(self.values, self._factor(kind))

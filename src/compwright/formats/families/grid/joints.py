@@ -44,7 +44,7 @@ def joined_joints(files: Sequence[ControlFile]) -> Iterator[Coupling]:
     for found in statements_in(files, _HOMING, _REMARK):
         if found.match["section"]:
             section = found.match["section"].upper()
-        elif section.startswith("JOINT_") and section[6:].isdigit():
+        elif section.startswith("JOINT_") and section[6:].isdecimal():
             sequence, joint = whole_number(found.match["value"]), int(section[6:])
             if sequence is None:
                 yield found.coupling((), str(joint), switched=True, unlike=UNREAD)
@@ -79,7 +79,7 @@ def sure_joints(kinematics: str, order: str, count: str) -> str:
     name = kinematics.split(maxsplit=1)[0].lower() if kinematics.strip() else ""
     if letters or name != _TRIVIAL:
         return letters
-    row = _LETTERS[: int(count)] if count.strip().isdigit() else _LETTERS
+    row = _LETTERS[: int(count)] if count.strip().isdecimal() else _LETTERS
     return row if set("".join(order.split()).upper()) <= set(row) else ""
 
 
@@ -130,7 +130,7 @@ def _is_true(values: GridAxisValues, name: str, *, others: bool = False) -> bool
     if found is None:
         return False
     word = found.text.upper()
-    return word in _TRUE or (others and word.isdigit() and int(word) != 0)
+    return word in _TRUE or (others and word.isdecimal() and int(word) != 0)
 
 
 def unapplied_steps(values: GridAxisValues, factor: float) -> tuple[float, float] | None:

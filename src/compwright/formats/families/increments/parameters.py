@@ -277,7 +277,7 @@ class AxisParameters:
     @property
     def index(self) -> int:
         """The number of the axis; 0 if its address is not a number."""
-        return int(self.address) if self.address.isdigit() else 0
+        return int(self.address) if self.address.isdecimal() else 0
 
     @property
     def path(self) -> int | None:
