@@ -309,6 +309,16 @@ def test_the_check_refuses_what_no_command_would_take(
     assert "more.yaml: line 2, id: the id is given twice" in told(capsys)[0]
 
 
+def test_a_field_in_the_title_of_a_step_is_refused_with_its_line(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tutorial(tmp_path / "nc7.yaml")
+    text = path.read_text(encoding="utf-8")
+    path.write_text(text.replace("title: Load", "title: 'Load {file_1}'"), encoding="utf-8")
+    assert compwright(["formats", "check", str(path)]) == 3
+    assert any("title: has no field file_1" in line for line in told(capsys))
+
+
 def test_corrections_worked_by_hand_for_another_control_are_called_that(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

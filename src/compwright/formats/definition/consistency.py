@@ -103,6 +103,7 @@ def contradictions(definition: Definition, shapes: Mapping[str, ShapeRules]) -> 
             _limits(definition, rules),
             _parameters(definition, rules),
             _writing(definition, rules),
+            _card(definition),
             _look_at(definition),
         )
         for path, message in found_by
@@ -371,6 +372,15 @@ def _writing(definition: Definition, rules: ShapeRules) -> Iterator[tuple[KeyPat
         for line in (file.name, *file.header, *file.footer):
             if set(field_names(line)) - {"axis", "system", "program"}:
                 yield path, f"only {{axis}}, {{system}} and {{program}} are allowed in {line}"
+
+
+def _card(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
+    for index, rule in enumerate(definition.card):
+        for name in field_names(rule.title):
+            yield ("card", index, "title"), f"has no field {name}: use it in the text of the step"
+    for name in field_names(definition.diameter.card):
+        if name != "name":
+            yield ("diameter", "card"), f"has no field {name}; known is name"
 
 
 def _look_at(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
