@@ -28,7 +28,7 @@ LANGUAGES = ("de", "fr", "ru")
 EXAMPLE = PROJECT / "examples" / "linuxcnc-two-axes"
 #: Words of the English pages that every language has to replace.
 ENGLISH = ("Before", "Predicted", "Decision", "not stated", "Annex", "Assumed", "Raw readings")
-IN_ENGLISH = {"de": "Auf Englisch sind", "fr": "Sont en anglais", "ru": "На английском языке"}
+IN_ENGLISH = {"de": "sind auf Englisch", "fr": "sont en anglais", "ru": "на английском"}
 
 
 def page_of(content: bytes) -> ET.Element:
