@@ -135,7 +135,7 @@ _CAUSES = {
 def _equals(printed: str, value: float) -> bool:
     """Whether a printed number is that value, within half of its last digit."""
     digits = len(printed.partition(".")[2])
-    return abs(float(printed.replace("−", "-")) - value) < 0.5001 * 10**-digits
+    return bool(abs(float(printed.replace("−", "-")) - value) < 0.5001 / 10**digits)
 
 
 @needs_shared
@@ -156,8 +156,8 @@ def test_pages_of_real_files(path: Path, tmp_path: Path) -> None:
     assert [key for key in keys if "_" in key and key in text] == []
     rows = [[" ".join("".join(cell.itertext()).split()) for cell in row] for row in body.iter("tr")]
     cells = {row[0]: row for row in rows if row}
-    for label, keys in _PARAMETERS.items():
-        for shown, key in zip(cells.get(label, ())[2:5], keys, strict=False):
+    for label, names in _PARAMETERS.items():
+        for shown, key in zip(cells.get(label, [])[2:5], names, strict=False):
             value = result["parameters"].get(key)
             assert (shown == "") == (value is None), (label, key)
             assert not shown or _equals(shown, value), (label, key)
@@ -165,8 +165,8 @@ def test_pages_of_real_files(path: Path, tmp_path: Path) -> None:
         entry, row = result["diagnosis"].get(key), cells.get(label.format(*result["axes"]))
         if row is not None:
             value, error = row[3].split(" ± ")
-            shown = dict(zip(("effect", "value", "std_error"), (row[1], value, error), strict=True))
-            assert all(_equals(text, entry[name]) for name, text in shown.items()), key
+            printed = {"effect": row[1], "value": value, "std_error": error}
+            assert all(_equals(text, entry[name]) for name, text in printed.items()), key
             assert _equals(row[2], 100 * entry["share"]), key
     row = cells[f"Squareness {''.join(result['axes'])}"]
     block = next(b for title, b in result["vendor"].items() if title.startswith("RENISHAW_DIAG"))
