@@ -195,7 +195,10 @@ class _Planner:
                 circle=circle.words,
                 tests=circle.tests,
             )
-        elif correction_need(circle.value * _PPM, circle.std_error * _PPM) != "undetermined":
+        elif (
+            difference <= max(SIGNIFICANT * circle.std_error, SQUARE)
+            and correction_need(circle.value * _PPM, circle.std_error * _PPM) != "undetermined"
+        ):
             self.find("CW-P105", "info", measured=named, tests=circle.tests, circle=circle.words)
 
     # --- squareness from circles

@@ -214,7 +214,7 @@ def unconfirmed(what: str) -> ControlText:
 
 
 def _inserted(template: str, values: Mapping[str, str], language: Language) -> str:
-    return _FIELD.sub(lambda field: in_language(values[field[1]], language), template)
+    return _FIELD.sub(lambda field: in_language(values.get(field[1], field[0]), language), template)
 
 
 def say(name: str, /, **values: object) -> Sentence:
