@@ -264,7 +264,7 @@ def test_a_radius_far_from_nominal_does_not_hide_the_form() -> None:
     )
     panel = drawn_path(result)
     assert not any(label == "nominal circle" for label in labels(panel))
-    assert any(label.startswith("least-squares circle, +150.") for label in labels(panel))
+    assert any(label.startswith("least-squares circle, radius +150.") for label in labels(panel))
     _, radii = polar_of(line(panel, "ccw: "))
     form = result["parameters"]["G_ccw_lsc"]
     assert np.ptp(radii) == pytest.approx(
