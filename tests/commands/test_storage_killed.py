@@ -314,7 +314,7 @@ def test_a_folder_that_was_copied_in_part_is_not_said_to_be_as_before(
         session = Session()
         with pytest.raises(InputError, match=r"set/y: .* the moved file is (missing|damaged)"):
             storage.read_bytes(session, top / "out" / "record")
-        with pytest.raises(StorageError, match="set/y: .* the moved file is"):
+        with pytest.raises(StorageError, match=r"set/y: .* the moved file is"):
             write(top, session)
         assert session.restored == []
         assert files(top) == before
