@@ -33,6 +33,7 @@ _EDGE: Final = 9.0
 _GAP: Final = 17.0
 _BELOW: Final = 70.0
 _NO_LEGEND: Final = 30.0
+_LEGEND_ROW: Final = 11.0
 _HEAD: Final = 18.0  # above them a line of words
 _LINE: Final = 12.0  # and another one
 _TITLE: Final = 8.5  # sizes of letters
@@ -83,7 +84,10 @@ class Drawing:
         charts = [chart.written(language) for chart in self.charts]
         across, up = covered(charts)
         head = _HEAD + (_LINE if any(chart.note for chart in charts) else 0.0)
-        bottom = self.height - (_BELOW if legend_of(charts) else _NO_LEGEND)
+        columns, _ = _legend_columns(charts)
+        more = max(map(len, columns), default=0) - 2
+        below = _BELOW + _LEGEND_ROW * max(more, 0) if columns else _NO_LEGEND
+        bottom = self.height - below
         rows, decimals = _ticks(*up, int((bottom - head) / _ROW), _STEPS)
         numbers = [_written(value, decimals, language) for value in rows]
         left = _LABEL_WIDTH + _DIGIT * max(map(len, numbers), default=0)
@@ -312,23 +316,36 @@ def _words(chart: Chart, x: _Scale, y: _Scale, *, named: bool) -> Iterator[str]:
 
 def _legend(charts: Sequence[Chart], bottom: float, language: Language) -> Iterator[str]:
     """Yield the legend of all panels: + above −, under a line that says what they are."""
-    entries = list(legend_of(charts).items())
-    if not entries:
+    columns, wide = _legend_columns(charts)
+    if not columns:
         return
     yield _word(_WIDTH / 2, bottom + 37.0, LEGEND_TITLE.text(language), anchor="middle")
-    height = 2 if len(entries) > 1 else 1
-    columns = [entries[first : first + height] for first in range(0, len(entries), height)]
-    wide = [
-        _HANDLE + 6.0 + _LETTER * _SMALL * max(len(name) for name, _ in column)
-        for column in columns
-    ]
     at = (_WIDTH - sum(wide) - _FREE * (len(columns) - 1)) / 2
     for column, width in zip(columns, wide, strict=True):
         for row, (name, part) in enumerate(column):
-            up = bottom + 49.0 + 11.0 * row
+            up = bottom + 49.0 + _LEGEND_ROW * row
             yield _handle(part, at, up - 2.6)
             yield _word(at + _HANDLE + 6.0, up, name)
         at += width + _FREE
+
+
+def _legend_columns(
+    charts: Sequence[Chart],
+) -> tuple[list[list[tuple[str, Band | ChartCurve]]], list[float]]:
+    """Return the columns of the legend and their widths: two names in each, more where all would
+    not fit.
+    """
+    entries = list(legend_of(charts).items())
+    height = 1
+    while True:
+        height += 1
+        columns = [entries[first : first + height] for first in range(0, len(entries), height)]
+        wide = [
+            _HANDLE + 6.0 + _LETTER * _SMALL * max(len(name) for name, _ in column)
+            for column in columns
+        ]
+        if len(columns) < 2 or sum(wide) + _FREE * (len(wide) - 1) <= _WIDTH:
+            return columns, wide
 
 
 def _handle(part: Band | ChartCurve, at: float, up: float) -> str:
