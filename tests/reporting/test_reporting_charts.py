@@ -299,3 +299,23 @@ def test_names_of_the_user_stay_text() -> None:
     assert picture.root.attrib["aria-label"] == 'deviations of axis "<X>"'
     assert any("<b>" in text for text in picture.texts())
     assert {one.tag for one in picture.root.iter()} <= {"svg", "path", "polygon", "text"}
+
+
+@pytest.mark.parametrize("names", [3, 9, 14])
+def test_every_name_of_a_long_legend_is_inside_the_picture(names: int) -> None:
+    """A letter of a sans-serif font is about half as wide as high."""
+    labels = [f"Mittelwert der Messungen {n}" for n in range(names)]
+    curves = [
+        ChartCurve(x=[0.0, 1.0], y=[0.0, 1.0], look=LOOKS[0], label=label, width=1.0)
+        for label in labels
+    ]
+    root = ET.fromstring(_svg([Chart(curves=curves)], 209.0))  # noqa: S314  our own picture
+    _, _, width, height = map(float, root.attrib["viewBox"].split())
+    letter = 0.5 * float(root.attrib["font-size"])
+    places = {one.text: one.attrib for one in root.iter("text") if one.text in labels}
+    assert set(places) == set(labels)
+    for label, place in places.items():
+        left = float(place["x"])
+        assert left >= 0.0
+        assert left + letter * len(label) <= width
+        assert float(place["y"]) < height
