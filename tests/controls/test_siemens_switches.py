@@ -196,7 +196,7 @@ def test_a_table_between_axes_is_loaded_only_after_its_sign_check(tmp_path: Path
     with redirect_stdout(io.StringIO()):
         compwright(["run", str(tmp_path / "job.yaml"), "--out", str(tmp_path / "out")])
     card = (tmp_path / "out" / "card" / "card.md").read_text(encoding="utf-8")
-    steps = [title for title, said in re.findall(r"\*\*(.+?)\*\*\n(.+)", card) if "_CROSS" in said]
+    steps = [title for title, text in re.findall(r"\*\*(.+?)\*\*\n(.+)", card) if "_CROSS" in text]
     assert steps == ["Y over X: check the sign", "Y over X: load"]
 
 

@@ -638,20 +638,20 @@ def test_a_control_with_few_points_says_what_that_costs() -> None:
 
 
 @pytest.mark.parametrize(
-    ("bend", "noise", "said"),
+    ("bend", "noise", "warned"),
     [
         (0.05 * UM, 0.0, False),  # less than 0.05 µm remain: no test shows that
         (6.0 * UM, 0.0, True),
         (6.0 * UM, 12.0 * UM, False),  # a test scatters by far more
     ],
 )
-def test_what_no_test_would_show_is_no_warning(bend: float, noise: float, *, said: bool) -> None:
+def test_what_no_test_would_show_is_no_warning(bend: float, noise: float, *, warned: bool) -> None:
     """What is left stays among the limits, with its size."""
     curve = bend * np.sin(X / 90.0)
     wanted = wish(curve, curve, noise=noise)
     result = fit(wanted, replace(COARSE, max_points=5, quantum=1e-7))
     assert 0.0 < causes(result)["number of points"] < bend
-    assert ("CW-F004" in codes(result)) == said
+    assert ("CW-F004" in codes(result)) == warned
 
 
 def test_a_period_is_held_where_three_points_per_period_fit_and_left_out_below_two() -> None:
@@ -698,10 +698,10 @@ def test_of_a_period_between_two_and_three_points_the_nodes_hold_their_part(
     assert left == pytest.approx(np.std(least), rel=0.005)
     assert left == pytest.approx(0.416 * size, rel=0.01)
     assert causes(result)["spacing too wide for the period"] == pytest.approx(left, rel=0.02)
-    (said,) = (each.message for each in result.findings if each.code == "CW-F002")
-    assert "(41 %)" in said or "(42 %)" in said
-    assert "2.66 mm, 302 points" in said
-    assert "has 256" in said
+    (message,) = (each.message for each in result.findings if each.code == "CW-F002")
+    assert "(41 %)" in message or "(42 %)" in message
+    assert "2.66 mm, 302 points" in message
+    assert "has 256" in message
 
 
 def test_a_period_below_two_points_is_left_out_and_the_finest_spacing_named() -> None:
@@ -711,9 +711,9 @@ def test_a_period_below_two_points_is_left_out_and_the_finest_spacing_named() ->
     wanted = wish(wave, wave, positions=x, periods=(5.0,))
     result = fit(wanted, replace(FINE, max_points=256))
     assert np.max(np.abs(result.compensation.positive)) < 0.05 * UM
-    (said,) = (each.message for each in result.findings if each.code == "CW-F002")
-    assert "finest spacing that this control allows here, 3.2 mm (251 points)" in said
-    assert "1.66 mm, 483 points" in said
+    (message,) = (each.message for each in result.findings if each.code == "CW-F002")
+    assert "finest spacing that this control allows here, 3.2 mm (251 points)" in message
+    assert "1.66 mm, 483 points" in message
 
 
 # --- what the control cannot do

@@ -12,7 +12,8 @@ opposite sign.
 A table that changes an older one is the mirror image of the test where the older one is small
 relative to the change. Where it is not, shapes cannot decide: the plan of that run can
 (`workflow.inputs.own_output`). Nor can the scatter that test and table then share: simulated with
-11 targets, 1 to 4 % of such tests are recognised where 1 % of honest ones are doubted.
+11 targets, 1 to 4 % of such tests are recognised where 1 % of new tests, of an error that has
+grown, are doubted.
 """
 
 from __future__ import annotations
