@@ -74,7 +74,7 @@ def test_the_folder_of_a_memory_card_is_a_state_as_it_is(tmp_path: Path) -> None
     assert [file.name for file in read.files] == ["CNC-PARA.TXT", "PITCH.TXT"]
     told = [one.message for one in read.state.findings if one.code == "CW-S084"]
     assert len(told) == 1
-    assert told[0].startswith("SYS-CONF.TXT: in the folder that was given")
+    assert told[0].startswith("SYS-CONF.TXT: ")
     with pytest.raises(InputError, match="SYS-CONF"):
         decode(control, read_files(Session(), sorted(card.iterdir())), address="1")
 

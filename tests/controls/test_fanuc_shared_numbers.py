@@ -89,7 +89,9 @@ def test_decode_shows_both_and_says_that_they_share(tmp_path: Path) -> None:
         files.append(str(tmp_path / name))
     code, said, shown = quietly(["decode", *files, "--format", "fanuc-30i"])
     assert code == 0, said
-    assert "axes 1 and 2 share the point numbers 1 to 41" in shown + said
+    assert "axes 1 and 2 share the compensation point numbers 1 to 41" in " ".join(
+        (shown + said).split()
+    )
 
 
 def test_numbers_of_ones_own_are_shared_with_nobody(tmp_path: Path) -> None:

@@ -223,8 +223,8 @@ def test_a_table_that_no_joint_names_is_said(
     (tmp_path / "y.comp").write_text(rows)
     assert write_job(tmp_path, X, states="[machine.ini, old.comp, y.comp]") == 0
     said = " ".join(capsys.readouterr().out.split())
-    assert "old.comp is not named by any axis" in said
-    assert "y.comp is not named" not in said
+    assert "does not load old.comp" in said
+    assert "does not load y.comp" not in said
 
 
 def joint(limits: str, tmp_path: Path) -> int:
@@ -242,7 +242,7 @@ def test_a_travel_outside_the_limits_of_the_joint_is_refused(
     assert joint("MIN_LIMIT = -20\nMAX_LIMIT = 0\n", tmp_path) == 3
     assert "(MIN_LIMIT, MAX_LIMIT)" in capsys.readouterr().err
     assert joint("MIN_LIMIT = 0\nMAX_LIMIT = 7\n", tmp_path) == 1  # a doubt
-    assert "CW-S045  axis 0: 22.2 mm of the travel lie outside" in capsys.readouterr().out
+    assert "CW-S045  axis 0: the travel of the job goes 22.2 mm beyond" in capsys.readouterr().out
     assert joint("MIN_LIMIT = 0\nMAX_LIMIT = 8\n", tmp_path) == 0
     assert "CW-S045" not in capsys.readouterr().out
 
@@ -325,7 +325,7 @@ def test_the_folder_of_a_machine_is_read_whatever_lies_beside_its_table() -> Non
     assert state.axes["0"].negative.tolist() == [0, 0.014, 0.026]
     told = [finding.message for finding in state.findings if finding.code == "CW-S012"]
     assert len(told) == 1
-    assert told[0].startswith("haas.hal, haas.var, tool.tbl and 1 more: no table")
+    assert "haas.hal, haas.var, tool.tbl and 1 more" in told[0]
 
 
 def test_a_table_that_the_machine_names_is_refused_where_it_is_damaged() -> None:

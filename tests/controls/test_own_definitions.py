@@ -24,6 +24,7 @@ from compwright.formats.definition.extends import found_in, merged, texts_of
 from compwright.foundations.session import Session
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.correction import ControlState, CrossCompensation
+from compwright.words.sentences import say
 from compwright.workflow.commands.formats import list_formats, show_format
 from format_samples import CONTENT, CONTROLS, DEFINITIONS
 from loop import Machine, csv_of
@@ -327,7 +328,7 @@ def test_corrections_worked_by_hand_for_another_control_are_called_that(
     said = capsys.readouterr().out
     assert "they are those of linuxcnc.yaml, none of its own" in said
     (doubt,) = ran(job(tmp_path, "mine.yaml", ', address: "0"'))["doubts"]
-    assert doubt["message"].endswith("those of linuxcnc.yaml: none was worked out for mine")
+    assert doubt["values"] == {"definition": "mine", "expectation": "linuxcnc.yaml"}
     card = (tmp_path / "job/card/card.md").read_text(encoding="utf-8")
     assert doubt["message"] in card[: card.index("## Steps")]
     tutorial(tmp_path / "nc7.yaml")
@@ -425,8 +426,7 @@ def test_what_is_no_definition_is_refused(
 
 def test_what_is_shown_of_a_definition_says_first_that_nobody_judges_it(tmp_path: Path) -> None:
     path = tutorial(tmp_path / "nc7.yaml")
-    first = "Read back, not independently judged: only your own definition of nc7"
-    assert show_format(Session(), str(path))[1] == f"{first} says what its files do"
+    assert show_format(Session(), str(path))[1] == str(say("read_back", definition="nc7"))
     shipped = "\n".join(show_format(Session(), "linuxcnc"))
     assert JUDGED not in shipped
 

@@ -17,6 +17,7 @@ from compwright.formats.families.pairs.state import contradictions
 from compwright.foundations.errors import InputError
 from compwright.foundations.session import Session
 from compwright.records.correction import ControlFile
+from compwright.words.sentences import say
 from sinumerik_archive import ARCHIVE, needs_archive
 from sinumerik_container import ACTIVE, container
 
@@ -105,14 +106,14 @@ def test_that_the_contents_are_not_verified_is_said_and_compared(
     (tmp_path / "x.csv").write_text("target_mm,direction,run,deviation_um\n" + "\n".join(rows))
     of = ["--format", "siemens-840d-sl"]
     assert compwright(["new", "--from", str(given), *of, "--out", str(tmp_path / "j.yaml")]) == 0
-    assert "backup.arc: the contents of the archive are not verified" in capsys.readouterr().err
+    assert str(say("CW-S072", file="backup.arc")) in capsys.readouterr().err
     assert compwright(["decode", str(given), *of]) == 0
     assert "CW-S072" in capsys.readouterr().out
     out = tmp_path / "out"
     words = ["--axis", "X", "--travel", "0:300", "--option", "address=X1", "--out", str(out)]
     assert compwright(["run", str(tmp_path / "x.csv"), *of, *words, "--state", str(given)]) == 0
     assert "CW-S072" in capsys.readouterr().out
-    assert "not verified" in (out / "report.html").read_text()
+    assert "changed after the export" in (out / "report.html").read_text()
     card = (out / "card" / "card.md").read_text().replace("\\", "")
     step = re.search(r"\*\*Compare the archive\*\*(.*?)- \[ \]", card, re.DOTALL)
     assert step is not None

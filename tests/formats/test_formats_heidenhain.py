@@ -250,7 +250,9 @@ def test_the_active_line_says_which_table_acts() -> None:
     )
     assert um(state, "X", -384) == pytest.approx(1.2, abs=NM)
     assert any("old.com" in entry.message for entry in state.findings if entry.code == "CW-S012")
-    assert any("Y, active for the motion of Y" in entry.message for entry in state.findings)
+    assert ("CW-S012", {"file": "Y", "axis": "Y"}) in [
+        (one.code, one.values) for one in state.findings
+    ]
     with pytest.raises(InputError, match=r"axis Y: the active table was not given; expected Y"):
         itnc(file("new.com", new), file("c.cma", lines))
     with pytest.raises(InputError, match="for which moving axis this table is"):

@@ -38,8 +38,8 @@ SENTENCES: Final[dict[str, str]] = {
     "parameter": "{parameter} {value}",
     "range": "{low} to {high}",
     "read_back": (
-        "Read back, not independently judged: only your own definition of {definition} says"
-        " what its files do"
+        "Read back from the files, but not independently judged: only your own definition of"
+        " {definition} says what its files do"
     ),
     "reading_off": "{traverse} at {target} ({off} off)",
     "scale_by": "{axis}: scale {scale} by {tests:join|; }",

@@ -5,246 +5,296 @@ from __future__ import annotations
 from typing import Final
 
 SENTENCES: Final[dict[str, str]] = {
-    "CW-S001": "{file}: the last line has no line end; check that the file is complete",
-    "CW-S002": "{file}: no {mark} at the end; check that the file is complete",
+    "CW-S001": (
+        "{file}: the last line does not end with a line break. The file may be cut off: check"
+        " that it is complete"
+    ),
+    "CW-S002": (
+        "{file}: the end mark {mark} is missing. The file may be cut off: check that it is complete"
+    ),
     "CW-S003": (
-        "{label}: {quantity} is given several times; the {rule} value counts: {value} ({where})"
+        "{label}: the files give {quantity} several times. The {rule} value is used: {value}"
+        " ({where})"
     ),
     "CW-S004.not_zero": (
-        "{label}: {values} values behind the end of the table ({first} to {last}) are not"
-        " used by the control, {not_zero} of them not zero: an older, longer table, unless"
-        " its end or its spacing is wrong"
+        "{label}: the file holds {values} {values:plural|value|values} behind the end of the"
+        " table ({first} to {last}), {not_zero} of them not zero. The control does not use them."
+        " They belong to an older, longer table, or the end or the spacing of this table is"
+        " wrong: check both"
     ),
-    "CW-S004.zero": "{label}: {values} values behind the end of the table are zero and not used",
+    "CW-S004.zero": (
+        "{label}: the file holds {values} {values:plural|value|values} behind the end of the"
+        " table, all zero. The control does not use them"
+    ),
     "CW-S005": (
-        "{label}: {quantity} is not in the files; counted as {value}. If the control has"
-        " another value, that one was active in the tests, and what is written or shown is"
-        " wrong by the difference: look it up at the control, or add the file that says it"
+        "{label}: {quantity} is not in the files; {value} is assumed. If the control holds"
+        " another value, the tables and corrections are wrong by the difference. Look the value"
+        " up at the control, or add the file that contains it"
     ),
-    "CW-S006": "axis {axis}: several measuring systems hold a table; system {system} is shown",
-    "CW-S007": "{label}: {switch}; it corrects nothing",
-    "CW-S008": "{label}: no file holds a table; counted as none",
+    "CW-S006": (
+        "axis {axis}: several measuring systems have a compensation table. Only the table of"
+        " system {system} is shown"
+    ),
+    "CW-S007": "{label}: {switch}. This compensation has no effect",
+    "CW-S008": (
+        "{label}: no file contains a compensation table. It is assumed that the control has none"
+        " for it"
+    ),
     "CW-S009": (
-        "{label}: {what} is ignored by the control: it {why:choose|table=has a table|rotary=is a"
-        " rotary axis}"
+        "{label}: the control ignores {what}, because the axis {why:choose|table=has a"
+        " table|rotary=is a rotary axis}"
     ),
-    "CW-S010": "axis {axis} is taken as {address} of the control: check it, or give its address",
+    "CW-S010": (
+        "axis {axis} of the job is assumed to be axis {address} of the control. Check this at the"
+        " control, and give the axis its `address` in the job"
+    ),
     "CW-S011": (
-        "{label} ({input} on {output}) is left alone: {why}; {active:if|it is active on"
-        " {output} over {input}, the same before and after|it is switched off}"
+        "{label} corrects {output} over {input}. It is left as it is: {why}. {active:if|It is"
+        " active, the same before and after loading|It is switched off}"
     ),
     "CW-S012.assignments": (
-        "{file} is not named by the active line of assignments: it is not active"
+        "{file} is not active: the active line that assigns tables to axes does not name it"
     ),
-    "CW-S012.no_axis": "{file} is not named by any axis: the control does not load it",
+    "CW-S012.no_axis": "The control does not load {file}: no axis names this file",
     "CW-S012.no_table": (
-        "{files}{more:if| and {more} more}: no table, and named by no axis: the control does"
-        " not load it as one"
+        "The control loads no table from {files}{more:if| and {more} more}: no axis names such a"
+        " file, and none of them contains a table"
     ),
     "CW-S012.not_given": (
-        "{file}, active for the motion of {axis}, was not given: what it does to other axes"
-        " is not known"
+        "{file} is active when {axis} moves, but this file was not given. Its effect on other"
+        " axes is unknown: add the file"
     ),
     "CW-S012.start_up_list": (
-        "{file} is not named by the start-up list: the control does not load it"
+        "The control does not load {file}: the start-up list does not name this file"
     ),
-    "CW-S013": "{file}, line {line}: read, although no manual shows this form ({lines} lines)",
+    "CW-S013": (
+        "{file}, line {line}: no manual shows a line of this form. It was read all the same"
+        " ({lines} {lines:plural|line|lines} of the file)"
+    ),
     "CW-S014": (
-        "axes {addresses:and} share the point numbers {first} to {last}: a change for one"
-        " would change the other, so a new table gets numbers of its own"
+        "axes {addresses:and} share the compensation point numbers {first} to {last}. A change"
+        " for one axis would change the other too, so a new table gets numbers of its own"
     ),
     "CW-S015": (
-        "{label}: cutting feed and rapid have different backlash values ({feed} and {rapid};"
-        " {why}): what is shown here is {rapid_shown:if|rapid traverse, 1852|cutting feed,"
-        " 1851}; a new table changes both values alike, so that their difference stays"
+        "{label}: cutting feed and rapid traverse have different backlash compensation ({feed}"
+        " and {rapid}; {why}). Shown here is that of {rapid_shown:if|rapid traverse"
+        " (1852)|cutting feed (1851)}. A new table changes both values by the same amount, so"
+        " their difference stays"
     ),
-    "CW-S016": "{label}: point {first} should hold the same value as point {last} ({value:g})",
+    "CW-S016": (
+        "{label}: on a full turn the compensation points {first} and {last} are the same"
+        " position. Point {first} should hold the value of point {last} ({value:g})"
+    ),
     "CW-S017": (
-        "axis {axis}: the table of {file} ends its turn with another value than it began with"
+        "axis {axis}: the table in {file} covers a full turn, but its last value differs from its"
+        " first value"
     ),
     "CW-S018": (
-        "{label}: the reference position is not machine zero (1240); the points are counted"
-        " from the position {reference:g} (reference), which is unconfirmed: check the"
-        " correction at two positions"
+        "{label}: the reference position is not machine zero (1240). It is assumed that the"
+        " control counts the compensation points from {reference:g} (option reference); this is"
+        " unconfirmed. Check the correction at two positions"
     ),
     "CW-S019": (
-        "{label}: diameter programming (1006#3): positions, interval and corrections are"
-        " taken in radius (unconfirmed); wrong by 2 is the usual fault, so check one position"
-        " after loading"
+        "{label}: the axis is programmed in diameter (1006#3). Positions, interval and"
+        " corrections are taken as radius values; this is unconfirmed. The usual fault is a"
+        " factor of 2, so check the correction at one position after loading"
     ),
-    "CW-S030": "axis {partner} does not do the same as {leading}, with which it forms a gantry",
+    "CW-S030": "axes {leading} and {partner} form a gantry, but their corrections differ",
     "CW-S031.gantry": (
-        "axes {axis} and {other} hold the same table: are they a gantry? Then name {other} in"
-        " the job (gantry), so that both get the new one; a table on one of them alone racks"
-        " the bridge"
+        "axes {axis} and {other} hold the same table. If they form a gantry, give axis {axis} the"
+        " key `gantry: {other}` in the job, so that both get the new table. A new table on one of"
+        " them alone twists the gantry"
     ),
     "CW-S031.single": (
-        "axes {axis} and {other} hold the same table; the control's files say that axis"
-        " {axis} is in no gantry"
+        "axes {axis} and {other} hold the same table. By the control's files axis {axis} belongs"
+        " to no gantry"
     ),
-    "CW-S032": "{label}: values and grid are all zero, which means no table",
-    "CW-S033.ends": "{label} is endless, but its table does not repeat: it ends at both sides",
+    "CW-S032": "{label}: all values and the grid are zero. This means that there is no table",
+    "CW-S033.ends": (
+        "{label} turns endlessly, but its table does not repeat: the table ends at both sides"
+    ),
     "CW-S033.repeats": (
-        "{label}: its table repeats every {period:g}, but the job gives no modulo; a new"
-        " table will have ends"
+        "{label}: the existing table repeats every {period:g}, but the job gives no `modulo` for"
+        " this axis. A new table will not repeat: it will end at both sides"
     ),
-    "CW-S034": "{label} is switched off in the files ({switches}); it corrects nothing",
+    "CW-S034": "{label} is switched off in the files ({switches}), so it corrects nothing",
     "CW-S035": (
-        "axis {axis}: the job says that it moves alone; {parameter} can couple it with"
-        " another axis. Keep that coupling off in every test, and load the tables of both"
-        " axes before it is used again"
+        "axis {axis}: the job says that this axis moves alone, but {parameter} can couple it with"
+        " another axis. Keep the coupling off in every test. Load the tables of both axes before"
+        " the coupling is used again"
     ),
     "CW-S036": (
-        "Axis {gantry} gets {table:choose|same=the same total|change=the same change to its"
-        " own total} as axis {axis}, as the job says. The corrections of both differ by up to"
-        " {after:.2f} {unit} afterwards, {before:.2f} {unit} before; the difference changes by"
-        " at most {moved:.2f} {unit} at any position"
+        "As the job says, axis {gantry} gets {table:choose|same=the same table as axis"
+        " {axis}|change=its own existing table plus the same change as axis {axis}}. Afterwards"
+        " the corrections of the two axes differ by up to {after:.2f} {unit}, before by up to"
+        " {before:.2f} {unit}. At no position does the difference change by more than {moved:.2f}"
+        " {unit}"
     ),
     "CW-S037": (
-        "axis {axis}: axis {follows} follows it as a drive, without a position of its own"
-        " ({parameter}): the table of axis {axis} serves both"
+        "axis {axis}: axis {follows} is a second drive that follows it and has no position of its"
+        " own ({parameter}). The table of axis {axis} corrects both"
     ),
     "CW-S038": (
-        "Axes {axis} and {gantry} move apart by up to {moved:.2f} {unit} (limit {limit:.2f}"
-        " {unit}); axis {axis} gains {gain:.2f} {unit}. Their grids do not fit together. Give"
-        " both axes the same grid in the control, or say table: same"
+        "Axes {axis} and {gantry} of the gantry move apart by up to {moved:.2f} {unit} (limit"
+        " {limit:.2f} {unit}), while axis {axis} improves by {gain:.2f} {unit}. The cause: the"
+        " points of their tables lie at different positions. Give both axes the same points in"
+        " the control, or give table: same in the job"
     ),
     "CW-S040": (
-        "{label}: {bits} = 1 ({value}): in use on real machines, meaning not confirmed"
-        " (perhaps interpolated compensation: then give the option output: ramp); it is left"
-        " as it is"
+        "{label}: {bits} = 1 ({value}). Real machines use this setting, but its meaning is not"
+        " confirmed; it stays as it is. It may mean interpolated compensation: in that case give"
+        " the option output: ramp"
     ),
     "CW-S041": (
         "{label}: on a full turn {own} is {first}, that is {zero} + 1, where the manual has"
         " {own} = {zero}. The points {first} to {last} are read as its sections; point"
         " {reference} stays reserved for the axis"
     ),
-    "CW-S042": "axis {axis} is odd and left alone, with all its point numbers: {reasons:join|; }",
-    "CW-S043": "{label}: {systems}; check the detection unit",
+    "CW-S042": (
+        "axis {axis} has unusual settings and is not changed; neither are its compensation"
+        " points: {reasons:join|; }"
+    ),
+    "CW-S043": "{label}: {systems}. Check the detection unit: corrections are counted in this unit",
     "CW-S044": (
-        "{label}: the reference return is towards {files} by 1006#5, towards {job} in the"
-        " job; with one set of data it only moves the zero by the backlash, so the job is"
-        " followed; two sets are refused until they agree"
+        "{label}: the axis returns to its reference position in the direction {files} by 1006#5,"
+        " but {job} by the job. The job is used: with one table for both directions only the zero"
+        " point shifts, by the backlash. With two tables such a contradiction is refused"
     ),
     "CW-S045": (
-        "{label}: {outside:g} {unit} of the travel lie outside its limits of {low:g} to"
-        " {high:g} ({parameters}): are travel and targets in machine coordinates?"
+        "{label}: the travel of the job goes {outside:g} {unit} beyond the axis limits of the"
+        " control, {low:g} to {high:g} ({parameters}). Check that travel and targets are machine"
+        " coordinates"
     ),
     "CW-S046": (
-        "{file}: its points are not equally spaced ({least:.10g} to {most:.10g}), which the"
-        " control asks for; read as they are, never written so"
+        "{file}: the table points are not equally spaced ({least:.10g} to {most:.10g} apart),"
+        " though the control requires equal spacing. They are read as they are; a new table gets"
+        " equal spacing"
     ),
     "CW-S047": (
-        "{label}: smooth backlash compensation divides 1851 into stages ({parameters}): it is"
-        " left as it is, and shapes the {reach:g} {unit} behind a reversal at most"
-        " (unconfirmed); a target nearer to one, in a test or in a part, sees another value"
-        " than 1851"
+        "{label}: smooth backlash compensation applies the backlash value 1851 in stages"
+        " ({parameters}). It is left as it is. The stages end {reach:g} {unit} behind a reversal"
+        " at most (unconfirmed). A target nearer to a reversal, in a test or in a part, gets"
+        " another value than 1851"
     ),
     "CW-S048": "{label}: {function}",
     "CW-S049.none": (
-        "{suggested}. The job names no screw pitch, so this period is searched first in the"
-        " readings. If it is right, add screw_pitch: {lead:g} to the axis"
+        "{suggested}. The job gives no screw pitch, so the readings are first searched for this"
+        " period. If the period is right, add screw_pitch: {lead:g} to the axis"
     ),
     "CW-S049.other": (
-        "{suggested}; the job names {periods:g} instead, which is followed: check it at the screw"
+        "{suggested}. The job gives {periods:g} instead, and the job is used: check the pitch at"
+        " the screw"
     ),
     "CW-S049.suggested": (
-        "{label}: the control's files suggest a period of {lead:g} {unit}, one turn of the"
-        " motor ({evidence})"
+        "{label}: by the control's files one turn of the motor moves the axis by {lead:g} {unit}"
+        " ({evidence}). Errors may repeat with this period"
     ),
     "CW-S050.cec": (
-        "{label} ({input} on {output}) is left alone: {why}; {active:if|it is active on"
-        " {output} over {input}, the same before and after|it is switched off}"
+        "{label} corrects {output} over {input}. It is left as it is: {why}. {active:if|It is"
+        " active, the same before and after loading|It is switched off}"
     ),
-    "CW-S050.list": "{label} is left as it is and not shown: {why}",
+    "CW-S050.list": "{label} is left as it is, and its corrections are not shown: {why}",
     "CW-S050.sum": (
-        "CEC tables {tables} on {output} are left alone: their sum is {low:g} to {high:g},"
-        " and MD32720 $MA_CEC_MAX_SUM limits it to {limit:g}; they are active, the same"
-        " before and after"
+        "CEC tables {tables} correct axis {output}. Their sum reaches {low:g} to {high:g}, but"
+        " MD32720 $MA_CEC_MAX_SUM limits the sum to {limit:g}. The tables are left as they are:"
+        " they are active, the same before and after loading"
     ),
     "CW-S051": (
-        "the tables between axes ({pairs}) are left as they are and not shown: the sign of"
-        " CEC values is unknown; give the option cec_sign after the check on the card"
+        "The tables that correct one axis over another ({pairs}) are left as they are and not"
+        " shown, because the sign of CEC values on this control is unknown. Make the check of the"
+        " sign on the card, then give the option cec_sign"
     ),
     "CW-S052": (
-        "axis {axis}: the job names measuring system {number}, but the files switch"
-        " compensation on for system {other} (MD32700): make sure that system {number} is in"
-        " use"
+        "axis {axis}: the job names measuring system {number}, but in the files compensation is"
+        " on for system {other} (MD32700). Make sure that the axis uses system {number}"
     ),
     "CW-S053": (
-        "axis {axis}: in addition to its table is active: {functions:join|; }. It is left as"
-        " it is, and counts as active alike during the test and afterwards"
+        "axis {axis}: apart from its table, this compensation is active too: {functions:join|; }."
+        " It is left as it is. It is assumed to have the same effect during the test and after"
+        " loading"
     ),
     "CW-S054": (
-        "CEC tables {tables} are left alone: all their values are 0, on a grid that cannot be"
-        " read; they correct nothing"
+        "CEC tables {tables} are left as they are. Their grid cannot be read, but all their"
+        " values are 0, so they correct nothing"
     ),
     "CW-S055": (
-        "CEC tables are shown as corrections. By Siemens' manual (Extended Functions 03/2009,"
-        " page 372) a positive value moves the axis in -, which is the opposite: give the"
-        " option cec_sign after the check on the card"
+        "The values of CEC tables are shown as if a positive value moved the axis in +. By"
+        " Siemens' manual (Extended Functions 03/2009, page 372) a positive value moves the axis"
+        " in −, the opposite. Make the check of the sign on the card, then give the option"
+        " cec_sign"
     ),
     "CW-S056": (
-        "axis {axis}: {period:if|its table repeats every {period:g}, but the job gives no"
-        " modulo; a new table will have ends|it is endless, but its table does not repeat: it"
-        " ends at both sides}"
+        "axis {axis}: {period:if|the existing table repeats every {period:g}, but the job gives"
+        " no `modulo` for this axis. A new table will not repeat: it will end at both sides|the"
+        " axis turns endlessly, but its table does not repeat: the table ends at both sides}"
     ),
     "CW-S057": (
-        "{format}: no page says what the parameters {parameters} are on this series ({place};"
-        " other series have units, paths or further compensation there): they are not"
-        " counted, not compared with the job and left as they are. Look them up in the"
-        " control's own manual: what compensates among them cancels only as long as the grid"
-        " stays"
+        "{format}: the meaning of the parameters {parameters} on this series is unknown"
+        " ({place}); on other series they are units, paths or further compensation. They are left"
+        " as they are, and not compared with the job. Look them up in the control's own manual."
+        " If one of them is a compensation, the new table allows for it only as long as the"
+        " points of the table stay where they are"
     ),
     "CW-F011.feed": (
-        "at {feed:g} {unit}/min ({of:choose|option=option max_feed|rapid=rapid traverse 1420}) the"
-        " control needs at least {least:g}: feed / {rule} ({evidence})"
+        "at {feed:g} {unit}/min ({of:choose|option=option max_feed|rapid=rapid traverse,"
+        " parameter 1420}) the table points must be at least {least:g} {unit} apart. The"
+        " control's rule: feed divided by {rule} ({evidence})"
     ),
     "CW-S060": (
-        "Read back, not independently judged: only your own definition of {definition} says"
-        " what its files do. A sign or a unit that is wrong in it is wrong in all of this."
-        " Prove it on the machine, at one position and from both sides, before the whole"
-        " table is active{expectation:if|. The corrections worked by hand are those of"
-        " {expectation}: none was worked out for {definition}}"
+        "The table was read back from its files, but not independently judged: only your own"
+        " definition of {definition} says what these files do. A wrong sign or unit in the"
+        " definition makes every result here wrong. Check the correction on the machine, at one"
+        " position and from both sides, before the whole table is active{expectation:if|. The"
+        " corrections that were worked out by hand are those of {expectation}; none were worked"
+        " out for {definition}}"
     ),
     "CW-S061": (
-        "{what}: {carried} is used as it is in the plan; to use another definition, run the job"
-        " again"
+        "{what}. The definition of {carried} that the plan holds is used. To use another"
+        " definition, run the job again"
     ),
-    "CW-S062": "the control format {name} is taken for {definition}: {title}",
+    "CW-S062": "the control format {name} means {definition}: {title}",
     "CW-S070": (
-        "{file}: programs in it load or switch compensation when somebody runs them:"
-        " {programs}; they were not run here, and what counts is the archive's own data"
+        "{file}: it contains programs that load compensation or switch it on and off: {programs}."
+        " These programs were not run here. The result is that of the archive's own data; if such"
+        " a program was run since, the control differs from it"
     ),
     "CW-S071": (
-        "{file}: its decimal commas are read as points; the control takes no such file: it is"
-        " a listing, and may not be what the control holds"
+        "{file}: the control does not load a file with decimal commas, so this is a listing. Its"
+        " commas are read as decimal points. The control may hold other values: compare some of"
+        " them"
     ),
     "CW-S072": (
-        "{file}: the contents of the archive are not verified: nothing in its container says"
-        " whether a value was changed after the export. Before you load, compare the three"
-        " values per axis on the card with the control"
+        "{file}: nothing in this archive shows whether a value was changed after the export."
+        " Before you load, compare the three values per axis on the card with the control"
     ),
     "CW-S073": (
-        "{file}: not carried out in the control, by the job (active: no). None of its tables and"
-        " backlash values counts as loaded"
+        "{file}: by the job the control never ran this file (active: no). Its tables and backlash"
+        " values count as not loaded"
     ),
     "CW-S080": (
-        "{files}: what the control makes of {what} is unknown, so only the entries are"
-        " compared ({faults})"
+        "{files}: what {what} makes the control do cannot be worked out ({faults}). Only the"
+        " entries of the files are compared"
     ),
-    "CW-S081": "{files}: corrections are those of one reader alone; the second one says: {why}",
-    "CW-S082": "{files}: no data of the control in {idle}",
+    "CW-S081": (
+        "{files}: compwright reads such files in two independent ways. Only one of them could"
+        " read these corrections; the other one reports: {why}"
+    ),
+    "CW-S082": "{files}: these files contain no data of the control and are not compared: {idle}",
     "CW-S083.new": (
-        "{new} values that compensate were in no file of the plan, and were not looked at"
+        "What was read back holds {new} {new:plural|compensation value|compensation values} that"
+        " no file of the plan contains. {new:plural|It was|They were} not compared"
     ),
-    "CW-S083.not_read": "{missing} values that compensate were not read back, and not looked at",
+    "CW-S083.not_read": (
+        "{missing} {missing:plural|compensation value|compensation values} of the plan's files"
+        " {missing:plural|was|were} not read back, and so not compared"
+    ),
     "CW-S084": (
-        "{files}: in the folder that was given, no line is a statement of {format}; left out"
+        "{files}: left out, because these files of the folder contain no line that {format}"
+        " understands"
     ),
     "CW-S085": (
-        "{path} is what run wrote, not what was read back: nothing here says what is in the"
-        " control; save it from the control and give that"
+        "{path} was written by compwright run; it was not read back from the control. It does not"
+        " show what the control holds. Save the data from the control, and give that file"
     ),
     "CW-S086": (
         "No file says whether {number:plural|axis {names} is|axes {names} are} linear or"

@@ -40,8 +40,8 @@ SENTENCES: Final[dict[str, str]] = {
     "parameter": "{parameter} {value}",
     "range": "{low} à {high}",
     "read_back": (
-        "Relu, non jugé indépendamment : seule votre propre définition de {definition} dit ce que"
-        " font ses fichiers"
+        "Relu des fichiers, mais pas jugé indépendamment : seule votre propre définition de"
+        " {definition} dit ce que font ses fichiers"
     ),
     "reading_off": "{traverse} à {target} (écart {off})",
     "scale_by": "{axis} : échelle {scale} d'après {tests:join|; }",

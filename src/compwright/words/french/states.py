@@ -6,133 +6,158 @@ from typing import Final
 
 SENTENCES: Final[dict[str, str]] = {
     "CW-F011.feed": (
-        "à {feed:g} {unit}/min ({of:choose|option=option max_feed|rapid=rapide 1420}), la commande"
-        " demande au moins {least:g} : avance / {rule} ({evidence})"
+        "à {feed:g} {unit}/min ({of:choose|option=option max_feed|rapid=rapide, paramètre 1420}),"
+        " les points de la table doivent être à {least:g} {unit} au moins l'un de l'autre. Règle"
+        " de la commande : avance divisée par {rule} ({evidence})"
     ),
     "CW-S001": (
-        "{file} : la dernière ligne n'a pas de fin de ligne ; vérifier que le fichier est complet"
+        "{file} : la dernière ligne ne se termine pas par un saut de ligne. Le fichier est"
+        " peut-être tronqué : vérifier qu'il est complet"
     ),
-    "CW-S002": "{file} : pas de {mark} à la fin ; vérifier que le fichier est complet",
+    "CW-S002": (
+        "{file} : la marque de fin {mark} manque. Le fichier est peut-être tronqué : vérifier"
+        " qu'il est complet"
+    ),
     "CW-S003": (
-        "{label} : {quantity} est donné plusieurs fois ; la"
-        " {rule:choose|first=première|last=dernière|={rule}} valeur compte : {value} ({where})"
+        "{label} : les fichiers donnent {quantity} plusieurs fois. La"
+        " {rule:choose|first=première|last=dernière|={rule}} valeur est utilisée : {value}"
+        " ({where})"
     ),
     "CW-S004.not_zero": (
-        "{label} : {values} valeurs après la fin de la table (de {first} à {last}) ne sont pas"
-        " utilisées par la commande, {not_zero} d'entre elles ne sont pas nulles : une table plus"
-        " ancienne et plus longue, à moins que sa fin ou son intervalle soit faux"
+        "{label} : le fichier contient {values} {values:plural|valeur|valeurs} après la fin de la"
+        " table (de {first} à {last}), dont {not_zero} non nulles. La commande ne les utilise"
+        " pas. Elles viennent d'une table plus ancienne et plus longue, ou la fin ou l'intervalle"
+        " de cette table est faux : vérifier les deux"
     ),
     "CW-S004.zero": (
-        "{label} : {values} valeurs après la fin de la table sont nulles et non utilisées"
+        "{label} : le fichier contient {values} {values:plural|valeur nulle|valeurs nulles} après"
+        " la fin de la table. La commande ne les utilise pas"
     ),
     "CW-S005": (
-        "{label} : {quantity} n'est pas dans les fichiers ; compté comme {value}. Si la commande a"
-        " une autre valeur, elle était active dans les essais, et ce qui est écrit ou montré est"
-        " faux de la différence : la chercher à la commande, ou ajouter le fichier qui la donne"
+        "{label} : {quantity} n'est pas dans les fichiers ; {value} est supposé. Si la commande a"
+        " une autre valeur, les tables et les corrections sont fausses de la différence. Chercher"
+        " la valeur à la commande, ou ajouter le fichier qui la contient"
     ),
     "CW-S006": (
-        "axe {axis} : plusieurs systèmes de mesure ont une table ; le système {system} est montré"
+        "axe {axis} : plusieurs systèmes de mesure ont une table de compensation. Seule la table"
+        " du système {system} est montrée"
     ),
-    "CW-S007": "{label} : {switch} ; elle ne corrige rien",
-    "CW-S008": "{label} : aucun fichier ne contient de table ; compté comme aucune",
+    "CW-S007": "{label} : {switch}. Cette compensation n'a pas d'effet",
+    "CW-S008": (
+        "{label} : aucun fichier ne contient de table de compensation. On suppose que la commande"
+        " n'en a pas pour lui"
+    ),
     "CW-S009": (
-        "{label} : {what} est ignoré par la commande : il {why:choose|table=a une table|rotary=est"
+        "{label} : la commande ignore {what}, car l'axe {why:choose|table=a une table|rotary=est"
         " un axe rotatif}"
     ),
     "CW-S010": (
-        "l'axe {axis} est pris comme {address} de la commande : le vérifier, ou donner son adresse"
+        "l'axe {axis} du dossier de travail est supposé être l'axe {address} de la commande. Le"
+        " vérifier à la commande, et donner à l'axe son `address` dans le dossier de travail"
     ),
     "CW-S011": (
-        "{label} ({input} sur {output}) n'est pas touché : {why} ; {active:if|actif sur {output}"
-        " selon {input}, avant comme après|désactivé}"
+        "{label} corrige {output} selon {input}. Elle reste telle quelle : {why}. {active:if|Elle"
+        " est active, de la même façon avant et après le chargement|Elle est désactivée}"
     ),
-    "CW-S012.assignments": "{file} n'est pas nommé par la ligne d'affectation active : non actif",
-    "CW-S012.no_axis": "{file} n'est nommé par aucun axe : la commande ne le charge pas",
+    "CW-S012.assignments": (
+        "{file} n'est pas actif : la ligne active qui affecte les tables aux axes ne le nomme pas"
+    ),
+    "CW-S012.no_axis": "La commande ne charge pas {file} : aucun axe ne nomme ce fichier",
     "CW-S012.no_table": (
-        "{files}{more:if| et {more} autres} : pas de table, et nommé par aucun axe : la commande ne"
-        " le charge pas comme tel"
+        "La commande ne charge aucune table de {files}{more:if| et de {more} autres} : aucun axe"
+        " ne nomme un tel fichier, et aucun ne contient de table"
     ),
     "CW-S012.not_given": (
-        "{file}, actif pour le mouvement de {axis}, n'a pas été donné : ce qu'il fait aux autres"
-        " axes n'est pas connu"
+        "{file} est actif quand {axis} se déplace, mais ce fichier n'a pas été donné. Son effet"
+        " sur d'autres axes est inconnu : ajouter le fichier"
     ),
     "CW-S012.start_up_list": (
-        "{file} n'est pas nommé par la liste de démarrage : la commande ne le charge pas"
+        "La commande ne charge pas {file} : la liste de démarrage ne nomme pas ce fichier"
     ),
     "CW-S013": (
-        "{file}, ligne {line} : lue, bien qu'aucun manuel ne montre cette forme ({lines} lignes)"
+        "{file}, ligne {line} : aucun manuel ne montre une ligne de cette forme. Elle a été lue"
+        " malgré tout ({lines} {lines:plural|ligne|lignes} du fichier)"
     ),
     "CW-S014": (
-        "les axes {addresses:and} partagent les numéros de points {first} à {last} : un changement"
-        " pour l'un changerait l'autre, donc une nouvelle table reçoit ses propres numéros"
+        "les axes {addresses:and} partagent les numéros {first} à {last} des points de"
+        " compensation. Un changement pour l'un changerait aussi l'autre, donc une nouvelle table"
+        " reçoit ses propres numéros"
     ),
     "CW-S015": (
-        "{label} : avance et rapide ont des valeurs de jeu différentes ({feed} et {rapid} ; {why})"
-        " : est montrée ici {rapid_shown:if|celle du rapide, 1852|celle de l'avance, 1851} ; une"
-        " nouvelle table change les deux de même, leur différence reste"
+        "{label} : l'avance et le rapide ont des compensations de jeu différentes ({feed} et"
+        " {rapid} ; {why}). Est montrée ici celle {rapid_shown:if|du rapide (1852)|de l'avance"
+        " (1851)}. Une nouvelle table change les deux valeurs de la même quantité, leur"
+        " différence reste"
     ),
     "CW-S016": (
-        "{label} : le point {first} devrait avoir la même valeur que le point {last} ({value:g})"
+        "{label} : sur un tour complet, les points de compensation {first} et {last} sont la même"
+        " position. Le point {first} devrait avoir la valeur du point {last} ({value:g})"
     ),
     "CW-S017": (
-        "axe {axis} : la table de {file} finit son tour avec une autre valeur qu'elle ne l'a"
-        " commencé"
+        "axe {axis} : la table de {file} couvre un tour complet, mais sa dernière valeur diffère"
+        " de la première"
     ),
     "CW-S018": (
-        "{label} : la position de référence n'est pas le zéro machine (1240) ; les points sont"
-        " comptés depuis la position {reference:g} (reference), ce qui n'est pas confirmé :"
-        " vérifier la correction à deux positions"
+        "{label} : la position de référence n'est pas le zéro machine (1240). On suppose que la"
+        " commande compte les points de compensation depuis {reference:g} (option reference) ; ce"
+        " n'est pas confirmé. Vérifier la correction à deux positions"
     ),
     "CW-S019": (
-        "{label} : programmation au diamètre (1006#3) : positions, intervalle et corrections sont"
-        " pris au rayon (non confirmé) ; un facteur 2 est la faute habituelle, donc vérifier une"
-        " position après chargement"
+        "{label} : l'axe est programmé au diamètre (1006#3). Positions, intervalle et corrections"
+        " sont pris comme valeurs au rayon ; ce n'est pas confirmé. La faute habituelle est un"
+        " facteur 2, donc vérifier la correction à une position après le chargement"
     ),
     "CW-S030": (
-        "l'axe {partner} ne fait pas la même chose que {leading}, avec lequel il forme un portique"
+        "les axes {leading} et {partner} forment un portique, mais leurs corrections diffèrent"
     ),
     "CW-S031.gantry": (
-        "les axes {axis} et {other} ont la même table : forment-ils un portique ? Nommer alors"
-        " {other} dans le dossier de travail (gantry), pour que les deux reçoivent la nouvelle ;"
-        " une table sur un seul met le pont de travers"
+        "les axes {axis} et {other} ont la même table. S'ils forment un portique, donner à l'axe"
+        " {axis} la clé `gantry: {other}` dans le dossier de travail, pour que les deux reçoivent"
+        " la nouvelle table. Une nouvelle table sur un seul met le portique de travers"
     ),
     "CW-S031.single": (
-        "les axes {axis} et {other} ont la même table ; les fichiers de la commande disent que"
-        " l'axe {axis} n'est dans aucun portique"
+        "les axes {axis} et {other} ont la même table. D'après les fichiers de la commande, l'axe"
+        " {axis} n'appartient à aucun portique"
     ),
-    "CW-S032": "{label} : valeurs et grille sont toutes nulles, ce qui veut dire aucune table",
+    "CW-S032": (
+        "{label} : toutes les valeurs et la grille sont nulles. Cela veut dire qu'il n'y a pas de"
+        " table"
+    ),
     "CW-S033.ends": (
-        "{label} est sans fin, mais sa table ne se répète pas : elle finit des deux côtés"
+        "{label} tourne sans fin, mais sa table ne se répète pas : la table finit des deux côtés"
     ),
     "CW-S033.repeats": (
-        "{label} : sa table se répète tous les {period:g}, mais le dossier de travail ne donne pas"
-        " de modulo ; une nouvelle table aura des extrémités"
+        "{label} : la table existante se répète tous les {period:g}, mais le dossier de travail"
+        " ne donne pas de `modulo` pour cet axe. Une nouvelle table ne se répétera pas : elle"
+        " finira des deux côtés"
     ),
-    "CW-S034": "{label} est désactivé dans les fichiers ({switches}) et ne corrige rien",
+    "CW-S034": "{label} est désactivé dans les fichiers ({switches}), donc il ne corrige rien",
     "CW-S035": (
-        "axe {axis} : le dossier de travail dit qu'il se déplace seul ; {parameter} peut le coupler"
-        " à un autre axe. Laisser ce couplage désactivé dans chaque essai, et charger les tables"
-        " des deux axes avant de le réutiliser"
+        "axe {axis} : d'après le dossier de travail, cet axe se déplace seul, mais {parameter}"
+        " peut le coupler à un autre axe. Laisser le couplage désactivé dans chaque essai."
+        " Charger les tables des deux axes avant de réutiliser le couplage"
     ),
     "CW-S036": (
-        "L'axe {gantry} reçoit {table:choose|same=la même somme|change=le même changement de sa"
-        " propre somme} que l'axe {axis}, comme le dit le dossier de travail. Les corrections des"
-        " deux diffèrent ensuite de {after:.2f} {unit} au plus, {before:.2f} {unit} avant ; en"
-        " aucune position de plus de {moved:.2f} {unit} autrement qu'avant"
+        "Comme le dit le dossier de travail, l'axe {gantry} reçoit {table:choose|same=la même"
+        " table que l'axe {axis}|change=sa propre table existante plus le même changement que"
+        " l'axe {axis}}. Les corrections des deux axes diffèrent ensuite de {after:.2f} {unit} au"
+        " plus, avant de {before:.2f} {unit} au plus. En aucune position la différence ne change"
+        " de plus de {moved:.2f} {unit}"
     ),
     "CW-S037": (
-        "axe {axis} : l'axe {follows} le suit comme entraînement, sans position propre"
-        " ({parameter}) : la table de l'axe {axis} sert aux deux"
+        "axe {axis} : l'axe {follows} le suit comme deuxième entraînement, sans position propre"
+        " ({parameter}). La table de l'axe {axis} corrige les deux"
     ),
     "CW-S038": (
-        "Les axes {axis} et {gantry} s'écartent de {moved:.2f} {unit} au plus (limite {limit:.2f}"
-        " {unit}) ; l'axe {axis} gagne {gain:.2f} {unit}. Leurs grilles ne vont pas ensemble."
-        " Donner aux deux axes la même grille dans la commande, ou dire table: same"
+        "Les axes {axis} et {gantry} du portique s'écartent de {moved:.2f} {unit} au plus (limite"
+        " {limit:.2f} {unit}), alors que l'axe {axis} gagne {gain:.2f} {unit}. La cause : les"
+        " points de leurs tables sont à des positions différentes. Donner aux deux axes les mêmes"
+        " points dans la commande, ou donner table: same dans le dossier de travail"
     ),
     "CW-S040": (
-        "{label} : {bits} = 1 ({value}) : utilisé sur des machines réelles, sens non confirmé"
-        " (peut-être compensation interpolée : donner alors l'option output: ramp) ; laissé tel"
-        " quel"
+        "{label} : {bits} = 1 ({value}). Des machines réelles utilisent ce réglage, mais son sens"
+        " n'est pas confirmé ; il reste tel quel. Il signifie peut-être une compensation"
+        " interpolée : dans ce cas, donner l'option output: ramp"
     ),
     "CW-S041": (
         "{label} : {own} = {first} est {zero} + 1 sur un tour complet, là où le manuel a {own} ="
@@ -140,137 +165,158 @@ SENTENCES: Final[dict[str, str]] = {
         " {reference} est gardé pour l'axe aussi"
     ),
     "CW-S042": (
-        "l'axe {axis} est inhabituel et n'est pas touché, avec tous ses numéros de points :"
-        " {reasons:join|; }"
+        "l'axe {axis} a des réglages inhabituels et n'est pas modifié, ses points de compensation"
+        " non plus : {reasons:join|; }"
     ),
-    "CW-S043": "{label} : {systems} ; vérifier l'unité de détection",
+    "CW-S043": (
+        "{label} : {systems}. Vérifier l'unité de détection : les corrections sont comptées dans"
+        " cette unité"
+    ),
     "CW-S044": (
-        "{label} : la prise de référence va vers {files} d'après 1006#5, vers {job} dans le dossier"
-        " de travail ; avec un jeu de données cela ne déplace que le zéro du jeu, donc le dossier"
-        " de travail est suivi ; deux jeux sont refusés jusqu'à ce qu'ils s'accordent"
+        "{label} : l'axe revient à sa position de référence dans la direction {files} d'après"
+        " 1006#5, mais {job} d'après le dossier de travail. Le dossier de travail est suivi :"
+        " avec une seule table pour les deux directions, seul le zéro se déplace, du jeu. Avec"
+        " deux tables, cette contradiction est refusée"
     ),
     "CW-S045": (
-        "{label} : {outside:g} {unit} de la course sont hors de ses limites de {low:g} à {high:g}"
-        " ({parameters}) : course et points visés sont-ils en coordonnées machine ?"
+        "{label} : la course du dossier de travail dépasse de {outside:g} {unit} les limites de"
+        " l'axe dans la commande, de {low:g} à {high:g} ({parameters}). Vérifier que course et"
+        " points visés sont en coordonnées machine"
     ),
     "CW-S046": (
-        "{file} : ses points ne sont pas équidistants (de {least:.10g} à {most:.10g}), ce que la"
-        " commande demande ; lus tels quels, jamais écrits ainsi"
+        "{file} : les points de la table ne sont pas équidistants (écarts de {least:.10g} à"
+        " {most:.10g}), alors que la commande exige des intervalles égaux. Ils sont lus tels"
+        " quels ; une nouvelle table reçoit des intervalles égaux"
     ),
     "CW-S047": (
-        "{label} : la compensation de jeu progressive divise 1851 en étapes ({parameters}) :"
-        " laissée telle quelle, elle agit sur {reach:g} {unit} au plus après une inversion (non"
-        " confirmé) ; un point visé plus proche, dans un essai ou une pièce, voit une autre valeur"
-        " que 1851"
+        "{label} : la compensation de jeu progressive applique la valeur de jeu 1851 par étapes"
+        " ({parameters}). Elle reste telle quelle. Les étapes finissent {reach:g} {unit} au plus"
+        " après une inversion (non confirmé). Un point visé plus proche d'une inversion, dans un"
+        " essai ou une pièce, reçoit une autre valeur que 1851"
     ),
     "CW-S048": "{label} : {function}",
     "CW-S049.none": (
-        "{suggested}. Le dossier de travail ne nomme pas de pas de vis, donc cette période est"
-        " cherchée d'abord dans les mesures. Si elle est juste, ajouter screw_pitch: {lead:g} à"
-        " l'axe"
+        "{suggested}. Le dossier de travail ne donne pas de pas de vis, donc cette période est"
+        " cherchée en premier dans les mesures. Si la période est juste, ajouter screw_pitch:"
+        " {lead:g} à l'axe"
     ),
     "CW-S049.other": (
-        "{suggested} ; le dossier de travail nomme {periods:g} à la place, et il est suivi :"
-        " vérifier à la vis"
+        "{suggested}. Le dossier de travail donne {periods:g} à la place, et il est suivi :"
+        " vérifier le pas à la vis"
     ),
     "CW-S049.suggested": (
-        "{label} : les fichiers de la commande suggèrent une période de {lead:g} {unit}, un tour du"
-        " moteur ({evidence})"
+        "{label} : d'après les fichiers de la commande, un tour du moteur déplace l'axe de"
+        " {lead:g} {unit} ({evidence}). Des erreurs peuvent se répéter avec cette période"
     ),
     "CW-S050.cec": (
-        "{label} ({input} sur {output}) n'est pas touché : {why} ; {active:if|actif sur {output}"
-        " selon {input}, avant comme après|désactivé}"
+        "{label} corrige {output} selon {input}. Elle reste telle quelle : {why}. {active:if|Elle"
+        " est active, de la même façon avant et après le chargement|Elle est désactivée}"
     ),
-    "CW-S050.list": "{label} est laissé tel quel et n'est pas montré : {why}",
+    "CW-S050.list": "{label} est laissé tel quel, et ses corrections ne sont pas montrées : {why}",
     "CW-S050.sum": (
-        "les tables CEC {tables} sur {output} ne sont pas touchées : leur somme va de {low:g} à"
-        " {high:g}, et MD32720 $MA_CEC_MAX_SUM la limite à {limit:g} ; elles sont actives, avant"
-        " comme après"
+        "Les tables CEC {tables} corrigent l'axe {output}. Leur somme va de {low:g} à {high:g},"
+        " mais MD32720 $MA_CEC_MAX_SUM limite la somme à {limit:g}. Les tables restent telles"
+        " quelles : actives, de la même façon avant et après le chargement"
     ),
     "CW-S051": (
-        "les tables entre axes ({pairs}) sont laissées telles quelles et ne sont pas montrées : le"
-        " signe des valeurs CEC est inconnu ; donner l'option cec_sign après la vérification de la"
-        " fiche"
+        "Les tables qui corrigent un axe selon un autre ({pairs}) restent telles quelles et ne"
+        " sont pas montrées, car le signe des valeurs CEC sur cette commande est inconnu."
+        " Vérifier le signe d'après la fiche, puis donner l'option cec_sign"
     ),
     "CW-S052": (
-        "axe {axis} : le dossier de travail nomme le système de mesure {number}, mais les fichiers"
-        " activent la compensation pour le système {other} (MD32700) : s'assurer que le système"
-        " {number} est utilisé"
+        "axe {axis} : le dossier de travail nomme le système de mesure {number}, mais dans les"
+        " fichiers la compensation est activée pour le système {other} (MD32700). S'assurer que"
+        " l'axe utilise le système {number}"
     ),
     "CW-S053": (
-        "axe {axis} : en plus de sa table est actif : {functions:join|; }. Laissé tel quel, il"
-        " compte comme actif de la même façon pendant l'essai et après"
+        "axe {axis} : en plus de sa table, cette compensation est active : {functions:join|; }."
+        " Elle reste telle quelle. On suppose qu'elle agit de la même façon pendant l'essai et"
+        " après le chargement"
     ),
     "CW-S054": (
-        "les tables CEC {tables} ne sont pas touchées : toutes leurs valeurs sont 0, sur une grille"
-        " illisible ; elles ne corrigent rien"
+        "Les tables CEC {tables} restent telles quelles. Leur grille est illisible, mais toutes"
+        " leurs valeurs sont 0, donc elles ne corrigent rien"
     ),
     "CW-S055": (
-        "Les tables CEC sont montrées comme des corrections. D'après le manuel de Siemens"
-        " (Fonctions d'extension 03/2009, page 372), une valeur positive déplace l'axe en −, donc"
-        " l'inverse : donner l'option cec_sign après la vérification de la fiche"
+        "Les valeurs des tables CEC sont montrées comme si une valeur positive déplaçait l'axe en"
+        " +. D'après le manuel de Siemens (Fonctions d'extension 03/2009, page 372), une valeur"
+        " positive déplace l'axe en −, donc l'inverse. Vérifier le signe d'après la fiche, puis"
+        " donner l'option cec_sign"
     ),
     "CW-S056": (
-        "axe {axis} : {period:if|sa table se répète tous les {period:g}, mais le dossier de travail"
-        " ne donne pas de modulo ; une nouvelle table aura des extrémités|il est sans fin, mais sa"
-        " table ne se répète pas : elle finit des deux côtés}"
+        "axe {axis} : {period:if|la table existante se répète tous les {period:g}, mais le"
+        " dossier de travail ne donne pas de `modulo` pour cet axe. Une nouvelle table ne se"
+        " répétera pas : elle finira des deux côtés|l'axe tourne sans fin, mais sa table ne se"
+        " répète pas : la table finit des deux côtés}"
     ),
     "CW-S057": (
-        "{format} : aucune page ne dit ce que sont les paramètres {parameters} sur cette série"
-        " ({place} ; d'autres séries y ont des unités, des chemins ou une autre compensation) : ils"
-        " ne sont pas comptés, pas comparés au dossier de travail et laissés tels quels. Les"
-        " chercher dans le manuel de la commande : ce qui y compense ne s'annule que tant que la"
-        " grille reste"
+        "{format} : le sens des paramètres {parameters} sur cette série est inconnu ({place}) ;"
+        " sur d'autres séries, ce sont des unités, des chemins ou une autre compensation. Ils"
+        " restent tels quels et ne sont pas comparés au dossier de travail. Les chercher dans le"
+        " manuel de la commande. Si l'un d'eux est une compensation, la nouvelle table n'en tient"
+        " compte que tant que les points de la table restent où ils sont"
     ),
     "CW-S060": (
-        "Relu, non jugé indépendamment : seule votre propre définition de {definition} dit ce que"
-        " font ses fichiers. Un signe ou une unité faux dans celle-ci est faux dans tout ceci. Le"
-        " prouver sur la machine, à une position et des deux côtés, avant que toute la table soit"
-        " active{expectation:if|. Les corrections calculées à la main sont celles de {expectation}"
-        " : aucune n'a été calculée pour {definition}}"
+        "La table a été relue de ses fichiers, mais pas jugée indépendamment : seule votre propre"
+        " définition de {definition} dit ce que font ces fichiers. Un signe ou une unité faux"
+        " dans la définition rend faux tous les résultats ici. Vérifier la correction sur la"
+        " machine, à une position et des deux côtés, avant que toute la table soit"
+        " active{expectation:if|. Les corrections calculées à la main sont celles de"
+        " {expectation} ; aucune n'a été calculée pour {definition}}"
     ),
     "CW-S061": (
-        "{what} : {carried} est utilisé tel qu'il est dans le plan ; pour une autre définition,"
-        " refaire le calcul"
+        "{what}. La définition de {carried} contenue dans le plan est utilisée. Pour une autre"
+        " définition, refaire le calcul"
     ),
-    "CW-S062": "le format de commande {name} est pris pour {definition} : {title}",
+    "CW-S062": "le format de commande {name} signifie {definition} : {title}",
     "CW-S070": (
-        "{file} : des programmes y chargent ou commutent la compensation quand quelqu'un les lance"
-        " : {programs} ; ils n'ont pas été exécutés ici, et ce sont les données de l'archive qui"
-        " comptent"
+        "{file} : il contient des programmes qui chargent la compensation ou la commutent :"
+        " {programs}. Ils n'ont pas été exécutés ici. Le résultat est celui des données de"
+        " l'archive elle-même ; si un tel programme a tourné depuis, la commande en diffère"
     ),
     "CW-S071": (
-        "{file} : ses virgules décimales sont lues comme des points ; la commande n'accepte pas un"
-        " tel fichier : c'est un listage, et peut-être pas ce que contient la commande"
+        "{file} : la commande ne charge pas de fichier avec des virgules décimales, c'est donc un"
+        " listage. Ses virgules sont lues comme des points décimaux. La commande contient"
+        " peut-être d'autres valeurs : en comparer quelques-unes"
     ),
     "CW-S072": (
-        "{file} : le contenu de l'archive n'est pas vérifié : rien dans son conteneur ne dit si une"
-        " valeur a été changée après l'exportation. Avant de charger, comparer les trois valeurs"
-        " par axe de la fiche avec la commande"
+        "{file} : rien dans cette archive ne montre si une valeur a été changée après"
+        " l'exportation. Avant de charger, comparer les trois valeurs par axe de la fiche avec la"
+        " commande"
     ),
     "CW-S073": (
-        "{file} : non exécuté dans la commande, d'après le dossier de travail (active: no). Aucune"
-        " de ses tables et valeurs de jeu ne compte comme chargée"
+        "{file} : d'après le dossier de travail, la commande n'a jamais exécuté ce fichier"
+        " (active: no). Ses tables et valeurs de jeu comptent comme non chargées"
     ),
     "CW-S080": (
-        "{files} : ce que la commande fait de {what} est inconnu, donc seules les entrées sont"
-        " comparées ({faults})"
+        "{files} : ce que la commande fait de {what} ne peut pas être déterminé ({faults})."
+        " Seules les entrées des fichiers sont comparées"
     ),
-    "CW-S081": "{files} : les corrections sont celles d'un seul lecteur ; le second dit : {why}",
-    "CW-S082": "{files} : pas de données de la commande dans {idle}",
+    "CW-S081": (
+        "{files} : compwright lit de tels fichiers de deux manières indépendantes. Une seule a pu"
+        " lire ces corrections ; l'autre signale : {why}"
+    ),
+    "CW-S082": (
+        "{files} : ces fichiers ne contiennent pas de données de la commande et ne sont pas"
+        " comparés : {idle}"
+    ),
     "CW-S083.new": (
-        "{new} valeurs qui compensent n'étaient dans aucun fichier du plan, et n'ont pas été"
-        " regardées"
+        "Ce qui a été relu contient {new} {new:plural|valeur|valeurs} de compensation absentes"
+        " des fichiers du plan. Elles n'ont pas été comparées"
     ),
     "CW-S083.not_read": (
-        "{missing} valeurs qui compensent n'ont pas été relues, et n'ont pas été regardées"
+        "{missing} {missing:plural|valeur de compensation des fichiers du plan n'a pas été relue,"
+        " donc pas comparée|valeurs de compensation des fichiers du plan n'ont pas été relues,"
+        " donc pas comparées}"
     ),
     "CW-S084": (
-        "{files} : dans le dossier donné, aucune ligne n'est une instruction de {format} ; omis"
+        "{files} : omis, car ces fichiers du dossier ne contiennent aucune ligne que {format}"
+        " comprend"
     ),
     "CW-S085": (
-        "{path} est ce que run a écrit, pas ce qui a été relu : rien ici ne dit ce qui est dans la"
-        " commande ; l'enregistrer depuis la commande et le donner"
+        "{path} a été écrit par compwright run, pas relu de la commande. Cela ne montre pas ce"
+        " que contient la commande. Enregistrer les données depuis la commande, et donner ce"
+        " fichier"
     ),
     "CW-S086": (
         "Aucun fichier ne dit si {number:plural|l'axe {names} est linéaire ou rotatif|les axes"

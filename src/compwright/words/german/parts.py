@@ -40,8 +40,8 @@ SENTENCES: Final[dict[str, str]] = {
     "parameter": "{parameter} {value}",
     "range": "{low} bis {high}",
     "read_back": (
-        "Zurückgelesen, nicht unabhängig beurteilt: Nur Ihre eigene Definition von {definition}"
-        " sagt, was ihre Dateien tun"
+        "Aus den Dateien zurückgelesen, aber nicht unabhängig beurteilt: Nur Ihre eigene"
+        " Definition von {definition} sagt, was ihre Dateien tun"
     ),
     "reading_off": "{traverse} bei {target} (Abweichung {off})",
     "scale_by": "{axis}: Maßstab {scale} nach {tests:join|; }",

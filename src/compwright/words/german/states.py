@@ -6,124 +6,160 @@ from typing import Final
 
 SENTENCES: Final[dict[str, str]] = {
     "CW-F011.feed": (
-        "bei {feed:g} {unit}/min ({of:choose|option=Option max_feed|rapid=Eilgang 1420}) braucht"
-        " die Steuerung mindestens {least:g}: Vorschub / {rule} ({evidence})"
+        "bei {feed:g} {unit}/min ({of:choose|option=Option max_feed|rapid=Eilgang, Parameter"
+        " 1420}) müssen die Tabellenpunkte mindestens {least:g} {unit} auseinanderliegen. Regel"
+        " der Steuerung: Vorschub geteilt durch {rule} ({evidence})"
     ),
-    "CW-S001": "{file}: Die letzte Zeile hat kein Zeilenende; prüfen, ob die Datei vollständig ist",
-    "CW-S002": "{file}: kein {mark} am Ende; prüfen, ob die Datei vollständig ist",
+    "CW-S001": (
+        "{file}: Die letzte Zeile endet nicht mit einem Zeilenumbruch. Die Datei kann"
+        " abgeschnitten sein: prüfen, ob sie vollständig ist"
+    ),
+    "CW-S002": (
+        "{file}: Die Endemarke {mark} fehlt. Die Datei kann abgeschnitten sein: prüfen, ob sie"
+        " vollständig ist"
+    ),
     "CW-S003": (
-        "{label}: {quantity} ist mehrfach angegeben; es zählt der"
+        "{label}: Die Dateien geben {quantity} mehrfach an. Verwendet wird der"
         " {rule:choose|first=erste|last=letzte|={rule}} Wert: {value} ({where})"
     ),
     "CW-S004.not_zero": (
-        "{label}: {values} Werte hinter dem Ende der Tabelle ({first} bis {last}) verwendet die"
-        " Steuerung nicht, {not_zero} davon sind nicht null: eine ältere, längere Tabelle, außer"
-        " Ende oder Abstand sind falsch"
+        "{label}: Hinter dem Ende der Tabelle {values:plural|steht noch {values} Wert|stehen noch"
+        " {values} Werte} ({first} bis {last}), davon {not_zero} nicht null. Die Steuerung"
+        " verwendet sie nicht. Sie gehören zu einer älteren, längeren Tabelle, oder Ende oder"
+        " Abstand dieser Tabelle sind falsch: beides prüfen"
     ),
     "CW-S004.zero": (
-        "{label}: {values} Werte hinter dem Ende der Tabelle sind null und nicht verwendet"
+        "{label}: Hinter dem Ende der Tabelle {values:plural|steht noch {values} Wert, er ist"
+        " null. Die Steuerung verwendet ihn nicht|stehen noch {values} Werte, alle null. Die"
+        " Steuerung verwendet sie nicht}"
     ),
     "CW-S005": (
-        "{label}: {quantity} steht nicht in den Dateien; gezählt als {value}. Hat die Steuerung"
-        " einen anderen Wert, war der in den Prüfungen aktiv, und was geschrieben oder gezeigt"
-        " wird, ist um den Unterschied falsch: an der Steuerung nachsehen oder die Datei"
-        " hinzufügen, die ihn nennt"
+        "{label}: {quantity} ist nicht in den Dateien; angenommen wird {value}. Hat die Steuerung"
+        " einen anderen Wert, sind Tabellen und Korrekturen um den Unterschied falsch. Den Wert"
+        " an der Steuerung nachsehen oder die Datei hinzufügen, die ihn enthält"
     ),
-    "CW-S006": "Achse {axis}: Mehrere Messsysteme haben eine Tabelle; gezeigt wird System {system}",
-    "CW-S007": "{label}: {switch}; sie korrigiert nichts",
-    "CW-S008": "{label}: Keine Datei enthält eine Tabelle; gezählt als keine",
+    "CW-S006": (
+        "Achse {axis}: Mehrere Messsysteme haben eine Kompensationstabelle. Gezeigt wird nur die"
+        " Tabelle von System {system}"
+    ),
+    "CW-S007": "{label}: {switch}. Diese Kompensation hat keine Wirkung",
+    "CW-S008": (
+        "{label}: Keine Datei enthält eine Kompensationstabelle. Es wird angenommen, dass die"
+        " Steuerung dafür keine hat"
+    ),
     "CW-S009": (
-        "{label}: {what} beachtet die Steuerung nicht: sie {why:choose|table=hat eine"
+        "{label}: Die Steuerung beachtet {what} nicht, denn die Achse {why:choose|table=hat eine"
         " Tabelle|rotary=ist eine Drehachse}"
     ),
     "CW-S010": (
-        "Achse {axis} wird als {address} der Steuerung genommen: prüfen oder ihre Adresse angeben"
+        "Achse {axis} des Auftrags gilt als Achse {address} der Steuerung. Das an der Steuerung"
+        " prüfen und der Achse im Auftrag ihre `address` geben"
     ),
     "CW-S011": (
-        "{label} ({input} auf {output}) bleibt unberührt: {why}; {active:if|aktiv auf {output} über"
-        " {input}, vorher wie nachher|ausgeschaltet}"
+        "{label} korrigiert {output} über {input}. Sie bleibt, wie sie ist: {why}. {active:if|Sie"
+        " ist aktiv, vor und nach dem Laden gleich|Sie ist ausgeschaltet}"
     ),
-    "CW-S012.assignments": "{file} steht nicht in der aktiven Zuordnungszeile: nicht aktiv",
-    "CW-S012.no_axis": "{file} wird von keiner Achse genannt: Die Steuerung lädt sie nicht",
+    "CW-S012.assignments": (
+        "{file} ist nicht aktiv: Die aktive Zeile, die den Achsen Tabellen zuordnet, nennt die"
+        " Datei nicht"
+    ),
+    "CW-S012.no_axis": "Die Steuerung lädt {file} nicht: Keine Achse nennt diese Datei",
     "CW-S012.no_table": (
-        "{files}{more:if| und {more} weitere}: keine Tabelle und von keiner Achse genannt: Die"
-        " Steuerung lädt sie nicht als solche"
+        "Die Steuerung lädt keine Tabelle aus {files}{more:if| und {more} weiteren}: Keine Achse"
+        " nennt eine solche Datei, und keine davon enthält eine Tabelle"
     ),
     "CW-S012.not_given": (
-        "{file}, aktiv für die Bewegung von {axis}, wurde nicht gegeben: Was sie mit anderen Achsen"
-        " tut, ist nicht bekannt"
+        "{file} ist aktiv, wenn {axis} sich bewegt, aber diese Datei wurde nicht gegeben. Ihre"
+        " Wirkung auf andere Achsen ist unbekannt: die Datei hinzufügen"
     ),
-    "CW-S012.start_up_list": "{file} steht nicht in der Anlaufliste: Die Steuerung lädt sie nicht",
+    "CW-S012.start_up_list": (
+        "Die Steuerung lädt {file} nicht: Die Anlaufliste nennt diese Datei nicht"
+    ),
     "CW-S013": (
-        "{file}, Zeile {line}: gelesen, obwohl kein Handbuch diese Form zeigt ({lines} Zeilen)"
+        "{file}, Zeile {line}: Kein Handbuch zeigt eine Zeile dieser Form. Sie wurde trotzdem"
+        " gelesen ({lines} {lines:plural|Zeile|Zeilen} der Datei)"
     ),
     "CW-S014": (
-        "die Achsen {addresses:and} teilen sich die Punktnummern {first} bis {last}: Eine Änderung"
-        " für die eine änderte die andere, deshalb bekommt eine neue Tabelle eigene Nummern"
+        "die Achsen {addresses:and} teilen sich die Nummern {first} bis {last} der"
+        " Kompensationspunkte. Eine Änderung für die eine Achse würde auch die andere ändern,"
+        " deshalb bekommt eine neue Tabelle eigene Nummern"
     ),
     "CW-S015": (
-        "{label}: Vorschub und Eilgang haben verschiedene Losewerte ({feed} und {rapid}; {why}):"
-        " Gezeigt ist hier {rapid_shown:if|der Eilgang, 1852|der Vorschub, 1851}; eine neue Tabelle"
-        " ändert beide gleich, ihr Unterschied bleibt"
+        "{label}: Vorschub und Eilgang haben verschiedene Losekompensation ({feed} und {rapid};"
+        " {why}). Gezeigt wird hier die {rapid_shown:if|des Eilgangs (1852)|des Vorschubs"
+        " (1851)}. Eine neue Tabelle ändert beide Werte um denselben Betrag, ihr Unterschied"
+        " bleibt"
     ),
-    "CW-S016": "{label}: Punkt {first} sollte denselben Wert haben wie Punkt {last} ({value:g})",
+    "CW-S016": (
+        "{label}: Auf einer vollen Umdrehung sind die Kompensationspunkte {first} und {last}"
+        " dieselbe Position. Punkt {first} sollte den Wert von Punkt {last} haben ({value:g})"
+    ),
     "CW-S017": (
-        "Achse {axis}: Die Tabelle von {file} beendet ihre Umdrehung mit einem anderen Wert, als"
-        " sie begann"
+        "Achse {axis}: Die Tabelle in {file} umfasst eine volle Umdrehung, aber ihr letzter Wert"
+        " ist anders als ihr erster"
     ),
     "CW-S018": (
-        "{label}: Die Referenzposition ist nicht der Maschinennullpunkt (1240); die Punkte werden"
-        " von der Position {reference:g} (reference) gezählt, was unbestätigt ist: die Korrektur an"
-        " zwei Positionen prüfen"
+        "{label}: Die Referenzposition ist nicht der Maschinennullpunkt (1240). Es wird"
+        " angenommen, dass die Steuerung die Kompensationspunkte von {reference:g} an zählt"
+        " (Option reference); das ist unbestätigt. Die Korrektur an zwei Positionen prüfen"
     ),
     "CW-S019": (
-        "{label}: Durchmesserprogrammierung (1006#3): Positionen, Abstand und Korrekturen gelten"
-        " als Radius (unbestätigt); ein Faktor 2 ist der übliche Fehler, deshalb nach dem Laden"
-        " eine Position prüfen"
+        "{label}: Die Achse wird im Durchmesser programmiert (1006#3). Positionen, Abstand und"
+        " Korrekturen gelten als Radiuswerte; das ist unbestätigt. Der übliche Fehler ist ein"
+        " Faktor 2, deshalb nach dem Laden die Korrektur an einer Position prüfen"
     ),
-    "CW-S030": "Achse {partner} tut nicht dasselbe wie {leading}, mit der sie ein Gantry bildet",
+    "CW-S030": (
+        "die Achsen {leading} und {partner} bilden ein Gantry, aber ihre Korrekturen sind"
+        " verschieden"
+    ),
     "CW-S031.gantry": (
-        "die Achsen {axis} und {other} haben dieselbe Tabelle: Sind sie ein Gantry? Dann {other} im"
-        " Auftrag nennen (gantry), damit beide die neue bekommen; eine Tabelle auf nur einer"
-        " verspannt das Portal"
+        "die Achsen {axis} und {other} haben dieselbe Tabelle. Bilden sie ein Gantry, der Achse"
+        " {axis} im Auftrag `gantry: {other}` geben, damit beide die neue Tabelle bekommen. Eine"
+        " neue Tabelle auf nur einer verspannt das Gantry"
     ),
     "CW-S031.single": (
-        "die Achsen {axis} und {other} haben dieselbe Tabelle; die Dateien der Steuerung sagen,"
-        " dass Achse {axis} in keinem Gantry ist"
+        "die Achsen {axis} und {other} haben dieselbe Tabelle. Nach den Dateien der Steuerung"
+        " gehört Achse {axis} zu keinem Gantry"
     ),
-    "CW-S032": "{label}: Werte und Raster sind alle null, das heißt keine Tabelle",
+    "CW-S032": "{label}: Alle Werte und das Raster sind null. Das heißt, es gibt keine Tabelle",
     "CW-S033.ends": (
-        "{label} ist endlos, aber die Tabelle wiederholt sich nicht: Sie endet an beiden Seiten"
+        "{label} dreht endlos, aber die Tabelle wiederholt sich nicht: Sie endet an beiden Seiten"
     ),
     "CW-S033.repeats": (
-        "{label}: Die Tabelle wiederholt sich alle {period:g}, aber der Auftrag nennt kein modulo;"
-        " eine neue Tabelle hat Enden"
+        "{label}: Die vorhandene Tabelle wiederholt sich alle {period:g}, aber der Auftrag nennt"
+        " für diese Achse kein `modulo`. Eine neue Tabelle wiederholt sich nicht: Sie endet an"
+        " beiden Seiten"
     ),
-    "CW-S034": "{label} ist in den Dateien ausgeschaltet ({switches}) und korrigiert nichts",
+    "CW-S034": (
+        "{label} ist in den Dateien ausgeschaltet ({switches}) und korrigiert deshalb nichts"
+    ),
     "CW-S035": (
-        "Achse {axis}: Der Auftrag sagt, dass sie sich allein bewegt; {parameter} kann sie mit"
-        " einer anderen Achse koppeln. Diese Kopplung in jeder Prüfung ausgeschaltet lassen und die"
-        " Tabellen beider Achsen laden, bevor sie wieder benutzt wird"
+        "Achse {axis}: Nach dem Auftrag bewegt sich diese Achse allein, aber {parameter} kann sie"
+        " mit einer anderen koppeln. Die Kopplung in jeder Prüfung ausgeschaltet lassen. Die"
+        " Tabellen beider Achsen laden, bevor die Kopplung wieder benutzt wird"
     ),
     "CW-S036": (
-        "Achse {gantry} bekommt {table:choose|same=dieselbe Summe|change=dieselbe Änderung zu ihrer"
-        " eigenen Summe} wie Achse {axis}, wie der Auftrag sagt. Die Korrekturen beider"
-        " unterscheiden sich nachher um bis zu {after:.2f} {unit}, vorher {before:.2f} {unit}; an"
-        " keiner Position um mehr als {moved:.2f} {unit} anders als vorher"
+        "Wie der Auftrag sagt, bekommt Achse {gantry} {table:choose|same=dieselbe Tabelle wie"
+        " Achse {axis}|change=ihre eigene vorhandene Tabelle und dazu dieselbe Änderung wie Achse"
+        " {axis}}. Nachher unterscheiden sich die Korrekturen beider Achsen um bis zu {after:.2f}"
+        " {unit}, vorher um bis zu {before:.2f} {unit}. An keiner Position ändert sich der"
+        " Unterschied um mehr als {moved:.2f} {unit}"
     ),
     "CW-S037": (
-        "Achse {axis}: Achse {follows} folgt ihr als Antrieb ohne eigene Position ({parameter}):"
-        " Die Tabelle der Achse {axis} dient beiden"
+        "Achse {axis}: Achse {follows} folgt ihr als zweiter Antrieb ohne eigene Position"
+        " ({parameter}). Die Tabelle der Achse {axis} korrigiert beide"
     ),
     "CW-S038": (
-        "Die Achsen {axis} und {gantry} laufen um bis zu {moved:.2f} {unit} auseinander (Grenze"
-        " {limit:.2f} {unit}); Achse {axis} gewinnt {gain:.2f} {unit}. Ihre Raster passen nicht"
-        " zusammen. Beiden Achsen in der Steuerung dasselbe Raster geben oder table: same sagen"
+        "Die Achsen {axis} und {gantry} des Gantrys laufen um bis zu {moved:.2f} {unit}"
+        " auseinander (Grenze {limit:.2f} {unit}), während Achse {axis} um {gain:.2f} {unit}"
+        " besser wird. Die Ursache: Die Punkte ihrer Tabellen liegen an verschiedenen Positionen."
+        " Beiden Achsen in der Steuerung dieselben Punkte geben oder im Auftrag table: same"
+        " angeben"
     ),
     "CW-S040": (
-        "{label}: {bits} = 1 ({value}): an echten Maschinen verwendet, Bedeutung nicht bestätigt"
-        " (vielleicht interpolierende Kompensation: dann die Option output: ramp angeben); es"
-        " bleibt, wie es ist"
+        "{label}: {bits} = 1 ({value}). Echte Maschinen verwenden diese Einstellung, aber ihre"
+        " Bedeutung ist nicht bestätigt; sie bleibt, wie sie ist. Sie kann interpolierende"
+        " Kompensation bedeuten: dann die Option output: ramp angeben"
     ),
     "CW-S041": (
         "{label}: {own} = {first} ist {zero} + 1 bei einer vollen Umdrehung, wo das Handbuch {own}"
@@ -131,134 +167,155 @@ SENTENCES: Final[dict[str, str]] = {
         " Nummer {reference} bleibt auch der Achse"
     ),
     "CW-S042": (
-        "Achse {axis} ist ungewöhnlich und bleibt mit allen ihren Punktnummern unberührt:"
-        " {reasons:join|; }"
+        "Achse {axis} hat ungewöhnliche Einstellungen und bleibt mit allen ihren"
+        " Kompensationspunkten unverändert: {reasons:join|; }"
     ),
-    "CW-S043": "{label}: {systems}; die Erfassungseinheit prüfen",
+    "CW-S043": (
+        "{label}: {systems}. Die Erfassungseinheit prüfen: Die Korrekturen sind in ihr gezählt"
+    ),
     "CW-S044": (
-        "{label}: Die Referenzfahrt geht nach 1006#5 in Richtung {files}, im Auftrag in Richtung"
-        " {job}; mit einem Datensatz verschiebt das nur den Nullpunkt um die Lose, deshalb gilt der"
-        " Auftrag; zwei Sätze werden abgelehnt, bis beide übereinstimmen"
+        "{label}: Die Achse fährt nach 1006#5 in Richtung {files} zur Referenzposition, nach dem"
+        " Auftrag aber in Richtung {job}. Es gilt der Auftrag: Mit einer Tabelle für beide"
+        " Richtungen verschiebt sich nur der Nullpunkt, und zwar um die Lose. Mit zwei Tabellen"
+        " wird dieser Widerspruch abgelehnt"
     ),
     "CW-S045": (
-        "{label}: {outside:g} {unit} des Verfahrwegs liegen außerhalb der Grenzen von {low:g} bis"
-        " {high:g} ({parameters}): Sind Verfahrweg und Zielpositionen in Maschinenkoordinaten?"
+        "{label}: Der Verfahrweg des Auftrags reicht {outside:g} {unit} über die Grenzen der"
+        " Achse in der Steuerung hinaus, {low:g} bis {high:g} ({parameters}). Prüfen, ob"
+        " Verfahrweg und Zielpositionen Maschinenkoordinaten sind"
     ),
     "CW-S046": (
-        "{file}: Die Punkte liegen nicht gleich weit auseinander ({least:.10g} bis {most:.10g}),"
-        " was die Steuerung verlangt; gelesen, wie sie sind, nie so geschrieben"
+        "{file}: Die Tabellenpunkte liegen nicht gleich weit auseinander ({least:.10g} bis"
+        " {most:.10g}), obwohl die Steuerung gleiche Abstände verlangt. Sie werden gelesen, wie"
+        " sie sind; eine neue Tabelle bekommt gleiche Abstände"
     ),
     "CW-S047": (
-        "{label}: Die weiche Losekompensation teilt 1851 in Stufen ({parameters}): Sie bleibt, wie"
-        " sie ist, und formt höchstens die {reach:g} {unit} nach einer Umkehr (unbestätigt); eine"
-        " nähere Zielposition, in einer Prüfung oder am Werkstück, sieht einen anderen Wert als"
-        " 1851"
+        "{label}: Die weiche Losekompensation gibt den Losewert 1851 in Stufen aus"
+        " ({parameters}). Sie bleibt, wie sie ist. Die Stufen enden höchstens {reach:g} {unit}"
+        " nach einer Umkehr (unbestätigt). Eine Zielposition näher an einer Umkehr, in einer"
+        " Prüfung oder am Werkstück, bekommt einen anderen Wert als 1851"
     ),
     "CW-S048": "{label}: {function}",
     "CW-S049.none": (
-        "{suggested}. Der Auftrag nennt keine Spindelsteigung, deshalb wird diese Periode zuerst in"
-        " den Messwerten gesucht. Stimmt sie, der Achse screw_pitch: {lead:g} geben"
+        "{suggested}. Der Auftrag nennt keine Spindelsteigung, deshalb wird in den Messwerten"
+        " zuerst diese Periode gesucht. Stimmt die Periode, der Achse screw_pitch: {lead:g} geben"
     ),
     "CW-S049.other": (
-        "{suggested}; der Auftrag nennt stattdessen {periods:g}, und das gilt: an der Spindel"
-        " prüfen"
+        "{suggested}. Der Auftrag nennt stattdessen {periods:g}, und der Auftrag gilt: die"
+        " Steigung an der Spindel prüfen"
     ),
     "CW-S049.suggested": (
-        "{label}: Die Dateien der Steuerung legen eine Periode von {lead:g} {unit} nahe, eine"
-        " Umdrehung des Motors ({evidence})"
+        "{label}: Nach den Dateien der Steuerung bewegt eine Umdrehung des Motors die Achse um"
+        " {lead:g} {unit} ({evidence}). Fehler können sich mit dieser Periode wiederholen"
     ),
     "CW-S050.cec": (
-        "{label} ({input} auf {output}) bleibt unberührt: {why}; {active:if|aktiv auf {output} über"
-        " {input}, vorher wie nachher|ausgeschaltet}"
+        "{label} korrigiert {output} über {input}. Sie bleibt, wie sie ist: {why}. {active:if|Sie"
+        " ist aktiv, vor und nach dem Laden gleich|Sie ist ausgeschaltet}"
     ),
-    "CW-S050.list": "{label} bleibt, wie sie ist, und wird nicht gezeigt: {why}",
+    "CW-S050.list": "{label} bleibt, wie sie ist, und ihre Korrekturen werden nicht gezeigt: {why}",
     "CW-S050.sum": (
-        "die CEC-Tabellen {tables} auf {output} bleiben unberührt: Ihre Summe ist {low:g} bis"
-        " {high:g}, und MD32720 $MA_CEC_MAX_SUM begrenzt sie auf {limit:g}; sie sind aktiv, vorher"
-        " wie nachher"
+        "Die CEC-Tabellen {tables} korrigieren Achse {output}. Ihre Summe reicht von {low:g} bis"
+        " {high:g}, aber MD32720 $MA_CEC_MAX_SUM begrenzt die Summe auf {limit:g}. Die Tabellen"
+        " bleiben, wie sie sind: aktiv, vor und nach dem Laden gleich"
     ),
     "CW-S051": (
-        "die Tabellen zwischen Achsen ({pairs}) bleiben, wie sie sind, und werden nicht gezeigt:"
-        " Das Vorzeichen der CEC-Werte ist unbekannt; nach der Prüfung auf der Karte die Option"
-        " cec_sign angeben"
+        "Die Tabellen, die eine Achse über eine andere korrigieren ({pairs}), bleiben, wie sie"
+        " sind, und werden nicht gezeigt, denn das Vorzeichen der CEC-Werte an dieser Steuerung"
+        " ist unbekannt. Das Vorzeichen nach der Karte prüfen, dann die Option cec_sign angeben"
     ),
     "CW-S052": (
-        "Achse {axis}: Der Auftrag nennt Messsystem {number}, aber die Dateien schalten die"
-        " Kompensation für System {other} ein (MD32700): sicherstellen, dass System {number}"
-        " benutzt wird"
+        "Achse {axis}: Der Auftrag nennt Messsystem {number}, aber in den Dateien ist die"
+        " Kompensation für System {other} eingeschaltet (MD32700). Sicherstellen, dass die Achse"
+        " System {number} benutzt"
     ),
     "CW-S053": (
-        "Achse {axis}: Zusätzlich zur Tabelle ist aktiv: {functions:join|; }. Es bleibt, wie es"
-        " ist, und zählt während der Prüfung und nachher als gleich aktiv"
+        "Achse {axis}: Außer der Tabelle ist diese Kompensation aktiv: {functions:join|; }. Sie"
+        " bleibt, wie sie ist. Es wird angenommen, dass sie während der Prüfung und nach dem"
+        " Laden gleich wirkt"
     ),
     "CW-S054": (
-        "die CEC-Tabellen {tables} bleiben unberührt: Alle ihre Werte sind 0, auf einem Raster, das"
-        " nicht lesbar ist; sie korrigieren nichts"
+        "Die CEC-Tabellen {tables} bleiben, wie sie sind. Ihr Raster ist nicht lesbar, aber alle"
+        " ihre Werte sind 0, sie korrigieren also nichts"
     ),
     "CW-S055": (
-        "CEC-Tabellen sind als Korrekturen gezeigt. Nach dem Handbuch von Siemens"
-        " (Erweiterungsfunktionen 03/2009, Seite 372) bewegt ein positiver Wert die Achse in −,"
-        " also umgekehrt: nach der Prüfung auf der Karte die Option cec_sign angeben"
+        "Die Werte der CEC-Tabellen sind so gezeigt, als bewege ein positiver Wert die Achse in"
+        " +. Nach dem Handbuch von Siemens (Erweiterungsfunktionen 03/2009, Seite 372) bewegt ein"
+        " positiver Wert die Achse in −, also umgekehrt. Das Vorzeichen nach der Karte prüfen,"
+        " dann die Option cec_sign angeben"
     ),
     "CW-S056": (
-        "Achse {axis}: {period:if|die Tabelle wiederholt sich alle {period:g}, aber der Auftrag"
-        " nennt kein modulo; eine neue Tabelle hat Enden|sie ist endlos, aber die Tabelle"
-        " wiederholt sich nicht: Sie endet an beiden Seiten}"
+        "Achse {axis}: {period:if|Die vorhandene Tabelle wiederholt sich alle {period:g}, aber"
+        " der Auftrag nennt für diese Achse kein `modulo`. Eine neue Tabelle wiederholt sich"
+        " nicht: Sie endet an beiden Seiten|Die Achse dreht endlos, aber die Tabelle wiederholt"
+        " sich nicht: Sie endet an beiden Seiten}"
     ),
     "CW-S057": (
-        "{format}: Keine Seite sagt, was die Parameter {parameters} bei dieser Baureihe sind"
-        " ({place}; andere Baureihen haben dort Einheiten, Pfade oder weitere Kompensation): Sie"
-        " werden nicht gezählt, nicht mit dem Auftrag verglichen und bleiben, wie sie sind. Im"
-        " Handbuch der Steuerung nachsehen: Was davon kompensiert, hebt sich nur auf, so lange das"
-        " Raster bleibt"
+        "{format}: Die Bedeutung der Parameter {parameters} bei dieser Baureihe ist unbekannt"
+        " ({place}); bei anderen Baureihen sind es Einheiten, Pfade oder weitere Kompensation."
+        " Sie bleiben, wie sie sind, und werden nicht mit dem Auftrag verglichen. Im Handbuch der"
+        " Steuerung nachsehen. Ist einer davon eine Kompensation, berücksichtigt die neue Tabelle"
+        " sie nur, so lange die Tabellenpunkte bleiben, wo sie sind"
     ),
     "CW-S060": (
-        "Zurückgelesen, nicht unabhängig beurteilt: Nur Ihre eigene Definition von {definition}"
-        " sagt, was ihre Dateien tun. Ein Vorzeichen oder eine Einheit, die darin falsch ist, ist"
-        " in alldem falsch. An der Maschine beweisen, an einer Position und von beiden Seiten,"
+        "Die Tabelle wurde aus ihren Dateien zurückgelesen, aber nicht unabhängig beurteilt: Nur"
+        " Ihre eigene Definition von {definition} sagt, was diese Dateien tun. Ein falsches"
+        " Vorzeichen oder eine falsche Einheit in der Definition macht jedes Ergebnis hier"
+        " falsch. Die Korrektur an der Maschine prüfen, an einer Position und von beiden Seiten,"
         " bevor die ganze Tabelle aktiv ist{expectation:if|. Die von Hand gerechneten Korrekturen"
-        " sind die von {expectation}: für {definition} wurden keine gerechnet}"
+        " sind die von {expectation}; für {definition} wurden keine gerechnet}"
     ),
     "CW-S061": (
-        "{what}: {carried} wird verwendet, wie es im Plan steht; für eine andere Definition den"
-        " Auftrag neu rechnen"
+        "{what}. Verwendet wird die Definition von {carried}, die der Plan enthält. Für eine"
+        " andere Definition den Auftrag neu rechnen"
     ),
-    "CW-S062": "das Steuerungsformat {name} wird als {definition} genommen: {title}",
+    "CW-S062": "das Steuerungsformat {name} bedeutet {definition}: {title}",
     "CW-S070": (
-        "{file}: Programme darin laden oder schalten Kompensation, wenn jemand sie startet:"
-        " {programs}; hier wurden sie nicht ausgeführt, es zählen die Daten des Archivs selbst"
+        "{file}: Darin sind Programme, die Kompensation laden oder ein- und ausschalten:"
+        " {programs}. Sie wurden hier nicht ausgeführt. Das Ergebnis ist das der Daten des"
+        " Archivs selbst; lief ein solches Programm danach, weicht die Steuerung davon ab"
     ),
     "CW-S071": (
-        "{file}: Die Dezimalkommas werden als Punkte gelesen; die Steuerung nimmt eine solche Datei"
-        " nicht an: Es ist eine Auflistung und vielleicht nicht das, was die Steuerung enthält"
+        "{file}: Die Steuerung lädt keine Datei mit Dezimalkommas, dies ist also eine Auflistung."
+        " Die Kommas werden als Dezimalpunkte gelesen. Die Steuerung kann andere Werte enthalten:"
+        " einige vergleichen"
     ),
     "CW-S072": (
-        "{file}: Der Inhalt des Archivs ist nicht überprüft: Nichts darin sagt, ob ein Wert nach"
-        " dem Export geändert wurde. Vor dem Laden die drei Werte je Achse auf der Karte mit der"
-        " Steuerung vergleichen"
+        "{file}: Nichts in diesem Archiv zeigt, ob ein Wert nach dem Export geändert wurde. Vor"
+        " dem Laden die drei Werte je Achse auf der Karte mit der Steuerung vergleichen"
     ),
     "CW-S073": (
-        "{file}: nach dem Auftrag in der Steuerung nicht ausgeführt (active: no). Keine ihrer"
-        " Tabellen und Losewerte zählt als geladen"
+        "{file}: Nach dem Auftrag hat die Steuerung diese Datei nie ausgeführt (active: no). Ihre"
+        " Tabellen und Losewerte gelten als nicht geladen"
     ),
     "CW-S080": (
-        "{files}: Was die Steuerung aus {what} macht, ist unbekannt, deshalb werden nur die"
-        " Einträge verglichen ({faults})"
+        "{files}: Was die Steuerung aus {what} macht, lässt sich nicht ermitteln ({faults})."
+        " Verglichen werden nur die Einträge der Dateien"
     ),
-    "CW-S081": "{files}: Die Korrekturen sind die nur eines Lesers; der zweite sagt: {why}",
-    "CW-S082": "{files}: keine Daten der Steuerung in {idle}",
+    "CW-S081": (
+        "{files}: compwright liest solche Dateien auf zwei unabhängige Arten. Nur eine davon"
+        " konnte diese Korrekturen lesen; die andere meldet: {why}"
+    ),
+    "CW-S082": (
+        "{files}: Diese Dateien enthalten keine Daten der Steuerung und werden nicht verglichen:"
+        " {idle}"
+    ),
     "CW-S083.new": (
-        "{new} kompensierende Werte standen in keiner Datei des Plans und wurden nicht angesehen"
+        "{new:plural|{new} Kompensationswert, der zurückgelesen wurde, ist|{new}"
+        " Kompensationswerte, die zurückgelesen wurden, sind} in keiner Datei des Plans und"
+        " {new:plural|wurde|wurden} nicht verglichen"
     ),
     "CW-S083.not_read": (
-        "{missing} kompensierende Werte wurden nicht zurückgelesen und nicht angesehen"
+        "{missing} {missing:plural|Kompensationswert|Kompensationswerte} der Dateien des Plans"
+        " {missing:plural|wurde|wurden} nicht zurückgelesen und deshalb nicht verglichen"
     ),
     "CW-S084": (
-        "{files}: In dem gegebenen Ordner ist keine Zeile eine Anweisung von {format}; weggelassen"
+        "{files}: weggelassen, denn diese Dateien des Ordners enthalten keine Zeile, die {format}"
+        " versteht"
     ),
     "CW-S085": (
-        "{path} hat run geschrieben und ist nicht zurückgelesen: Nichts sagt hier, was in der"
-        " Steuerung ist; aus der Steuerung sichern und das geben"
+        "{path} wurde von compwright run geschrieben, nicht aus der Steuerung zurückgelesen. Das"
+        " zeigt nicht, was in der Steuerung ist. Die Daten aus der Steuerung sichern und diese"
+        " Datei angeben"
     ),
     "CW-S086": (
         "Keine Datei sagt, ob {number:plural|Achse {names} eine Linear- oder Drehachse ist|die"

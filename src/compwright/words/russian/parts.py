@@ -39,8 +39,8 @@ SENTENCES: Final[dict[str, str]] = {
     "parameter": "{parameter} {value}",
     "range": "{low} … {high}",
     "read_back": (
-        "Прочитано обратно, независимо не проверено: что делают файлы, сказано только в вашем"
-        " собственном определении {definition}"
+        "Прочитано обратно из файлов, но независимо не проверено: что делают файлы, сказано"
+        " только в вашем собственном определении {definition}"
     ),
     "reading_off": "{traverse} в {target} (отклонение {off})",
     "scale_by": "{axis}: масштаб {scale} по {tests:join|; }",
