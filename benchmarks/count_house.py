@@ -3,6 +3,10 @@
 ``python benchmarks/count_house.py TREE...``: a column for each tree, and with several the change
 from the first to the last. Docstrings are no statements. What is listed below the table belongs to
 the last tree.
+
+With ``--functions`` instead: what makes the last tree larger than the first, function by function
+and with the first line of its docstring, below a total for each room. A function counts as new
+where no function or method of the first tree bears its name.
 """
 
 from __future__ import annotations
@@ -172,6 +176,39 @@ def counted(house: House) -> dict[str, float]:
     }
 
 
+def print_functions(first: House, last: House) -> None:
+    """Print the rooms with the statements of new functions, of those that have gone, and of those
+    that are in both trees, then every new function, the largest first.
+    """
+    old, new = (by_name(house) for house in (first, last))
+    came = [(name, one) for name, found in new.items() if name not in old for one in found]
+    rooms: dict[str, list[int]] = defaultdict(lambda: [0, 0, 0])
+    for column, found, other, sign in ((0, new, old, 1), (1, old, new, -1)):
+        for name, functions in found.items():
+            for module, node in functions:
+                room = rooms[module.split(".")[0]]
+                room[2 if name in other else column] += sign * statements(node)
+    print(f"{'room':20}{'new':>8}{'gone':>8}{'in both':>8}")
+    for room, numbers in sorted(rooms.items()):
+        print(f"{room:20}" + "".join(f"{number:+8d}" for number in numbers))
+    print("total".ljust(20) + "".join(f"{sum(column):+8d}" for column in zip(*rooms.values())))
+    for name, (module, node) in sorted(came, key=lambda one: -statements(one[1][1])):
+        purpose = (ast.get_docstring(node) or "").split("\n")[0]
+        print(f"{statements(node):5d}  {module}:{name}  {purpose}")
+
+
+def by_name(house: House) -> dict[str, list[tuple[str, ast.FunctionDef | ast.AsyncFunctionDef]]]:
+    """Functions that are in no other function, by their names, with their modules."""
+    found: dict[str, list[tuple[str, ast.FunctionDef | ast.AsyncFunctionDef]]] = defaultdict(list)
+    for module, tree in house.modules.items():
+        classes = [node for node in ast.walk(tree) if isinstance(node, ast.ClassDef)]
+        for holder in (tree, *classes):
+            for node in holder.body:
+                if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
+                    found[node.name].append((module, node))
+    return found
+
+
 def main(trees: list[Path]) -> None:
     houses = [House(tree) for tree in trees]
     tables = [counted(house) for house in houses]
@@ -188,4 +225,8 @@ def main(trees: list[Path]) -> None:
 
 
 if __name__ == "__main__":
+    if "--functions" in sys.argv:
+        ends = [House(Path(word)) for word in sys.argv[1:] if word != "--functions"]
+        print_functions(ends[0], ends[-1])
+        raise SystemExit
     main([Path(word) for word in sys.argv[1:]] or [Path(__file__).resolve().parents[1]])
