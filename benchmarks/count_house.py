@@ -191,7 +191,8 @@ def print_functions(first: House, last: House) -> None:
     print(f"{'room':20}{'new':>8}{'gone':>8}{'in both':>8}")
     for room, numbers in sorted(rooms.items()):
         print(f"{room:20}" + "".join(f"{number:+8d}" for number in numbers))
-    print("total".ljust(20) + "".join(f"{sum(column):+8d}" for column in zip(*rooms.values())))
+    sums = map(sum, zip(*rooms.values(), strict=True))
+    print("total".ljust(20) + "".join(f"{number:+8d}" for number in sums))
     for name, (module, node) in sorted(came, key=lambda one: -statements(one[1][1])):
         purpose = (ast.get_docstring(node) or "").split("\n")[0]
         print(f"{statements(node):5d}  {module}:{name}  {purpose}")
