@@ -270,6 +270,16 @@ def test_joints_that_home_together_may_be_one_axis() -> None:
         ("1000Y", "I205=$8B\nI206=1\nI207=-96\n", InputError, "ratio"),
         ("1000Y", "I106=1\n", InputError, "I106=1"),
         ("1000Y", "#define ON 1\nI106=ON\n", InputError, "I106=1"),
+        # whether the block was sent decides whether the last statement counts
+        ("1000X", "#ifdef SINGLE\n#2->0\n#endif\n", UsageError, "#2->1000X"),
+        ("1000Y", "#ifdef PAIR\n#2->1000X\n#else\n#2->1000Y\n#endif\n", UsageError, "#2->1000X"),
+        ("1000Y", "I205=$8B\nI206=1\n#ifdef SINGLE\nI206=0\n#endif\n", UsageError, "I206=1"),
+        (
+            "1000Y",
+            "#ifdef PAIR\n#define MODE 1\n#else\n#define MODE 0\n#endif\nI206=MODE\n",
+            UsageError,
+            "I206=MODE",
+        ),
     ],
 )
 def test_motors_of_one_axis_are_asked_for(

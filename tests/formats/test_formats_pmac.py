@@ -120,6 +120,8 @@ def refused(text: str, *axes: Axis, counts: float | None = 1000.0) -> str:
         ("#1->10000X", False),
         ("#1->-1000X", False),
         ("&2#1->2000Z-666.667", False),
+        ("#1->500X\n#ifdef METRIC\n#1->1000X\n#endif", False),  # sent or not: one is wrong
+        ("#1->1000X\n#ifdef INCH\n#1->25400X\n#endif", True),
     ],
 )
 def test_both_readers_compare_the_counts_with_the_definition_of_the_axis(

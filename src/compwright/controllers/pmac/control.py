@@ -197,19 +197,19 @@ def _scales(
 
 
 def _agrees(number: int, counts: float, card: Card) -> None:
-    """Raise InputError where the definition of its axis states different counts; 1 means that the
+    """Raise InputError where a definition of its axis states different counts; 1 means that the
     axis counts in counts, and an axis may count in inches.
     """
-    defined, place = card.axis_scales.get(number, (1.0, None))
-    quotients = (defined / counts, defined / counts / MILLIMETRES_PER_INCH)
-    if place is None or abs(defined) == 1.0 or any(0.999 < one < 1.001 for one in quotients):
-        return
-    raise InputError(
-        place.fault(
-            f"counts_per_unit {counts:g} of motor {number}",
-            expected=f"{defined:g} counts per unit of its axis",
+    for defined, place in card.axis_scales.get(number, ()):
+        quotients = (defined / counts, defined / counts / MILLIMETRES_PER_INCH)
+        if abs(defined) == 1.0 or any(0.999 < one < 1.001 for one in quotients):
+            continue
+        raise InputError(
+            place.fault(
+                f"counts_per_unit {counts:g} of motor {number}",
+                expected=f"{defined:g} counts per unit of its axis",
+            )
         )
-    )
 
 
 def _without_counts(number: int, given: object) -> UsageError:

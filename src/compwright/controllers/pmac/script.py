@@ -108,7 +108,8 @@ class Card:
     """State of the card after all scripts. ``later``: assignments that programs make when they run;
     ``left_out``: commands that may not have been sent, by motor (0: all motors); ``not_both``:
     commands that were certainly not sent together, and why. ``axis_scales``: counts per unit of the
-    axis that a motor alone moves (`#1->10000X`; PMAC 2 software reference p. 179).
+    axis that a motor alone moves (`#1->10000X`; PMAC 2 software reference p. 179); several where a
+    block of the sending program decides.
     """
 
     tables: dict[tuple[str, int], CardTable] = field(default_factory=dict)
@@ -116,7 +117,7 @@ class Card:
     later: dict[int, ScriptPlace] = field(default_factory=dict)
     left_out: list[tuple[int, ScriptPlace]] = field(default_factory=list)
     not_both: list[tuple[int, ScriptPlace, str]] = field(default_factory=list)
-    axis_scales: dict[int, tuple[float, ScriptPlace]] = field(default_factory=dict)
+    axis_scales: dict[int, list[tuple[float, ScriptPlace]]] = field(default_factory=dict)
     buffers: set[str] = field(default_factory=set)
     notes: list[str] = field(default_factory=list)
     faults: list[Fault] = field(default_factory=list)
@@ -277,10 +278,11 @@ class _Script:
         if match.group(2) is None:
             self.motor = motor
         elif motor is not None:
-            self.card.axis_scales.pop(motor, None)
+            if not self.sending.blocks:
+                self.card.axis_scales.pop(motor, None)
             scale = _SCALE.fullmatch("".join(match.group(2).split()))
             if scale is not None:
-                self.card.axis_scales[motor] = float(scale[1]), place
+                self.card.axis_scales.setdefault(motor, []).append((float(scale[1]), place))
 
     def _comp(self, match: re.Match[str], place: ScriptPlace) -> None:
         count, source, desired, target, length = match.groups()

@@ -15,7 +15,7 @@ from compwright.formats.families.coupled_axes import (
     CouplingStatement,
     statements_in,
 )
-from compwright.formats.families.wrapped.preprocessor import expanded, whole_value
+from compwright.formats.families.wrapped.preprocessor import DIRECTIVE, expanded, whole_value
 from compwright.records.correction import ControlFile
 
 _ASSIGNED = re.compile(
@@ -45,7 +45,9 @@ _SCALE = 96
 
 
 def couplings_of(files: Sequence[ControlFile]) -> tuple[Coupling, ...]:
-    """Return which motors move together; the last statement about a motor counts."""
+    """Return which motors move together; the last statement about a motor counts, and with it those
+    that a conditional block may leave as the last.
+    """
     plain = _without_macros(files)
     assigned = statements_in(plain, _ASSIGNED, _REMARK)
     motors = {int(found.match["motor"]) for found in assigned if found.match["motor"]}
@@ -54,38 +56,54 @@ def couplings_of(files: Sequence[ControlFile]) -> tuple[Coupling, ...]:
     return (*_assigned(plain), *_following(plain, motors | tabled))
 
 
-def axis_scales(files: Sequence[ControlFile]) -> Mapping[int, tuple[float, CouplingStatement]]:
+def axis_scales(
+    files: Sequence[ControlFile],
+) -> Mapping[int, Sequence[tuple[float, CouplingStatement]]]:
     """Return the counts per unit of its axis for each motor on one axis alone, with the statement
-    (`#1->10000X`).
+    (`#1->10000X`); several where conditional blocks decide.
 
     Without a number the axis counts in the motor's own counts; its unit is then no length.
     """
-    found = {}
-    for motor, (_, statement) in _definitions(_without_macros(files)).items():
-        terms = _terms(statement)
-        if len(terms) == 1 and abs(_factor(terms[0][0])) != 1.0:
-            found[motor] = _factor(terms[0][0]), statement
+    found: dict[int, list[tuple[float, CouplingStatement]]] = {}
+    for motor, definitions in _definitions(_without_macros(files)).items():
+        for _, statement in definitions:
+            terms = _terms(statement)
+            if len(terms) == 1 and abs(_factor(terms[0][0])) != 1.0:
+                found.setdefault(motor, []).append((_factor(terms[0][0]), statement))
     return found
 
 
 def _without_macros(files: Sequence[ControlFile]) -> list[ControlFile]:
+    """Return the files with their macros expanded, but for those that have several values."""
     texts = [(file.name, file.content.decode("latin-1")) for file in files]
-    macros = {found[1]: found[2].strip() for _, text in texts for found in _MACRO.finditer(text)}
+    values: dict[str, set[str]] = {}
+    for found in (found for _, text in texts for found in _MACRO.finditer(text)):
+        values.setdefault(found[1], set()).add(found[2].strip())
+    macros = {name: next(iter(some)) for name, some in values.items() if len(some) == 1}
     return [
         ControlFile(name, expanded(_MACRO.sub("", text), macros).encode("latin-1"))
         for name, text in texts
     ]
 
 
-def _definitions(files: Sequence[ControlFile]) -> dict[int, tuple[str, CouplingStatement]]:
-    """Return the coordinate system and the last definition of each motor's axis."""
-    system, last = "1", dict[int, tuple[str, CouplingStatement]]()
+def _definitions(files: Sequence[ControlFile]) -> dict[int, list[tuple[str, CouplingStatement]]]:
+    """Return the coordinate system and each definition of a motor's axis that may be its last."""
+    system, last = "1", dict[int, list[tuple[str, CouplingStatement]]]()
     for found in statements_in(files, _ASSIGNED, _REMARK):
         if found.match["system"]:
             system = found.match["system"]
-        else:
-            last[int(found.match["motor"])] = system, found
+            continue
+        if not _is_conditional(found):
+            last.pop(int(found.match["motor"]), None)
+        last.setdefault(int(found.match["motor"]), []).append((system, found))
     return last
+
+
+def _is_conditional(found: CouplingStatement) -> bool:
+    """Return whether a conditional block is open at a statement of a script."""
+    before = found.match.string[: found.match.start()]
+    names = [directive["name"].upper() for directive in DIRECTIVE.finditer(before)]
+    return sum(name.startswith("IF") for name in names) > names.count("ENDIF")
 
 
 def _terms(found: CouplingStatement) -> list[tuple[str, str]]:
@@ -100,7 +118,8 @@ def _factor(text: str) -> float:
 def _assigned(files: Sequence[ControlFile]) -> Iterator[Coupling]:
     """Yield the motors of one axis, the lowest leads; and those that a program places."""
     axes: dict[tuple[str, str], tuple[int, float]] = {}
-    for motor, (own, found) in sorted(_definitions(files).items()):
+    definitions = sorted(_definitions(files).items())
+    for motor, own, found in ((motor, *one) for motor, some in definitions for one in some):
         text = "".join((found.match["axis"] or "").split()).upper()
         terms = _terms(found)
         if not text and found.match["rest"]:
@@ -124,29 +143,35 @@ def _following(files: Sequence[ControlFile], motors: Iterable[int]) -> Iterator[
 
     If no file explains the register, each of them may lead.
     """
-    statements: dict[tuple[int, str], CouplingStatement] = {}
+    statements: dict[tuple[int, str], list[CouplingStatement]] = {}
     for found in statements_in(files, _SETTING, _REMARK):
-        statements[int(found.match["motor"]), found.match["which"]] = found
-    for (motor, which), found in sorted(statements.items()):
-        mode = _number(found)
-        if which != "06" or (mode is not None and mode % 2 == 0):
+        key = int(found.match["motor"]), found.match["which"]
+        if not _is_conditional(found):
+            statements.pop(key, None)
+        statements.setdefault(key, []).append(found)
+    for motor in sorted({motor for motor, _ in statements}):
+        modes = ((found, _number([found])) for found in statements.get((motor, "06"), ()))
+        following = next((found for found, mode in modes if mode is None or mode % 2), None)
+        if following is None:
             continue
-        source = statements.get((motor, "05"))
-        leads = _sources(statements, motor, None if source is None else _number(source))
+        sources = statements.get((motor, "05"), [])
+        leads = _sources(statements, motor, _number(sources))
         others = {*motors, *(one for one, _ in statements)} - {motor}
         scale, own_scale = (
-            _SCALE if one is None else _number(one)
-            for one in (statements.get((motor, "07")), statements.get((motor, "08")))
+            _number(some) if (some := statements.get((motor, which))) else _SCALE
+            for which in ("07", "08")
         )
         unlike = _RATIO if leads and (scale is None or scale != own_scale) else ""
         names = tuple(str(one) for one in leads or sorted(others))
-        coupling = found.coupling(names, str(motor), switched=True, unlike=unlike)
-        words = f"{found.words}, {source.words}" if source is not None else found.words
+        coupling = following.coupling(names, str(motor), switched=True, unlike=unlike)
+        words = ", ".join(one.words for one in (following, *sources))
         yield replace(coupling, parameter=words)
 
 
 def _sources(
-    statements: Mapping[tuple[int, str], CouplingStatement], motor: int, register: int | None
+    statements: Mapping[tuple[int, str], Sequence[CouplingStatement]],
+    motor: int,
+    register: int | None,
 ) -> list[int]:
     """Return the motors that a register belongs to: by their feedback (Ixx03, Ixx04), or because it
     is one of their own (motor n has $80 of them from n times $80 on).
@@ -155,13 +180,15 @@ def _sources(
         return []
     fed = {
         other
-        for (other, which), place in statements.items()
-        if which in ("03", "04") and other != motor and _number(place) == register
+        for (other, which), places in statements.items()
+        if which in ("03", "04") and other != motor
+        if any(_number([place]) == register for place in places)
     }
     own = register // _BLOCK
     return sorted(fed) or ([own] if 1 <= own <= _MOTORS and own != motor else [])
 
 
-def _number(found: CouplingStatement) -> int | None:
+def _number(some: Sequence[CouplingStatement]) -> int | None:
     """Return the number of a setting; None if only the card knows it."""
-    return whole_value(found.match["value"], {})
+    numbers = {whole_value(found.match["value"], {}) for found in some}
+    return numbers.pop() if len(numbers) == 1 else None

@@ -240,8 +240,7 @@ class WrappedStateReader:
         axis = self.axes.get(str(motor))
         options = axis_options(self.definition, self.options, axis)
         counts = counts_of(self.definition, options, axis.name if axis else str(motor))
-        if motor in self.scales:
-            defined, place = self.scales[motor]
+        for defined, place in self.scales.get(motor, ()):
             for fault in wrong_counts(counts, defined, place):
                 self.notes.once(fault)
         return counts
