@@ -335,9 +335,9 @@ def test_a_control_that_cannot_hold_squareness_says_so(
     assert "error CW-P113" in said
     assert "cec: available" in said
     assert document(folder / "job" / "prediction.json")["cross"] == []
-    assert "Not corrected: squareness of Y over X" in (
-        folder / "job" / "card" / "card.md"
-    ).read_text(encoding="utf-8")
+    card = (folder / "job" / "card" / "card.md").read_text(encoding="utf-8")
+    assert "Not corrected: squareness of Y over X" in card
+    assert "Tables between axes" not in card.partition("## Way back")[2]
 
 
 @pytest.mark.parametrize(
@@ -356,6 +356,8 @@ def test_an_axis_without_a_test_stops_no_squareness(
     assert compwright(["run", str(path)]) == 0
     (cross,) = document(folder / "job" / "prediction.json")["cross"]
     assert (cross["input"], cross["output"]) == ("X", "Y")
+    card = (folder / "job" / "card" / "card.md").read_text(encoding="utf-8")
+    assert "Tables between axes: switch off" in card.partition("## Way back")[2]
     loaded = str(folder / "job" / "tables" / control)
     plan = str(folder / "job" / "plan.json")
     assert compwright(["compare", plan, "--loaded", loaded]) == 0

@@ -324,9 +324,11 @@ def restore_texts(
     back: Sequence[ControlFile],
     *,
     steps: bool,
+    between: bool,
 ) -> list[str]:
     """Return how the old state comes back: the control's own ``files``, or the small ones that
-    bring it ``back``. ``steps``: `restore_steps` say the rest.
+    bring it ``back``. ``steps``: `restore_steps` say the rest; ``between``: there are new tables
+    between axes.
     """
     if not files:
         nothing = control_text("The job says that nothing was active.")
@@ -335,7 +337,12 @@ def restore_texts(
             " table), set the backlash by the parameter in column Old of each axis, restart and"
             " reference."
         )
-        return [nothing if steps else SentenceText(say("paragraph", sentences=(nothing, off)))]
+        cross = control_text(
+            "Tables between axes: switch off what the steps above switch on, or set each of their"
+            " values to 0."
+        )
+        own = nothing if steps else SentenceText(say("paragraph", sentences=(nothing, off)))
+        return [own, cross] if between else [own]
     names = ", ".join(loading_order(control.definition, files))
     folder = f"rollback/{control.id}/"
     copies = {"folder": folder, "names": names}

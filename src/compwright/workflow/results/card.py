@@ -18,6 +18,7 @@ from compwright.controls.card import (
     unconfirmed_diameters,
 )
 from compwright.controls.control import Control
+from compwright.controls.cross_tables import CrossOutcome
 from compwright.controls.decoded_state import DecodedState
 from compwright.documents.decode import assumed_documents
 from compwright.foundations.utf8 import encoded, visible_lines
@@ -45,14 +46,14 @@ def card_document(
     *,
     entered: Sequence[ControlFile],
     back: Sequence[ControlFile],
-    between: Sequence[Mapping[str, Any]],
+    between: CrossOutcome,
     harmful: Sequence[str],
 ) -> dict[str, Any]:
     """Return the card of a run as plain data, values in µm or arcsec.
 
     ``entered``: the control's own files as patched, and new ones; ``back``: small files that bring
-    the old values back; ``between``: the steps of tables between axes; ``harmful``: what some of
-    the files do without the others.
+    the old values back; ``between``: the tables between axes; ``harmful``: what some of the files
+    do without the others.
     """
     written = {name: work for name, work in works.items() if work.planned.fitted is not None}
     facts = assumed_documents(assumed)
@@ -72,7 +73,7 @@ def card_document(
         ],
         "steps": [
             *_in_one_step(harmful),
-            *(step_documents(control, written, loaded, between) if loaded else between),
+            *(step_documents(control, written, loaded, between.steps) if loaded else between.steps),
         ],
         "changes": changes_document(control, old.files, entered),
         "unconfirmed": [
@@ -84,7 +85,13 @@ def card_document(
             *unconfirmed_diameters(control, [work.planned.axis for work in written.values()]),
         ],
         "assumed": [*_as_read(written), *facts],
-        "restore": restore_texts(control, old.files, back, steps=bool(restoring)),
+        "restore": restore_texts(
+            control,
+            old.files,
+            back,
+            steps=bool(restoring),
+            between=between.written or bool(between.sheets),
+        ),
         "restore_steps": restoring,
         "files": [f"tables/{control.id}/{file.name}" for file in (loaded.files if loaded else ())],
         "proven": (

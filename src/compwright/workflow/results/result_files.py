@@ -114,7 +114,7 @@ def _card(finished: Finished, prediction: Mapping[str, Any]) -> Mapping[str, Any
         finished.assumed,
         entered=written.entered,
         back=written.back,
-        between=written.cross.steps,
+        between=written.cross,
         harmful=_harmful(finished),
     )
     return {

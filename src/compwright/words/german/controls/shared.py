@@ -36,6 +36,11 @@ TEXTS: Final[dict[str, str]] = {
         " leere Tabelle), die Lose durch den Parameter in Spalte Alt jeder Achse setzen, neu"
         " starten und referenzieren."
     ),
+    "Tables between axes: switch off what the steps above switch on, or set each of their"
+    " values to 0.": (
+        "Tabellen zwischen Achsen: ausschalten, was die Schritte oben einschalten, oder jeden ihrer"
+        " Werte auf 0 setzen."
+    ),
     "The untouched copies of the old files are in {folder} ({names}).": (
         "Die unveränderten Kopien der alten Dateien sind in {folder} ({names})."
     ),
