@@ -32,6 +32,7 @@ HOSTILE = (
 )
 CYRILLIC = "Станок № 7, ось X"
 CHINESE = "测试机床"
+PAGE, FOOTER = 842, 40  # the height of A4 and where the footer ends, in points
 
 
 def csv_text(axis: str = "X", targets: int = 11, runs: int = 2, **header: str) -> str:
@@ -207,6 +208,55 @@ def test_nothing_lies_outside_the_paper(tmp_path: Path) -> None:
     for page in reader.pages:
         page.extract_text(visitor_text=seen)
     assert outside == []
+
+
+def lines_of(page: pypdf.PageObject) -> list[tuple[float, bool]]:
+    """The lines of a page above its footer, from below: their height, and whether all is bold."""
+    lines: dict[int, list[bool]] = {}
+
+    def seen(text: str, page: list[float], line: list[float], font: Any, _size: float) -> None:
+        height = round(line[4] * page[1] + line[5] * page[3] + page[5])
+        if text.strip() and font and height > FOOTER:
+            lines.setdefault(height, []).append("Bold" in str(font["/BaseFont"]))
+
+    page.extract_text(visitor_text=seen)
+    return [(height, all(bold)) for height, bold in sorted(lines.items())]
+
+
+@pytest.mark.parametrize(("count", "language"), [(1, "en"), (3, "de")])
+def test_no_page_is_left_half_empty(count: int, language: str) -> None:
+    """A figure with its words takes less than a third of a page: no more stays empty."""
+    view = run_view()
+    axes, predicted = view["axes"], view["prediction"]["axes"]
+    results = view["evaluation"]["results"]
+    result = next(one for one in results if one["axis"] == "X")
+    names = ["X", "Y", "Z", "W"][:count]
+    view["axes"] = {name: axes["X"] for name in names}
+    view["prediction"]["axes"] = {name: predicted["X"] for name in names}
+    view["evaluation"]["results"] = [{**result, "axis": name} for name in names]
+    pdf = pdf_of_page(run_report({**view, "language": language}))
+    *pages, last = pypdf.PdfReader(io.BytesIO(pdf)).pages
+    for number, page in enumerate(pages, 1):
+        lowest, _ = lines_of(page)[0]
+        assert (number, lowest) < (number, FOOTER + PAGE / 3)
+    assert len(lines_of(last)) > 5
+
+
+def test_no_heading_is_left_alone_at_the_end_of_a_page() -> None:
+    """Nor the head of a table: a row of it follows, also where a sentence is between them."""
+    row = '<tr><td class="words">Row</td></tr>'
+    table = f"<table><thead><tr><th>Head</th></tr></thead><tbody>{row}</tbody></table>"
+    sections = "".join(
+        f"<h2>Section</h2><p>Introduction</p><h3>Table</h3>{table}"
+        + "<p>Text</p>" * (place**2 % 7 + place // 9 % 3)
+        for place in range(120)
+    )
+    head = '<html lang="en"><head><title>P</title></head>'
+    page = f"{head}<body><h1>P</h1>{sections}</body></html>"
+    *pages, _ = pypdf.PdfReader(io.BytesIO(pdf_of_page(page.encode()))).pages
+    ends = {sheet.extract_text().split()[-5] for sheet in pages}
+    assert len(pages) > 8
+    assert ends == {"Row", "Text"}
 
 
 def test_table_heads_repeat_over_200_targets(tmp_path: Path) -> None:
