@@ -231,8 +231,8 @@ def test_no_page_is_left_half_empty(count: int, language: str) -> None:
     results = view["evaluation"]["results"]
     result = next(one for one in results if one["axis"] == "X")
     names = ["X", "Y", "Z", "W"][:count]
-    view["axes"] = {name: axes["X"] for name in names}
-    view["prediction"]["axes"] = {name: predicted["X"] for name in names}
+    view["axes"] = dict.fromkeys(names, axes["X"])
+    view["prediction"]["axes"] = dict.fromkeys(names, predicted["X"])
     view["evaluation"]["results"] = [{**result, "axis": name} for name in names]
     pdf = pdf_of_page(run_report({**view, "language": language}))
     *pages, last = pypdf.PdfReader(io.BytesIO(pdf)).pages
