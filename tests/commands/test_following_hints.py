@@ -87,7 +87,7 @@ KINDS = {
     "an option of a job": Kind("not used together with a job", "leave --format out", "run job.yaml --format linuxcnc --out r --force", "run job.yaml --out r --force"),
     "results as a job": Kind("folder of results", "JOB.yaml that was run", "run job --out r --force", "run job.yaml --out r --force"),
     "an unknown standard": Kind("unknown standard", '--standard "iso230-2:2014"', "evaluate x.csv --standard ISO_230-2", "evaluate x.csv --standard iso230-2:2014"),
-    "no range method": Kind("no range method", "--spread std", "evaluate x.csv --standard iso230-2:2014 --spread range", "evaluate x.csv --standard iso230-2:2014 --spread std"),
+    "no range method": Kind("range method", "--spread std", "evaluate x.csv --standard iso230-2:2014 --spread range", "evaluate x.csv --standard iso230-2:2014 --spread std"),
     "an unknown table": Kind("kind of table is unknown", "ends in .csv", "evaluate x.csv --table t.pdf", "evaluate x.csv --table t.csv --force"),
     "an unknown report": Kind("unknown format of a report", ".html", "evaluate x.csv --report r.doc", "evaluate x.csv --report r.html --force"),
     "one file for two": Kind("is already the file of", "two different files", "evaluate x.csv --json t.csv --table t.csv", "evaluate x.csv --json t.json --table t.csv --force"),

@@ -483,7 +483,7 @@ class TestLinuxCnc:
         control = linuxcnc(files=keys_only)
         assert values(control, "0", [1], UP) == pytest.approx([0.01], abs=SINGLE)
         assert control.notes == ()
-        with pytest.raises(InputError, match=r"m\.ini: line 3: included file was not given"):
+        with pytest.raises(InputError, match=r"m\.ini: line 3: .*was not given.*joint_0\.ini"):
             linuxcnc(files={"m.ini": machine, "joint_0.comp": "0 0.01 0.02\n"})
 
     @pytest.mark.parametrize(
@@ -561,7 +561,7 @@ class TestContract:
         with pytest.raises(UsageError, match="no virtual control"):
             virtual_control("abacus", [ControlFile("a", b"")])
         for format_id in KNOWN:
-            with pytest.raises(InputError, match="no control files"):
+            with pytest.raises(InputError, match="no file of the control"):
                 virtual_control(format_id, [])
 
     def test_a_control_without_cross_tables_says_so(self) -> None:

@@ -943,7 +943,7 @@ class TestSheet:
         assert says in message
 
     def test_empty(self) -> None:
-        with pytest.raises(InputError, match="neither points nor parameters"):
+        with pytest.raises(InputError, match="contains neither"):
             sheet("# address: 1\npoint,position,value,unit\n")
 
 

@@ -213,7 +213,7 @@ class TestItncTables:
         assert crossed(loaded, "X", "Y", [10]) == [-0.003]
         with pytest.raises(UsageError, match="no data of axis X"):
             loaded.correction("X", np.zeros(1), UP)
-        with pytest.raises(UsageError, match="no table corrects"):
+        with pytest.raises(UsageError, match="no table"):
             crossed(loaded, "Y", "X", [0])
 
     def test_inch(self) -> None:
@@ -422,7 +422,7 @@ class TestRotary:
             [-0.003, -0.003, -0.001], abs=ROUNDING
         )
         assert any("jumps by -0.003" in note for note in told.notes)
-        with pytest.raises(UsageError, match="turn of C"):
+        with pytest.raises(UsageError, match="axis C has a wrong .modulo.*found 180"):
             itnc({"C.COM": short}, modulo={"C": 180.0})
 
     def test_entries_outside_the_turn_are_not_used(self) -> None:
@@ -879,11 +879,11 @@ class TestRefusals:
         head = "# value: error\npoint,position,value,unit\n"
         with pytest.raises(InputError, match="no points and no parameters"):
             itnc({"entry_X.csv": head})
-        with pytest.raises(InputError, match="is no entry sheet"):
+        with pytest.raises(InputError, match="not an entry sheet"):
             itnc({"entry_X.csv": ""})
         with pytest.raises(InputError, match="names the axis"):
             itnc({"sheet.csv": head + "0,0,0,mm\n"})
-        with pytest.raises(InputError, match="not ASCII or UTF-8"):
+        with pytest.raises(InputError, match="UTF-8"):
             itnc({"entry_X.csv": SHEET.encode() + b"# \xff\n"})
         with pytest.raises(InputError, match="binary"):
             itnc({"entry_X.csv": SHEET.encode("utf-16")})

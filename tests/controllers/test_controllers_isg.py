@@ -442,7 +442,7 @@ class TestLists:
     @pytest.mark.parametrize(
         ("old", "new", "says"),
         [
-            ("kopf.achs_nr                      1", "", "does not show to which axis this list"),
+            ("kopf.achs_nr                      1", "", "does not show to which axis"),
             ("kopf.achs_nr                      1", "kopf.achs_nr X", "a logical axis number"),
             ("kopf.log_achs_name                X", "kopf.log_achs_nr 2", "two axes for one list"),
             ("kw.ssfk.unit                      1", "kw.ssfk.unit 2", "0 or 1"),
@@ -480,7 +480,7 @@ class TestLists:
             ("table[2].pos              30", "table[2.pos 30", "line 17: no statement"),
             ("kw.ssfk.modulo                    0", "kw.ssfk.twist 3", "twist .* not known"),
             ("kw.ssfk.modulo                    0", "kw.temp.offset 3", "temp.* not known"),
-            ("# axis compensation", "/* axis compensation", "line 1: a comment has no end"),
+            ("# axis compensation", "/* axis compensation", "line 1: the comment"),
         ],
     )
     def test_faults_by_line(self, old: str, new: str, says: str) -> None:

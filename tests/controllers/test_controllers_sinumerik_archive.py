@@ -131,17 +131,17 @@ class TestContainer:
     def test_a_member_that_is_longer_than_it_says(self) -> None:
         content = EEC.encode() + b";.."
         longer = header("AX_EEC.INI", len(EEC)) + content + b"\x00" * (-len(EEC) % 512)
-        with pytest.raises(InputError, match=r"size of the member AX_EEC\.INI is wrong"):
+        with pytest.raises(InputError, match=r"damaged.*the member AX_EEC\.INI ends"):
             load(container(longer, member("INITIAL.INI", INITIAL)))
 
     def test_an_archive_that_is_cut_short(self) -> None:
-        with pytest.raises(InputError, match=r"cut short in the member LOAD\.MPF.*bytes"):
+        with pytest.raises(InputError, match=r"cut short.* LOAD\.MPF.*bytes"):
             load(WHOLE[:-500])
-        with pytest.raises(InputError, match="no member begins where it ends"):
+        with pytest.raises(InputError, match="is damaged"):
             load(WHOLE[:-700])
 
     def test_an_archive_without_compensation(self) -> None:
-        with pytest.raises(InputError, match="no compensation data found"):
+        with pytest.raises(InputError, match="no compensation data"):
             load(container(member("NC.OPT", "CHANDATA(1)\nM17\n")))
 
     def test_a_member_of_its_list_that_is_not_there(self) -> None:

@@ -168,7 +168,7 @@ def test_15i_without_files_of_its_own_is_refused_by_name(
 ) -> None:
     assert run_15i(tmp_path, []) == 4
     said = capsys.readouterr().err
-    assert "fanuc-15i is written only into the control's own files" in said
+    assert "fanuc-15i can be written only into lines of the control's own files" in said
     assert "5420" in said
     assert not (tmp_path / "out" / "tables").exists()
 
@@ -182,5 +182,5 @@ def test_15i_has_no_second_table_and_takes_nothing_from_3620() -> None:
     written = control.in_state(state).write([table()], [LINEAR], files)
     assert b"N03620A1P1\n" in written[0].content
     two = replace(table(), negative=table().positive + 0.001, backlash=0.0)
-    with pytest.raises(CapacityError, match="one curve for both"):
+    with pytest.raises(CapacityError, match="one table for both"):
         control.in_state(state).write([two], [LINEAR], files)

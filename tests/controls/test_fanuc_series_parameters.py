@@ -149,7 +149,7 @@ def test_15i_new_asks_for_the_unit(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("option", ["inclination", "cyclic", "straightness"])
 def test_15i_writes_nothing_whose_numbers_nobody_knows(option: str) -> None:
-    with pytest.raises(UsageError, match="no such option"):
+    with pytest.raises(UsageError, match="no option"):
         control_format(DEFINITIONS["fanuc-15i"], {option: "available"})
 
 

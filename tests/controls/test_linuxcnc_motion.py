@@ -170,7 +170,6 @@ def test_a_job_that_contradicts_the_homing_is_asked(
     assert run(tmp_path, keys, axis) == 2
     message = capsys.readouterr().err
     assert word in message
-    assert "as its files say" in message
 
 
 def test_the_reference_comes_from_the_ini_and_the_table_is_zero_there(tmp_path: Path) -> None:

@@ -657,7 +657,7 @@ def test_a_base_is_no_control(tmp_path: Path, capsys: pytest.CaptureFixture[str]
     path = tmp_path / "fanuc.base.yaml"
     path.write_bytes(CONTENT["fanuc.base.yaml"])
     assert compwright(["formats", "check", str(path)]) == 3
-    assert "is only extended by others" in told(capsys)[0]
+    assert "extends it" in told(capsys)[0]
     assert compwright(["formats", "check", str(tmp_path)]) == 3
     assert "no definition was found" in told(capsys)[0]
     assert definitions.is_path("a/b")

@@ -596,8 +596,8 @@ def changed(**changes: object) -> CircularTest:
 @pytest.mark.parametrize(
     ("test", "words"),
     [
-        (changed(arc=(0.0, 60.0)), "arc is too short"),
-        (changed(arc=(0.0, float("nan"))), "arc is too short"),
+        (changed(arc=(0.0, 60.0)), "too short"),
+        (changed(arc=(0.0, float("nan"))), "too short"),
         (changed(runs=()), "no run"),
         (changed(nominal_radius=0.0), "nominal radius"),
         (changed(feed=float("nan")), "feed"),

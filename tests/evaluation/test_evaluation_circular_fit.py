@@ -118,7 +118,7 @@ def test_no_centre_nearby_is_better(
     ],
 )
 def test_no_circle(points: list[list[float]]) -> None:
-    with pytest.raises(InputError, match="no circle through these points"):
+    with pytest.raises(InputError, match="no circle"):
         least_squares_circle(np.array(points))
 
 

@@ -373,7 +373,7 @@ def test_a_test_without_readings_is_refused() -> None:
         evaluate(axis_test([0.0, 1.0], [[np.nan], [np.nan]]))
     with pytest.raises(InputError, match="ascending"):
         evaluate(axis_test([1.0, 0.0], [[0.0], [0.0]]))
-    with pytest.raises(InputError, match="fit together"):
+    with pytest.raises(InputError, match="one row"):
         evaluate(axis_test([1.0, 2.0, 3.0], [[0.0], [0.0]]))
 
 

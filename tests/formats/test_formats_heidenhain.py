@@ -260,7 +260,7 @@ def test_the_active_line_says_which_table_acts() -> None:
     with pytest.raises(InputError, match="axis X is in two columns"):
         itnc(file("new.com", new), file("c.cma", lines.replace("2         3", "1=F()     3")))
     two = lines.replace("END ", "1    OLD\nEND ")
-    with pytest.raises(InputError, match="do not show which line is active"):
+    with pytest.raises(InputError, match="do not show which line"):
         itnc(file("new.com", new), file("c.cma", two))
 
 
@@ -278,7 +278,7 @@ def test_the_marked_line_of_several_and_the_name_of_the_file() -> None:
         file("c.cma", lines.replace("0    OLD", "0    NEW").replace("1    NEW", "1    OLD")),
     )
     assert um(back, "X", -384) == pytest.approx(9.9, abs=NM)
-    with pytest.raises(InputError, match="several tables are called X"):
+    with pytest.raises(InputError, match="several tables with the name X"):
         itnc(file("OLD.COM", old), file("NEW.COM", COM), file("c.cma", lines.replace("NEW", "X  ")))
 
 
@@ -291,7 +291,7 @@ def test_nck_star_marks_the_line() -> None:
     none = nck(file("X.COM", NCK_ALONE), file("config.cma", lines.replace("*", " ")))
     assert none.axes == {}  # no line is active: nothing acts
     assert "CW-S012" in codes(none)
-    with pytest.raises(InputError, match="several lines are active"):
+    with pytest.raises(InputError, match="several lines"):
         nck(file("X.COM", NCK_ALONE), file("config.cma", lines.replace("0        ", "0   *    ")))
 
 
@@ -353,7 +353,7 @@ BAD_SHEETS = {
     "kinds mixed": ("MP710,,3,um", "MP710,,0.003,deg", "units of the entry sheet"),
     "implausible value": ("-4.0,um", "-40,mm", "not plausible"),
     "decimal comma": ("0.0020,mm", '"0,0020",mm', "another number of columns"),
-    "an axis that cannot be": ("# address: X", "# address: X-1", "no address of an axis"),
+    "an axis that cannot be": ("# address: X", "# address: X-1", "address of the axis"),
 }
 
 
@@ -790,7 +790,7 @@ def test_nck_positions_and_curves() -> None:
     )
     again = judged(NCK.id, both, (axis_of("X"),)).axes["X"]
     assert again.negative == pytest.approx(two.negative, abs=1e-9)
-    with pytest.raises(CapacityError, match="one curve"):
+    with pytest.raises(CapacityError, match="one table"):
         control_format(NCK, {}).write([two], [axis_of("X")], [file("X.COM", NCK_ALONE)])
     with pytest.raises(CapacityError, match=r"start: -400, end: 0, spacing: 200"):
         control_format(NCK, {}).write([wanted], [axis_of("X")], [file("X.COM", NCK_COM)])

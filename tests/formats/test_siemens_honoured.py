@@ -413,7 +413,7 @@ def pair_into(text: str) -> str:
 
 def test_a_sleeping_table_is_never_woken_by_any_name_of_the_axis() -> None:
     text = NAMES + eec() + "$MA_CEC_ENABLE[AX1]=0\n" + cec(0, ("AX2", "X1"), step=85)
-    with pytest.raises(CapacityError, match="would make others active too: 0"):
+    with pytest.raises(CapacityError, match="also activates others: 0"):
         pair_into(text)
     assert "$MA_CEC_ENABLE[AX1]=1\n" in pair_into(
         text + "$SN_CEC_TABLE_ENABLE[0]=0\n"
@@ -427,7 +427,7 @@ def test_a_sleeping_table_is_never_woken_by_any_name_of_the_axis() -> None:
 def test_a_table_that_is_on_with_its_values_in_no_file_is_never_woken(sum_off: str) -> None:
     """Its output axis and values are unknown: the file of the CEC tables was not given."""
     text = NAMES + eec() + sum_off
-    with pytest.raises(CapacityError, match=r"active too: 5 \(values in no given file: 5\)"):
+    with pytest.raises(CapacityError, match=r"also activates others: 5 \(values in no given file: 5\)"):
         pair_into(text + "$SN_CEC_TABLE_ENABLE[5]=1\n")
     assert "$AN_CEC_DIRECTION[21]=-1" in pair_into(text + "$SN_CEC_TABLE_ENABLE[5]=0\n")
 
@@ -548,7 +548,7 @@ def test_a_file_that_has_a_cec_table_on_before_its_values_is_not_written(before:
         21, ("AX1", "AX1"), value="0", step=85
     )
     on = "$SN_CEC_TABLE_ENABLE[20]=1\n$SN_CEC_TABLE_ENABLE[21]=1\n$MA_CEC_ENABLE[AX1]=1\n"
-    with pytest.raises(CapacityError, match="before its values"):
+    with pytest.raises(CapacityError, match="before it gives"):
         pair_into(before + eec() + values + on.replace(before, ""))
     assert "$AN_CEC[20,1]=" in pair_into(eec() + values + on)
 

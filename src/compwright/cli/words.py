@@ -224,7 +224,7 @@ def pairs(options: Iterable[str]) -> dict[str, object]:
         if not mark or not key.strip():
             faults.append(
                 Fault(
-                    message="must look like K=V",
+                    message="the value of `--option` must look like KEY=VALUE",
                     place="--option",
                     found=text,
                     hint=("give one key and its value, such as `--option detection_unit=0.001`"),
@@ -233,7 +233,7 @@ def pairs(options: Iterable[str]) -> dict[str, object]:
         elif key.strip() in given:
             faults.append(
                 Fault(
-                    message="option given twice",
+                    message="`--option` is given twice with the same key",
                     place="--option",
                     found=key.strip(),
                     hint="remove one of the two",

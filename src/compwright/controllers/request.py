@@ -73,7 +73,7 @@ class Request:
         if option not in ("+", "-"):
             raise UsageError(
                 Fault(
-                    message="option reference_return",
+                    message="the option reference_return has a wrong value",
                     expected="+ or -",
                     found=repr(option),
                     hint=("give `--option reference_return=+` or `--option reference_return=-`"),
@@ -96,7 +96,7 @@ class Request:
         if position is None:
             raise UsageError(
                 Fault(
-                    message=f"reference of {address}",
+                    message=f"the reference position of axis {address} is not a number",
                     expected="a position in mm or deg",
                     found=repr(given),
                     hint=("give the reference position as one number, such as `reference: 0`"),

@@ -132,7 +132,8 @@ def virtual_control(
     if maker is None:
         raise UsageError(
             Fault(
-                message="there is no virtual control for this format",
+                message="compwright has no virtual control (second reader of the files) for "
+                "this format",
                 expected=" or ".join(KNOWN),
                 found=format_id,
                 hint="use one of these formats",
@@ -141,7 +142,7 @@ def virtual_control(
     if not files:
         raise InputError(
             Fault(
-                message="no control files given",
+                message="no file of the control was given",
                 expected="the files that the control loads",
                 hint="give the files that the control loads",
             )

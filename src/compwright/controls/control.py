@@ -274,7 +274,7 @@ def _endless_number(file: ControlFile) -> Fault | None:
         return None
     line = 1 + file.content.count(b"\n", 0, place)
     return Fault(
-        message="contains a number that is too long",
+        message="this line contains a number with too many digits",
         file=file.name,
         place=f"line {line}",
         expected=f"at most {MOST_DIGITS} digits",
@@ -292,7 +292,7 @@ def _long_text(file: ControlFile) -> Fault | None:
     return Fault(
         message="the file is too large",
         file=file.name,
-        expected=f"a text of a control of at most {in_words(MOST_CONTROL_TEXT)}",
+        expected=f"a file of at most {in_words(MOST_CONTROL_TEXT)}",
         found=in_words(len(file.content)),
         hint="split the file, or give only the part with the compensation data",
     )
@@ -303,8 +303,8 @@ def _long_together(files: Sequence[ControlFile]) -> Iterator[Fault]:
     sizes = [len(file.content) for file in files if not is_container(file)]
     if sum(sizes) > MOST_CONTROL_TEXTS:
         yield Fault(
-            message="the texts are too large together",
-            expected=f"texts of a control of at most {in_words(MOST_CONTROL_TEXTS)}",
+            message="the control's files are too large",
+            expected=f"at most {in_words(MOST_CONTROL_TEXTS)} in all files together",
             found=f"{len(sizes)} files of {in_words(sum(sizes))}",
             hint="give only the files with compensation data and axis parameters",
         )
@@ -334,7 +334,7 @@ def read_files(session: Session, paths: Sequence[Path]) -> tuple[ControlFile, ..
             faults.extend(error.faults)
     faults.extend(
         Fault(
-            message="two files have this name",
+            message="two of the control's files have this name",
             file=name,
             expected="each file once",
             hint="give each file once, or rename one of them",
@@ -403,10 +403,10 @@ def decode(
         raise UsageError(
             Fault(
                 message=(
-                    f"active: no is given for a state, but the files of {control.id} "
-                    "do show which tables are active"
+                    f"`active: no` is given for a state, but the files of {control.id} "
+                    "themselves show which tables are active"
                 ),
-                expected="active left out, or the files as they were during the test",
+                expected="no key `active`, or the files as they were during the test",
                 hint=(
                     "leave `active` out of this state, or give the files as they "
                     "were during the test"

@@ -361,11 +361,11 @@ def texts_in(file: ControlFile) -> tuple[ControlFile, ...]:
 def _unknown(file: ControlFile) -> InputError:
     return InputError(
         Fault(
-            message="the file has an unknown form: its names cannot be found, it is not copied",
+            message="the file was not copied: its form is unknown, so names in it cannot be found",
             file=file.name,
             expected="a measurement file or a text of a control that compwright reads",
             found=unknown_container(file.content).rstrip(","),
-            hint="leave it out; a table of another program needs a profile: `compwright profile"
-            " FILE --out P.yaml`, then `--profile P.yaml`",
+            hint="leave the file out; for a table of another program make a profile: "
+            "`compwright profile FILE --out P.yaml`, then add `--profile P.yaml`",
         )
     )

@@ -109,7 +109,8 @@ def files_of_definition(texts: Texts) -> dict[str, bytes]:
         if PureWindowsPath(name).anchor or ".." in PureWindowsPath(name).parts:
             raise InputError(
                 Fault(
-                    message="extends a definition outside of its folder, which no copy can",
+                    message="the definition extends one outside of its own folder; a "
+                    "definition that is copied with its results cannot do this",
                     file=file,
                     place=EXTENDS,
                     found=name,
@@ -129,9 +130,10 @@ def definitions_at(session: Session, path: Path) -> list[tuple[str, bytes, Find]
     if is_base(path):
         raise InputError(
             Fault(
-                message="is only extended by others, and no control by itself",
+                message="this definition is only the base of others and describes no control "
+                "by itself",
                 file=str(path),
-                expected="what extends it",
+                expected="a definition that extends it",
                 hint="give the path of the definition that extends it",
             )
         )

@@ -230,7 +230,7 @@ def _viewed(
 def _nothing(control: Control, files: Sequence[ControlFile]) -> list[Fault]:
     return [
         Fault(
-            message=f"contains no data of {control.id}",
+            message=f"the files contain no data of {control.id}",
             file=", ".join(file.name for file in files),
             expected="files as the control exports them",
             hint=("give the files as the control exports them, or correct `--format`"),

@@ -34,7 +34,8 @@ def changed_neighbours(
     mine = all_names(control.definition, old, addresses)
     return [
         Fault(
-            message=f"an entry of axis {change.address} would change; please report this",
+            message="a fault of compwright: the new files would change an entry of axis "
+            f"{change.address}, which has to stay as it is",
             place=change.entry,
             expected=change.old or "",
             found=change.new or "nothing",
@@ -93,7 +94,8 @@ def loadable_files(
     small = decode(control, delivery.files, axes, written=True)
     faults = [
         Fault(
-            message="the small files do not have the same effect as the archive",
+            message="a fault of compwright: the small files do not have the same effect as the "
+            "whole archive",
             place=f"axis {axis.address}, direction {direction.value}",
             hint=(
                 "set `files: patched` in the options, and report this line with "

@@ -62,13 +62,13 @@ def partner_questions(
             questions += [
                 Fault(
                     message=(
-                        f"axis {axis.gantry} moves with axis {axis.address} and has values of its"
-                        f" own in the state {state}"
+                        f"axes {axis.address} and {axis.gantry} move together as a gantry, "
+                        f"but have different compensation in the state {state}"
                     ),
                     file=job.file,
                     place=place,
                     expected=_ANSWERS.format(address=axis.gantry),
-                    found=f"differing: {', '.join(words)}",
+                    found=f"a different {' and '.join(words)}",
                     hint=("add `table: same` or `table: change` to `gantry` of the axis, as shown"),
                 )
                 for state, words in own.items()
@@ -77,8 +77,9 @@ def partner_questions(
             faults.append(
                 Fault(
                     message=(
-                        f"the difference between axes {axis.gantry} and {axis.address} has changed:"
-                        f" state {measured_in[0]} of the first test and state {AS_FOUND} differ"
+                        f"the compensation of axes {axis.gantry} and {axis.address} (a "
+                        f"gantry) differs by another amount in state {measured_in[0]} of "
+                        f"the first test than in state {AS_FOUND}"
                     ),
                     file=job.file,
                     place=place,
@@ -163,7 +164,8 @@ def check_partners(axes: Sequence[tuple[Axis, FittedTable]], loaded: DecodedStat
         if any(float(np.max(np.abs(off(where, side)))) > SAME for side in Direction):
             faults.append(
                 Fault(
-                    message=f"axis {axis.gantry} reads otherwise than it was written",
+                    message="a fault of compwright: the table in the new files is not the one "
+                    f"meant for gantry axis {axis.gantry}",
                     place=f"axis {axis.name}",
                     hint=(
                         "load nothing of this run, and report this line with the job and its files"

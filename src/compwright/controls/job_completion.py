@@ -104,8 +104,8 @@ def _number_question(control: Control, axis: Axis, by_name: Mapping[str, tuple[s
     quantity = name_of(control.definition, "axis_letters")
     return Fault(
         message=(
-            f"the number of axis {axis.name} is uncertain: it was derived "
-            "from the order of the machine's axes"
+            f"the number of axis {axis.name} is uncertain: compwright only counted the "
+            "machine's axes in order"
         ),
         expected=f"the number, or the file with {quantity} among those of the state",
         found=f"files that number {names}" if names else "only the letter",
@@ -217,8 +217,8 @@ def unknown_zeros(job: Job, control: Control, state: ControlState | None) -> Ite
         if state is None or not state.facts_of(entry.axis.address).homing:
             yield Fault(
                 message=(
-                    "is not given, and the files do not show where the axis homes; "
-                    "the fixed positions depend on it"
+                    f"the reference position of axis {name} is needed for its fixed "
+                    "positions, but neither the job nor the control's files state it"
                 ),
                 file=job.file,
                 place=f"axes.{name}.reference",
@@ -240,10 +240,13 @@ def _other_zero(job: Job, name: str, key: str, axis: Axis, place: float, home: D
     }
     expected, found = words[key]
     return Fault(
-        message=("is not the position at which the control's homing sets the correction to zero"),
+        message=(
+            f"the key {key} of axis {name} contradicts the control's homing, which sets the "
+            "correction to zero elsewhere"
+        ),
         file=job.file,
         place=f"axes.{name}.{key}",
-        expected=f"{expected}, as its files say, or no {key}",
+        expected=f"{expected}, as the control's files state, or no {key}",
         found=found,
         hint=f"set `{key}` to {expected}, or leave it out",
     )
@@ -278,7 +281,10 @@ def other_joints(axis: Axis, facts: AxisFacts, state: str) -> Iterator[Fault]:
     place, stated = f"axes.{axis.name}", f"{letters}: joint {axis.address} is {letter}"
     if len(axis.name) == 1 and axis.name.upper() in _LETTERS and axis.name.upper() != letter:
         yield Fault(
-            message=(f"the files of the state {state} give this joint another axis letter"),
+            message=(
+                "the joint named in `address` has another axis letter in the files of the "
+                f"state {state}"
+            ),
             place=f"{place}.address",
             expected=f"a joint of {axis.name}",
             found=stated,
@@ -292,7 +298,8 @@ def other_joints(axis: Axis, facts: AxisFacts, state: str) -> Iterator[Fault]:
     ]
     if others and axis.gantry not in others:
         yield Fault(
-            message="a second joint drives this axis: a table on one of them alone racks it",
+            message=f"two joints drive axis {axis.name}: a table on only one of them would skew "
+            "the gantry",
             place=f"{place}.gantry",
             expected=" or ".join(f'gantry: "{other}"' for other in others),
             found=stated,

@@ -101,8 +101,8 @@ def _cross_disagreements(state: ControlState, judge: VirtualControl) -> list[Fau
     faults = [
         Fault(
             message=(
-                "the files can be read in two ways: the readers of compwright find different tables"
-                " between axes"
+                "the files can be read in two ways: the two readers of compwright find "
+                "different tables between axes"
             ),
             place=" on ".join(pair),
             hint=(

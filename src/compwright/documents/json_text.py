@@ -99,7 +99,7 @@ def read_json(content: bytes, file: str, schema: str, name: str, expected: str) 
     if found != schema:
         raise InputError(
             Fault(
-                message=f"is not a {name} that this version reads",
+                message=f"the file is not a {name} that this version of compwright reads",
                 file=file,
                 place="schema",
                 expected=schema,

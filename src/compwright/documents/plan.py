@@ -116,9 +116,9 @@ def read_plan(content: bytes, file: str) -> Plan:
     except RecursionError as error:
         raise InputError(
             Fault(
-                message="is nested too deeply",
+                message="the JSON of the file is nested too deeply to be a plan",
                 file=file,
-                expected="plan.json of a run",
+                expected="the plan.json of a run",
                 hint="give plan.json as `compwright run` wrote it",
             )
         ) from error

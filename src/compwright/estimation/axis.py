@@ -353,7 +353,7 @@ def _refuse_misuse(
 ) -> None:
     faults = [
         Fault(
-            message="the test is still in the instrument's frame",
+            message="the target positions of the test are in the coordinates of the instrument",
             file=each.test.name,
             expected="machine coordinates",
             hint="give the test a `position_map` first",
@@ -364,16 +364,16 @@ def _refuse_misuse(
     if not tests:
         faults.append(
             Fault(
-                message="an axis without a test",
-                expected="one test or more",
+                message="no test is given for the axis",
+                expected="at least one test",
                 hint="give at least one test",
             )
         )
     if not (np.all(np.isfinite(travel)) and travel[0] < travel[1]):
         faults.append(
             Fault(
-                message="the travel is empty",
-                expected="low < high",
+                message="the travel of the axis is empty",
+                expected="a lower end below the upper end",
                 found=f"{travel[0]:g} to {travel[1]:g}",
                 hint="give a travel whose first number is below its second",
             )

@@ -183,10 +183,10 @@ def _average_neighbours(run: CircularRun) -> CircularRun:
 def _refuse(test: CircularTest, periods: Mapping[str, float]) -> None:
     faults = [
         Fault(
-            message="a period must be positive",
+            message=f"a period of the error of axis {axis} must be positive",
             place=axis,
             found=f"{period:g}",
-            expected="mm",
+            expected="a length in mm",
             hint="give a positive period",
         )
         for axis, period in periods.items()
@@ -209,7 +209,7 @@ def _refuse(test: CircularTest, periods: Mapping[str, float]) -> None:
     if not test.arc[1] * (1.0 + 1.0 / max(count - 1, 1)) >= LEAST_ARC - 1e-6:
         wrong.append(
             Fault(
-                message="the arc is too short",
+                message="the arc of the circular test is too short",
                 file=test.name,
                 expected="90 deg or more",
                 found=f"{test.arc[1]:g} deg",
@@ -220,7 +220,7 @@ def _refuse(test: CircularTest, periods: Mapping[str, float]) -> None:
         if not (np.isfinite(value) and value > 0.0):
             wrong.append(
                 Fault(
-                    message=f"the {name} must be positive",
+                    message=f"the {name} of the circular test must be positive",
                     file=test.name,
                     found=f"{value:g}",
                     hint=f"correct the {name} in the test",
@@ -229,7 +229,7 @@ def _refuse(test: CircularTest, periods: Mapping[str, float]) -> None:
     if not test.runs:
         wrong.append(
             Fault(
-                message="the test has no run",
+                message="the circular test contains no run",
                 file=test.name,
                 hint="give a test with at least one run",
             )
@@ -240,7 +240,7 @@ def _refuse(test: CircularTest, periods: Mapping[str, float]) -> None:
     ):
         raise InputError(
             Fault(
-                message="a run has readings that are not numbers",
+                message="a run of the circular test has readings that are not numbers",
                 file=test.name,
                 hint="remove these samples, or measure again",
             )
@@ -253,7 +253,7 @@ def _refuse_few(test: CircularTest, samples: CircleSamples) -> None:
         InputError,
         [
             Fault(
-                message="too few samples away from the reversal points",
+                message="the run has too few samples away from the points where an axis reverses",
                 file=test.name,
                 place=f"{run.sense} run {run.number}",
                 expected=f"{LEAST_SAMPLES} or more",

@@ -247,7 +247,7 @@ def _require_sound(test: CircularTest) -> None:
     if not (np.isfinite(test.nominal_radius) and test.nominal_radius > 0.0):
         faults.append(
             Fault(
-                message="nominal radius",
+                message="the nominal radius must be positive",
                 expected="more than 0 mm",
                 found=f"{test.nominal_radius:g}",
                 hint="correct the nominal radius in the file",
@@ -256,7 +256,7 @@ def _require_sound(test: CircularTest) -> None:
     if not 0.0 < test.arc[1] <= 360.0:
         faults.append(
             Fault(
-                message="arc",
+                message="the arc is longer than a full circle",
                 expected="at most 360°",
                 found=f"{test.arc[1]:.6g}°",
                 hint="correct `arc` in the file",
@@ -283,7 +283,7 @@ def _run_faults(run: CircularRun, nominal_radius: float) -> list[Fault]:
         found = f"{run.angles.shape} and {run.deviations.shape}"
         return [
             Fault(
-                message="angles and deviations do not fit together",
+                message="a run has different numbers of angles and deviations",
                 expected="one deviation per angle",
                 found=found,
                 hint="give one deviation per angle",
@@ -292,7 +292,7 @@ def _run_faults(run: CircularRun, nominal_radius: float) -> list[Fault]:
     if run.angles.size < 4:
         return [
             Fault(
-                message="too few samples",
+                message="a run has too few samples",
                 expected="at least 4",
                 found=str(run.angles.size),
                 hint="measure again with more samples",
@@ -301,7 +301,7 @@ def _run_faults(run: CircularRun, nominal_radius: float) -> list[Fault]:
     if not (np.all(np.isfinite(run.angles)) and np.all(np.isfinite(run.deviations))):
         return [
             Fault(
-                message="angles and deviations must be finite",
+                message="a run contains angles or deviations that are not finite numbers",
                 expected="finite numbers",
                 hint="remove these samples, or measure again",
             )
@@ -309,7 +309,7 @@ def _run_faults(run: CircularRun, nominal_radius: float) -> list[Fault]:
     if np.any(run.deviations <= -nominal_radius):
         return [
             Fault(
-                message="deviation",
+                message="a deviation is so negative that the path would pass through the centre",
                 expected="more than minus the nominal radius",
                 found=f"{run.deviations.min():g} mm",
                 hint="correct the unit of the deviations, or the nominal radius",
@@ -321,7 +321,7 @@ def _run_faults(run: CircularRun, nominal_radius: float) -> list[Fault]:
     if covered < SHORTEST_ARC * (1.0 - 1e-6):
         return [
             Fault(
-                message="arc of the samples",
+                message="the samples of the test cover too short an arc",
                 expected="at least 90° (ISO 230-4:1996, 3.1)",
                 found=f"{covered:.6g}°",
                 hint="measure an arc of 90° or more",

@@ -45,7 +45,7 @@ def least_squares_circle(points: FloatArray) -> tuple[Point, float]:
     if max(abs(a), abs(b)) > _FARTHEST:
         raise InputError(
             Fault(
-                message="no circle through these points",
+                message="no circle can be fitted to these points",
                 expected="points nearer to a circle than to a straight line",
                 hint="check the radius and the unit of the samples",
             )
@@ -59,7 +59,7 @@ def _require_points(points: FloatArray) -> None:
         found = " x ".join(str(n) for n in points.shape)
         raise InputError(
             Fault(
-                message="no circle through these points",
+                message="no circle can be fitted to these points",
                 expected="at least three points (x, y)",
                 found=found,
                 hint="give at least three points",
@@ -68,7 +68,7 @@ def _require_points(points: FloatArray) -> None:
     if not np.all(np.isfinite(points)):
         raise InputError(
             Fault(
-                message="no circle through these points",
+                message="no circle can be fitted to these points",
                 expected="finite coordinates",
                 hint="remove the points that are not numbers",
             )
@@ -81,7 +81,7 @@ def _require_curved(x: FloatArray, y: FloatArray, size: float) -> None:
     if size <= 0.0 or least <= _STRAIGHT**2 * most:
         raise InputError(
             Fault(
-                message="no circle through these points",
+                message="no circle can be fitted to these points",
                 expected="three points that do not lie on a straight line",
                 hint="give points on an arc of 90° or more",
             )

@@ -24,7 +24,7 @@ def decide(value: float, limit: float, U: float | None, rule: Rule) -> Decision:
     if rule not in {"simple", "guarded"}:
         raise UsageError(
             Fault(
-                message="unknown decision rule",
+                message="the decision rule is unknown",
                 place="decision_rule",
                 expected="simple or guarded",
                 found=str(rule),
@@ -36,7 +36,7 @@ def decide(value: float, limit: float, U: float | None, rule: Rule) -> Decision:
             Fault(
                 message="the guarded decision needs the measurement uncertainty",
                 place="decision_rule",
-                expected="the key uncertainty of the job",
+                expected="the key `uncertainty` in the job",
                 found="none",
                 hint="add `uncertainty` to the job, or set `decision_rule: simple`",
             )

@@ -117,7 +117,7 @@ def _refuse_compensated_air(test: PositioningTest) -> None:
                 ),
                 file=_file(test),
                 place="compensated_for",
-                expected="nothing, or the material only",
+                expected="a blank value, or the material only",
                 found=stated,
                 hint=(
                     f"take the columns {', '.join(AIR)} out of the record of `environment`, or"
@@ -139,10 +139,10 @@ def _times(test: PositioningTest, environment: Environment) -> FloatArray | None
             return None
         raise InputError(
             Fault(
-                message="does not say when its readings were taken, and the record of the"
-                " environment holds other tests too",
+                message="the file does not state when its readings were taken, but the "
+                "environment record covers other tests too",
                 file=_file(test),
-                expected="a column time",
+                expected="a column `time` in the file",
                 hint="add a column `time` to the file, with times as in the record",
             )
         )
@@ -151,13 +151,13 @@ def _times(test: PositioningTest, environment: Environment) -> FloatArray | None
     if np.any(missing):
         raise InputError(
             Fault(
-                message="does not say of every reading when it was taken",
+                message="readings in the file have no time",
                 file=_file(test),
                 place="column time",
-                expected="a time in every row, all of one form",
+                expected="a time in every row, all written in one form",
                 found=(
-                    f"{int(missing.sum())} of {missing.size} without, the first at"
-                    f" {test.targets[int(np.argmax(missing.any(axis=1)))]:.10g} mm"
+                    f"{int(missing.sum())} of {missing.size} readings without, the first at "
+                    f"{test.targets[int(np.argmax(missing.any(axis=1)))]:.10g} mm"
                 ),
                 hint="correct these cells, or take the column out",
             )
@@ -165,10 +165,10 @@ def _times(test: PositioningTest, environment: Environment) -> FloatArray | None
     if test.times.clock != record.clock:
         raise InputError(
             Fault(
-                message="gives its times otherwise than the record of the environment",
+                message="the file writes times differently from the environment record",
                 file=_file(test),
                 place="column time",
-                expected=f"a {record.clock}, as {record.sources[0].file}",
+                expected=f"a {record.clock}, as in {record.sources[0].file}",
                 found=f"a {test.times.clock}",
                 hint="write the times of both files in the same way",
             )
@@ -178,13 +178,13 @@ def _times(test: PositioningTest, environment: Environment) -> FloatArray | None
     if first < record.times[0] - margin or last > record.times[-1] + margin:
         raise InputError(
             Fault(
-                message="the record of the environment does not reach over the test",
+                message="the environment record does not cover the whole time of the test",
                 file=", ".join(source.file for source in record.sources),
                 expected=f"rows from {_shown(first, record)} to {_shown(last, record)}",
                 found=f"{_shown(record.times[0], record)} to {_shown(record.times[-1], record)}",
                 hint=(
-                    f"name the record of the time of {_file(test)} too: `environment: [FILE,"
-                    " FILE]`, or correct the clock of one of them"
+                    f"add the record that covers the time of {_file(test)}: `environment: "
+                    "[FILE, FILE]`, or correct the clock in one of the files"
                 ),
             )
         )

@@ -142,7 +142,7 @@ def standard_by_id(name: str, spread: str = "std") -> Standard:
     if spread not in {"std", "range"}:
         raise UsageError(
             Fault(
-                message="unknown estimator of s",
+                message="the estimator of the standard deviation s is unknown",
                 place="--spread",
                 expected="std or range",
                 found=spread,
@@ -155,7 +155,8 @@ def standard_by_id(name: str, spread: str = "std") -> Standard:
         )
         raise UsageError(
             Fault(
-                message=f"{standard.title} has no range method",
+                message=f"{standard.title} does not define the range method for the standard "
+                "deviation s",
                 place="--spread",
                 expected=f"std, or one of {having}",
                 found=spread,
@@ -249,7 +250,7 @@ def _require_sound(test: PositioningTest) -> None:
         found = f"{m} targets, {test.positive.shape} in +, {test.negative.shape} in −"
         faults.append(
             Fault(
-                message="readings and targets do not fit together",
+                message="the test does not have one row of readings for each target",
                 file=test.name,
                 expected="one row per target",
                 found=found,

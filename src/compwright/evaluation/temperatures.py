@@ -76,7 +76,8 @@ def _number(key: str, text: str, file: str, faults: list[Fault]) -> float:
     if value is None or not low <= value <= high:
         faults.append(
             Fault(
-                message="is not a temperature of a test in °C",
+                message=f"the value of the key `{key}` is not a plausible temperature of a test "
+                "in °C",
                 file=file,
                 place=f"key {key}",
                 expected=f"one number from {low:g} to {high:g}",

@@ -53,7 +53,8 @@ def choose_candidate(
         )
         raise CapacityError(
             Fault(
-                message=f"no equally spaced grid fits the table's ends{_others(capacity)}",
+                message="no grid of equally spaced points fits between the ends of the "
+                f"table{_others(capacity)}",
                 place="table",
                 expected=(
                     f"{capacity.min_points} to {most_points(capacity)} points at multiples of"

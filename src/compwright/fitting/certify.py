@@ -133,7 +133,8 @@ def lattice_certificate(
         found = ", ".join(f"{name} {value:.6g}" for name, value in proof.items())
         raise CapacityError(
             Fault(
-                message="no certified solution: the table does not pass its certificate",
+                message="no certified solution: the check whether the table is the best "
+                "possible one failed",
                 found=found,
                 hint=(
                     "report this line with the job and its files; until then try "

@@ -144,7 +144,7 @@ def _check_order(wanted: WantedCorrection, request: TableRequest) -> tuple[float
     if not low < high:
         raise UsageError(
             Fault(
-                message="the table is empty",
+                message="the table has no length",
                 place="table",
                 expected="start below end",
                 found=f"{low:g} to {high:g}",

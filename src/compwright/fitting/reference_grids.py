@@ -178,7 +178,7 @@ def _not_taken(spacing: float, capacity: Capacity, unit: str) -> Fault:
         min((one for one in own if one > spacing), default=None),
     ]
     return Fault(
-        message="the control has only certain spacings",
+        message="the control allows only certain spacings",
         place="table.spacing",
         expected=f"{' or '.join(f'{one:.10g}' for one in near if one is not None)} {unit}",
         found=f"{spacing:.12g} {unit}",
@@ -199,12 +199,13 @@ def _end_faults(
         faults.append(
             Fault(
                 message=(
-                    "the control counts whole spacings from the reference position"
-                    f" ({reference:.10g} {unit})"
+                    f"the {name} of the table is not a whole number of spacings away from "
+                    f"the reference position ({reference:.10g} {unit})"
                 ),
                 place=f"table.{name}",
                 expected=(
-                    f"a table that {verb} at {near} {unit}, every {step * quantum:.10g} {unit}"
+                    f"a table that {verb} at {near} {unit}, where a point comes every "
+                    f"{step * quantum:.10g} {unit}"
                 ),
                 found=f"{reference + end * quantum:.12g}",
                 hint=f"set `table: {{{name}: ...}}` to one of these positions",
@@ -221,9 +222,8 @@ def _count_faults(count: int, capacity: Capacity, wanted: WantedCorrection) -> l
     return [
         Fault(
             message=(
-                f"too {'many' if many else 'few'} points for the table, counted "
-                f"from the reference position ({wanted.reference:.10g} "
-                f"{wanted.kind.unit})"
+                f"the table would have too {'many' if many else 'few'} points, counted from "
+                f"the reference position ({wanted.reference:.10g} {wanted.kind.unit})"
             ),
             place="table.spacing",
             expected=f"at most {most} points" if many else f"at least {least} points",

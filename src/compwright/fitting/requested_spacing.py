@@ -98,7 +98,7 @@ def _check_count(count: int, span: Span, capacity: Capacity, unit: str) -> None:
         fits = f"; from {least:.10g} {unit} on a spacing fits" if least else ""
         raise CapacityError(
             Fault(
-                message=f"too many points for the table of {length:.10g} {unit}{fits}",
+                message=f"this spacing gives a table of {length:.10g} {unit} too many points{fits}",
                 place="table.spacing",
                 expected=f"at most {most} points",
                 found=f"{count} points",
@@ -108,7 +108,7 @@ def _check_count(count: int, span: Span, capacity: Capacity, unit: str) -> None:
     if count < capacity.min_points:
         raise CapacityError(
             Fault(
-                message=f"too few points for the table of {length:.10g} {unit}",
+                message=f"this spacing gives a table of {length:.10g} {unit} too few points",
                 place="table.spacing",
                 expected=f"at least {capacity.min_points} points",
                 found=f"{count} points",

@@ -78,8 +78,8 @@ def no_solution(message: str, found: str) -> CapacityError:
     """Return what to raise where no solution is certified, and what was found instead."""
     return CapacityError(
         Fault(
-            message=f"no certified solution: {message}",
-            expected="an exact optimum",
+            message=f"no certified solution: the solver found no optimal table ({message})",
+            expected="a proven optimum",
             found=found,
             hint=(
                 "report this line with the job and its files; until then try "

@@ -197,7 +197,7 @@ def fit_whole_increments(
     if solution is None:
         raise CapacityError(
             Fault(
-                message="no table of whole increments keeps the control's limits",
+                message="no table of whole increments stays within the control's limits",
                 place="table",
                 expected="increments that contain 0",
                 found=f"{lattice.increments[0]} to {lattice.increments[1]}",

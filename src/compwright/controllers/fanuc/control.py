@@ -135,7 +135,8 @@ class FanucControl:
             raise UsageError(
                 Fault(
                     message=(
-                        "the control's files contain no such active table of one axis for another"
+                        "the control's files contain no active table by which one of these "
+                        "axes corrects the other"
                     ),
                     expected=" or ".join(f"{a} for {b}" for a, b in self.cross()),
                     found=f"{input} for {output}",
@@ -222,7 +223,7 @@ def _memory(files: Sequence[ControlFile], request: Request, series: ControlSerie
     if not memory.axes() and not memory.faults:
         memory.faults.append(
             Fault(
-                message="no compensation parameters found",
+                message="the files contain no compensation parameters",
                 file=", ".join(file.name for file in files),
                 expected="parameters 3620 to 3624 or 1851",
                 found="pitch data only" if memory.points else "",

@@ -49,7 +49,7 @@ def read_options(
         if value not in choices:
             faults.append(
                 Fault(
-                    message=f"option {name} of axis {address}",
+                    message=f"the option {name} of axis {address} has a wrong value",
                     expected=" or ".join(choices),
                     found=repr(value),
                     hint=f"give one of these values for `{name}`",
@@ -65,7 +65,7 @@ def read_options(
     if limit is None or limit != int(limit) or not 1 <= limit <= BYTE[1]:
         faults.append(
             Fault(
-                message=f"option increment_limit of axis {address}",
+                message=f"the option increment_limit of axis {address} has a wrong value",
                 expected=f"a whole number 1 to {BYTE[1]}",
                 found=repr(given.get("increment_limit")),
                 hint="give a number in this range for `increment_limit`",
@@ -97,7 +97,7 @@ def _detection_unit(given: Mapping[str, object], address: str, faults: list[Faul
     if unit is None or unit <= 0.0:
         faults.append(
             Fault(
-                message=f"option detection_unit of axis {address}",
+                message=f"the option detection_unit of axis {address} has a wrong value",
                 expected="mm or deg per pulse, above 0",
                 found=repr(given["detection_unit"]),
                 hint=("give the detection unit of this control: `--option detection_unit=0.001`"),

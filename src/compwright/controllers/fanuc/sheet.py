@@ -58,7 +58,7 @@ def read_sheet(
         return TapeContent(
             faults=[
                 Fault(
-                    message="the file is not UTF-8 text",
+                    message="the entry sheet is not UTF-8 text",
                     file=file.name,
                     place=f"byte {error.start}",
                     hint="save the sheet as CSV UTF-8",
@@ -164,9 +164,10 @@ class _Sheet:
         if not self.found.settings and not self.found.points and not self.found.faults:
             self.found.faults.append(
                 Fault(
-                    message="the sheet contains neither points nor parameters",
+                    message="the entry sheet contains neither compensation points nor parameters",
                     file=self.file,
-                    hint="use the sheet `entry_<axis>.csv` of the folder `card/`",
+                    hint="use the sheet `entry_<axis>.csv` that `compwright run` writes into "
+                    "the folder `card/`",
                 )
             )
 

@@ -90,7 +90,8 @@ class HeidenhainControl:
             known = ", ".join(f"{corrected} by {moving}" for moving, corrected in self.crossed)
             raise UsageError(
                 Fault(
-                    message="no table corrects this axis by that one",
+                    message="the files contain no table with which the second of these axes "
+                    "corrects the first",
                     expected=known,
                     found=f"{output} by {input}",
                     hint=("correct the entry `cross` of the job, or give the file with this table"),
@@ -145,9 +146,9 @@ def heidenhain_control(
     if not axes and not loader.faults:
         loader.faults.append(
             Fault(
-                message="no compensation data found",
+                message="the files contain no compensation data",
                 file=", ".join(file.name for file in files),
-                expected="an entry sheet, .COM or parameters",
+                expected="an entry sheet, a table (.COM) or machine parameters",
                 hint="give the files that contain the compensation of this control",
             )
         )

@@ -69,7 +69,7 @@ class LoadedContents:
         if value not in allowed:
             raise UsageError(
                 Fault(
-                    message=f"option {name}",
+                    message=f"the option {name} has a wrong value",
                     expected=" or ".join(allowed),
                     found=repr(value),
                     hint=f"give one of these values for `{name}`",

@@ -70,7 +70,7 @@ def read_sheet(file: ControlFile, generation: Generation) -> tuple[JudgedSheet |
     except UnicodeDecodeError as error:
         return None, [
             Fault(
-                message="the file is not ASCII or UTF-8",
+                message="the entry sheet is neither ASCII nor UTF-8 text",
                 file=file.name,
                 place=f"byte {error.start + 1}",
                 hint="save the sheet as CSV UTF-8",
@@ -234,10 +234,11 @@ class _SheetLines:
         if self.header is None and not self.faults:
             self.faults.append(
                 Fault(
-                    message="the file is no entry sheet",
+                    message="the file is not an entry sheet of compwright",
                     file=self.file,
                     expected=f"the header {HEADER}",
-                    hint="use the sheet `entry_<axis>.csv` of the folder `card/`",
+                    hint="use the sheet `entry_<axis>.csv` that `compwright run` writes into "
+                    "the folder `card/`",
                 )
             )
         elif not self.points and not self.parameters and not self.faults:

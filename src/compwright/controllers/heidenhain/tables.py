@@ -312,8 +312,8 @@ class OwnTableLoader:
         if turn is not None and turn != TURN:
             raise UsageError(
                 Fault(
-                    message=f"turn of {moving}",
-                    expected=f"{TURN:g}",
+                    message=f"axis {moving} has a wrong `modulo` (length of one turn)",
+                    expected=f"{TURN:g} degrees",
                     found=f"{turn:g}",
                     hint=f"set `modulo: {TURN:g}` for this axis",
                 )

@@ -77,7 +77,7 @@ def largest_value(request: Request, address: str, axis: AxisLists, section: str)
     if chosen not in _LIMITS:
         raise UsageError(
             Fault(
-                message="option value_type",
+                message="the option value_type has a wrong value",
                 expected=" or ".join(_LIMITS),
                 found=repr(chosen),
                 hint="give one of these values for `value_type`",
@@ -112,8 +112,8 @@ def _increment(request: Request, address: str, name: str) -> float:
     if increment is None or increment <= 0.0:
         raise UsageError(
             Fault(
-                message=f"option encoder_increment of axis {address}: the list is in encoder"
-                f" increments ({name} 0)",
+                message=f"the option encoder_increment of axis {address} is missing or wrong; "
+                f"the list of the axis is in encoder increments ({name} 0)",
                 expected="mm or deg per increment, larger than 0",
                 found="none" if given is None else repr(given),
                 hint=("give `--option encoder_increment=0.001` with the value of this encoder"),

@@ -92,7 +92,8 @@ class IsgControl:
         if table is None:
             raise UsageError(
                 Fault(
-                    message=f"no table by which {input} corrects {output}",
+                    message=f"the lists contain no table by which axis {input} corrects axis "
+                    f"{output}",
                     expected=" or ".join(f"{a} and {b}" for a, b in self.tables)
                     or "an active table kw.crosscomp, and the option cross_values",
                     hint=("correct the entry `cross` of the job, or give the list with this table"),

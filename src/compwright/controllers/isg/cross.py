@@ -141,7 +141,7 @@ def cross_sign(request: Request, slave: str) -> float | None:
     if chosen is not None and chosen not in SIGNS:
         raise UsageError(
             Fault(
-                message="option cross_values",
+                message="the option cross_values has a wrong value",
                 expected=" or ".join(SIGNS),
                 found=repr(chosen),
                 hint="give one of these values for `cross_values`",

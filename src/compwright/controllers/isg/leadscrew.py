@@ -210,7 +210,7 @@ def _sign(request: Request, address: str, assumed: list[Assumption]) -> float:
     if chosen not in SIGNS:
         raise UsageError(
             Fault(
-                message="option table_values",
+                message="the option table_values has a wrong value",
                 expected=" or ".join(SIGNS),
                 found=repr(chosen),
                 hint="give one of these values for `table_values`",

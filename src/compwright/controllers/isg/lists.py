@@ -168,7 +168,8 @@ def _statements(file: ControlFile, lists: ControlLists) -> Iterable[ListStatemen
     if "\x00" in text:
         lists.faults.append(
             Fault(
-                message="contains a NUL byte: this is not a list in plain text",
+                message="the file contains a NUL byte (a zero character), so it is not a list "
+                "in plain text",
                 file=file.name,
                 expected="ASCII",
                 hint="export the list from the control as plain text",
@@ -180,7 +181,7 @@ def _statements(file: ControlFile, lists: ControlLists) -> Iterable[ListStatemen
         if mark.group() == "/*":
             lists.faults.append(
                 Fault(
-                    message="a comment has no end",
+                    message="the comment that begins in this line has no end",
                     file=file.name,
                     place=f"line {text.count(chr(10), 0, mark.start()) + 1}",
                     hint="close the comment, or export the list from the control again",
@@ -268,10 +269,13 @@ def _address(
         expected = "a header kopf.achs_nr with the logical axis number"
         lists.faults.append(
             Fault(
-                message="the file does not show to which axis this list belongs",
+                message="this list does not show to which axis it belongs",
                 file=name,
                 expected=expected,
-                hint=("name the file so, or add the line with the axis number to the list"),
+                hint=(
+                    "add the line kopf.achs_nr with the axis number to the list, or name the "
+                    "file as the start-up list does"
+                ),
             )
         )
         return None

@@ -116,7 +116,8 @@ class LinuxCncControl:
         raise UsageError(
             Fault(
                 message=(
-                    f"no table by which {input} corrects {output}: LinuxCNC has none between joints"
+                    f"axis {input} cannot correct axis {output}: LinuxCNC has no tables "
+                    "between joints"
                 ),
                 hint="remove this entry from `cross` of the job",
             )
@@ -160,7 +161,7 @@ def linuxcnc_control(files: Sequence[ControlFile], request: Request) -> LinuxCnc
     if len(set(names)) != len(names):
         raise InputError(
             Fault(
-                message="two files have the same name",
+                message="two of the control's files have the same name",
                 found=", ".join(sorted({n for n in names if names.count(n) > 1})),
                 hint="give each file once",
             )
@@ -201,9 +202,9 @@ class _JointLoader:
         if not found and not self.faults:
             self.faults.append(
                 Fault(
-                    message="no joint found",
+                    message="the files contain no joint",
                     file=", ".join([ini.name for ini in self.inis] + list(self.tables)),
-                    expected="an INI with a section [JOINT_N], or a table joint_N.comp",
+                    expected="an INI with a section [JOINT_N], or a table called joint_N.comp",
                     hint="give the INI of the machine",
                 )
             )
@@ -282,7 +283,8 @@ class _JointLoader:
                     Fault(
                         message="the files do not show which joint loads this table",
                         file=name,
-                        expected="a name such as joint_0.comp, or its INI",
+                        expected="a file name such as joint_0.comp, or the INI that names the "
+                        "table",
                         hint="rename the file to `joint_N.comp`, or add the INI",
                     )
                 )
@@ -378,7 +380,7 @@ class _JointLoader:
         if str(option) not in {"0", "1"}:
             raise UsageError(
                 Fault(
-                    message="option comp_file_type",
+                    message="the option comp_file_type has a wrong value",
                     expected="0 or 1",
                     found=repr(option),
                     hint=(
@@ -427,7 +429,7 @@ class _JointLoader:
         if option not in {"mm", "inch"}:
             raise UsageError(
                 Fault(
-                    message="option units",
+                    message="the option units has a wrong value",
                     expected="mm or inch",
                     found=repr(option),
                     hint="give `--option units=mm` or `--option units=inch`, as in the INI",

@@ -140,7 +140,7 @@ def _expanded(file: ControlFile, files: Mapping[str, ControlFile], included: set
         else:
             faults.append(
                 Fault(
-                    message="included file was not given",
+                    message="the file that this line includes was not given",
                     file=line.file,
                     place=f"line {line.number}",
                     expected=wanted or "a file name",
@@ -160,7 +160,8 @@ def _lines(file: ControlFile, faults: list[Fault]) -> list[IniLine]:
         if "\r" in line or "\x00" in line:
             faults.append(
                 Fault(
-                    message="carriage return or NUL inside a line: the control does not start",
+                    message="this line contains a carriage return or a NUL byte, so the "
+                    "control would not start",
                     file=file.name,
                     place=f"line {number}",
                     hint="save the INI again with a plain text editor",

@@ -85,7 +85,8 @@ class PmacControl:
         if pair is None:
             raise UsageError(
                 Fault(
-                    message=f"no table by which {input} corrects {output}",
+                    message=f"the scripts contain no table by which motor {input} corrects "
+                    f"motor {output}",
                     expected=" or ".join(f"{a} and {b}" for a, b in self.tables) or "a table",
                     hint=(
                         "correct the entry `cross` of the job, or give the script with this table"
@@ -215,7 +216,7 @@ def _agrees(number: int, counts: float, card: Card) -> None:
 def _without_counts(number: int, given: object) -> UsageError:
     return UsageError(
         Fault(
-            message=f"option counts_per_unit of motor {number}",
+            message=f"the option counts_per_unit of motor {number} is missing or wrong",
             expected="counts per mm or deg, negative where the motor counts against the axis",
             found="none" if given is None else repr(given),
             hint=("give `--option counts_per_unit=1000` with the value of this motor"),

@@ -136,7 +136,8 @@ def run_scripts(files: Sequence[ControlFile]) -> Card:
         if "\x00" in text:
             card.faults.append(
                 Fault(
-                    message="contains a NUL byte: this is not a script in plain text",
+                    message="the file contains a NUL byte (a zero character), so it is not a "
+                    "script in plain text",
                     file=file.name,
                     hint="save the script from the control as plain text",
                 )

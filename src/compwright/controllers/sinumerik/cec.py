@@ -98,7 +98,7 @@ def _sign(request: Request) -> int:
     if option not in _SIGNS:
         raise UsageError(
             Fault(
-                message="option cec_sign",
+                message="the option cec_sign has a wrong value",
                 expected=" or ".join(_SIGNS),
                 found=repr(option),
                 hint="give `--option cec_sign=correction` or `--option cec_sign=error`",

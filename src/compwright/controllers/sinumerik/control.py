@@ -150,7 +150,8 @@ class SinumerikControl:
         if pair is None:
             raise UsageError(
                 Fault(
-                    message=f"no table by which {input} corrects {output}",
+                    message=f"the files contain no table by which axis {input} corrects axis "
+                    f"{output}",
                     expected=" or ".join(f"{base} on {corrected}" for base, corrected in crossing)
                     or "cross tables in the files",
                     hint=("correct the entry `cross` of the job, or give the file with this table"),
@@ -193,7 +194,7 @@ def sinumerik_control(
     if not assignments and not faults and request.active is not False:
         faults.append(
             Fault(
-                message="no compensation data found",
+                message="the files contain no compensation data",
                 file=", ".join(file.name for file in files),
                 expected="$AA_ENC_COMP, $AN_CEC or $MA_BACKLASH",
                 hint="give the files with the compensation data of this control",
@@ -373,7 +374,7 @@ class _AxisLoader:
             if given not in {1, 2}:
                 raise UsageError(
                     Fault(
-                        message=f"measuring system of {name}",
+                        message=f"the measuring system of axis {name} has a wrong number",
                         expected="1 or 2",
                         found=repr(given),
                         hint="give `--option encoder_system=1` or `--option encoder_system=2`",

@@ -86,7 +86,10 @@ def lengths_of(
     rotary |= {names.name(axis).upper(): kind == "rotary" for axis, kind in request.kinds.items()}
     faults = [
         Fault(
-            message=("the files contain two different basic systems (MD10240, METRIC or INCH)"),
+            message=(
+                "the files contradict each other about the basic unit system (MD10240, "
+                "METRIC or INCH)"
+            ),
             expected="inch" if inch else "metric",
             found="metric" if metric else "inch",
             file=file,
@@ -109,7 +112,10 @@ def _wrong_units(
     for content in contents:
         faults += [
             Fault(
-                message=("MD10250 $MN_SCALING_VALUE_INCH: the length of an inch was changed"),
+                message=(
+                    "MD10250 $MN_SCALING_VALUE_INCH is changed: the control uses another "
+                    "length for an inch"
+                ),
                 file=content.name,
                 place=f"line {line}",
                 expected=f"{_MM:g}",

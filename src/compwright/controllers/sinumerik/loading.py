@@ -229,8 +229,9 @@ def _contradictions(files: list[ControlFile]) -> Iterator[Fault]:
             if other != value and _as_number(other) != _as_number(value):
                 yield Fault(
                     message=(
-                        f"${key.decode('latin-1')} contradicts {where.name}, line {at}: "
-                        "one of the two members was changed"
+                        f"${key.decode('latin-1')} contradicts {where.name}, line {at}, in "
+                        "the same archive: one of the two files was changed after the "
+                        "export"
                     ),
                     file=file.name,
                     place=f"line {number}",
@@ -266,7 +267,8 @@ def _members(file: ControlFile) -> Iterator[_Member]:
         if size is None:
             raise InputError(
                 Fault(
-                    message=f"the size of {before} is wrong: no member begins where it ends",
+                    message="the archive is damaged: no other member (file of the archive) "
+                    f"begins where {before} ends by its stated size",
                     file=file.name,
                     place=f"byte {start}",
                     expected="an archive as the control wrote it",
@@ -277,7 +279,8 @@ def _members(file: ControlFile) -> Iterator[_Member]:
         if len(data) < size:
             raise InputError(
                 Fault(
-                    message=f"the archive is cut short in the member {name}",
+                    message="the archive is cut short inside its member (file of the archive) "
+                    f"{name}",
                     file=file.name,
                     place=f"byte {start}",
                     expected=f"{size} bytes",

@@ -97,13 +97,12 @@ def _always(file: str, lines: Sequence[int]) -> Fault:
     more = ", ".join(str(line) for line in lines[1:])
     return Fault(
         message=(
-            "every run of the program executes this assignment of a "
-            "compensation other than "
-            f"0{f' or that in line {more}' if more else ''}"
+            "active: no is stated, but every run of the program assigns a compensation "
+            f"other than 0 in this line{f' and in line {more}' if more else ''}"
         ),
         file=file,
         place=f"line {lines[0]}",
-        expected=f"{_EXPORT}; active: no is for programs that were not executed",
+        expected=f"{_EXPORT}; active: no is for programs that were never executed",
         hint=(
             "export the compensation data from the control, then give that "
             "file instead of the program"
@@ -114,7 +113,7 @@ def _always(file: str, lines: Sequence[int]) -> Fault:
 def _unclear(calls: ProgramCalls, placed: PlacedBlock) -> Iterator[Fault]:
     for line in unclear_jumps(placed.block.trail) if calls.in_doubt(placed.block) else ():
         yield Fault(
-            message=("the program contains more than one label to which this line may jump"),
+            message=("this line may jump to several labels of the program"),
             file=placed.content.name,
             place=f"line {line}",
             expected=_EXPORT,
@@ -162,7 +161,7 @@ def _not_all(placed: PlacedBlock, calls: ProgramCalls) -> Iterator[Fault]:
         why = f"every run that comes to line {other} leaves it out" if other else "no run does"
         why = "no run does together with all the others" if other == line else why
         yield Fault(
-            message=f"not all of the program was executed: of this line, {why}",
+            message=f"the control cannot have executed the whole program: of this line, {why}",
             file=placed.content.name,
             place=f"line {line}",
             expected=f"{_EXPORT}, or active: no where nothing of it was carried out",
@@ -211,8 +210,8 @@ def _question(file: str, first: Doubt, calls: ProgramCalls) -> Fault:
     program = f"the file of {first.call} too, where it is a program, or " if unknown else ""
     return Fault(
         message=(
-            "this line may prevent the assignments of the program, or shows "
-            "that another program has to call this one"
+            "it is uncertain whether the control executed the assignments of this program: "
+            "this line can skip them, or shows that another program has to call this one"
         ),
         file=file,
         place=f"line {first.line}",

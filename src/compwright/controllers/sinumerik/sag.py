@@ -104,8 +104,8 @@ class Sag:
             raise UsageError(
                 Fault(
                     message=(
-                        f"the effect of the tables of {axis} over itself is unknown: "
-                        f"{self.odd[axis]}"
+                        f"the effect of the CEC tables of axis {axis} over its own position "
+                        f"is unknown: {self.odd[axis]}"
                     ),
                     hint=("export the CEC tables from the control again, or leave this axis out"),
                 )
@@ -116,7 +116,10 @@ class Sag:
             return np.zeros(positions.shape)
         raise UsageError(
             Fault(
-                message=(f"{axis} is corrected by CEC tables over itself, whose sign is unknown"),
+                message=(
+                    f"axis {axis} has CEC tables over its own position, and the sign of "
+                    "their values is unknown"
+                ),
                 place="option cec_sign",
                 expected="correction or error",
                 hint="give `--option cec_sign=correction` or `--option cec_sign=error`",

@@ -37,7 +37,8 @@ class Required(dict[str, _T]):
         """Raise InputError."""
         raise InputError(
             Fault(
-                message="the definition lacks an entry that files of this shape need",
+                message=f"the section {self._section} of the definition lacks the entry {name}, "
+                "which files of this shape need",
                 file=self._file,
                 place=f"{self._section}.{name}",
                 expected="an entry",
@@ -73,7 +74,7 @@ def resolve_options(
             near = nearest(name, known)
             faults.append(
                 Fault(
-                    message=f"{definition.id} has no such option",
+                    message=f"{definition.id} has no option {name}",
                     place=name,
                     expected=f"{near}?" if near else f"one of {', '.join(known)}",
                     hint=f"leave this option out, or see `compwright formats show {definition.id}`",
@@ -128,7 +129,7 @@ def axis_options(
             known = ", ".join(definition.options)
             faults.append(
                 Fault(
-                    message=f"{definition.id} has no such option",
+                    message=f"{definition.id} has no option {name}",
                     place=name,
                     expected=f"one of {known}",
                     hint=f"see `compwright formats show {definition.id}` for the options it has",
@@ -243,7 +244,8 @@ def _take_file_answers(
         if name in given and values[name] not in ((fact,) if strict else (fact, rule.default)):
             faults.append(
                 Fault(
-                    message=f"the option contradicts the control's own files ({definition.id})",
+                    message=f"the option {name} contradicts the control's own files "
+                    f"({definition.id})",
                     place=name,
                     expected=str(fact),
                     found=str(values[name]),
@@ -307,7 +309,7 @@ def _number(
 
 def _wrong(name: str, definition: Definition, expected: str, found: object) -> Fault:
     return Fault(
-        message=f"the option of {definition.id} has a wrong value",
+        message=f"the option {name} of {definition.id} has a wrong value",
         place=name,
         expected=expected,
         found=repr(found)[:60],

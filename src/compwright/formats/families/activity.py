@@ -47,12 +47,12 @@ class Activity:
                 notes.contradictions.append(
                     Fault(
                         message=(
-                            f"{label}: the job states active: no, but the files end with the table "
-                            f"switched on ({switches})"
+                            f"{label}: the job states `active: no`, but the files end with "
+                            f"the table switched on ({switches})"
                         ),
                         file=place.occurrence.file if place is not None else "",
                         place=place.occurrence.place if place is not None else "",
-                        expected="active left out, or the files as they were during the test",
+                        expected="no key `active`, or the files as they were during the test",
                         found=place.text if place is not None else "",
                         hint=(
                             "leave out `active` in this state, or give the files as they "
@@ -86,9 +86,10 @@ class Activity:
                     file=place.occurrence.file if place is not None else "",
                     place=place.occurrence.place if place is not None else "",
                     expected=(
-                        "states: {as_found: {files: [...], active: yes}} or active: no (without a"
-                        " job: --option active=yes); one answer for all tables that are asked"
-                        " about: where they differ, the switch as it was, among the files"
+                        "states: {as_found: {files: [...], active: yes}} or active: "
+                        "no (without a job: --option active=yes); this answer applies to "
+                        "all tables in question: if some were on and others off, give the "
+                        "files with their switches as they were"
                     ),
                     found="no answer",
                     hint=(

@@ -50,7 +50,8 @@ def axis_names(
         if place in mine:
             faults.append(
                 Fault(
-                    message=f"{mine[place]} and {address} are one axis of the control, {place}",
+                    message=f"the addresses {mine[place]} and {address} mean one and the same "
+                    f"axis of the control, {place}",
                     place="address",
                     expected="each axis once",
                     found=f"{mine[place]} and {address}",

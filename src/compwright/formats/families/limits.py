@@ -47,7 +47,7 @@ def size(
     if count < capacity.min_points:
         faults.append(
             Fault(
-                message=f"{label}: too few points",
+                message=f"{label} has too few points",
                 expected=f"at least {capacity.min_points}",
                 found=str(count),
                 hint="give a smaller `table: {spacing: ...}`",
@@ -56,7 +56,7 @@ def size(
     if most is not None and count > most:
         faults.append(
             Fault(
-                message=f"{label}: too many points",
+                message=f"{label} has too many points",
                 expected=f"at most {most}",
                 found=str(count),
                 hint="give a larger `table: {spacing: ...}`",
@@ -71,9 +71,9 @@ def curves(capacity: Capacity, compensation: AxisCompensation, label: str) -> li
     if capacity.curves == 1 and not np.array_equal(compensation.positive, compensation.negative):
         faults.append(
             Fault(
-                message=f"{label}: the control holds one curve for both directions",
-                expected="one curve",
-                found="two different curves",
+                message=f"{label}: the control holds only one table for both directions",
+                expected="one table for both directions",
+                found="two different tables",
                 hint="set `table: {mode: single}` for this axis",
             )
         )
@@ -99,8 +99,8 @@ def turn(capacity: Capacity, compensation: AxisCompensation, label: str) -> list
             return []
         return [
             Fault(
-                message=f"{label}: the table repeats, the axis does not",
-                expected="an axis with modulo",
+                message=f"{label}: the table repeats, but the axis is not endless",
+                expected="an axis with `modulo`",
                 hint="remove the repetition, or set `modulo` of the axis in the job",
             )
         ]
@@ -117,9 +117,10 @@ def turn(capacity: Capacity, compensation: AxisCompensation, label: str) -> list
     ):
         faults.append(
             Fault(
-                message=f"{label}: the axis is endless, but its table is not",
-                expected=f"a table that repeats, from end to end {period:g}",
-                found=f"{span:g}",
+                message=f"{label}: the axis is endless, but its table does not repeat once per "
+                "turn",
+                expected=f"a table that repeats after {period:g}",
+                found=f"a table that spans {span:g}",
                 hint="make the table span one turn, or remove `modulo` of the axis from the job",
             )
         )
@@ -163,7 +164,8 @@ def spacing(capacity: Capacity, compensation: AxisCompensation, label: str) -> I
             return  # the control has run on this grid
         if least < capacity.min_spacing * (1 - 1e-9):
             yield Fault(
-                message=f"{label}: the points are too close; {capacity.min_spacing_reason}",
+                message=f"{label}: the points are too close to each other; "
+                f"{capacity.min_spacing_reason}",
                 expected=f"{capacity.min_spacing:g} {compensation.kind.unit} or more",
                 found=f"{least:g}",
                 hint="give a larger `table: {spacing: ...}`",
@@ -186,8 +188,8 @@ def ends(definition: Definition, compensation: AxisCompensation, label: str) -> 
             faults.append(
                 Fault(
                     message=(
-                        f"{label}: {side} the table the control continues it differently from the "
-                        "plan"
+                        f"{label}: {side} its first or last point the control continues the "
+                        "table differently from the plan"
                     ),
                     expected=made,
                     found=meant,
@@ -203,7 +205,7 @@ def kind(axis: Axis, compensation: AxisCompensation, label: str) -> list[Fault]:
         return []
     return [
         Fault(
-            message=f"{label}: the table and the axis differ in kind",
+            message=f"{label}: of table and axis one is linear, the other rotary",
             expected=axis.kind,
             found=compensation.kind,
             hint="correct `kind` of the axis in the job",

@@ -33,7 +33,7 @@ def normal_text(definition: Definition, address: str) -> str:
         )
         raise UsageError(
             Fault(
-                message=f"this is no address of an axis in {definition.id}",
+                message=f"the address of the axis has a form that {definition.id} does not have",
                 expected=expected,
                 found=repr(address)[:40],
                 hint=(

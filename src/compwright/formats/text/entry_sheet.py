@@ -84,7 +84,7 @@ def parse_sheet(file: ControlFile, faults: list[Fault]) -> EntrySheet | None:
     except UnicodeDecodeError as error:
         faults.append(
             Fault(
-                message="the file is not UTF-8 text",
+                message="the entry sheet is not UTF-8 text",
                 file=file.name,
                 place=f"byte {error.start}",
                 hint="save the sheet as CSV UTF-8",

@@ -24,9 +24,10 @@ def activate(
     if len(lines) > 1:
         faults.append(
             Fault(
-                message="several tables of assignments; only one can be the active one",
+                message="the files contain several .CMA files (tables that assign .COM tables "
+                "to axes), but only one can be active",
                 file=", ".join(table.file for table in lines),
-                expected="one .CMA",
+                expected="one .CMA file",
                 hint="give only the .CMA file that was active during the test",
             )
         )
@@ -43,10 +44,10 @@ def activate(
         if address in sources.tables:
             faults.append(
                 Fault(
-                    message=f"two tables for axis {address}",
+                    message=f"the files contain two tables for axis {address}",
                     file=table.file,
-                    expected="one",
-                    found=sources.tables[address].file,
+                    expected="one table",
+                    found=f"another one in {sources.tables[address].file}",
                     hint="give only the one that was active during the test",
                 )
             )
@@ -66,7 +67,7 @@ def _active_row(sources: Sources, table: UserTable, faults: list[Fault]) -> Row 
         )
         faults.append(
             Fault(
-                message="the files do not show which line is active",
+                message="the files do not show which line of the .CMA file is active",
                 file=table.file,
                 expected=what,
                 hint=(
@@ -83,10 +84,10 @@ def _active_row(sources: Sources, table: UserTable, faults: list[Fault]) -> Row 
     if len(marked) > 1:
         faults.append(
             Fault(
-                message="several lines are active",
+                message="several lines of the .CMA file are marked as active",
                 file=table.file,
                 place=marked[1].place,
-                expected=f"one {marks[0]} in {column}",
+                expected=f"one mark {marks[0]} in the column {column}",
                 hint="mark only the line that was active during the test",
             )
         )
@@ -112,9 +113,9 @@ def _assigned(sources: Sources, values: Sequence[UserTable], faults: list[Fault]
             file = sources.assignments.file if sources.assignments is not None else ""
             faults.append(
                 Fault(
-                    message=f"axis {address} is in two columns",
+                    message=f"axis {address} is in two columns of the .CMA file",
                     file=file,
-                    expected="one",
+                    expected="one column",
                     found=column,
                     hint=(
                         "remove one of the columns from the .CMA file at the control, then export "
@@ -127,9 +128,10 @@ def _assigned(sources: Sources, values: Sequence[UserTable], faults: list[Fault]
         if len(fitting) > 1:
             faults.append(
                 Fault(
-                    message=f"axis {address}: several tables are called {cell.text}",
+                    message=f"the files contain several tables with the name {cell.text} for "
+                    f"axis {address}",
                     file=", ".join(table.file for table in fitting),
-                    expected="one",
+                    expected="one table",
                     hint="give only one table of this name",
                 )
             )
@@ -163,7 +165,7 @@ def _named_axis(
                 message="the files do not show for which moving axis this table is active",
                 file=table.file,
                 place="line 1",
-                expected="the .CMA too, or a table that is called like its axis",
+                expected="the .CMA file too, or a table with the name of its axis",
                 found=" and ".join(fitting or names) or table.name,
                 hint="give the .CMA file too, or name the table file after its axis",
             )

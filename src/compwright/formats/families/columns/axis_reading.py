@@ -131,8 +131,8 @@ class ColumnAxisReader:
             self.notes.faults.append(
                 Fault(
                     message=(
-                        f"{self.label}: two tables, an entry sheet and a column of"
-                        f" {self.table.file if self.table else ''}"
+                        f"{self.label} has two tables: an entry sheet and a column of "
+                        f"{self.table.file if self.table else ''}"
                     ),
                     file=self.sources.sheets[self.address].name,
                     expected="one of them",

@@ -95,16 +95,16 @@ def _impossible(
         yield Fault(
             message=f"{name_of(definition, 'slope')} has no effect on rotary axes",
             place="method",
-            expected="table",
-            found="line",
+            expected="method: table",
+            found="method: line",
             hint="set `method: table` in the options of this axis",
         )
     if axis.modulo is not None and (not rotary or axis.modulo != TURN):
         yield Fault(
-            message="a table that repeats belongs to a rotary axis and spans 0 to 360 degrees",
+            message="a repeating table needs a rotary axis and spans 0 to 360 degrees",
             place="modulo",
-            expected=f"{TURN:g} on a rotary axis",
-            found=f"{axis.modulo:g} on a {axis.kind} axis",
+            expected=f"modulo: {TURN:g} on a rotary axis",
+            found=f"modulo: {axis.modulo:g} on a {axis.kind} axis",
             hint="correct `kind`, `travel` or `modulo` of the axis in the job",
         )
     if axis.modulo is not None and options.get("spacing_rule") == "power_of_two":
@@ -113,8 +113,8 @@ def _impossible(
                 "no spacing of 2^n steps of 0.0001 degrees divides a turn in 256 points or less"
             ),
             place="spacing_rule",
-            expected="free, or a table typed in by hand",
-            found="power_of_two",
+            expected="spacing_rule: free, or a table that is typed in by hand",
+            found="spacing_rule: power_of_two",
             hint=(
                 "set `spacing_rule: free` in the options of this axis, or load the values by hand"
             ),
@@ -148,7 +148,8 @@ def broken_limits(
     label, unit = f"axis {axis.name} ({compensation.address})", axis.kind.unit
     if compensation.interpolation != "linear" or compensation.others:
         yield Fault(
-            message=f"{label}: the control has one table with straight lines between its points",
+            message=f"{label}: the control holds only one table, with straight lines between "
+            "its points",
             hint="set `table: {mode: single}` for this axis",
         )
     yield from _line_faults(label, axis, compensation, capacity)
@@ -187,9 +188,9 @@ def _line_faults(
         )
     if capacity.line is not None and compensation.slope and compensation.origin != axis.reference:
         yield Fault(
-            message=f"{label}: the line is zero at the reference",
-            expected=f"{axis.reference:g} {axis.kind.unit}",
-            found=f"{compensation.origin:g}",
+            message=f"{label}: the straight-line correction must be zero at the reference position",
+            expected=f"zero at {axis.reference:g} {axis.kind.unit}",
+            found=f"zero at {compensation.origin:g}",
             hint="make the plan again with `compwright run`",
         )
 
@@ -203,7 +204,8 @@ def _steep_faults(
     step = float(abs(values[worst + 1] - values[worst]))
     if step > float(steps[worst]) / rule * (1 + 1e-9):
         yield Fault(
-            message=f"{label}: neighbouring values at {nodes[worst]:g} {unit} differ too much",
+            message=f"{label}: neighbouring values at {nodes[worst]:g} {unit} differ by more "
+            "than the control allows",
             expected=f"at most the spacing / {rule}, {float(steps[worst]) / rule:.6g} {unit}",
             found=f"{step:.6g} {unit}",
             hint="give a wider `table: {spacing: ...}` for this axis",
@@ -215,7 +217,7 @@ def _grid_faults(label: str, unit: str, steps: np.ndarray, capacity: Capacity) -
     if capacity.spacing == "equidistant" and np.ptp(steps) > slack:
         yield Fault(
             message=f"{label}: the points are not equally spaced",
-            expected="one spacing (the table's own rows too: even them out, and measure again)",
+            expected="equally spaced points, in the existing table too",
             found=f"{np.min(steps):.10g} to {np.max(steps):.10g} {unit}",
             hint=(
                 "correct the rows so that they are equally spaced, measure again, then run "
@@ -227,10 +229,10 @@ def _grid_faults(label: str, unit: str, steps: np.ndarray, capacity: Capacity) -
         if abs(near - float(steps[0])) > slack:
             yield Fault(
                 message=(
-                    f"{label}: the spacing is not a power of two of 0.0001 {unit} (option"
-                    " spacing_rule)"
+                    f"{label}: the spacing is not 0.0001 {unit} times a power of two, as "
+                    "the option spacing_rule demands"
                 ),
-                expected=f"such as {near:.10g} {unit}",
+                expected=f"a spacing such as {near:.10g} {unit}",
                 found=f"{steps[0]:.10g} {unit}",
                 hint=f"set `table: {{spacing: {near:.10g}}}` for this axis",
             )

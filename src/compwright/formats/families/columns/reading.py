@@ -157,7 +157,7 @@ class _ColumnStateReader:
         if not compensations and not cross and not sources.idle and not self.notes.faults:
             self.notes.faults.append(
                 Fault(
-                    message="the files contain no compensation of any axis",
+                    message="the files contain no compensation data of any axis",
                     file=", ".join(file.name for file in self.files),
                     hint=(
                         "add the files with tables and compensation parameters, or use the state "

@@ -40,7 +40,7 @@ def take_sheet(sources: Sources, file: ControlFile, number: int, faults: list[Fa
         if after.position <= before.position:
             faults.append(
                 Fault(
-                    message="the positions do not ascend",
+                    message="the positions of the entry sheet do not ascend",
                     file=file.name,
                     place=f"line {after.line}",
                     expected=f"more than {before.position}",
@@ -214,7 +214,7 @@ def _nothing(definition: Definition, file: ControlFile, lines: Iterable[str]) ->
     kinds = "an entry sheet, or a table that begins with BEGIN"
     forms = [readable(definition.statements[name].form) for name in lines]
     return Fault(
-        message=f"contains no compensation data of {definition.id}",
+        message=f"the file contains no compensation data of {definition.id}",
         file=file.name,
         expected=f"{kinds}, or lines such as {', '.join(forms)}" if forms else kinds,
         hint=(
@@ -248,7 +248,7 @@ def _take_mask(sources: Sources, place: Occurrence, file: int, faults: list[Faul
     if mask is None:
         faults.append(
             Fault(
-                message="the bits cannot be read",
+                message="the bits in this line cannot be read",
                 file=place.file,
                 place=place.place,
                 expected="%00011, or 3",

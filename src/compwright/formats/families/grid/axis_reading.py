@@ -286,7 +286,8 @@ class GridAxisReader:
         ):
             self.notes.faults.append(
                 Fault(
-                    message=f"{self.label}: the table is switched on, but it is in no given file",
+                    message=f"{self.label}: the table is switched on, but no given file "
+                    "contains it",
                     file=found.occurrence.file,
                     place=found.occurrence.place,
                     expected="the file with the table too",

@@ -52,11 +52,11 @@ def in_modulo_range(
         faults.append(
             Fault(
                 message=(
-                    f"axis {name}: its table must begin at {start:g} deg, where the modulo range of"
-                    " the control begins (MD30340), and no node lies there: the reference at"
-                    f" {positions[0]:g} deg is one"
+                    f"axis {name}: the table must have a point at {start:g} deg, where the "
+                    "control's modulo range begins (MD30340), but none lies there; one "
+                    f"lies at the reference position, {positions[0]:g} deg"
                 ),
-                expected=f"a table.spacing that divides {common:g} deg",
+                expected=f"a `spacing` that divides {common:g} deg",
                 found=f"{step:g} deg",
                 hint=f"set a `table: {{spacing: ...}}` that divides {common:g} deg",
             )

@@ -274,9 +274,9 @@ class GridReader:
             form = self.definition.statements[row].form.replace("{", "<").replace("}", ">")
             raise InputError(
                 Fault(
-                    message=f"contains no compensation data of {self.definition.id}",
+                    message=f"the files contain no compensation data of {self.definition.id}",
                     file=", ".join(text.file for text in read),
-                    expected=f"lines like {form}",
+                    expected=f"lines such as {form}",
                     hint=(
                         "give the file with the compensation tables of this control, or correct "
                         "`format`"
@@ -346,7 +346,7 @@ class GridReader:
         if old:
             self.notes.faults.append(
                 Fault(
-                    message=f"the sections [{old[0]}] and the like are those of an older release",
+                    message=f"sections such as [{old[0]}] belong to LinuxCNC releases before 2.8",
                     file=", ".join(text.file for text in self.texts),
                     expected="sections [JOINT_<number>], as update_ini of LinuxCNC 2.8 makes them",
                     hint=(
@@ -360,7 +360,8 @@ class GridReader:
             Fault(
                 message="the files do not show to which axis this table belongs",
                 file=", ".join(text.file for text in self.texts),
-                expected=f"the axis named, the file called {name}, or the file that names it",
+                expected=f"a table that names its axis, a file with the name {name}, or the "
+                "file that refers to the table",
                 hint=(
                     f"give `address` of the axis, rename the file to {name}, or add the file "
                     "that refers to it"

@@ -56,8 +56,8 @@ class SystemChoice:
             self.notes.faults.append(
                 Fault(
                     message=(
-                        f"axis {self.address}: the files hold no table for measuring system"
-                        f" {number}, but for another one"
+                        f"axis {self.address}: the files contain no table for measuring "
+                        f"system {number}, only for another one"
                     ),
                     expected=f"measuring system {number}, as the job or the option says",
                     found=", ".join(
@@ -126,10 +126,10 @@ class SystemChoice:
                     ),
                     place="encoder.system",
                     expected=(
-                        "encoder: {system: 1} or {system: 2}, index 1 in the files (without a job:"
-                        " --option encoder_system=1)"
+                        "encoder: {system: 1} or {system: 2} (index 0 or 1 in the "
+                        "files; without a job: --option encoder_system=1)"
                     ),
-                    found="neither the job nor MD30200, MD32700 say it",
+                    found="nothing in the job, MD30200 and MD32700 that shows it",
                     hint=(
                         "set `encoder: {system: 1}` or `encoder: {system: 2}` for this axis "
                         "(without a job: `--option encoder_system=1`)"

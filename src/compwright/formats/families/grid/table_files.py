@@ -105,7 +105,12 @@ class TableFiles:
                 " table"
             )
             self.notes.faults.append(
-                Fault(message=message, file=matching[0].file, hint="keep one of these files")
+                Fault(
+                    message=message,
+                    file=matching[0].file,
+                    hint="export the table from the control again, or give the file that "
+                    "contains its rows",
+                )
             )
         return rows
 

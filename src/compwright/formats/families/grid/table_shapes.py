@@ -100,9 +100,10 @@ class ByIndex(TableShape):
         if worst > scale.quantum("table_spacing") / 2:
             text.faults.append(
                 Fault(
-                    message=f"axis {text.compensation.address}: the nodes are not equally spaced",
-                    expected=f"every {spacing:.9g} {scale.kind.unit}",
-                    found=f"a node {worst:.6g} {scale.kind.unit} away from its place",
+                    message=f"axis {text.compensation.address}: the points of the table are not "
+                    "equally spaced",
+                    expected=f"a point every {spacing:.9g} {scale.kind.unit}",
+                    found=f"a point that deviates by {worst:.6g} {scale.kind.unit}",
                     hint="give `table: {spacing: ...}` for this axis, so that a new grid is made",
                 )
             )

@@ -106,7 +106,7 @@ class NewFile:
         worst = max((len(row) for row in rows), default=0)
         if longest is not None and worst > longest:
             fault = Fault(
-                message="a line is too long",
+                message="a line of the new file is too long for the control",
                 file=self.name,
                 expected=f"at most {longest} characters",
                 found=str(worst),
@@ -391,7 +391,7 @@ def _first_few(faults: list[Fault], address: str) -> list[Fault]:
     """Return the first three faults: one wrong rounding gives one for every row."""
     rest = len(faults) - 3
     more = Fault(
-        message=f"axis {address}: {rest} more values like these",
+        message=f"axis {address} has {rest} more values with the same fault",
         hint="correct the values named above",
     )
     return faults if rest <= 0 else [*faults[:3], more]

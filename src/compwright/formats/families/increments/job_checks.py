@@ -90,12 +90,11 @@ def points_question(axis: Axis, answer: object) -> Iterator[Fault]:
         return
     wrong = answer is not None
     yield Fault(
-        message=(
-            f"axis {axis.name}: the reference position is not machine zero (1240), and no table is"
-            " made whose points are counted from machine zero"
+        message=f"axis {axis.name}: the reference position is not machine zero (1240), and "
+        + (
+            "a table whose points are counted from machine zero cannot be made"
             if wrong
-            else f"axis {axis.name}: the reference position is not machine zero (1240), and no page"
-            " says from where the control then counts its points"
+            else "the manuals do not state from which of the two the control counts its points"
         ),
         place="points_from",
         expected=(

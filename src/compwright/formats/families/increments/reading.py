@@ -263,8 +263,8 @@ class StateReader:
             if partner.kind is not None and partner.kind is not axis.kind:
                 yield Fault(
                     message=(
-                        f"axis {axis.gantry} is no partner of a gantry with axis {axis.address}:"
-                        " their kinds differ (1006#0)"
+                        f"axes {axis.address} and {axis.gantry} cannot form a gantry: one "
+                        "is linear, the other rotary (1006#0)"
                     ),
                     place=place,
                     expected=f"a {axis.kind.value} axis",
@@ -371,7 +371,7 @@ def read_texts(
     if not faults and not any(text.occurrences for text in texts):
         faults.append(
             Fault(
-                message=f"contains no compensation data of {definition.id}",
+                message=f"the files contain no compensation data of {definition.id}",
                 file=", ".join(file.name for file in files),
                 expected="lines such as N03620Q1A1P40 and N10037Q0P1",
                 hint=(

@@ -24,7 +24,8 @@ def parameter_lines(file: ControlFile, format_id: str, faults: list[Fault]) -> b
     if sheet.comments.get("value") != "correction":
         faults.append(
             Fault(
-                message=f"the increments of {format_id} are corrections",
+                message="the entry sheet must give its values as corrections, because the "
+                f"increments of {format_id} are corrections",
                 file=file.name,
                 place=f"line {sheet.lines.get('value', 1)}",
                 expected="# value: correction",
@@ -66,10 +67,10 @@ def _parameter_line(row: SheetRow, axis: str, file: str, faults: list[Fault]) ->
         return f"N03605Q1A{axis}P0000000{row.value}"
     faults.append(
         Fault(
-            message="this is not the name of a parameter",
+            message="the first column of this line is not the name of a parameter",
             file=file,
             place=f"line {row.line}",
-            expected="a number, or 3605#0",
+            expected="a parameter number such as 1851, or 3605#0",
             found=row.point[:40],
             hint="correct the first column of this line",
         )

@@ -64,8 +64,8 @@ def _homeless(definition: Definition, left: Entries) -> Iterator[Fault]:
         evidence = "" if rule is None else f": {rule.evidence.source}"
         yield Fault(
             message=(
-                f"axis {left.axis.name} ({left.address}): {definition.id} is written only into the"
-                f" control's own files{evidence}"
+                f"axis {left.axis.name} ({left.address}): values of {definition.id} can be "
+                f"written only into lines of the control's own files{evidence}"
             ),
             expected=f"lines of {', '.join(numbers[:8])}{' ..' if len(numbers) > 8 else ''} of axis"
             f" {left.address} among the files of the state",

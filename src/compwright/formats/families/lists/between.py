@@ -112,7 +112,7 @@ def _write(
                 message=message,
                 expected="one curve",
                 found="two",
-                hint="give one curve for both directions",
+                hint="give the same deviations for both directions in this entry of `cross`",
             )
         )
     raise_all(CapacityError, faults)
@@ -127,7 +127,10 @@ def _write(
         found = str(positions.size)
         raise CapacityError(
             Fault(
-                message=message, expected=f"at most {room}", found=found, hint="give fewer points"
+                message=message,
+                expected=f"at most {room}",
+                found=found,
+                hint="give fewer points in this entry of `cross`",
             )
         )
     writer.put_cross(

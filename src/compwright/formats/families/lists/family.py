@@ -56,7 +56,8 @@ def _own_limits(
     return [
         *faults,
         Fault(
-            message=f"axis {axis.name}: a value does not fit the type of the list",
+            message=f"axis {axis.name}: a value of the table does not fit the value type of the "
+            "control's list",
             expected=f"{low:g} to {high:g}",
             found=f"{max(values, key=abs):g}",
             hint="reduce the value to this range",

@@ -124,7 +124,7 @@ class ListStateReader:
         if not wanted:
             raise InputError(
                 Fault(
-                    message="no list of an axis is among the files",
+                    message="the files contain no list of an axis",
                     file=", ".join(f.name for f in files),
                     hint="give the axis lists of this control, or correct `format`",
                 )

@@ -60,9 +60,10 @@ def write_cross(
     if not available(control.options):
         raise CapacityError(
             Fault(
-                message=f"{definition.id} contains tables between axes only as an option",
+                message=f"{definition.id} has tables between axes (CEC) only if the control has "
+                "this option",
                 place="option cec",
-                expected="available",
+                expected="cec: available",
                 hint=(
                     "set `cec: available` in the options if the control has this option, or "
                     "remove the cross entries from the job"
@@ -138,8 +139,8 @@ def _beyond_sum(writer: CecWriter, entry: CrossCompensation) -> list[Fault]:
     return [
         Fault(
             message=(
-                f"{entry.input} on {entry.output}: all tables together would reach beyond"
-                " CEC_MAX_SUM (MD32720)"
+                f"{entry.input} on {entry.output}: the sum of all CEC tables would exceed "
+                "CEC_MAX_SUM (MD32720)"
             ),
             expected=f"at most {facts.max_sum:g}",
             found=f"up to {reach:g}",
@@ -154,9 +155,9 @@ def _wrong(entry: CrossCompensation) -> list[Fault]:
     return [
         Fault(
             message=(
-                f"{entry.input}: the correction of an axis over itself is no table between axes"
+                f"{entry.input}: an entry of `cross` cannot correct an axis over its own position"
             ),
-            found=entry.output,
+            found=f"the output {entry.output}",
             hint="remove this entry from `cross`; correct the axis with its own tests",
         )
     ]
@@ -168,7 +169,7 @@ def _unsound(entry: CrossCompensation) -> list[Fault]:
     if len(sizes) != 1 or entry.positions.ndim != 1 or entry.positions.size < 2:
         return [
             Fault(
-                message=f"{label}: a table needs two points or more, with a value each",
+                message=f"{label}: a table needs at least two points, each with a value",
                 hint="give two points or more with a value each",
             )
         ]
@@ -188,8 +189,8 @@ def _unsound(entry: CrossCompensation) -> list[Fault]:
             faults.append(
                 Fault(
                     message=(
-                        f"{label}: a table that repeats spans one period, with the same value at"
-                        " both ends"
+                        f"{label}: a repeating table must span one period and have the same "
+                        "value at both ends"
                     ),
                     hint="make the table span one period, with equal end values",
                 )
@@ -198,7 +199,8 @@ def _unsound(entry: CrossCompensation) -> list[Fault]:
         if beyond != "hold" and any(curve[node] != 0 for curve in curves):
             faults.append(
                 Fault(
-                    message=f"{label}: {side} the table the control keeps the end value",
+                    message=f"{label}: {side} its end points the control keeps the table's end "
+                    "value",
                     expected="hold",
                     found=beyond,
                     hint="make the table cover the whole travel, or leave this option out",

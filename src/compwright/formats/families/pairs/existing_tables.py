@@ -92,8 +92,8 @@ class ExistingTables:
                     continue
                 yield Fault(
                     message=(
-                        f"CEC table {index} must be written, but it is multiplied by table "
-                        f"{int(place.text) - 1} ($AN_CEC_MULT_BY_TABLE)"
+                        f"CEC table {index} has to be written, but the control multiplies "
+                        f"it by table {int(place.text) - 1} ($AN_CEC_MULT_BY_TABLE)"
                     ),
                     file=place.occurrence.file,
                     place=place.occurrence.place,
@@ -154,15 +154,15 @@ class ExistingTables:
                     continue
                 fault = Fault(
                     message=(
-                        f"CEC table {index}: its switch (SD41300, MD32710) is in this file before "
-                        "its values. Once it is on, the control protects the values and takes none "
-                        "of them"
+                        f"CEC table {index}: this file switches the table on (SD41300, "
+                        "MD32710) before it gives the values. A table that is on is "
+                        "protected, so the control takes none of these values"
                     ),
                     file=before[-1].occurrence.file,
                     place=before[-1].occurrence.place,
                     expected=(
-                        "0 there, or the values before the switch, or in a file of their own, as"
-                        " the control exports them (NC_CEC.INI)"
+                        "0 in the switch, or the values before the switch or in a file of "
+                        "their own, as the control exports them (NC_CEC.INI)"
                     ),
                     found=f"{before[-1].text}, and the first value in line {line}",
                     hint=(

@@ -212,10 +212,10 @@ class PairsFamily(GridFamily):
             UsageError,
             [
                 Fault(
-                    message=f"{name} is {why}",
+                    message=f"the option `files: patched` is impossible, because {name} is {why}",
                     place="files",
-                    expected="small, or the option left out",
-                    found="patched",
+                    expected="files: small, or no such option",
+                    found="files: patched",
                     hint="set `files: small`, or leave the option `files` out",
                 )
                 for name, why in reasons.items()

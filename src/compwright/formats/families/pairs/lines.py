@@ -260,14 +260,16 @@ class TableLines(SingleValues):
         self.notes.ask(
             Fault(
                 message=(
-                    f"{owner}: active: yes does not show which of two tables was active. This "
-                    f"one is {off if word == 'no' else unsaid} ({_SWITCHES}); the leadscrew "
-                    f"table is {leadscrew} (MD32700 $MA_ENC_COMP_ENABLE)"
+                    f"{owner}: `active: yes` does not show which of two tables was active "
+                    f"during the test. This one is {off if word == 'no' else unsaid} "
+                    f"({_SWITCHES}); the leadscrew table is {leadscrew} (MD32700 "
+                    "$MA_ENC_COMP_ENABLE)"
                 ),
                 file=place.occurrence.file if place is not None else "",
                 place=place.occurrence.place if place is not None else "",
                 expected=(
-                    "active left out or no, and the switch of the active table as 1 among the files"
+                    "no `active` or `active: no`, and among the files one in which the "
+                    "switch of the active table is 1"
                 ),
                 found="active: yes",
                 hint=(

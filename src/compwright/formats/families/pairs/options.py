@@ -71,9 +71,9 @@ def allowed_tables(definition: Definition, options: Mapping[str, object]) -> tup
     if not isinstance(given, (tuple, list)) or not all(isinstance(index, int) for index in given):
         raise UsageError(
             Fault(
-                message="the option has a wrong value",
+                message="the option cec_tables has a wrong value",
                 place="cec_tables",
-                expected="indices",
+                expected="a list of table indices",
                 found=repr(given),
                 hint="give `cec_tables: [0, 1]` with the indices that may be written",
             )

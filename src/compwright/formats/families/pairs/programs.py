@@ -58,12 +58,12 @@ def _is_data(definition: Definition, file: ControlFile) -> bool:
 def _two_kinds(found: Found) -> Fault:
     return Fault(
         message=(
-            f"active: no refers only to the values in {found.program.span}. The control "
-            "takes other values of the file in any case"
+            f"`active: no` applies only to the values in {found.program.span}, but the file "
+            "contains other values, which the control takes in any case"
         ),
         file=found.file,
         place=f"line {found.program.values[0].line}",
-        expected=f"the two in files of their own, or {EXPORTED}",
+        expected=f"these values in a file of their own, or {EXPORTED}",
         hint=(
             "export the compensation data from the control, then give that file "
             "instead of the program"
@@ -100,8 +100,8 @@ def _executed_in_any_case(definition: Definition, programs: Sequence[Found]) -> 
             others = f" or line {', '.join(map(str, more))}" if more else ""
             yield Fault(
                 message=(
-                    f"active: no, but every run of the program executes this line{others}, "
-                    "which sets compensation other than 0"
+                    "`active: no` is stated, but every run of the program executes this "
+                    f"line{others}, which sets a compensation other than 0"
                 ),
                 file=found.file,
                 place=f"line {first}",
@@ -122,7 +122,8 @@ def _unclear(found: Found) -> Iterator[Fault]:
     """Yield the faults of jumps to a label that occurs more than once."""
     for line in found.ways.unclear if found.forks else ():
         yield Fault(
-            message="the label of this line is in the program more than once where it may lead",
+            message="a jump in this line can lead to several lines, because the program "
+            "contains its label more than once",
             file=found.file,
             place=f"line {line}",
             expected=EXPORTED,
@@ -186,7 +187,8 @@ def _unlisted(gathered: Gathered, programs: Sequence[Found]) -> Iterator[Fault]:
             seen.add(name)
             yield Fault(
                 message=(
-                    f"{name} is no axis of the control by MD10000 and MD20080; it may be a variable"
+                    f"{name} is not an axis name in MD10000 or MD20080, so it may be a "
+                    "variable of the program"
                 ),
                 file=found.file,
                 place=f"line {value.line}",
@@ -208,8 +210,8 @@ def _omitted_value(found: Found) -> Iterator[Fault]:
     for line, past in ways.unreached():
         yield Fault(
             message=(
-                f"active: yes, but line {past} of the program always jumps past this line: "
-                "the control never executes it"
+                f"`active: yes` is stated, but line {past} of the program always jumps past "
+                "this line: the control never executes it"
             ),
             file=found.file,
             place=f"line {line}",
@@ -224,7 +226,8 @@ def _omitted_value(found: Found) -> Iterator[Fault]:
     if pair is not None:
         yield Fault(
             message=(
-                f"active: yes, but no run of the program executes both line {pair[0]} and this line"
+                "`active: yes` is stated, but no run of the program executes both line "
+                f"{pair[0]} and this line"
             ),
             file=found.file,
             place=f"line {pair[1]}",
@@ -239,8 +242,8 @@ def _omitted_value(found: Found) -> Iterator[Fault]:
     if left_out is not None:
         yield Fault(
             message=(
-                "active: yes, but no run of the program executes both this line "
-                "and all other values, because of its conditions"
+                "`active: yes` is stated, but because of the conditions in the program no "
+                "run executes both this line and all other values"
             ),
             file=found.file,
             place=f"line {left_out}",
@@ -262,8 +265,8 @@ def _twice(gathered: Gathered, file: str, program: ProgramFlow) -> Iterator[Faul
         statement, address, which = key(value)
         yield Fault(
             message=(
-                f"the same entry is assigned here and in line {before}, in two branches of "
-                "a program. Only one of them was executed"
+                f"this line and line {before} assign the same entry in two branches of a "
+                "program, and only one of the two was executed"
             ),
             file=file,
             place=f"line {value.line}",
@@ -296,8 +299,8 @@ def _called_late(
         if concerns(value) and value_of(value).upper() != value_of(other).upper():
             yield Fault(
                 message=(
-                    f"the same entry is assigned here and in {other_file}, line {other.line}. "
-                    "Which one counts depends on the order of the programs"
+                    f"this line assigns the same entry as {other_file}, line {other.line}, "
+                    "and the value that counts depends on the order of the programs"
                 ),
                 file=file,
                 place=f"line {value.line}",
@@ -317,8 +320,8 @@ def _never(found: Found, unit: str) -> Iterator[Fault]:
     if program.behind and program.ended is not None:
         yield Fault(
             message=(
-                "compensation data after the end of the program in line "
-                f"{program.ended.line}: the control does not execute them"
+                f"this line is after the end of the program (line {program.ended.line}), so "
+                "the control does not execute its compensation data"
             ),
             file=file,
             place=f"line {program.behind[0].line}",
@@ -334,7 +337,8 @@ def _never(found: Found, unit: str) -> Iterator[Fault]:
         if (line < last or found.called) and unit_here != unit:
             yield Fault(
                 message=(
-                    f"the program counts lengths in {unit_here} from here on, the control in {unit}"
+                    f"from this line on the program counts lengths in {unit_here}, but the "
+                    f"control counts in {unit}"
                 ),
                 file=file,
                 place=f"line {line}",

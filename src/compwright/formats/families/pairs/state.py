@@ -245,9 +245,9 @@ def contradictions(file: ControlFile) -> tuple[Fault, ...]:
                 faults.append(
                     Fault(
                         message=(
-                            f"{name} contradicts {where}, line {at}. A control writes one "
-                            "value into "
-                            "both members, so one of them was changed"
+                            f"{name} contradicts {where}, line {at}. The control writes one "
+                            "value into both files of its archive, so one of the two was "
+                            "changed"
                         ),
                         file=member.name,
                         place=f"line {line}",

@@ -51,8 +51,8 @@ def without_cut_sums(
             notes.faults.append(
                 Fault(
                     message=(
-                        f"axis {output}: its CEC tables together reach beyond CEC_MAX_SUM, where"
-                        " the control cuts them off"
+                        f"axis {output}: the sum of its CEC tables exceeds CEC_MAX_SUM, "
+                        "where the control cuts it off"
                     ),
                     expected=f"at most {limit:g}",
                     found=reach,

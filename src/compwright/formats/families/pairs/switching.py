@@ -49,8 +49,8 @@ class Switches:
             faults.append(
                 Fault(
                     message=(
-                        f"axis {output}: its CEC tables are switched off together (MD32710 "
-                        "$MA_CEC_ENABLE). Switching them on would make others active too: "
+                        f"axis {output}: MD32710 $MA_CEC_ENABLE switches off all its CEC "
+                        "tables. Switching it on for the new table also activates others: "
                         f"{self._listed(others)}"
                     ),
                     file=places[-1].occurrence.file,
@@ -102,9 +102,9 @@ class Switches:
         faults.append(
             Fault(
                 message=(
-                    f"axis {output}: no given file shows whether its CEC tables are on (MD32710 "
-                    "$MA_CEC_ENABLE). If they are off, switching on the new one would make "
-                    f"others active too: {self._listed(others)}"
+                    f"axis {output}: no given file shows whether its CEC tables are "
+                    "switched on (MD32710 $MA_CEC_ENABLE). If they are off, switching on "
+                    f"the new table also activates others: {self._listed(others)}"
                 ),
                 file=place.occurrence.file,
                 place=place.occurrence.place,

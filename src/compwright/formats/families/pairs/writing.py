@@ -131,20 +131,19 @@ class CecWriter:
                 work.faults.append(
                     Fault(
                         message=(
-                            f"axis {work.axis.name}: CEC table {index} corrects the axis "
-                            "over itself "
-                            "and would be active in addition to the new table"
+                            f"axis {work.axis.name}: CEC table {index} already corrects "
+                            "this axis over its own position, and would be active in "
+                            "addition to the new table"
                         ),
                         place="option cec_tables",
                         expected=(
-                            f"{index} among the indices, and the control's own files, so that it"
-                            " can be emptied"
+                            f"the index {index} in `cec_tables`, and the control's own "
+                            "files, so that this table can be emptied"
                         ),
                         found=", ".join(map(str, tables.allowed)) or "no indices",
                         hint=(
-                            f"add {index} to `cec_tables` in the options, with the "
-                            "control's own files "
-                            "as the state, so that it can be emptied"
+                            f"add {index} to `cec_tables` in the options, and give the "
+                            "control's own files as the state"
                         ),
                     )
                 )

@@ -97,7 +97,7 @@ class WrappedStateReader:
         if not self.wanted and not named and not between:
             self.notes.faults.append(
                 Fault(
-                    message="the scripts say nothing about the compensation of a motor",
+                    message="the scripts contain no compensation of any motor",
                     file=", ".join(file.name for file in self.files),
                     hint=(
                         "give the scripts with the compensation tables of this control, or correct "
@@ -172,8 +172,9 @@ class WrappedStateReader:
         self.notes.ask(
             Fault(
                 message=(
-                    "compensation in a conditional block, which may not have been sent. It "
-                    f"decides about line {word.line}{f' and {more} more' if more else ''}"
+                    "this conditional block contains compensation, and may not have been "
+                    f"sent to the control. Line {word.line} depends on it"
+                    f"{f', and {more} more' if more else ''}"
                 ),
                 file=word.file,
                 place=f"line {block.line}",

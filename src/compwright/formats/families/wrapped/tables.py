@@ -161,9 +161,9 @@ def _nodes(
             *faults,
             Fault(
                 message=message,
-                expected="one spacing",
+                expected="equal distances between the points",
                 found=found,
-                hint="give equally spaced points",
+                hint="give `table: {spacing: ...}` for this axis",
             ),
         ]
     begin = (float(positions[0]) - axis.reference) / step
@@ -179,7 +179,8 @@ def _nodes(
                 message=message,
                 expected=expected,
                 found=found,
-                hint="set `table: {start, end, spacing}` of this axis accordingly",
+                hint="set `table: {start, end, spacing}` of this axis so that a point lies "
+                "at the reference position",
             ),
         ]
     if compensation.period is not None:
@@ -204,7 +205,8 @@ def _beyond_shape(compensation: AxisCompensation, label: str) -> list[Fault]:
         Fault(
             message=f"{message} its points",
             expected="one table",
-            hint="put everything into one table",
+            hint="make the plan again with `compwright run`: one table for each direction, "
+            "without a line or a backlash value",
         )
     ]
 

@@ -292,7 +292,7 @@ def _read_otherwise(before: Script, after: Script, tables: Sequence[MotorTable])
         help_ = "the tables of these motors defined once, deletions before definitions"
         return [
             Fault(
-                message=f"the new table has no place in this script: {fault.message}",
+                message=f"the script has no place for the new table: {fault.message}",
                 file=fault.file,
                 expected=help_,
                 hint="correct this place in the script of the control, then give it again",
@@ -319,8 +319,10 @@ def _read_otherwise(before: Script, after: Script, tables: Sequence[MotorTable])
         if not mine and (new is None or new.numbers != old.numbers or new.counts != old.counts):
             faults.append(
                 Fault(
-                    message=f"{old.label} of another motor would change",
-                    hint="move the table of the other motor to a script of its own",
+                    message=f"a fault of compwright: {old.label}, a table of another motor, "
+                    "would change",
+                    hint="load nothing of this run, and move the table of the other motor to a "
+                    "script of its own",
                 )
             )
     return faults
