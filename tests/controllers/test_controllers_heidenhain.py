@@ -422,7 +422,7 @@ class TestRotary:
             [-0.003, -0.003, -0.001], abs=ROUNDING
         )
         assert any("jumps by -0.003" in note for note in told.notes)
-        with pytest.raises(UsageError, match="axis C has a wrong .modulo.*found 180"):
+        with pytest.raises(UsageError, match=r"axis C has a wrong .modulo.*found 180"):
             itnc({"C.COM": short}, modulo={"C": 180.0})
 
     def test_entries_outside_the_turn_are_not_used(self) -> None:
