@@ -440,13 +440,11 @@ def test_table_and_json_are_written_together_or_not_at_all(
             table_path=tmp_path / "t.csv",
         )
     assert [path.name for path in tmp_path.iterdir()] == ["there.json"]
-    with pytest.raises(UsageError, match=r"--json: is already the file of --table"):
+    with pytest.raises(UsageError, match=r"--json: this file is already used for --table"):
         write_evaluation(
             Session(), outcome.document, json_path=tmp_path / "t.csv", table_path=tmp_path / "t.csv"
         )
-    with pytest.raises(
-        UsageError, match=r"--table: this kind of table is unknown.*\.csv or \.xlsx"
-    ):
+    with pytest.raises(UsageError, match=r"--table: .*unknown ending.*\.csv or \.xlsx"):
         write_evaluation(Session(), outcome.document, table_path=tmp_path / "t.ods")
 
 

@@ -195,7 +195,7 @@ def test_what_was_read_is_not_overwritten(
     if case == "export, state":  # another table than the one that is there
         text = (folder / "control" / "AX1_EEC.INI").read_text()
         (folder / "control" / "AX1_EEC.INI").write_text(text.replace("=0.00", "=-0.00"))
-    assert f"{name}: is an input of this command and is not overwritten" in refused(
+    assert f"{name}: the file is an input of this command and is not overwritten" in refused(
         folder, capsys, *words
     )
 
@@ -289,9 +289,7 @@ def test_nothing_is_removed_behind_a_link_that_leads_out(tmp_path: Path) -> None
     (tmp_path / "out").mkdir()
     (tmp_path / "out" / "set").symlink_to(tmp_path / "control", target_is_directory=True)
     out, new = tmp_path / "out", {"b.txt": b"new"}
-    with pytest.raises(
-        StorageError, match=r"A\.INI: is not one of the files that this command writes"
-    ):
+    with pytest.raises(StorageError, match=r"A\.INI: .* is not one that the command writes"):
         storage.write_files(Session(), out, new, force=True, whole=["set"])
     storage.write_files(Session(), out, new, force=True, renewed=["set"])
     assert (tmp_path / "control" / "A.INI").read_bytes() == b"mine"
@@ -310,8 +308,7 @@ def test_the_notes_of_the_user_stay(folder: Path, capsys: pytest.CaptureFixture[
     said = refused(folder, capsys, "run", "job.yaml")
     for place in ("tables", "rollback"):
         assert (
-            f"{place}/{CONTROL}/notes.txt: is not one of the files that this command writes, but"
-            " everything in this folder is passed on" in said
+            f"{place}/{CONTROL}/notes.txt: everything in this folder is loaded or passed on" in said
         )
         assert "move it to another folder" in said
 
@@ -393,7 +390,7 @@ def test_one_name_for_two_results_is_refused(
     name: str, folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     said = refused(folder, capsys, "run", "job.yaml", "--json", f"job/{name}")
-    assert "is also the name of another file that is written" in said
+    assert "two different files would get this name" in said
 
 
 def test_existing_files_are_one_line(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -401,6 +398,6 @@ def test_existing_files_are_one_line(folder: Path, capsys: pytest.CaptureFixture
     assert compwright(["run", "job.yaml"]) == 5
     (line,) = [line for line in capsys.readouterr().err.splitlines() if line.startswith("error")]
     assert without_hint(line) == (
-        "error: job: 11 files exist already; found evaluation.json, prediction.json, plan.json,"
+        "error: job: 11 of the files to write exist already in this folder; found evaluation.json, prediction.json, plan.json,"
         " tables/siemens-840d-sl/AX1_EEC.INI and 7 more"
     )

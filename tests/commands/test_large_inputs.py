@@ -178,7 +178,7 @@ def test_a_text_longer_than_any_of_a_control_is_refused(tmp_path: Path) -> None:
     with pytest.raises(InputError) as caught:
         read_files(Session(), [file])
     assert without_hint(str(caught.value)) == (
-        "m.cfg: the file is too large; expected a text of a control of at most 8 MB, found 8.4 MB"
+        "m.cfg: the file is too large; expected a file of at most 8 MB, found 8.4 MB"
     )
     file.write_bytes(b"@@MMCIBN." + b"0 0 0\n" * 1_400_000)
     assert (
@@ -192,7 +192,9 @@ def test_texts_longer_together_than_those_of_a_control_are_refused(
     monkeypatch.setattr(control, "MOST_CONTROL_TEXTS", 1000)
     for number in range(3):
         (tmp_path / f"{number}.cfg").write_bytes(b"0 0 0\n" * 60)
-    with pytest.raises(InputError, match=r"too large together; .* found 3 files of 1\.1 kB"):
+    with pytest.raises(
+        InputError, match=r"too large; .* in all files together, found 3 files of 1\.1 kB"
+    ):
         read_files(Session(), [tmp_path])
     assert len(read_files(Session(), [tmp_path / "0.cfg", tmp_path / "1.cfg"])) == 2
 

@@ -73,7 +73,7 @@ def test_one_file_for_two_answers_is_refused(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert compwright(["run", "job.yaml", "--report", "a.pdf", "--json", "a.pdf"]) == 2
-    assert "is already the file of --json" in capsys.readouterr().err
+    assert "already used for --json" in capsys.readouterr().err
     assert not (folder / "job").exists()
 
 

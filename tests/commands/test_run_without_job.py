@@ -77,7 +77,7 @@ def test_the_job_gives_the_same_bytes_again(hall: Path, capsys: pytest.CaptureFi
     before = tree(hall)
     job = f"{OUT}/job.yaml"
     assert compwright(["run", job]) == 5
-    assert "files exist already" in capsys.readouterr().err
+    assert "exist already" in capsys.readouterr().err
     assert compwright(["run", job, "--force"]) == 0
     assert tree(hall) == before
     # and what was assumed is known as the tool's own until somebody edits it

@@ -399,9 +399,9 @@ def test_where_the_folder_that_decides_is_gone_its_file_is_refused_and_others_ar
     top = stopped(tmp_path / "top", course.last_move + 1)
     shutil.rmtree(top / "out")
     assert storage.read_bytes(Session(), top / "beside" / "notes.txt") == b"mine too"
-    with pytest.raises(InputError, match="the folder with its list of files is missing"):
+    with pytest.raises(InputError, match="list of its files is missing"):
         storage.read_bytes(Session(), top / JSON)
-    with pytest.raises(StorageError, match="belongs to what a stopped command had begun"):
+    with pytest.raises(StorageError, match="a stopped command left"):
         storage.write_file(Session(), top / JSON, b"", force=True)
     shutil.rmtree(top / "beside" / UNFINISHED)  # as the message says
     assert storage.read_bytes(Session(), top / JSON) == b"new answer"
@@ -578,7 +578,7 @@ def test_a_file_that_appears_in_the_last_moment_is_not_overwritten(tmp_path: Pat
         (tmp_path / "x").write_bytes(b"of another program")
         return True
 
-    with pytest.raises(StorageError, match="was changed by another program at this moment"):
+    with pytest.raises(StorageError, match="changed the file at this moment"):
         storage.write_files(
             Session(), tmp_path, {"x": b"new", "y": b"new"}, force=True, known=changing
         )

@@ -633,7 +633,7 @@ def test_what_was_edited_is_said_in_the_words_of_the_job(
     path.write_text(text.replace(before, edited, 1))
     assert verify(folder, "after.csv")[0] == 3
     said = capsys.readouterr().err
-    message = "the plan was made for another job, or before the job was edited"
+    message = "the plan was made for another job, or before this job was edited"
     assert told.format(message) in said
     assert not any(mark in said for mark in ("Encoder", "(", "Direction", "None", "{"))
 

@@ -659,6 +659,6 @@ def test_a_base_is_no_control(tmp_path: Path, capsys: pytest.CaptureFixture[str]
     assert compwright(["formats", "check", str(path)]) == 3
     assert "extends it" in told(capsys)[0]
     assert compwright(["formats", "check", str(tmp_path)]) == 3
-    assert "no definition was found" in told(capsys)[0]
+    assert "no definition of a control" in told(capsys)[0]
     assert definitions.is_path("a/b")
     assert not definitions.is_path("siemens-840d-sl")

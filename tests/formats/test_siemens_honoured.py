@@ -427,7 +427,9 @@ def test_a_sleeping_table_is_never_woken_by_any_name_of_the_axis() -> None:
 def test_a_table_that_is_on_with_its_values_in_no_file_is_never_woken(sum_off: str) -> None:
     """Its output axis and values are unknown: the file of the CEC tables was not given."""
     text = NAMES + eec() + sum_off
-    with pytest.raises(CapacityError, match=r"also activates others: 5 \(values in no given file: 5\)"):
+    with pytest.raises(
+        CapacityError, match=r"also activates others: 5 \(values in no given file: 5\)"
+    ):
         pair_into(text + "$SN_CEC_TABLE_ENABLE[5]=1\n")
     assert "$AN_CEC_DIRECTION[21]=-1" in pair_into(text + "$SN_CEC_TABLE_ENABLE[5]=0\n")
 

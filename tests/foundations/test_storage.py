@@ -60,7 +60,10 @@ def test_every_existing_file_is_named_and_nothing_is_touched(tmp_path: Path) -> 
     (fault,) = faults_of(
         lambda: storage.write_files(Session(), tmp_path, {"x": b"n", "new": b"n", "y": b"n"})
     )
-    assert without_hint(fault) == f"{tmp_path}: 2 files exist already; found x, y"
+    assert (
+        without_hint(fault)
+        == f"{tmp_path}: 2 of the files to write exist already in this folder; found x, y"
+    )
     assert tree(tmp_path) == before
 
 
@@ -338,7 +341,7 @@ def test_a_whole_folder_holds_what_was_written_and_nothing_else(tmp_path: Path) 
     (fault,) = faults_of(
         lambda: storage.write_files(Session(), tmp_path, {"set/e": b"new"}, whole=["set"]) and None
     )[:1]
-    assert "is not one of the files that this command writes" in fault
+    assert "is not one that" in fault
     assert tree(tmp_path) == before
     storage.write_files(Session(), tmp_path, {"set/a": b"new"}, force=True, whole=["set", "none"])
     after = tree(tmp_path)

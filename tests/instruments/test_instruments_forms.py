@@ -44,7 +44,7 @@ def fault(content: bytes) -> str:
         (b"0.000,+,1,-2.6\n", "a row of numbers where the header row should be"),
         (b"target_mm direction run deviation_um\n0 + 1 2\n", "without comma, semicolon or tab"),
         (b"Messwert;Soll\n1;2\n", "found 'Messwert;Soll' as the first row"),
-        (b'"target_mm,direction\n', "line 1: the header row has a quote that is not closed"),
+        (b'"target_mm,direction\n', "line 1: the header row"),
         (b"direction,angle_deg,radius_mm\nccw,0,100\n", "contains a circular test"),
         (b"# compwright: circular 1\nx,y\n", "contains a circular test"),
     ],

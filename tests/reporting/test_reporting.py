@@ -267,7 +267,7 @@ def test_names_of_the_user_cannot_break_a_figure() -> None:
 def test_any_other_format_of_a_figure_is_refused_with_those_there_are() -> None:
     assert [known_format(ending) for ending in (".svg", ".PNG", "pdf")] == ["svg", "png", "pdf"]
     for ending in (".jpg", "", "bmp"):
-        with pytest.raises(UsageError, match=r"unknown format of a plot.*\.svg, \.png or \.pdf"):
+        with pytest.raises(UsageError, match=r"unknown ending.*\.svg, \.png or \.pdf"):
             evaluation_plot({"results": [made_up()]}, format=ending)
 
 

@@ -297,7 +297,7 @@ def test_the_record_says_what_was_measured() -> None:
 
 
 def test_unknown_axis() -> None:
-    with pytest.raises(UsageError, match="no such axis; expected X, C, found Q"):
+    with pytest.raises(UsageError, match="no axis Q; expected X, C"):
         machine(FULL).measure("Q", rng=rng())
 
 

@@ -343,7 +343,7 @@ def test_the_plan_is_kept_and_samples_lie_at_half_steps() -> None:
     ],
 )
 def test_impossible_plans_are_refused(plan: CirclePlan) -> None:
-    with pytest.raises(UsageError, match="this circle cannot be measured"):
+    with pytest.raises(UsageError, match="cannot be measured"):
         record_circle(CircleErrors(), plan)
 
 

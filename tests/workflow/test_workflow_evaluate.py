@@ -113,7 +113,7 @@ def test_wrong_options_are_told_all_at_once(tmp_path: Path) -> None:
     assert "expected one per kind of test, found vdi3441, iso230-2:1988" in str(caught.value)
     with pytest.raises(UsageError, match="range"):
         evaluate_files(Session(), [path], [], "range")
-    with pytest.raises(UsageError, match="nothing to evaluate"):
+    with pytest.raises(UsageError, match="no measurement file"):
         evaluate_files(Session(), [])
     assert (
         evaluate_files(Session(), [path], ["iso230-2:1988"], "range").document["results"][0][

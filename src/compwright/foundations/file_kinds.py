@@ -61,7 +61,7 @@ def refuse_other_kind(content: bytes, kind: InputKind, file: str) -> None:
         return
     taken = _TAKEN_BY.get(found)
     fault = Fault(
-        message=f"is {found}{f' ({taken})' if taken else ''}, not {kind.name}",
+        message=f"this is {found}{f' ({taken})' if taken else ''}, not {kind.name}",
         file=file,
         hint=f"give {kind.help}",
     )

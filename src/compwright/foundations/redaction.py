@@ -145,7 +145,8 @@ def not_the_same(file: str, found: str) -> InputError:
     """Return the error about a copy whose reader finds other numbers than in the original."""
     return InputError(
         Fault(
-            message="is not copied: without its texts the copy would read differently",
+            message="the file was not copied: without its texts a reader would find other "
+            "numbers in the copy",
             file=file,
             expected="the same numbers in the copy",
             found=found,
@@ -177,10 +178,11 @@ def refuse_left_over(
         kinds = sorted({kind for kind, text in cuts.removed if text in left})
         raise InputError(
             Fault(
-                message="is not copied: a text that was removed in one place is needed in another",
+                message="the file was not copied: a text to remove is also a keyword or a "
+                "number of the file",
                 file=file,
                 place=_lines(lines),
-                expected="names that are neither a keyword nor a number of the file",
+                expected="names that are neither",
                 found=f"{len(left)} texts ({', '.join(kinds)})",
                 hint="take the names out by hand",
             )

@@ -211,7 +211,7 @@ def read_yaml_with_faults(content: bytes, file: str) -> tuple[YamlDocument, tupl
         mark = error.problem_mark
         raise InputError(
             Fault(
-                message=f"is not valid YAML ({error.problem or error.context})",
+                message=f"the text is not valid YAML ({error.problem or error.context})",
                 file=file,
                 place=f"line {mark.line + 1}, column {mark.column + 1}" if mark else "",
                 hint="correct this line; text with special characters needs quotes",
@@ -220,7 +220,7 @@ def read_yaml_with_faults(content: bytes, file: str) -> tuple[YamlDocument, tupl
     except yaml.YAMLError as error:
         raise InputError(
             Fault(
-                message=f"is not valid YAML ({str(error).splitlines()[0]})",
+                message=f"the text is not valid YAML ({str(error).splitlines()[0]})",
                 file=file,
                 hint="correct the file; text with special characters needs quotes",
             )
@@ -231,10 +231,10 @@ def read_yaml_with_faults(content: bytes, file: str) -> tuple[YamlDocument, tupl
     ) as error:  # an escape such as "\UFFFFFFFF" beyond the last character of Unicode
         raise InputError(
             Fault(
-                message="contains an escape that is not a character",
+                message="the text contains an escape sequence that is not a character",
                 file=file,
                 found=str(error),
-                hint="write the character itself instead of the escape",
+                hint="write the character itself instead of the escape sequence",
             )
         ) from error
     return YamlDocument(data=data, lines=reader.lines), tuple(reader.faults)

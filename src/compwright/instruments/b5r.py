@@ -125,7 +125,7 @@ def _ballbar(root: Element, file: str) -> Element:
         place, expected = f"line {root.line}", "the root element TEST_DOCUMENT"
         raise InputError(
             Fault(
-                message="is not a ballbar file",
+                message="the file is not a ballbar file",
                 file=file,
                 place=place,
                 expected=expected,

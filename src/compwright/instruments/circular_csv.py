@@ -137,10 +137,10 @@ def _check_form(comments: Comments, lines: Sequence[tuple[int, str]], file: str)
     form = comments.get("compwright").lower()
     match = _FORM_KEY.fullmatch(form)
     if form and not (match and int(match[1]) <= _NEWEST_FORM):
-        newer = "was written for a newer version of compwright"
+        newer = "the file was written for a newer version of compwright"
         raise InputError(
             Fault(
-                message=newer if match else "is not a circular test",
+                message={newer if match else "the file is not a circular test"},
                 file=file,
                 place=comments.places["compwright"],
                 expected=f"circular {_NEWEST_FORM}{' or older' if match else ''}",
@@ -151,7 +151,7 @@ def _check_form(comments: Comments, lines: Sequence[tuple[int, str]], file: str)
     if not lines:
         raise InputError(
             Fault(
-                message="contains comment lines only",
+                message="the file contains comment lines only",
                 file=file,
                 expected="a header row and samples",
                 hint="add a header row and the samples",

@@ -243,10 +243,10 @@ def read_table(lines: Sequence[tuple[int, str]], faults: FaultList) -> CsvTable:
     if not names:
         raise InputError(
             Fault(
-                message="the header row has a quote that is not closed",
+                message="the header row has a quotation mark that is not closed",
                 file=faults.file,
                 place=f"line {number}",
-                hint="close the quote in this row",
+                hint="close the quotation mark in this row",
             )
         )
     columns = tuple(names)

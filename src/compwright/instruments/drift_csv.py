@@ -44,9 +44,9 @@ def read_drift(content: bytes, file: str, kind: AxisKind | None = None) -> Drift
     if not lines:
         raise InputError(
             Fault(
-                message="contains no readings",
+                message="the file contains no readings",
                 file=file,
-                expected=f"{TIME}, {_VALUE[kind or AxisKind.LINEAR]}",
+                expected=f"the columns {TIME}, {_VALUE[kind or AxisKind.LINEAR]}",
                 hint="add the readings below the header row",
             )
         )

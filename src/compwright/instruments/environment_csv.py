@@ -41,10 +41,10 @@ def read_environment(content: bytes, file: str) -> EnvironmentRecord:
     if not lines:
         raise InputError(
             Fault(
-                message="contains no rows",
+                message="the file contains no rows of values",
                 file=file,
-                expected=f"{TIME}, {', '.join([*AIR, MATERIAL])}",
-                hint="add a header row and a row for each moment",
+                expected=f"the columns {TIME}, {', '.join([*AIR, MATERIAL])}",
+                hint="add a header row and a row of values for each time",
             )
         )
     table = read_table(lines, faults)
@@ -103,7 +103,8 @@ def joined(records: Sequence[EnvironmentRecord]) -> EnvironmentRecord:
             if ours != theirs:
                 raise InputError(
                     Fault(
-                        message=f"gives other {what} than {first.sources[0].file}",
+                        message=f"this file of `environment` does not have the same {what} as "
+                        f"{first.sources[0].file}",
                         file=file,
                         expected=ours,
                         found=theirs,
@@ -123,10 +124,10 @@ def joined(records: Sequence[EnvironmentRecord]) -> EnvironmentRecord:
     if np.any(np.diff(times) == 0.0):
         raise InputError(
             Fault(
-                message="two files of `environment` give the same moment",
+                message="two files of `environment` contain rows with the same time",
                 file=", ".join(source.file for source in found.sources),
-                expected="each moment once",
-                hint="name each file once, and take out rows that are in two of them",
+                expected="each time once",
+                hint="give each file once, and remove rows that are in two files",
             )
         )
     return replace(

@@ -63,7 +63,7 @@ class FaultList:
             return
         more = [
             Fault(
-                message=f"{message}: {count - SHOWN_PER_KIND} more of this kind",
+                message=f"{message}: {count - SHOWN_PER_KIND} more places with this fault",
                 file=self.file,
                 hint="correct them in the same way",
             )

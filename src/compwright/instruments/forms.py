@@ -93,7 +93,8 @@ def form_of(text: Sequence[str], file: str) -> MeasurementForm:
     if len(found) > 1:
         raise InputError(
             Fault(
-                message="the file mixes two formats, which may give its values other meanings",
+                message="the file mixes two formats, in which equal values can have different "
+                "meanings",
                 file=file,
                 expected="a file of one format",
                 found=" and ".join(form.name for form in found),

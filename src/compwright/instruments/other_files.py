@@ -35,7 +35,7 @@ def refuse_other_files(lines: Sequence[tuple[int, str]], comments: Comments, fil
     if match and int(match[1]) > _NEWEST_FORM:
         raise InputError(
             Fault(
-                message="was written for a newer version of compwright",
+                message="the file was written for a newer version of compwright",
                 file=file,
                 place=comments.places["compwright"],
                 expected=f"positioning {_NEWEST_FORM} or older",
@@ -46,7 +46,7 @@ def refuse_other_files(lines: Sequence[tuple[int, str]], comments: Comments, fil
     if not lines:
         raise InputError(
             Fault(
-                message="contains comment lines only",
+                message="the file contains comment lines only",
                 file=file,
                 expected="a header row and readings",
                 hint="add a header row and the readings",
@@ -59,7 +59,7 @@ def refuse_other_files(lines: Sequence[tuple[int, str]], comments: Comments, fil
     ):
         raise InputError(
             Fault(
-                message="contains a circular test, not a positioning test",
+                message="the file contains a circular test, not a positioning test",
                 file=file,
                 place=f"line {number}",
                 expected=ACCEPTED_FORMS,
@@ -73,8 +73,9 @@ def refuse_other_files(lines: Sequence[tuple[int, str]], comments: Comments, fil
         raise InputError(
             Fault(
                 message=(
-                    "is a table of the Status Pro software, whose columns are not documented: Delta"
-                    " may be the step between positions; AX1 and AX3 are across the axis"
+                    "the file is a table of the Status Pro software, whose columns are not "
+                    "documented: Delta may be the step between positions, and AX1 and AX3 "
+                    "are across the axis"
                 ),
                 file=file,
                 place=f"line {number}",
@@ -99,8 +100,8 @@ def _unknown_form(number: int, first: str, names: Sequence[str], file: str) -> I
             return InputError(
                 Fault(
                     message=(
-                        "is not a positioning file; XML such as a ballbar's .b5r "
-                        "contains a circular test"
+                        "the file is not a positioning file (XML such as a ballbar's .b5r "
+                        "contains a circular test)"
                     ),
                     file=file,
                     place=f"line {number}",

@@ -44,7 +44,7 @@ def proposed_profile(content: bytes, file: str) -> Proposed:
     if form is not PLAIN_CSV or is_plain_csv(lines):
         raise UsageError(
             Fault(
-                message=f"needs no profile: compwright reads it directly as {form.name}",
+                message=f"the file needs no profile: compwright reads it directly as {form.name}",
                 file=file,
                 hint="give the file without `--profile`",
             )
@@ -60,7 +60,10 @@ def _of_workbook(content: bytes, file: str) -> Proposed:
         if is_plain_csv(sheet.lines):
             raise UsageError(
                 Fault(
-                    message=(f"needs no profile: compwright reads its sheet {sheet.name} directly"),
+                    message=(
+                        "the file needs no profile: compwright reads its sheet "
+                        f"{sheet.name} directly"
+                    ),
                     file=file,
                     hint="give the file without `--profile`",
                 )
@@ -71,7 +74,7 @@ def _of_workbook(content: bytes, file: str) -> Proposed:
             return replace(found, notes=(f"proposed for the sheet {sheet.name}", *found.notes))
     raise InputError(
         Fault(
-            message="contains no sheet with a table of numbers",
+            message="the file contains no sheet with a table of numbers",
             file=file,
             expected="rows of at least two columns, one of them with targets",
             hint="give a file with a table: targets in one column, readings in others",

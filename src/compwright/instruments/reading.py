@@ -292,7 +292,8 @@ def _refuse_dynamic_data(content: bytes, file: str) -> None:
     if _DYNAMIC.match(content):
         raise InputError(
             Fault(
-                message="contains dynamic data (samples over time), not positions",
+                message="the file contains dynamic data (samples over time), not readings at "
+                "target positions",
                 file=file,
                 expected="the positioning test (.rtl or .rta)",
                 found="File type: rtx",

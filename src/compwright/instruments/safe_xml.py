@@ -172,7 +172,7 @@ def read_xml(content: bytes, file: str) -> Element:
     if builder.root is None:
         raise InputError(
             Fault(
-                message="contains no XML element",
+                message="the file contains no XML element",
                 file=file,
                 expected="an XML document",
                 hint="export the file from the instrument again",

@@ -65,11 +65,11 @@ def read_any_lines(content: bytes, file: str, encoding: str | None = None) -> tu
             Fault(
                 message="the file is not text in the encoding that was named"
                 if encoding
-                else "the file is no text",
+                else "the file is not text",
                 file=file,
                 expected="the encoding in which the file was written: utf-8, utf-16, cp1252, ..",
                 found=f"{name}{'' if known else ', which is not known'}",
-                hint="name the encoding in which the file was written",
+                hint="give the encoding in which the file was written",
             )
         ) from error
     return _lines(text, file), name

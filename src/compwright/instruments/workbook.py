@@ -168,7 +168,8 @@ def _look_into(archive: zipfile.ZipFile, names: Sequence[str], file: str) -> boo
             raise InputError(
                 Fault(
                     message=(
-                        "declares a document type (DOCTYPE), whose entities could grow without end"
+                        "the workbook declares a document type (DOCTYPE), which can make "
+                        "it grow without end"
                     ),
                     file=file,
                     place=name,
@@ -187,7 +188,7 @@ def _check_cells(count: int, most: int, file: str, place: str = "") -> None:
     if count > most:
         raise InputError(
             Fault(
-                message="contains too many cells",
+                message="the sheet contains too many cells",
                 file=file,
                 place=place,
                 expected=f"at most {most}, including empty ones",
@@ -211,7 +212,7 @@ def _sheets(values: Any, formulas: Any | None, file: str) -> Iterator[WorkbookSh
                 if cell.value is None and formula.data_type == "f":
                     raise InputError(
                         Fault(
-                            message="contains a formula without a result",
+                            message="this cell contains a formula without a result",
                             file=file,
                             place=f"sheet {sheet.title}, row {row}",
                             expected="a workbook that a spreadsheet program has calculated and"

@@ -82,7 +82,8 @@ def job_from_options(
     if active is not None and not states:
         faults.append(
             Fault(
-                message="is an answer about a state, but none is given",
+                message="the option `active` is an answer about the control's files, but none "
+                "are given",
                 place=f"--option {ACTIVE}",
                 expected="--state FILE",
                 found=active,
@@ -114,7 +115,7 @@ def _sorted_options(
         if not key or not sign:
             faults.append(
                 Fault(
-                    message="must look like K=V",
+                    message="the value of `--option` must look like KEY=VALUE",
                     place="--option",
                     found=repr(option),
                     hint=("give one key and its value, such as `--option detection_unit=0.001`"),
@@ -123,7 +124,7 @@ def _sorted_options(
         elif key in seen:
             faults.append(
                 Fault(
-                    message="is given twice",
+                    message=f"`--option` is given twice with the key {key}",
                     place=f"--option {key}",
                     expected="each key once",
                     hint="remove one of the two",
@@ -154,7 +155,10 @@ def _number(text: str) -> Any:
 
 def _whole_travel(travel: str) -> Fault:
     return Fault(
-        message=("must look like 0:800 (machine coordinates, mm or deg, the lower end first)"),
+        message=(
+            "the value of `--travel` must look like 0:800 (machine coordinates, mm or deg, "
+            "lower end first)"
+        ),
         place="--travel",
         found=repr(travel),
         hint="give the two ends of the travel, such as `--travel 0:800`",
@@ -193,7 +197,7 @@ def stated_activity(options: dict[str, object]) -> bool | None:
     if word not in words:
         raise UsageError(
             Fault(
-                message="must be yes or no",
+                message="the option `active` must be yes or no",
                 place=f"--option {ACTIVE}",
                 found=repr(text),
                 hint="give `--option active=yes` or `--option active=no`",

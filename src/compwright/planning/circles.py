@@ -173,7 +173,8 @@ def _centre(
             raise InputError(
                 Fault(
                     message=(
-                        "the centre has three numbers (X, Y, Z), but the plane has other axes"
+                        "the key `centre` has three numbers (X, Y, Z), but the plane of "
+                        "this circle has other axes"
                     ),
                     file=test.name,
                     place="centre",

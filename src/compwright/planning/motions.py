@@ -70,9 +70,9 @@ def unknown_motions(job: Job, states: Mapping[str, ControlState]) -> Iterator[Fa
             if state.facts_of(entry.axis.address).rapid_more is None:
                 yield Fault(
                     message=(
-                        f"axis {name}: its tests were taken at cutting feed and at rapid "
-                        "traverse, and no given file shows whether a different backlash "
-                        "compensation is active at rapid traverse"
+                        f"axis {name}: one test was taken at cutting feed, another at rapid "
+                        "traverse, and no given file shows whether the control uses "
+                        "another backlash compensation at rapid traverse"
                     ),
                     file=job.file,
                     place=f"axes.{name}.before, test {request.name}, motion",

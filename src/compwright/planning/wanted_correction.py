@@ -225,9 +225,8 @@ def check_coverage(file: str, axis: Axis, tests: Sequence[PositioningTest]) -> N
     raise InputError(
         Fault(
             message=(
-                f"the targets of {which}, from which the table of axis "
-                f"{axis.name} is made, cover less than half of its travel; the "
-                "rest would be guesswork"
+                f"the table of axis {axis.name} is made from {which}, whose targets cover "
+                "less than half of the travel; the rest would be guesswork"
             ),
             file=file,
             place=f"axes.{axis.name}.travel",

@@ -122,8 +122,8 @@ def dithered_targets(
     if not low < high or count < 1:
         raise UsageError(
             Fault(
-                message="no targets can be placed",
-                expected="a travel that ascends and at least one target",
+                message="no target positions can be chosen on this travel",
+                expected="a travel with its lower end first, and at least one target",
                 found=f"{low:g}:{high:g}, {count} targets",
                 hint="correct the travel or the number of targets",
             )

@@ -49,7 +49,7 @@ def table_bytes(document: Mapping[str, Any], suffix: str) -> bytes:
     if suffix.lower() not in writers:
         raise UsageError(
             Fault(
-                message="this kind of table is unknown",
+                message="the name of the table has an unknown ending",
                 expected=" or ".join(writers),
                 found=suffix or "no ending",
                 hint=f"give a name that ends in {' or '.join(writers)}",

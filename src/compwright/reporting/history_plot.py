@@ -45,7 +45,7 @@ def history_plot(document: Document, *, format: str = "svg") -> bytes:  # noqa: 
     if not rows:
         raise UsageError(
             Fault(
-                message="nothing to plot",
+                message="there is no test to plot",
                 expected="a folder with a test",
                 hint="give a folder that `compwright run` or `verify` wrote",
             )

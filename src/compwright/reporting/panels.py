@@ -134,7 +134,7 @@ def known_format(format_: str) -> PlotFormat:
     if ending not in _FORMATS:
         raise UsageError(
             Fault(
-                message="unknown format of a plot",
+                message="the name of the plot has an unknown ending",
                 expected="a name that ends in .svg, .png or .pdf",
                 found=repr(format_),
                 hint="give `--plot` a name that ends in .svg, .png or .pdf",

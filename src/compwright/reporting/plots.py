@@ -32,7 +32,7 @@ def evaluation_plot(document: Document, *, format: str = "svg") -> bytes:  # noq
     if not straight and not round_:
         raise UsageError(
             Fault(
-                message="nothing to plot",
+                message="there is no test to plot",
                 expected="a test that could be evaluated",
                 hint="correct the faults of the tests first, or leave `--plot` out",
             )

@@ -94,7 +94,7 @@ def polar_figure(
     if not result.get("runs"):
         raise UsageError(
             Fault(
-                message="nothing to plot",
+                message="there is no circular test to plot",
                 expected="the angles and deviations of a circular test",
                 hint="give a circular test with samples",
             )

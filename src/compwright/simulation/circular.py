@@ -191,7 +191,7 @@ def _check(plan: CirclePlan) -> None:
     ):
         raise UsageError(
             Fault(
-                message="this circle cannot be measured",
+                message=f"the circle {plan.name} cannot be measured",
                 place=plan.name,
                 expected=(
                     f"radius and feed above 0, an arc up to 360 deg, {_FEWEST} to {_MOST} samples"

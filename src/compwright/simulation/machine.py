@@ -178,7 +178,7 @@ class VirtualMachine:
         if name not in self.circles:
             raise UsageError(
                 Fault(
-                    message="the machine has no such circle",
+                    message=f"the machine has no circle {name}",
                     expected=", ".join(self.circles),
                     found=name,
                     hint="correct the name, or add the circle to the machine file",
@@ -212,7 +212,7 @@ class VirtualMachine:
         if name not in self.axes:
             raise UsageError(
                 Fault(
-                    message="the machine has no such axis",
+                    message=f"the machine has no axis {name}",
                     expected=", ".join(self.axes),
                     found=name,
                     hint="correct the name, or add the axis to the machine file",

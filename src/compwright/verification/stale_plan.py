@@ -45,7 +45,7 @@ def stale_plan(
 def stale_fault(what: str, mine: str, theirs: str, file: str) -> Fault:
     """Return the fault of a job with the value ``mine`` whose plan has the value ``theirs``."""
     return Fault(
-        message="the plan was made for another job, or before the job was edited",
+        message="the plan was made for another job, or before this job was edited",
         file=file,
         place=what,
         expected=mine,

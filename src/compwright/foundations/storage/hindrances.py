@@ -46,23 +46,34 @@ def _hindrances(session: Session, path: Path, content: bytes) -> Iterator[Fault]
         input_lost = is_file and was_read(session, path) and path.read_bytes() != content
     except (OSError, ValueError) as error:
         yield Fault(
-            message="cannot be written",
+            message="the file cannot be written",
             file=str(path),
             found=reason(error),
             hint="check the permissions of the folder, or give another `--out`",
         )
         return
     if blocked:
-        yield Fault(message="is not a folder", file=str(above), hint="give another folder")
+        yield Fault(
+            message="this is not a folder, so nothing can be written into it",
+            file=str(above),
+            hint="give another folder",
+        )
     elif is_folder:
-        yield Fault(message="is a folder", file=str(path), hint="give the name of a file")
+        yield Fault(
+            message="this is a folder, not a file", file=str(path), hint="give the name of a file"
+        )
     elif (
         exists and not is_file and not (is_link and not path.exists())
     ):  # a link to nowhere is only a name
-        yield Fault(message="is not an ordinary file", file=str(path), hint="give another name")
+        yield Fault(
+            message="this is not an ordinary file (a device or a pipe)",
+            file=str(path),
+            hint="give another name",
+        )
     elif input_lost:
         yield Fault(
-            message="is an input of this command and is not overwritten, not even with --force",
+            message="the file is an input of this command and is not overwritten, not even "
+            "with --force",
             file=str(path),
             hint="give another name",
         )
@@ -72,7 +83,7 @@ def _exist_already(paths: Sequence[Path]) -> Fault:
     """Return one line about all files that are there already, the first of them named."""
     if len(paths) == 1:
         return Fault(
-            message="exists already",
+            message="a file of this name exists already",
             file=str(paths[0]),
             hint="give another name, or `--force` to replace it",
         )
@@ -80,7 +91,7 @@ def _exist_already(paths: Sequence[Path]) -> Fault:
     names = [relative(path, folder) for path in paths[:_MOST_NAMED]]
     more = len(paths) - len(names)
     return Fault(
-        message=f"{len(paths)} files exist already",
+        message=f"{len(paths)} of the files to write exist already in this folder",
         file=str(folder),
         found=", ".join(names) + (f" and {more} more" if more else ""),
         hint="give another folder, or `--force` to replace them",
@@ -93,7 +104,7 @@ def _twice(targets: Mapping[Path, bytes]) -> Iterator[Fault]:
     for path, content in targets.items():
         if seen.setdefault(identity(path) or _place(path), content) != content:
             yield Fault(
-                message="is also the name of another file that is written",
+                message="two different files would get this name",
                 file=str(path),
                 hint="give another name",
             )

@@ -32,7 +32,7 @@ def list_files(session: Session, path: Path) -> list[Path]:
     except (OSError, ValueError) as error:
         raise InputError(
             Fault(
-                message="folder cannot be read",
+                message="the folder cannot be read",
                 file=str(path),
                 found=reason(error),
                 hint="check the path and its permissions",
@@ -78,7 +78,7 @@ def folders_holding(
     if not is_folder(top):
         raise InputError(
             Fault(
-                message="is not a folder",
+                message="this is not a folder",
                 file=str(top),
                 expected="a folder with results",
                 found="a file" if is_there(session, top) else "nothing",
@@ -91,7 +91,7 @@ def folders_holding(
     def refused(error: OSError) -> None:
         faults.append(
             Fault(
-                message="folder cannot be read",
+                message="the folder cannot be read",
                 file=str(error.filename or top),
                 found=reason(error),
                 hint="check the path and its permissions",

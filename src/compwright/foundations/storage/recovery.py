@@ -64,9 +64,9 @@ def put_right_above(session: Session, path: Path, error: type[CompwrightError]) 
         if _concerns(Path(left), path):
             raise error(
                 Fault(
-                    message="belongs to what a stopped command had begun to write",
+                    message="a stopped command left this file unfinished",
                     file=str(path),
-                    hint="do first what the next line says",
+                    hint="follow the next line of this message first",
                 ),
                 *faults,
             )
@@ -192,8 +192,8 @@ def _take_back_part(session: Session, folder: Path, journal: Journal) -> None:
         raise NotPutRightError(
             Fault(
                 message=(
-                    "a command was stopped while it wrote here, and the folder with "
-                    "its list of files is missing"
+                    "a command was stopped while it wrote here, and the folder with the "
+                    "list of its files is missing"
                 ),
                 file=str(folder / UNFINISHED),
                 expected=f"{first} in its place, or {UNFINISHED} removed, which keeps what is here",
@@ -316,9 +316,9 @@ def _changed_since(folder: Path, journal: Journal) -> Iterator[Fault]:
             continue
         if not (_is_placed(folder, number, journal) and is_new(target, entry)):
             yield Fault(
-                message="was changed after a command was stopped while it wrote this file",
+                message="the file was changed after a command had stopped while writing it",
                 file=str(target),
-                hint="move it to another folder, then run the command again",
+                hint="move the file to another folder, then run the command again",
             )
 
 
@@ -344,7 +344,8 @@ def _lost_since(folder: Path, journal: Journal) -> Iterator[Fault]:
 
 def _lost(what: str, target: Path, folder: Path) -> Fault:
     return Fault(
-        message=f"a command was stopped after it had moved the earlier file; the moved file {what}",
+        message="a command was stopped after it had moved the earlier file away, and the moved "
+        f"file {what}",
         file=str(target),
         hint=(
             "copy the folder again as a whole with hidden files, or remove "

@@ -58,7 +58,7 @@ def put(
         parts = _parts(folder, targets, removed)
     except OSError as error:
         fault = Fault(
-            message="cannot be written",
+            message="files cannot be written into this folder",
             file=str(folder),
             found=reason(error),
             hint="check the permissions and the free space of this folder",
@@ -132,7 +132,7 @@ class _Work:
             more = self._take_back()
             raise StorageError(
                 Fault(
-                    message="cannot be written",
+                    message="the file cannot be written",
                     file=str(self.current),
                     found=reason(error),
                     hint="check the permissions and the free space of this folder",
@@ -166,9 +166,9 @@ class _Work:
         if os.path.lexists(lock.staging / JOURNAL):
             why = self.session.unrestored.get(str(lock.staging.parent), ())
             now = Fault(
-                message="another command has unfinished files here",
+                message="another command is writing into this folder",
                 file=str(lock.staging),
-                hint="wait until it has ended, then run this command again",
+                hint="wait until the other command has ended, then run this command again",
             )
             raise StorageError(*(why or (now,)))
         for name in os.listdir(lock.staging):  # noqa: PTH208 - names, no paths
@@ -270,7 +270,8 @@ class _Work:
         except (OSError, NotPutRightError) as error:
             left = Fault(
                 message=(
-                    "is only partly restored; the next command that reads it restores the rest"
+                    "the earlier files are only partly restored; the next command that "
+                    "reads this folder restores the rest"
                 ),
                 file=str(self.sets[0][0]),
                 found=reason(error) if isinstance(error, OSError) else str(error),

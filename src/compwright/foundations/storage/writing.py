@@ -99,7 +99,9 @@ class _Unchanged:
         """Raise StorageError naming each file that another program has changed since."""
         faults = [
             Fault(
-                message=("was changed by another program at this moment, and is not overwritten"),
+                message=(
+                    "another program changed the file at this moment, so it is not overwritten"
+                ),
                 file=str(path),
                 hint="run the command again",
             )
@@ -135,7 +137,7 @@ def _twice_named(files: Mapping[Path, bytes], others: Mapping[Path, bytes]) -> I
     for path, content in others.items():
         if files.get(path, content) != content:
             yield Fault(
-                message="is also the name of another file that is written",
+                message="two different files would get this name",
                 file=str(path),
                 hint="give another name",
             )
@@ -169,11 +171,11 @@ def _users_files(
         if not known.get(path, True) and earlier_bytes(session, path) != targets[path]:
             yield Fault(
                 message=(
-                    "was not written by an earlier run, or was changed since, and is not"
-                    " overwritten"
+                    "the file was not written by an earlier run, or was changed since "
+                    "then, so it is not overwritten"
                 ),
                 file=str(path),
-                hint="move it to another folder, or give another `--out`",
+                hint="move the file to another folder, or give another `--out`",
             )
 
 
@@ -198,8 +200,8 @@ def _in_the_way(
             )
             yield Fault(
                 message=(
-                    "is not one of the files that this command writes, but "
-                    "everything in this folder is passed on"
+                    "everything in this folder is loaded or passed on, but this file is "
+                    "not one that the command writes"
                 ),
                 file=str(path),
                 hint=hint,
@@ -212,7 +214,11 @@ def write_file(session: Session, path: Path, content: bytes, *, force: bool = Fa
     """
     if not path.name:
         raise StorageError(
-            Fault(message="is a folder", file=str(path), hint="give the name of a file")
+            Fault(
+                message="this is a folder, not a file",
+                file=str(path),
+                hint="give the name of a file",
+            )
         )
     return write_files(session, path.parent, {path.name: content}, force=force)[0]
 
@@ -222,7 +228,9 @@ def _below(folder: Path, name: str) -> Path:
     if not parts or ".." in parts or PurePosixPath(name).is_absolute() or Path(name).is_absolute():
         raise StorageError(
             Fault(
-                message="is outside of the folder", file=name, hint=f"give a name inside {folder}"
+                message="the file to write is outside of the folder",
+                file=name,
+                hint=f"give a name inside {folder}",
             )
         )
     return folder.joinpath(*parts)

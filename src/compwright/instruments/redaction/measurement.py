@@ -236,9 +236,10 @@ def _proposed(content: bytes, file: str) -> tuple[Profile, bool]:
     except CompwrightError as error:
         raise InputError(
             Fault(
-                message="the file is a table of another program, whose columns are not certain",
+                message="the file is a table of another program, and the meaning of its "
+                "columns is uncertain",
                 file=file,
-                expected="a mapping profile",
+                expected="a mapping profile that states the columns",
                 found=", ".join(dict.fromkeys(one.partition(":")[0] for one in proposed.open))
                 + " open",
                 hint=f"describe its columns with {by_profile(file)}",

@@ -65,7 +65,7 @@ def compare_plan(session: Session, plan_file: Path, loaded: Sequence[Path]) -> C
     if not planned:
         raise UsageError(
             Fault(
-                message="the plan contains no table to compare with",
+                message="the plan contains no table, so there is nothing to compare",
                 file=str(plan_file),
                 hint="give the plan of a run that wrote tables",
             )

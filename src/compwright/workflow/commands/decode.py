@@ -69,7 +69,7 @@ def positions_of(text: str) -> FloatArray:
         except ValueError as error:
             faults.append(
                 Fault(
-                    message="must look like 0:800:10, or be one number",
+                    message="the value of `--at` must be one number or look like 0:800:10",
                     place="--at",
                     found=str(error),
                     hint="give `--at 0:800:10` (from, to, step), or positions: `--at 0,100,250`",

@@ -115,7 +115,7 @@ def evaluate_files(
     if not paths:
         raise UsageError(
             Fault(
-                message="nothing to evaluate",
+                message="no measurement file was given",
                 expected="at least one measurement file or folder",
                 hint="give at least one measurement file or folder",
             )
@@ -254,7 +254,7 @@ def write_evaluation(
         if path in files:
             raise UsageError(
                 Fault(
-                    message=f"is already the file of {named[path]}",
+                    message=f"this file is already used for {named[path]}",
                     file=shown_path(path),
                     place=option,
                     expected="another file",
@@ -283,7 +283,7 @@ def _without_stand_still(document: Mapping[str, Any]) -> Mapping[str, Any]:
     if document["results"] and not tests:
         raise UsageError(
             Fault(
-                message="a stand-still test is one number: it has neither page nor picture",
+                message="a stand-still test is one number, so it has neither a page nor a picture",
                 hint="give a positioning or circular test too, or leave this option out",
             )
         )
@@ -297,7 +297,7 @@ def _plot(document: Mapping[str, Any], path: Path) -> bytes:
     if count > _PLOTTED:
         raise UsageError(
             Fault(
-                message="one picture cannot show so many tests",
+                message="one picture cannot show this number of tests",
                 expected=f"at most {_PLOTTED} tests",
                 found=str(count),
                 hint="give fewer files, or `--table PATH.csv` instead of `--plot`",
@@ -318,8 +318,8 @@ def _report(document: Mapping[str, Any], path: Path, language: Language, command
     if not document["results"]:
         raise UsageError(
             Fault(
-                message="nothing to report",
-                expected="a test that could be evaluated",
+                message="no test could be evaluated, so there is nothing to report",
+                expected="at least one test without a fault",
                 hint="correct the faults of the tests first, or leave `--report` out",
             )
         )
@@ -348,7 +348,7 @@ def _standards(names: Sequence[str], spread: str) -> tuple[str, str]:
     for kind, chosen in kinds.items():
         if len(chosen) > 1:
             fault = Fault(
-                message=f"more than one standard for {kind} tests",
+                message=f"`--standard` is given more than once for {kind} tests",
                 place="--standard",
                 expected="one per kind of test",
                 found=", ".join(chosen),

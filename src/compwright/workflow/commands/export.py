@@ -199,7 +199,7 @@ def _addressed(entry: PlannedCross, axes: Mapping[str, Axis]) -> PlannedCross:
 def _unknown(addresses: Mapping[str, str], plan: Plan, file: str) -> list[Fault]:
     return [
         Fault(
-            message="the plan has no such axis",
+            message=f"the plan has no axis {name}",
             file=file,
             place=f"--option {ADDRESS}{name}",
             expected=", ".join(_every(plan)),
@@ -226,7 +226,7 @@ def _state(
     if "none" in states:
         raise UsageError(
             Fault(
-                message="names files and none at the same time",
+                message="`--state` contains both files and the word none",
                 place="--state",
                 expected="the word none, or the control's files",
                 hint="give `--state none`, or `--state` with the control's files",
@@ -245,7 +245,7 @@ def _state(
         return decode(control, files, axes, active=plan.active.get(AS_FOUND))
     raise UsageError(
         Fault(
-            message="the state of the control is unknown",
+            message="the state of the control is not given",
             file=file,
             place="--state",
             expected="--state none, or --state with each file of the control",

@@ -82,9 +82,9 @@ def check_formats(session: Session, paths: Sequence[Path]) -> tuple[str, ...]:
     if not lines:
         raise InputError(
             Fault(
-                message="no definition was found",
+                message="this path contains no definition of a control",
                 file=", ".join(str(path) for path in paths),
-                expected="*.yaml",
+                expected="a file *.yaml",
                 hint="give the path of a definition (*.yaml), or no path for those that ship",
             )
         )

@@ -126,8 +126,8 @@ def redact_files(
         raise UsageError(
             Fault(
                 message=(
-                    "the answer contains the original names, and it would be in the "
-                    "folder of the copies"
+                    "the answer of `--json` contains the original names, so it must not be "
+                    "in the folder of the copies"
                 ),
                 file=shown_path(json_path),
                 expected="a path outside of the folder of the copies",
@@ -186,11 +186,9 @@ def _read(
         twice = [one for one in found if inputs.setdefault(one.name.casefold(), one) is not one]
         faults.extend(
             Fault(
-                message=(
-                    "has the same name as another file, so their copies would overwrite each other"
-                ),
+                message=("two files have this name, so one copy would overwrite the other"),
                 file=one.shown,
-                hint="copy it with a command of its own and another `--out`",
+                hint="copy this file with a command of its own and another `--out`",
             )
             for one in twice
         )

@@ -151,7 +151,7 @@ def _loaded(
                 message="the machine file contains no control",
                 file=file,
                 place="controller.format",
-                expected="a format, to load tables into",
+                expected="the key `controller`, which states the format of the tables",
                 hint="add `controller: {format: ID}` to the machine file",
             )
         )
@@ -168,7 +168,9 @@ def _loaded(
         InputError,
         [
             Fault(
-                message=(f"contains a table for axis {address}, which this machine does not have"),
+                message=(
+                    f"the tables contain one for axis {address}, which this machine does not have"
+                ),
                 file=str(tables),
                 expected=", ".join(known),
                 hint="give tables for the axes of this machine",

@@ -74,9 +74,10 @@ from compwright.workflow.verify.verify_circles import (
 
 VERIFICATION = "verification.json"
 NOT_READ_BACK = Fault(
-    message="needs the existing tables of the control as the start of the next round",
+    message="`--update` needs the tables that are now in the control, as the start of the next "
+    "round",
     place="--update",
-    expected="--loaded with the files that the control holds now",
+    expected="--loaded with the files that are now in the control",
     hint="add `--loaded` with the files read back from the control",
 )
 
@@ -287,9 +288,9 @@ def _planned(
     if not storage.is_there(session, file):
         raise InputError(
             Fault(
-                message="there is no plan here",
+                message="there is no plan of this job",
                 file=str(file),
-                expected="--plan with the folder that run has written, or its plan.json",
+                expected="--plan with the result folder of `compwright run`, or its plan.json",
                 hint=(
                     f"run the job first: `compwright run {job.file}`; or give the"
                     " folder of its results with `--plan DIR`"

@@ -57,9 +57,10 @@ def result_folders(session: Session, tops: Sequence[Path]) -> tuple[list[Path], 
         if not own and not refused:
             faults.append(
                 Fault(
-                    message="contains no results",
+                    message="the folder contains no results of compwright",
                     file=shown_path(top),
-                    expected=f"a folder of run or verify ({RECORD}), in it or below",
+                    expected=f"a folder that run or verify wrote (with {RECORD}), or a folder "
+                    "above it",
                     hint="give a folder that `compwright run` or `verify` wrote",
                 )
             )
@@ -168,7 +169,9 @@ def _misfit(path: Path, error: Exception) -> InputError:
     lacking = isinstance(error, KeyError)
     return InputError(
         Fault(
-            message="lacks a key" if lacking else "does not fit the schema",
+            message="the document of compwright lacks a key"
+            if lacking
+            else "the document of compwright has a wrong form",
             file=shown_path(path),
             expected=str(error.args[0]) if lacking else "",
             found="" if lacking else str(error),

@@ -27,7 +27,7 @@ from compwright.workflow.inputs.job_inputs import read_measurement, read_test
 from compwright.workflow.inputs.measurement_files import load_profile
 
 _OTHER_PROFILE = Fault(
-    message="no profile fits the test after loading",
+    message="none of the profiles fits the test after loading",
     place="--profile",
     expected="a profile of this file",
     hint="make one with `compwright profile FILE --out P.yaml`, then add `--profile P.yaml`",
@@ -119,12 +119,12 @@ def _refuse_files_apart(session: Session, entry: AxisJob, request: TestRequest) 
         raise InputError(
             Fault(
                 message=(
-                    f"contradicts {parts[0].sources[0].file}: files of one axis count "
-                    f"as one test, but the means differ by {words}"
+                    f"the file contradicts {parts[0].sources[0].file}: the files of one "
+                    f"axis count as one test, but their means differ by {words}"
                 ),
                 file=part.sources[0].file,
                 place=f"--after, test {request.name}",
-                expected="files of one set-up, or one test: that of the axis as it is now",
+                expected="files of one set-up, or only the test of the axis as it is now",
                 hint="give only the test of the axis as it is now",
             )
         )
@@ -177,7 +177,7 @@ def _unfit(plan: Plan, axes: Sequence[str]) -> Iterator[Fault]:
             yield Fault(
                 message=(f"two tests of axis {axis} were given, but verify uses one test per axis"),
                 place="--after",
-                hint="give one of them",
+                hint="give only one test of this axis",
             )
     for axis in dict.fromkeys(axes):
         if axis not in plan.axes:
@@ -207,7 +207,7 @@ def _assign(
     if not spec or (mark and not tail):
         raise UsageError(
             Fault(
-                message="contains no file name",
+                message="the value of `--after` contains no file name",
                 place="--after",
                 expected="FILE or TEST=FILE",
                 found=repr(spec),
@@ -220,9 +220,9 @@ def _assign(
         known = " or ".join(names)
         raise UsageError(
             Fault(
-                message="is not a test of the job",
+                message="the name before the `=` in `--after` is not a test of the job",
                 place="--after",
-                expected=f"{known} before the =",
+                expected=f"{known}",
                 found=repr(spec),
                 hint=f"write {known} before the `=`",
             )
@@ -254,7 +254,7 @@ def _axis_of_file(
         if axis is None:
             raise UsageError(
                 Fault(
-                    message=f"is a test of axis {measured}, which is not in the job",
+                    message=f"the file is a test of axis {measured}, which is not in the job",
                     file=spec,
                     expected=", ".join(job.axes),
                     hint="give the test of an axis of the job",
@@ -264,10 +264,10 @@ def _axis_of_file(
     if len(job.axes) > 1:
         raise UsageError(
             Fault(
-                message="the file does not state its axis",
+                message="the file does not state which axis it measures",
                 file=spec,
                 place="--after",
-                expected=f"TEST=FILE with TEST one of {', '.join(names)}",
+                expected=f"TEST=FILE, where TEST is one of {', '.join(names)}",
                 hint=(
                     "give `--after TEST=FILE`, such as `--after "
                     f"{next(iter(names), 'TEST')}={spec}`"
@@ -321,7 +321,7 @@ def _axis_of_name(
             return axis
     raise UsageError(
         Fault(
-            message=f"several axes have a test {name}",
+            message=f"the file belongs to a test {name}, which several axes have",
             file=path,
             place="key axis",
             expected=" or ".join(axes),

@@ -120,7 +120,7 @@ def _check(control: Control, found: DecodedState, given: object) -> None:
     if isinstance(given, str) and None not in kinds and AxisKind(given) not in kinds:
         raise UsageError(
             Fault(
-                message="contradicts the control's files",
+                message=f"the option {KIND} contradicts the control's files",
                 place=f"{control.origin.before_option}{KIND}",
                 expected=" or ".join(sorted(kind for kind in kinds if kind)),
                 found=given,

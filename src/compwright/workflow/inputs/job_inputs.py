@@ -113,8 +113,8 @@ def read_measurement(
     if len(ours) != 1:
         raise InputError(
             Fault(
-                message=f"contains {len(tests)} tests"
-                + (f", {len(ours) or 'none'} of axis {axis}" if axis else ""),
+                message=f"the file contains {len(tests)} tests"
+                + (f", {len(ours) or 'none'} of them of axis {axis}" if axis else ""),
                 file=shown_path(path),
                 expected="one test of the axis",
                 found=", ".join(test.axis or test.name for test in tests),
@@ -195,7 +195,7 @@ def _check_one_map(entry: AxisJob, request: TestRequest, parts: Sequence[Positio
         return
     faults = [
         Fault(
-            message="the positions are mapped twice, by the profile and by the job",
+            message="the positions of this test are mapped twice, by its profile and by the job",
             place=f"axes.{entry.axis.name}, test {request.name}",
             expected="a position_map in one of them",
             found=f"profile {request.profile}",
@@ -213,7 +213,7 @@ def _check_axis(axis: Axis, test: PositioningTest) -> None:
     if test.kind is not axis.kind:
         faults.append(
             Fault(
-                message=f"is a test of a {test.kind.value} axis",
+                message=f"the file is a test of a {test.kind.value} axis",
                 file=file,
                 expected=f"a test of the {axis.kind.value} axis {axis.name}",
                 found=f"positions in {test.kind.unit}",
@@ -224,7 +224,7 @@ def _check_axis(axis: Axis, test: PositioningTest) -> None:
         expected = f"{axis.name}, or the axis of the job under the name that the test gives it"
         faults.append(
             Fault(
-                message="is a test of another axis",
+                message="the file is a test of another axis",
                 file=file,
                 place="key axis",
                 expected=expected,
@@ -307,16 +307,17 @@ def _other_tables_between(job: Job, states: Mapping[str, DecodedState]) -> Itera
                 (help_, *_) = (facts.uncounted_help for facts in pairs if facts.uncounted)
                 yield Fault(
                     message=(
-                        f"tables from other axes are active on axis {name} and differ "
-                        f"between the states. A circle or a cross measurement in {state} "
-                        "then shows nothing about the existing tables"
+                        f"tables from other axes are active on axis {name} and are not the "
+                        f"same in all states. A circle or a cross measurement in {state} "
+                        "therefore shows nothing about the existing tables"
                     ),
                     file=job.file,
                     place=f"states.{state}",
                     expected=f"{help_}, or a measurement in as_found",
                     found=f"{AS_FOUND}: {tables[0]}; {state}: {tables[1]}",
                     hint=(
-                        f"take the circle or the cross measurement again in {AS_FOUND}, or {help_}"
+                        f"measure the circle or the cross measurement again in {AS_FOUND}, or "
+                        f"{help_}"
                     ),
                 )
 

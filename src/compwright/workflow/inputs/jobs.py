@@ -118,8 +118,9 @@ def _with_environment(session: Session, job: Job, folder: Path) -> Job:
     if not record.has_air and not any(every):
         raise InputError(
             Fault(
-                message="holds the temperature of the material alone, and the job has no `thermal`:"
-                " nothing would be removed",
+                message="the environment record contains only the temperature of the material, "
+                "but the job has no key `thermal`, so nothing would be removed from "
+                "the readings",
                 file=", ".join(request.files),
                 place="environment",
                 hint="add `thermal: {alpha_m: 11.5}` with the coefficient of the scale, or columns"
@@ -128,7 +129,8 @@ def _with_environment(session: Session, job: Job, folder: Path) -> Job:
         )
     if any(thermal is not None and math.isnan(thermal.T_m) for thermal in every):
         fault = Fault(
-            message="has no column material_c, and no key states the temperature T_m",
+            message="the environment record has no column material_c, and the job does not "
+            "state the temperature T_m of the material",
             file=", ".join(request.files),
             place="environment",
             expected="a column material_c, or T_m under thermal",
@@ -312,7 +314,7 @@ def job_of(
         extra = {**needed, "--state": states, "--option": options, "--profile": profile}
         faults = [
             Fault(
-                message="is not used together with a job file",
+                message=f"the option {name} is not allowed together with a job file",
                 file=str(first),
                 place=name,
                 hint=f"leave {name} out, and set it in the job file",
@@ -329,14 +331,14 @@ def job_of(
             storage.read_bytes(session, Path(text), MEASUREMENT)
         elif storage.is_there(session, Path(text) / PLAN):
             fault = Fault(
-                message="is a folder of results, not a measurement",
+                message="this is a folder of results, not a measurement",
                 file=text,
                 hint=f"give {JOB.help}",
             )
             raise UsageError(fault)
     faults = [
         Fault(
-            message="is missing",
+            message=f"the option {name} is missing",
             place=name,
             hint=f"add `{name} {example}` with your own value, or give one job file",
         )

@@ -34,7 +34,7 @@ def read_logo(session: Session, name: str, folder: Path) -> Logo:
         return Logo("image/svg+xml", content)
     raise InputError(
         Fault(
-            message="is not a picture for a report, or is incomplete",
+            message="the file is incomplete, or not a picture for a report",
             file=name,
             place="report.logo",
             expected="a whole .png, .jpg or .svg file",

@@ -303,8 +303,8 @@ def _fault(job: Job, place: str, test: str, state: str, earlier: _Earlier) -> Fa
         file=job.file,
         place=place,
         expected=(
-            f"a test that was taken with these tables loaded, or the state in which {test} was"
-            " taken (measured_in, states)"
+            "a test that was taken with these tables loaded, or under `measured_in` the "
+            f"state in which {test} was taken"
         ),
         found=f"{test}, the test of {earlier.path}",
         hint=(
@@ -323,7 +323,8 @@ def refuse_added_again(plan: Plan, path: Path, state: DecodedState) -> None:
     if again and any(entry.written for entry in plan.cross):
         raise UsageError(
             Fault(
-                message=f"the run of this plan made these files: {_AGAIN} between the axes",
+                message=f"the run that wrote this plan also made these files: {_AGAIN} between "
+                "the axes",
                 file=str(path),
                 place="--state",
                 expected="the files that were in the control before, or the word none",

@@ -39,7 +39,7 @@ def _faults(job: Job, axis: str, index: int, planned: PlannedTest) -> Iterator[F
     why = certain_fault(test)
     if why:
         yield Fault(
-            message=f"is not a measurement of a machine: {why}",
+            message=f"the file is not a measurement of a machine: {why}",
             file=file,
             expected="deviations, measured minus target, in the unit that the file states",
             hint="give the file of the measurement",

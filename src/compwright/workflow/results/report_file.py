@@ -17,7 +17,7 @@ def require_report_form(path: Path | None, *forms: str) -> None:
     if path.suffix.lower() not in forms:
         raise UsageError(
             Fault(
-                message="unknown format of a report",
+                message="the name of the report has an unknown ending",
                 file=shown_path(path),
                 place="--report",
                 expected=f"a name that ends in {' or '.join(forms)}",
@@ -61,7 +61,7 @@ def answer_files(
     if json_path in pages:
         raise UsageError(
             Fault(
-                message="is already the file of --json",
+                message="this file is already used for --json",
                 file=shown_path(report),
                 place="--report",
                 expected="another file",

@@ -86,7 +86,8 @@ def _others(session: Session, targets: Mapping[Path, bytes]) -> Iterator[Fault]:
         if not same and (kind or path.suffix.lower() not in endings):
             yield Fault(
                 message=(
-                    "was not written by this command and is not replaced, not even with --force"
+                    "the file was not written by this command, so it is not replaced, not "
+                    "even with --force"
                 ),
                 file=str(path),
                 found=kind or "something else",

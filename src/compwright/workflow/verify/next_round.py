@@ -364,11 +364,11 @@ def refuse_later_rounds(session: Session, out: Path) -> None:
         raise StorageError(
             Fault(
                 message=(
-                    "is the verification of the existing next round, which is not "
-                    "replaced, not even with --force"
+                    "this folder contains the verification of the existing next round, so "
+                    "it is not replaced, not even with --force"
                 ),
                 file=str(gone_on),
-                expected=f"another --out, or {FOLDER} moved elsewhere",
+                expected=f"another --out, or {FOLDER} moved away",
                 hint=f"give another `--out`, or move {FOLDER} to another place",
             )
         )

@@ -113,7 +113,8 @@ def _repeated(plan: Plan, test: CircularTest, spec: str) -> str:
         raise UsageError(
             Fault(
                 message=(
-                    f"is a circular test in {test.plane}; the plan contains none in this plane"
+                    f"the file is a circular test in {test.plane}, but the plan contains "
+                    "none in this plane"
                 ),
                 file=spec,
                 place="--after",
