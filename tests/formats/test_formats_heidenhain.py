@@ -662,7 +662,7 @@ def test_the_card_names_the_own_bit_and_column() -> None:
 LIMITS = {
     "a point too many": (table("X", list(range(257)), [0.0] * 257), {}, "at most 256, found 257"),
     "one point": (table("X", [0], [0]), {}, "at least 2"),
-    "two curves": (table("X", [0, 10], [0, 0], [0, 0.001]), {}, "one curve"),
+    "two curves": (table("X", [0, 10], [0, 0], [0, 0.001]), {}, "one table"),
     "unequal spacing": (table("X", [0, 10, 25], [0, 0, 0]), {}, "equally spaced"),
     "no power of two": (
         table("X", [0, 10, 20], [0, 0, 0]),

@@ -370,7 +370,7 @@ def test_the_capacity_is_what_the_manual_says() -> None:
 @pytest.mark.parametrize(
     ("what", "changes", "options", "says"),
     [
-        ("two curves", {"negative": [0.0] * 5}, {}, "one curve"),
+        ("two curves", {"negative": [0.0] * 5}, {}, "one table"),
         ("one point", {"positions": [0.0], "positive": [0.0]}, {}, "too few"),
         ("no point", {"positions": [], "positive": []}, {}, "too few"),
         ("too many points", {}, {"points": 4}, "at most 4"),
