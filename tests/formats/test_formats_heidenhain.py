@@ -340,7 +340,7 @@ BAD_SHEETS = {
     "cut short": (
         "# value: error\n",
         "# value: error\n# points: 4\n",
-        "as many points as it says; .* expected 4, found 3",
+        "fewer points than it states.* expected 4, found 3",
     ),
     "positions descend": ("1,0,0,mm", "1,-200,0,mm", "do not ascend"),
     "a point missing": ("1,0,0,mm\n", "", "numbered one by one"),
@@ -898,7 +898,7 @@ def test_one_bit_and_one_index_of_the_parameters() -> None:
 def test_bits_without_their_mark_that_could_be_a_decimal_number_are_refused() -> None:
     """MP730 : 11 is X and Y, or X, Y and the fourth axis; 0 and 18 are what they are."""
     for text in ("11", "00101", "10"):
-        with pytest.raises(InputError, match="MP730 is a mask or a decimal number"):
+        with pytest.raises(InputError, match="MP730 can be read in two ways"):
             itnc(file("MP.TXT", MP.replace("%00010", text)), axes=(axis_of("X"),))
     for text in ("0", "18"):
         assert (

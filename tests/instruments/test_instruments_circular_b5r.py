@@ -371,7 +371,7 @@ def test_what_is_remarkable(content: bytes, words: str) -> None:
             document().replace(b"DYNAMIC_BALLBAR", b"LASER"),
             "is of another instrument; expected a dynamic ballbar test, found 'LASER'",
         ),
-        (document().replace(b"INSTRUMENT", b"TOOL"), "does not say which instrument measured"),
+        (document().replace(b"INSTRUMENT", b"TOOL"), "does not state which instrument measured"),
         (
             b"<?xml version='1.0'?><a/>",
             "line 1: is not a ballbar file; expected the root element TEST_DOCUMENT, found 'a'",

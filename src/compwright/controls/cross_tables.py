@@ -131,13 +131,12 @@ def _wrong(
                 np.max(np.abs(_sum(found, where, direction) - _sum(wanted, where, direction)))
             )
             if worst > READ_BACK_WITHIN + 0.5 * quantum:
-                message = (
-                    f"what {pair[0]} does to {pair[1]} does not come back as it was written; please"
-                    " report this"
-                )
                 faults.append(
                     Fault(
-                        message=message,
+                        message=(
+                            f"a fault of compwright: the written table by which {pair[0]} "
+                            f"corrects {pair[1]} differs from the one meant"
+                        ),
                         place=f"direction {direction.value}",
                         found=f"a difference of {worst:.3g}",
                         hint=(

@@ -75,10 +75,9 @@ def close_node_findings(nodes: FloatArray, capacity: Capacity, unit: str) -> tup
 
 
 def _no_use(why: str, expected: str, found: str) -> CapacityError:
-    message = f"the grid that is in the control cannot serve: {why}"
     return CapacityError(
         Fault(
-            message=message,
+            message=f"the new table cannot keep the points of the existing one: {why}",
             place="table.spacing",
             expected=expected,
             found=found,

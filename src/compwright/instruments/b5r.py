@@ -141,13 +141,12 @@ def _ballbar(root: Element, file: str) -> Element:
             if instrument
             else [child.tag for child in root.children]
         )
-        message = (
-            "is of another instrument" if instrument else "does not say which instrument measured"
-        )
         place = f"line {(instrument or root).line}, {'/'.join(BAR)}"
         raise InputError(
             Fault(
-                message=message,
+                message="the file is of another instrument"
+                if instrument
+                else "the file does not state which instrument measured",
                 file=file,
                 place=place,
                 expected="a dynamic ballbar test",

@@ -139,14 +139,13 @@ def read_xml(content: bytes, file: str) -> Element:
     except expat.ExpatError as error:
         place = f"line {error.lineno}, column {error.offset + 1}"
         reason = expat.ErrorString(error.code)
-        message = (
-            f"is cut short: the XML ends too early ({reason})"
-            if reason in _CUT_SHORT
-            else f"is not whole XML ({reason})"
-        )
         raise InputError(
             Fault(
-                message=message,
+                message=(
+                    f"the file is cut short: its XML ends too early ({reason})"
+                    if reason in _CUT_SHORT
+                    else f"the file is not whole XML ({reason})"
+                ),
                 file=file,
                 place=place,
                 expected=(

@@ -137,14 +137,13 @@ def _refuse_other_versions(document: YamlDocument, file: str) -> None:
     version = document.data.get("compwright") if isinstance(document.data, dict) else None
     if version == SCHEMA_VERSION or not isinstance(version, int) or isinstance(version, bool):
         return
-    message = (
-        "is written for a newer version of compwright"
-        if version > SCHEMA_VERSION
-        else "is no version of the job file"
-    )
     raise UsageError(
         Fault(
-            message=message,
+            message=(
+                "the job is written for a newer version of compwright"
+                if version > SCHEMA_VERSION
+                else "the job states a version that does not exist"
+            ),
             file=file,
             place=document.place(("compwright",)),
             expected=f"compwright: {SCHEMA_VERSION}",

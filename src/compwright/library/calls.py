@@ -67,10 +67,10 @@ def evaluate(
     if not isinstance(test, PositioningTest | CircularTest):
         tests = read(test)
         if len(tests) > 1:
-            message = "the file holds more than one test; take one: evaluate(read(path)[0])"
             raise UsageError(
                 Fault(
-                    message=message,
+                    message="the file contains more than one test; take one of them: "
+                    "evaluate(read(path)[0])",
                     file=str(test),
                     found=str(len(tests)),
                     hint="give a file with one test",
@@ -115,9 +115,12 @@ def estimate(
     given = [tests] if isinstance(tests, PositioningTest) else list(tests)
     axes = sorted({test.axis for test in given})
     if len(axes) > 1:
-        message = "the tests are of several axes; give those of one axis"
         raise UsageError(
-            Fault(message=message, found=", ".join(axes), hint="give `axis=` with one of these")
+            Fault(
+                message="the tests belong to several axes; give those of one axis",
+                found=", ".join(axes),
+                hint="give `axis=` with one of these",
+            )
         )
     mapped = [to_machine(test, PositionMap(sense, offset)) for test in given]
     span = travel

@@ -118,8 +118,13 @@ class Evaluation(DocumentResult):
         from compwright.reporting.panels import draw_on_axes
 
         if self._document["kind"] != "positioning":
-            message = "a circular test is drawn by: compwright evaluate FILE --plot circle.svg"
-            raise UsageError(Fault(message=message, hint="give a test of the expected kind"))
+            raise UsageError(
+                Fault(
+                    message="`plot` does not draw circular tests; use the command `compwright "
+                    "evaluate FILE --plot circle.svg`",
+                    hint="give a positioning test, or use this command",
+                )
+            )
         chart = result_chart(self._document)
         chart.title = title_of(self._document)
         return draw_on_axes(ax, chart)

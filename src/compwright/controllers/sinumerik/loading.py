@@ -178,13 +178,12 @@ def active_files(file: ControlFile) -> Opened:
                 continue
             before = seen.setdefault(member.name.upper(), member.content)
             if before != member.content:
-                message = (
-                    f"the archive holds two members {member.name} that differ: which one counts is"
-                    " not known"
-                )
                 opened.faults.append(
                     Fault(
-                        message=message,
+                        message=(
+                            "the archive contains two different members (files) "
+                            f"{member.name}, and it is unknown which one counts"
+                        ),
                         file=file.name,
                         place=member.name,
                         hint="export the archive from the control again",

@@ -136,15 +136,13 @@ def axis_options(
                 )
             )
         elif rule.whole_control:
-            message = (
-                f"this option of {definition.id} holds for the whole control, not for one axis"
-            )
             faults.append(
                 Fault(
-                    message=message,
+                    message=f"this option of {definition.id} applies to the whole control, not "
+                    "to one axis",
                     place=name,
                     expected=f"controller.options.{name}",
-                    found="an axis' own",
+                    found="an option of one axis",
                     hint=(
                         f"move it to `controller.options.{name}`; without a job give `--option "
                         f"{name}=VALUE`"

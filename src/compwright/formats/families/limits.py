@@ -142,10 +142,10 @@ def endless(definition: Definition, axis: Axis, label: str) -> list[Fault]:
     """Return a fault for the table of an endless axis on a control whose tables do not repeat."""
     if axis.modulo is None or axis.counts_turns or definition.limit("no_endless_axis") is None:
         return []
-    why = f"{label}: the control's table does not repeat, so an endless axis cannot have one"
     return [
         Fault(
-            message=why,
+            message=f"{label}: a table of this control does not repeat, so an endless axis "
+            "cannot have one",
             expected="an axis with ends",
             found=f"modulo {axis.modulo:g}",
             hint="remove `modulo` of the axis from the job, and give its `travel`",

@@ -150,13 +150,12 @@ def _without_temperature(
         if name == "T_m" and record is not None and MATERIAL in record.values:
             continue  # both tests have the temperature of their own hours
         if own and expands and name not in now:
-            message = (
-                "states no temperature, and the test that it repeats was referred to 20 °C from a"
-                f" temperature of its own ({temperature:g} °C)"
-            )
             yield InputError(
                 Fault(
-                    message=message,
+                    message=(
+                        "the file states no temperature, but the test before loading was "
+                        f"reduced to 20 °C from its own temperature ({temperature:g} °C)"
+                    ),
                     file=test.sources[0].file if test.sources else test.name,
                     place=f"key {name}",
                     expected=(

@@ -51,12 +51,11 @@ def _faults(job: Job, axis: str, index: int, planned: PlannedTest) -> Iterator[F
             f"{test.targets[-1] - test.targets[0]:.6g} mm of {travel[1] - travel[0]:.6g} mm of"
             " travel"
         )
-        message = (
-            f"the targets are in {unit}: taken for mm they span {span}, taken for {unit} they"
-            " fit it"
-        )
         yield Fault(
-            message=message,
+            message=(
+                f"the targets are in {unit}: read in mm they span {span}, read in {unit} "
+                "they fit it"
+            ),
             file=file,
             place="targets",
             expected="target positions in mm",
@@ -104,30 +103,28 @@ def given_twice(named: Iterable[NamedTest]) -> list[Fault]:
         seen: dict[str, str] = {}
         for source in entry.sources:
             if source.sha256 in seen:
-                message = (
-                    f"is the same measurement as {seen[source.sha256]}: {entry.words} holds it"
-                    " twice"
-                )
                 faults.append(
                     Fault(
-                        message=message,
+                        message=(
+                            f"the file is the same measurement as {seen[source.sha256]}, so "
+                            f"{entry.words} contains it twice"
+                        ),
                         file=source.file,
-                        expected="a file for each measurement",
-                        hint="remove one of the two",
+                        expected="a file of its own for each measurement",
+                        hint="remove one of the two files",
                     )
                 )
             seen.setdefault(source.sha256, source.file)
     for one, other in combinations(every, 2):
         if same_measurement(one, other):
             file = other.sources[0].file if other.sources else other.words
-            message = f"is the measurement of {one.words} and of {other.words}"
             faults.append(
                 Fault(
-                    message=message,
+                    message=f"{one.words} and {other.words} come from the same measurement",
                     file=file,
-                    expected="a measurement for each",
+                    expected="a measurement of its own for each",
                     found="the same readings twice",
-                    hint="remove one of the two",
+                    hint="remove one of the two tests",
                 )
             )
     return faults

@@ -272,10 +272,10 @@ def _runs(session: Session, paths: Iterable[Path], folder: str, copies: _Copies)
         for path, content in zip(files, contents, strict=True)
     ]
     if sorted(map(sorted, senses)) != [["ccw"], ["cw"]]:
-        message = "are more than a file for each direction, which no job holds as one circle"
         raise InputError(
             Fault(
-                message=message,
+                message="these are more files than one for each direction, which no job can "
+                "contain as one circle",
                 file=", ".join(map(str, files)),
                 hint="report this line with the files",
             )

@@ -169,9 +169,8 @@ def _line_faults(
 ) -> Iterator[Fault]:
     """Yield a fault for a linear parameter together with a table: they exclude each other."""
     if capacity.line is not None and compensation.positions.size:
-        message = f"{label}: the linear parameter and a table exclude each other"
         yield Fault(
-            message=message,
+            message=f"{label}: the control uses either the linear parameter or a table, not both",
             expected="no table",
             found="a table",
             hint=(
@@ -179,12 +178,15 @@ def _line_faults(
             ),
         )
     if capacity.line is None and compensation.slope:
-        message = f"{label}: with a table the linear parameter has no effect"
         yield Fault(
-            message=message,
+            message=f"{label}: the linear parameter has no effect, because the control uses a "
+            "table",
             expected="0 mm/m",
             found=f"{compensation.slope * 1000:g} mm/m",
-            hint=("set the line to 0; for a line set `method: line` in the options of this axis"),
+            hint=(
+                "set the linear parameter to 0; to use it instead of a table set `method: "
+                "line` in the options of this axis"
+            ),
         )
     if capacity.line is not None and compensation.slope and compensation.origin != axis.reference:
         yield Fault(

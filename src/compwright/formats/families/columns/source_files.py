@@ -102,10 +102,10 @@ def _check_count(sheet: EntrySheet, found: int, faults: list[Fault]) -> None:
     text = sheet.comments.get("points")
     if text is not None and text != str(found):
         place = f"line {sheet.lines.get('points', 1)}"
-        message = "the sheet does not hold as many points as it says; it may have been cut short"
         faults.append(
             Fault(
-                message=message,
+                message="the entry sheet contains fewer points than it states, so it may have "
+                "been cut short",
                 file=sheet.name,
                 place=place,
                 expected=text[:60],
@@ -229,12 +229,10 @@ def _take_mask(sources: Sources, place: Occurrence, file: int, faults: list[Faul
     mask = mask_of(text)
     if ambiguous(text):
         name = name_of(sources.definition, "enabled")
-        message = (
-            f"{name} is a mask or a decimal number: with these digits it can be read in two ways"
-        )
         faults.append(
             Fault(
-                message=message,
+                message=f"{name} can be read in two ways with these digits, as a bit mask or as "
+                "a decimal number",
                 file=place.file,
                 place=place.place,
                 expected=f"%{text}, or %{int(text):b}",

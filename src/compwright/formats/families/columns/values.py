@@ -255,10 +255,10 @@ class TableValues:
             return positions, values, None
         modulo = axis.modulo if axis is not None else None
         if modulo is not None and modulo != TURN:
-            message = f"axis {address}: one turn of a rotary axis is 360 degrees here"
             self.notes.faults.append(
                 Fault(
-                    message=message,
+                    message=f"axis {address}: a control of this kind has 360 degrees in one "
+                    "turn of a rotary axis",
                     file=file,
                     found=f"{modulo:g}",
                     hint=(
@@ -269,13 +269,12 @@ class TableValues:
             )
         if modulo is None and not (positions[0] <= 0 and positions[-1] >= TURN):
             if positions[0] < 0 or positions[-1] > TURN:
-                message = (
-                    f"axis {address}: of a rotary axis only 0 to 360 degrees are used; what"
-                    " lies outside would be dropped without a word"
-                )
                 self.notes.faults.append(
                     Fault(
-                        message=message,
+                        message=(
+                            f"axis {address}: the control uses only the entries from 0 to "
+                            "360 degrees of a rotary axis, so the rest would be lost"
+                        ),
                         file=file,
                         expected="0 to 360 degrees",
                         found=f"{positions[0]:g} to {positions[-1]:g}",

@@ -250,9 +250,9 @@ class GridAxisReader:
             return known
         word = self.values.stated_word("rotary")
         if word is not None and word != self.axis.kind:
-            message = f"{self.label}: the job and the control's files disagree about its kind"
             fault = Fault(
-                message=message,
+                message=f"{self.label} is linear in the job and rotary in the control's files, "
+                "or the reverse",
                 expected=self.axis.kind,
                 found=word,
                 hint=(

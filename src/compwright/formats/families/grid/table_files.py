@@ -94,19 +94,21 @@ class TableFiles:
             return []
         self.used.update(text.number for text in matching)
         if len(matching) > 1:
-            message = f"axis {address}: its table file was given {len(matching)} times"
             self.notes.faults.append(
-                Fault(message=message, file=matching[0].file, hint="keep one of these files")
+                Fault(
+                    message=f"axis {address}: its table file was given {len(matching)} times",
+                    file=matching[0].file,
+                    hint="keep one of these files",
+                )
             )
         rows = self.gathered.file_rows.get(matching[0].number, [])
         if not rows:
-            message = (
-                f"axis {address}: the table file holds no rows: this is contradictory, not an empty"
-                " table"
-            )
             self.notes.faults.append(
                 Fault(
-                    message=message,
+                    message=(
+                        f"axis {address}: the table file contains no rows, so it cannot be "
+                        "read as an empty table either"
+                    ),
                     file=matching[0].file,
                     hint="export the table from the control again, or give the file that "
                     "contains its rows",

@@ -206,17 +206,17 @@ class GridWriter:
         turn = self.control.state.facts_of(work.address).turn
         ahead = float(np.mod(axis.reference - MODULO_START, compensation.period))
         if turn is None and min(ahead, compensation.period - ahead) > SAME_TURN:
-            message = (
-                f"axis {axis.name}: no file says that the control wraps this axis (MD30310) and"
-                f" where its turn begins (MD30340), and its reference is at {axis.reference:g} deg:"
-                " whether the control finds its way into the table is not known"
-            )
             expected = (
                 "the machine data of the axis with MD30310 and MD30340 among the files of the state"
             )
             work.faults.append(
                 Fault(
-                    message=message,
+                    message=(
+                        f"axis {axis.name}: no file states that the control wraps this axis "
+                        "(MD30310) and where its turn begins (MD30340), and its reference "
+                        f"is at {axis.reference:g} deg: whether the control finds its way "
+                        "into the table is unknown"
+                    ),
                     expected=expected,
                     found="in no file",
                     hint="add the file of the control that contains it to the state",

@@ -164,18 +164,17 @@ def check_diameter(values: IncrementAxisValues, kind: AxisKind) -> None:
     if not in_diameter and job != "diameter":
         return
     if in_diameter is None:
-        message = (
-            f"{values.label}: no file says whether the control counts the axis in diameter (1006#3)"
-        )
         expected = "the parameter file with 1006, or radius, in which everything of a job counts"
         raise UsageError(
             Fault(
-                message=message,
+                message=f"{values.label}: no file states whether the control counts the axis in "
+                "diameter (1006#3)",
                 place="programmed",
                 expected=expected,
                 found="diameter",
                 hint=(
-                    "correct `programmed` of the axis in the job, or give the files of this machine"
+                    "add the parameter file with 1006 to the state, or set `programmed: "
+                    "radius` for the axis in the job"
                 ),
             )
         )

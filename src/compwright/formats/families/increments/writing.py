@@ -99,14 +99,14 @@ class _OwnFiles(Patches):
             if not self._parameter(entry, name, value)
         }
         if left.pop("bidirectional", "0") == "1":
-            message = (
-                f"axis {entry.axis.name} ({entry.address}): two tables need bit 3605#0, which is"
-                " changed only in content that was read from the control"
-            )
             expected = "the control's own parameter file with 3605 among the files of the state"
             faults.append(
                 Fault(
-                    message=message,
+                    message=(
+                        f"axis {entry.axis.name} ({entry.address}): two tables need bit "
+                        "3605#0, and compwright changes this bit only in a file that was "
+                        "read from the control"
+                    ),
                     expected=expected,
                     hint="add the control's own file that contains it to the state",
                 )
@@ -342,16 +342,15 @@ def increment_sheets(family: Family, own: Sequence[AxisTable]) -> tuple[ControlF
     if family.options.get("program") != "g10":
         return tuple(sheets)
     if any(increments_of(facts).inch for facts in family.state.facts.values()):
-        message = (
-            "a program has no letter for the unit, and the intervals in mm are not whole on an inch"
-            " machine (1001#0)"
-        )
         raise UsageError(
             Fault(
-                message=message,
+                message=(
+                    "the program cannot be written: it has no letter for the unit, and the "
+                    "intervals in mm are not whole numbers on an inch machine (1001#0)"
+                ),
                 place="program",
-                expected="none: load the files or type in the sheet",
-                found="g10",
+                expected="no option `program`: load the files or type in the sheet",
+                found="program: g10",
                 hint="leave the option `program` out; the card contains the values to enter",
             )
         )

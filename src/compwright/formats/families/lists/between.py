@@ -60,13 +60,12 @@ def _sign(family: Family, request: BetweenRequest, entry: PlannedCross) -> int:
     """Return the factor from a correction to a value of the list."""
     meaning = _values(family, request, entry)
     if meaning is None:
-        message = (
-            f"{error_label(entry)}: the meaning of the values of kw.crosscomp"
-            " is not documented; test it as docs/controllers/isg-kernel.md describes"
-        )
         raise UsageError(
             Fault(
-                message=message,
+                message=(
+                    f"{error_label(entry)}: the sign of the values of kw.crosscomp is not "
+                    "documented; test it as docs/controllers/isg-kernel.md describes"
+                ),
                 place=CROSS_VALUES,
                 expected="error or correction",
                 found="nothing",
@@ -96,22 +95,21 @@ def _write(
     ]
     faults = []
     if rivals != {added.input}:
-        message = f"axis {added.output} can have one master only"
         faults.append(
             Fault(
-                message=message,
-                expected="one",
+                message=f"only one axis can correct axis {added.output} in this control",
+                expected="one axis",
                 found=", ".join(sorted(rivals)),
                 hint="remove the others from the lists, then run the job again",
             )
         )
     if not np.allclose(added.positive, added.negative, rtol=0.0, atol=_STRAIGHT):
-        message = "a table between axes holds one curve for both directions"
         faults.append(
             Fault(
-                message=message,
+                message="a table between axes contains one curve, which is the same for both "
+                "directions",
                 expected="one curve",
-                found="two",
+                found="two different curves",
                 hint="give the same deviations for both directions in this entry of `cross`",
             )
         )
@@ -123,11 +121,11 @@ def _write(
     positions, total = positions[kept], total[kept]
     room = _room(writer, added.output)
     if positions.size > room:
-        message = f"the table of axis {added.output} over {added.input} has too many points"
         found = str(positions.size)
         raise CapacityError(
             Fault(
-                message=message,
+                message=f"the table by which axis {added.input} corrects axis {added.output} "
+                "has too many points",
                 expected=f"at most {room}",
                 found=found,
                 hint="give fewer points in this entry of `cross`",

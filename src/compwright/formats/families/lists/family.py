@@ -100,12 +100,10 @@ class ListsFamily(Family):
         if self.unit_of(axis) == "increments":
             increment = options.get("encoder_increment")
         if not isinstance(increment, (int, float)) or increment <= 0:
-            message = (
-                f"axis {axis.name}: its list counts in encoder increments, whose length is unknown"
-            )
             raise UsageError(
                 Fault(
-                    message=message,
+                    message=f"axis {axis.name}: the list counts in encoder increments, whose "
+                    "length is unknown",
                     place="encoder_increment",
                     expected="mm or deg",
                     hint=(

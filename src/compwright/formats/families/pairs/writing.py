@@ -190,12 +190,11 @@ class CecWriter:
         fixed = self.definition.limit_number("cross_points")
         if fixed is not None:
             if count > fixed:
-                message = f"CEC table {index} needs more points than the control's tables have"
                 faults.append(
                     Fault(
-                        message=message,
-                        expected=f"{fixed}",
-                        found=str(count),
+                        message=f"CEC table {index} needs more points than the control has in a table",
+                        expected=f"{fixed} points",
+                        found=f"{count} points",
                         hint=f"give `table: {{spacing: ...}}` that leads to {fixed} points",
                     )
                 )
@@ -203,12 +202,11 @@ class CecWriter:
         promised = self.control.options.get("points")
         reserved = self.tables.reserved.get(index, 0)
         if 0 < reserved < count and not (isinstance(promised, int) and promised >= count):
-            message = f"CEC table {index} needs more points than MD18342 reserves"
             faults.append(
                 Fault(
-                    message=message,
-                    expected=f"at most {reserved}",
-                    found=str(count),
+                    message=f"CEC table {index} needs more points than MD18342 reserves",
+                    expected=f"at most {reserved} points",
+                    found=f"{count} points",
                     hint=(
                         "raise MD18342 of this table in the control (this clears its memory), then "
                         f"set `points: {count}` in the options; or give a larger spacing"

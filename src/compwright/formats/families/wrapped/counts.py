@@ -106,11 +106,9 @@ def wrong_counts(counts: Counts, defined: float, place: CouplingStatement) -> It
 
 def counts_question(name: str, given: object) -> Fault:
     """Return the question if the counts of an axis' motor are unknown."""
-    message = (
-        f"axis {name}: the counts of its motor must be given; scripts do not contain them reliably"
-    )
     return Fault(
-        message=message,
+        message=f"axis {name}: the counts per mm or deg of its motor are not given, and the "
+        "scripts do not contain them reliably",
         place=COUNTS,
         expected=(
             f"counts per mm or deg, such as --option {COUNTS}=1000; negative against the axis"

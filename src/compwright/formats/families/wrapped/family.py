@@ -105,13 +105,11 @@ class WrappedFamily(Family):
         """See `Family.address`: the number of the motor."""
         address, assumption = super().address(axis)
         if not 1 <= int(address) <= MOST_MOTORS:
-            message = (
-                f"{self.definition.id} has no such motor: give the address of axis {axis.name}"
-            )
             raise UsageError(
                 Fault(
-                    message=message,
-                    expected=f"1 to {MOST_MOTORS}",
+                    message=f"{self.definition.id} has no motor with this number, which is the "
+                    f"address of axis {axis.name}",
+                    expected=f"a number from 1 to {MOST_MOTORS}",
                     found=address,
                     hint="set `address` of the axis to the number of its motor",
                 )

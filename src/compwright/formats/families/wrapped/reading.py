@@ -341,10 +341,10 @@ class WrappedStateReader:
         turn = axis.modulo if axis is not None else None
         if turn is None or abs(turn / period - max(1, round(turn / period))) * period <= SAME_TURN:
             return
-        message = f"motor {motor}: the turn of the endless axis is no whole multiple of the length"
         self.notes.faults.append(
             Fault(
-                message=message,
+                message=f"motor {motor}: one turn of the endless axis is not a whole multiple "
+                "of the table's length",
                 expected=f"{turn:g} or a part of it",
                 found=f"a table that repeats after {period:.10g}",
                 hint="correct this in the control and save its script again",
@@ -392,10 +392,10 @@ class WrappedStateReader:
             answer = "on" if self.activity.stated else "off"
             self.notes.assume(f"{name}: backlash is taken up", answer, "the job's answer (active)")
             return self.activity.stated
-        message = f"{label} has backlash, and no script says whether it is taken up ({name})"
         self.notes.faults.append(
             Fault(
-                message=message,
+                message=f"{label} has backlash, but no script states whether the control "
+                f"compensates it ({name})",
                 file=", ".join(file.name for file in self.files),
                 expected=f"{name} as it is in the control (0 switches backlash off)",
                 found="nothing",

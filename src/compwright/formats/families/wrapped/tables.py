@@ -156,11 +156,10 @@ def _nodes(
     slack = EXACTNESS * step
     if np.ptp(steps) > slack:
         found = f"{np.min(steps):.10g} to {np.max(steps):.10g} {unit}"
-        message = f"{label}: the points are not equally spaced"
         return None, [
             *faults,
             Fault(
-                message=message,
+                message=f"{label}: the points are not equally spaced",
                 expected="equal distances between the points",
                 found=found,
                 hint="give `table: {spacing: ...}` for this axis",
@@ -170,13 +169,13 @@ def _nodes(
     first = round(begin)
     last = first + steps.size
     if abs(begin - first) > EXACTNESS or not first <= 0 <= last:
-        message = f"{label}: the control counts whole spacings from the reference, which is a point"
         expected = f"points at {axis.reference:.10g} {unit} plus whole spacings of {step:.10g}"
         found = f"from {positions[0]:.10g} to {positions[-1]:.10g} {unit}"
         return None, [
             *faults,
             Fault(
-                message=message,
+                message=f"{label}: the table must have a point at the reference position and "
+                "whole spacings from there",
                 expected=expected,
                 found=found,
                 hint="set `table: {start, end, spacing}` of this axis so that a point lies "

@@ -309,9 +309,11 @@ def _read_otherwise(before: Script, after: Script, tables: Sequence[MotorTable])
             table.varies
             and (lost is None or (lost.numbers, lost.counts) != (table.lost, table.length))
         ):
-            message = f"motor {motor}: the new table has no place in this script"
             faults.append(
-                Fault(message=message, hint="give the script with this table as the state")
+                Fault(
+                    message=f"motor {motor}: the new table cannot be put into this script",
+                    hint="give the script with this table as the state",
+                )
             )
     for key, old in before.tables.items():
         new = after.tables.get(key)
