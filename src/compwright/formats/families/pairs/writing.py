@@ -192,7 +192,7 @@ class CecWriter:
             if count > fixed:
                 faults.append(
                     Fault(
-                        message=f"CEC table {index} needs more points than the control has in a table",
+                        message=f"CEC table {index} needs more points than a table can hold",
                         expected=f"{fixed} points",
                         found=f"{count} points",
                         hint=f"give `table: {{spacing: ...}}` that leads to {fixed} points",
