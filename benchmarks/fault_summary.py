@@ -88,8 +88,8 @@ def _good_by_mistake(cases: Sequence[Record]) -> None:
 
 
 def _how(one: Record) -> str:
-    told = "changed files" if one["words"].startswith("files:") else "as decoded"
-    return f"{told}, {'an old table' if one['old'] else 'nothing'} before"
+    made = "changed files" if one["words"].startswith("files:") else "as decoded"
+    return f"{made}, old table: {one['old']}"
 
 
 def _line(one: Record) -> str:

@@ -7,7 +7,7 @@ decoding those. Corrections (2, m) in µm (arcsec), for + and -; `names`: those 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -29,8 +29,10 @@ FACTORS = (2.0, 0.5, 0.1, 10.0)
 SHIFTS = (1, -1, 2, -2, 3, -3)
 NAMES = (
     *("loaded", "not_active", "inverted", "scaled", "shifted", "mirrored", "wrong_axis"),
-    *("one_direction", "backlash", "partial", "increment", "on_top", "thermal"),
+    *("one_direction", "backlash", "partial", "increment", "on_top", "state", "thermal"),
 )
+#: Tables in the control before: active in the test before, idle there, believed to be active.
+OLD = ("active", "idle", "believed")
 
 
 @dataclass(frozen=True)
@@ -48,7 +50,8 @@ class Fault:
 
 @dataclass(frozen=True)
 class Plan:
-    """What was written for an axis, and what was in the control before (``old``; None: nothing).
+    """What was written for an axis, and what was in the control before (``old``; None: nothing), in
+    which of the ways `OLD`.
 
     ``numbers_of``: the other axes; what their corrections (µm, arcsec) become where their numbers
     are taken for those of this axis.
@@ -59,6 +62,7 @@ class Plan:
     new: Loaded
     old: Loaded | None
     numbers_of: Mapping[str, float]
+    how: str
 
     @property
     def control(self) -> Control:
@@ -69,8 +73,8 @@ class Plan:
         """The planned correction."""
         return self.new.at(self.name, self._within(x))
 
-    def before(self, x: Floats) -> Floats:
-        """What acted in the test before."""
+    def stored(self, x: Floats) -> Floats:
+        """What the tables in the control before add where they are active."""
         return np.zeros((2, x.size)) if self.old is None else self.old.at(self.name, x)
 
     def nodes(self) -> tuple[Floats, Floats]:
@@ -84,13 +88,25 @@ class Plan:
 
 def faults_of(plan: Plan, x: Floats, slopes: Sequence[float]) -> Iterator[Fault]:
     """Yield every fault of the list with its variants, from the decoded tables as they are."""
-    full, old = plan.at(x), plan.before(x)
+    if plan.how == "believed":  # the error is believed to be larger by what was not active
+        stored = plan.stored(x)
+        for fault in _faults_where_stated(plan, x, slopes):
+            yield replace(fault, correction=fault.correction - stored)
+        yield Fault("state", "", 0.0, plan.at(x))
+    else:
+        yield from _faults_where_stated(plan, x, slopes)
+
+
+def _faults_where_stated(plan: Plan, x: Floats, slopes: Sequence[float]) -> Iterator[Fault]:
+    """Yield the faults of a job whose statement of the tables before is true."""
+    full, old = plan.at(x), plan.stored(x)
     yield Fault("loaded", "", 1.0, full)
-    yield Fault("not_active", "the old one acts", 0.0, old)
+    idle = plan.how == "idle"
+    yield Fault("not_active", "the old one acts", 0.0, old, plain=not idle)
     if plan.old is not None:
-        yield Fault("not_active", "nothing acts", 0.0, 0 * old, plain=False)
+        yield Fault("not_active", "nothing acts", 0.0, 0 * old, plain=idle)
         yield Fault("increment", "", 0.0, full - old)
-        yield Fault("on_top", "", 0.0, full + old)  # the same as an existing table that was idle
+        yield Fault("on_top", "", 0.0, full + old)
     yield from _sizes(plan, full)
     yield from _places(plan, x)
     for row, word in enumerate("+-"):
@@ -157,7 +173,7 @@ def _partial(plan: Plan, x: Floats, cut: float) -> Iterator[Fault]:
             held = plan.at(clipped)
             yield Fault("partial", f"{words}, then no steps", place, held, plain)
             if plan.old is not None:
-                steps = plan.before(x) - plan.before(clipped)
+                steps = plan.stored(x) - plan.stored(clipped)
                 yield Fault(
                     "partial", f"{words}, then the old steps", place, held + steps, plain=False
                 )

@@ -1,7 +1,7 @@
 """Does ``verify`` find what was done wrong in loading a table? Virtual axes, injected faults.
 
     python benchmarks/loading_faults.py [--count N] [--seed S] [--kind K]... [--control C]...
-        [--fault F]... [--results FILE] [--keep DIR] [--list]
+        [--fault F]... [--old O]... [--results FILE] [--keep DIR] [--list]
 
 A job of two or three axes with tests and ``run``; then ``--tests`` times a test after loading, each
 axis with a fault of its own: the truth, plus what a control with that fault adds (computed from
@@ -11,6 +11,10 @@ noise; and ``verify``. Compared with the name of what was injected:
 right       the verdict, or one of its ``equivalent``
 wrong       another name; ``alike`` where that name's own after-test is within one standard error
 undecided   no name
+
+A third of the jobs have tables of an earlier error in the control (``--old`` chooses): ``active``
+in the test before; ``idle`` there, and the job states it; or ``believed``: idle, but the job states
+that they were active, which is the fault ``state``.
 
 by fault, by kind of axis and control, and by how far the nearest other name is away. ``apart``
 counts the list of names as the faults' list has them; ``apart (variants)`` also everything else
@@ -35,7 +39,7 @@ from typing import Any
 import numpy as np
 from fault_machines import FLEET, Axis, axis_of, earlier, job_axis
 from fault_summary import show
-from injected_faults import NAMES, Fault, Plan, apart, entered, faults_of
+from injected_faults import NAMES, OLD, Fault, Plan, apart, entered, faults_of
 from loaded_controls import CONTROLS, Control, Loaded, said, without_reports
 from machines import Floats, Machine, name_seed
 from numpy.random import Generator
@@ -74,19 +78,20 @@ def job_of(number: int, seed: int, words: argparse.Namespace, folder: Path) -> J
         if not control.endless and kind == "endless rotary axis":
             kind = "rotary, limited"
         axes[name] = axis_of(kind, 1000 * seed + number, name)
-    old = _old_tables(axes, control, rng, folder) if rng.uniform() < 0.35 else None
+    kept = words.old or (["none"] if rng.uniform() < 0.65 else OLD)
+    how = str(rng.choice(kept))
+    old = None if how == "none" else _old_tables(axes, control, rng, folder)
     tests = {}
     for name, axis in axes.items():
-        acting = None if old is None else old.at(name, axis.before.targets)
-        tests[name] = a_test(axis.before, rng, acting)
-    state = None if old is None else old.folder
-    tables = _run(axes, control, tests, folder / "job", state)
+        active = old.at(name, axis.before.targets) if old and how == "active" else None
+        tests[name] = a_test(axis.before, rng, active)
+    tables = _run(axes, control, tests, folder / "job", _state(old, how))
     new = _loaded(axes, control, folder / "job")
     size = {name: 3.6 if axes[name].before.rotary else 1.0 for name in tables}  # 0.001 deg, mm
     plans = {}
     for name in tables:
         others = {other: size[name] / size[other] for other in tables if other != name}
-        plans[name] = Plan(name, axes[name].before, new, old, others)
+        plans[name] = Plan(name, axes[name].before, new, old, others, how)
     return Job(number, folder, axes, plans)
 
 
@@ -95,10 +100,17 @@ def _old_tables(
 ) -> Loaded | None:
     """Tables of an earlier error; None unless every axis has one."""
     tests = {name: a_test(earlier(axis, rng), rng) for name, axis in axes.items()}
-    tables = _run(axes, control, tests, folder / "earlier", None)
+    tables = _run(axes, control, tests, folder / "earlier", "none")
     if len(tables) < len(axes):
         return None
     return _loaded(axes, control, folder / "earlier")
+
+
+def _state(old: Loaded | None, how: str) -> Any:
+    """Return what the job states of the control before."""
+    if old is None:
+        return "none"
+    return {"files": [str(old.folder)], "active": "no" if how == "idle" else "yes"}
 
 
 def _loaded(axes: Mapping[str, Axis], control: Control, folder: Path) -> Loaded:
@@ -118,7 +130,7 @@ def _run(
     control: Control,
     tests: Mapping[str, tuple[Machine, Floats]],
     folder: Path,
-    state: Path | None,
+    found: Any,
 ) -> list[str]:
     """Write the job, run it; return the axes that have a table."""
     folder.mkdir(parents=True)
@@ -127,11 +139,10 @@ def _run(
         machine, readings = tests[name]
         text = csv_of(machine, machine.targets, readings, name)
         (folder / f"{name}.csv").write_text(text, encoding="utf-8")
-        options = {"first_point": 300 * place} if control.increments and state is None else {}
+        options = {"first_point": 300 * place} if control.increments and found == "none" else {}
         entries[name] = job_axis(axis, control.addresses[name], options)
-        if state is not None:
+        if found != "none":
             del entries[name]["table"]["spacing"]  # the grid that is there
-    found: Any = "none" if state is None else {"files": [str(state)], "active": "yes"}
     job = {
         "compwright": 1,
         "controller": {"format": control.format, "options": dict(control.options)},
@@ -158,7 +169,14 @@ def cases_of(job: Job, seed: int, words: argparse.Namespace) -> Iterator[Record]
         folder = job.folder / f"after-{test}"
         folder.mkdir()
         chosen = {
-            name: _choose(job.plans[name], job.axes[name], faults, wanted, rng, folder)
+            name: _choose(
+                job.plans[name],
+                job.axes[name],
+                faults,
+                ("state", "not_active") if job.plans[name].how == "believed" else wanted,
+                rng,
+                folder,
+            )
             for name, faults in lists.items()
         }
         files = []
@@ -176,7 +194,7 @@ def cases_of(job: Job, seed: int, words: argparse.Namespace) -> Iterator[Record]
                 "axis": name,
                 "control": job.plans[name].control.format,
                 "kind": job.axes[name].kind,
-                "old": job.plans[name].old is not None,
+                "old": job.plans[name].how,
                 **_scored(fault, lists[name], job.axes[name], document, name, why),
             }
 
@@ -294,6 +312,7 @@ def main() -> None:
     reader.add_argument("--kind", action="append", help="only kinds with this in their names")
     reader.add_argument("--control", action="append", choices=sorted(CONTROLS))
     reader.add_argument("--fault", action="append", choices=NAMES)
+    reader.add_argument("--old", action="append", choices=("none", *OLD))
     reader.add_argument("--job", type=int, action="append", help="only these jobs")
     reader.add_argument("--results", type=Path, help="JSON lines, read and added to")
     reader.add_argument("--keep", type=Path, help="leave the folders of the jobs in this one")

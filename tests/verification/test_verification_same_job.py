@@ -79,6 +79,14 @@ def test_a_table_that_was_asked_for_otherwise() -> None:
     assert told(edited) == [("axis X: table.spacing", "25", "not given")]
 
 
+def test_one_table_where_two_could_hold_the_drift_is_the_same_job() -> None:
+    planned = replace(PLANNED, request=TableRequest(mode="single"))
+    plan = replace(PLAN, axes={"X": planned})
+    assert told(with_axis(table=TableRequest(mode="auto")), plan) == []
+    asked = TableRequest(mode="bidirectional")
+    assert told(with_axis(table=asked), plan) == [("axis X: table.mode", "bidirectional", "single")]
+
+
 def test_a_goal_whose_table_did_not_gain_is_the_same_job() -> None:
     """The plan then holds the usual table, and says so by its goal."""
     for_m = TableRequest(goal="M")
