@@ -151,7 +151,8 @@ def _trend_of_parameter(
     trend = trend_of(
         np.array([(day - days[0]).total_seconds() / 86400.0 / _DAYS for day in days]),
         np.array([entry.values[parameter] for entry in found]),
-        np.array([_known_error(entry, parameter) for entry in found]),
+        np.array([entry.errors.get(parameter, (0.0, 1.0))[0] for entry in found]),
+        np.array([_stated(entry, parameter) for entry in found]),
         odds,
     )
     return None if trend is None else _noted(parameter, places, trend, found[-1], days[-1])
@@ -195,20 +196,18 @@ def _noted(
     )
 
 
-def _known_error(entry: HistoryEntry, parameter: str) -> float:
-    """Return the standard uncertainty that is known of a parameter: of the readings, and of the
-    temperature as far as it is declared, else 1 K of steel on a linear axis.
+def _stated(entry: HistoryEntry, parameter: str) -> float:
+    """Return the standard uncertainty of a parameter by the temperature as far as it is declared,
+    else 1 K of steel on a linear axis.
     """
-    own = entry.errors.get(parameter, (0.0, 1.0))[0]
     if entry.kind == "circular" or parameter not in _OF_LENGTH:
-        return own
+        return 0.0
     length = max(entry.targets, default=0.0) - min(entry.targets, default=0.0)
     per_metre = 1000.0 / length if parameter == "slope" and length else 1.0
     U, coverage = entry.declared.get("E" if parameter == "slope" else parameter, (0.0, 1.0))
     if U:
-        return math.hypot(own, per_metre * U / coverage)
-    undeclared = 0.0 if entry.rotary else UNDECLARED_SLOPE * length / 1000.0
-    return math.hypot(own, per_metre * undeclared)
+        return per_metre * U / coverage
+    return 0.0 if entry.rotary else per_metre * UNDECLARED_SLOPE * length / 1000.0
 
 
 def _jump_odds(one: HistoryEntry, other: HistoryEntry, parameter: str) -> float:

@@ -5,12 +5,14 @@ Model of the tests k at times t_k (years) of one parameter:
 
     y_k = a + r t_k + sum of jumps before k + season(t_k) + e_k
 
-e_k is normal with the variance of the readings, of the declared (or for a linear axis without a
-declaration, assumed) temperature uncertainty, and of a scatter from test to test, which is drawn
-from a half-Cauchy law (Gelman, Bayesian Analysis 1 (2006) 515, section 3.2). A jump may lie between
-any two tests (repair, collision, another instrument); where the table was changed one is certain.
-The season is a sine of one year. Models with and without each jump and the season are averaged by
-their evidence (Kass and Raftery, J. Am. Stat. Assoc. 90 (1995) 773).
+e_k is normal with the variance of the readings and of a scatter from test to test. Where a
+standard uncertainty is stated of each test, such as that of the temperature, the scatter is a
+multiple of it, known to 50 % (inverse chi-square law): what of it is common to all tests changes no
+rate, and how much of the rest there is shows in the tests. Else it is drawn from a half-Cauchy law
+(Gelman, Bayesian Analysis 1 (2006) 515, section 3.2). A jump may lie between any two tests (repair,
+collision, another instrument); where the table was changed one is certain. The season is a sine of
+one year. Models with and without each jump and the season are averaged by their evidence (Kass and
+Raftery, J. Am. Stat. Assoc. 90 (1995) 773).
 """
 
 from __future__ import annotations
@@ -44,6 +46,8 @@ _MOST_JUMPS: Final = 8
 #: Prior probability from which jumps are also looked for all together.
 _LIKELY: Final = 0.1
 _SCATTERS: Final = 13
+#: Degrees of freedom of a stated uncertainty: it is known to 50 % (GUM, JCGM 100:2008, G.4.2).
+_STATED_DOF: Final = 2.0
 #: Two-sided 95 % of the normal law, for a standard error whose multiples mean what they say.
 _NORMAL_95: Final = 1.959964
 #: Share of the weight of all models that is kept, the weightiest first.
@@ -103,17 +107,19 @@ def trend_of(
     years: FloatArray,
     values: FloatArray,
     errors: FloatArray,
+    stated: FloatArray,
     jump_odds: Sequence[float],
 ) -> Trend | None:
     """Return the rate of change of a parameter; None for fewer than three tests or 0.1 years.
 
     ``years`` (n,): ascending; ``values`` (n,) in any unit of the parameter; ``errors`` (n,): the
-    standard uncertainty of each that is known; ``jump_odds`` (n - 1,): prior probability of a jump
-    after each test, 1 where it is certain.
+    standard error of each by its readings; ``stated`` (n,): its standard uncertainty apart from
+    these, 0 where none is stated; ``jump_odds`` (n - 1,): prior probability of a jump after each
+    test, 1 where it is certain.
     """
     if len(years) < LEAST_TESTS or years[-1] - years[0] < LEAST_YEARS:
         return None
-    tests = _Tests(years, values, errors, np.asarray(jump_odds, dtype=np.float64))
+    tests = _Tests(years, values, errors, stated, np.asarray(jump_odds, dtype=np.float64))
     certain = [place for place, odds in enumerate(jump_odds) if odds >= 1.0]
     likely = [place for place, odds in enumerate(jump_odds) if _LIKELY <= odds < 1.0]
     starts = [[], likely] if 0 < len(likely) <= tests.count // 3 else [[]]
@@ -135,7 +141,12 @@ class _Tests:
     """The tests of one parameter, with the grid of scatters from test to test."""
 
     def __init__(
-        self, years: FloatArray, values: FloatArray, errors: FloatArray, odds: FloatArray
+        self,
+        years: FloatArray,
+        values: FloatArray,
+        errors: FloatArray,
+        stated: FloatArray,
+        odds: FloatArray,
     ) -> None:
         self.count = len(years)
         self.years = years - years[-1]
@@ -145,11 +156,12 @@ class _Tests:
         differences = np.abs(np.diff(values))
         usual = float(np.median(errors)) or float(np.median(differences)) / 2.0
         usual = max(usual, 1e-3 * float(np.max(np.abs(values))), 1e-6)
-        scatter = usual * np.geomspace(0.05, 30.0, _SCATTERS)
-        ratio = scatter / usual
-        self.scatter_prior = np.log(ratio / (1.0 + ratio**2))
+        ratio = np.geomspace(0.05, 30.0, _SCATTERS)
+        scatter = ratio[:, None] * np.hypot(usual, stated)
+        known = -_STATED_DOF * (np.log(ratio) + 0.5 / ratio**2)
+        self.scatter_prior = known if np.any(stated) else np.log(ratio / (1.0 + ratio**2))
         self.scatter_prior -= np.logaddexp.reduce(self.scatter_prior)
-        self.weights = 1.0 / (errors**2 + scatter[:, None] ** 2)
+        self.weights = 1.0 / (errors**2 + scatter**2)
         self.solved: dict[tuple[object, ...], _Solution] = {}
         self.steps = np.tri(self.count, self.count - 1, -1)
         enough = self.count >= _SEASON_TESTS and years[-1] - years[0] >= _SEASON_YEARS
