@@ -16,6 +16,7 @@ from compwright.evaluation.change_significance import (
     two_sided_probability,
 )
 from compwright.evaluation.standard_errors import standard_errors
+from compwright.evaluation.trends import trend_of
 
 TARGETS = np.linspace(0.0, 600.0, 11)
 CURVE = 8.0 * np.sin(TARGETS / 130.0)
@@ -121,3 +122,29 @@ def test_scores_of_a_ratio(one: float, other: float, ratio: float) -> None:
     assert score_of_ratio(1.0 / ratio, other, one) == pytest.approx(-2.326, abs=0.05)
     assert two_sided_probability(3.2905) == pytest.approx(0.001, rel=1e-3)
     assert math.isinf(score_of_ratio(math.inf, 5.0, 5.0))
+
+
+@pytest.mark.parametrize("stated", [1.0, 3.0, 11.5])
+def test_the_scatter_of_many_tests_counts_more_than_what_is_stated_of_it(stated: float) -> None:
+    """Twelve tests whose slopes scatter by 2 µm/m: the rate is as sure as the textbook's line."""
+    years = np.linspace(0.0, 5.0, 12)
+    textbook = 2.0 / math.sqrt(float(np.sum((years - years.mean()) ** 2)))
+    ratios, held = [], 0
+    for seed in range(40):
+        values = 4.0 * years + np.random.default_rng(seed).normal(0.0, 2.0, years.size)
+        trend = trend_of(years, values, np.full(12, 0.2), np.full(12, stated), np.full(11, 0.02))
+        assert trend is not None
+        ratios.append(trend.std_error / textbook)
+        held += abs(trend.rate - 4.0) < 1.96 * trend.std_error
+    assert 0.9 < np.median(ratios) < 1.6
+    assert held >= 34
+
+
+def test_three_tests_on_a_line_are_no_proof_where_the_temperature_may_have_made_it() -> None:
+    years, values = np.array([0.0, 1.0, 2.0]), np.array([0.0, 8.0, 16.0])  # µm/m: 0.7 K each
+    trend = trend_of(years, values, np.full(3, 0.2), np.full(3, 11.5), np.full(2, 0.02))
+    assert trend is not None
+    assert not trend.clear
+    exact = trend_of(years, values, np.full(3, 0.2), np.zeros(3), np.full(2, 0.02))
+    assert exact is not None
+    assert exact.clear

@@ -5,14 +5,14 @@ Model of the tests k at times t_k (years) of one parameter:
 
     y_k = a + r t_k + sum of jumps before k + season(t_k) + e_k
 
-e_k is normal with the variance of the readings and of a scatter from test to test. Where a
-standard uncertainty is stated of each test, such as that of the temperature, the scatter is a
-multiple of it, known to 50 % (inverse chi-square law): what of it is common to all tests changes no
-rate, and how much of the rest there is shows in the tests. Else it is drawn from a half-Cauchy law
-(Gelman, Bayesian Analysis 1 (2006) 515, section 3.2). A jump may lie between any two tests (repair,
-collision, another instrument); where the table was changed one is certain. The season is a sine of
-one year. Models with and without each jump and the season are averaged by their evidence (Kass and
-Raftery, J. Am. Stat. Assoc. 90 (1995) 773).
+e_k is normal with the variance of the readings and of a scatter from test to test, which is drawn
+from a half-Cauchy law (Gelman, Bayesian Analysis 1 (2006) 515, section 3.2): its variance from the
+F law with 1 and 1 degrees of freedom, and with 3 and 1 in multiples of a standard uncertainty that
+is stated of each test, such as that of the temperature. What of this is common to all tests changes
+no rate, and how much of the rest there is shows in the tests. A jump may lie between any two tests
+(repair, collision, another instrument); where the table was changed one is certain. The season is a
+sine of one year. Models with and without each jump and the season are averaged by their evidence
+(Kass and Raftery, J. Am. Stat. Assoc. 90 (1995) 773).
 """
 
 from __future__ import annotations
@@ -46,8 +46,8 @@ _MOST_JUMPS: Final = 8
 #: Prior probability from which jumps are also looked for all together.
 _LIKELY: Final = 0.1
 _SCATTERS: Final = 13
-#: Degrees of freedom of a stated uncertainty: it is known to 50 % (GUM, JCGM 100:2008, G.4.2).
-_STATED_DOF: Final = 2.0
+#: A stated uncertainty is worth so many readings: a scatter far below it is less likely.
+_STATED_DOF: Final = 3.0
 #: Two-sided 95 % of the normal law, for a standard error whose multiples mean what they say.
 _NORMAL_95: Final = 1.959964
 #: Share of the weight of all models that is kept, the weightiest first.
@@ -158,8 +158,8 @@ class _Tests:
         usual = max(usual, 1e-3 * float(np.max(np.abs(values))), 1e-6)
         ratio = np.geomspace(0.05, 30.0, _SCATTERS)
         scatter = ratio[:, None] * np.hypot(usual, stated)
-        known = -_STATED_DOF * (np.log(ratio) + 0.5 / ratio**2)
-        self.scatter_prior = known if np.any(stated) else np.log(ratio / (1.0 + ratio**2))
+        dof = _STATED_DOF if np.any(stated) else 1.0
+        self.scatter_prior = dof * np.log(ratio) - (dof + 1.0) / 2.0 * np.log1p(dof * ratio**2)
         self.scatter_prior -= np.logaddexp.reduce(self.scatter_prior)
         self.weights = 1.0 / (errors**2 + scatter**2)
         self.solved: dict[tuple[object, ...], _Solution] = {}
