@@ -435,6 +435,9 @@ POSSIBLE = {
     "changed first": "R50=1\nR51=R50\nR50=0\nIF R51==1\n{}ENDIF\n",
     "negative": "R1=1\nR2=-R1\nIF R2<>-1 GOTOF ENDE\n{}ENDE:\n",
     "half": "R50=1/2\nIF R50==0\n{}ENDIF\n",
+    # "a fraction >= 0.5 is rounded up" (840D programming guide Advanced 04.00, p. 1-45)
+    "rounded by its type": "DEF INT _A=1.5\nIF _A==2\n{}ENDIF\n",
+    "rounded copy": "R1=1.5\nDEF INT _A\n_A=R1\nIF _A==2\n{}ENDIF\n",
     "rounded case": "R1=1.5\nCASE R1 OF 2 GOTOF L1 DEFAULT GOTOF ENDE\nL1:\n{}ENDE:\n",
     "operator": "R50=0\nM0\nR51=R50\nIF R51==1\n{}ENDIF\n",
     "case": "R50=2\nCASE R50 OF 1 GOTOF ENDE DEFAULT GOTOF LADEN\nLADEN:\n{}ENDE:\n",

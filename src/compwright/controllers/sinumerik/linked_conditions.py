@@ -181,7 +181,7 @@ def ways_by_values(
             ways[place] = _open_ways(every[place], forks.get(place), values)
             single = _single(values)
             known = {
-                name: frozenset({None if words is None else _result(words, single)})
+                name: frozenset({None if words is None else _stored(name, _result(words, single))})
                 for name, words in assigned[place].items()
             }
             if EVERYTHING in assigned[place]:
@@ -195,6 +195,14 @@ def ways_by_values(
                 if after not in before or new != old:
                     before[after], changed = new, True
     return ways
+
+
+def _stored(name: str, value: float | None) -> float | None:
+    """Return what a variable has after an assignment; None for a fraction, unless it is an R
+    parameter: INT rounds 0.5 up.
+    """
+    whole = value is None or value.is_integer()
+    return value if whole or (name[:1] == "R" and name[1:].isdecimal()) else None
 
 
 def _single(values: Mapping[str, frozenset[float | None]]) -> dict[str, float | None]:

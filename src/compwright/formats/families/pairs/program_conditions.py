@@ -30,6 +30,9 @@ _PRODUCTS = re.compile(r"(?P<left>.*[\w).])\s*(?P<sign>[*/]|\bDIV\b|\bMOD\b)\s*(
 _JOINT = re.compile(r"\b(?:AND|OR|XOR)\b")
 _PLAIN_NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)")
 _OPERATORS = frozenset({"AND", "OR", "XOR", "NOT", "DIV", "MOD", "TRUE", "FALSE"})
+#: What keeps a fraction; a variable of whole numbers rounds it (DEF INT: programming manual,
+#: type conversions).
+_ARITHMETIC = re.compile(r"R\d+")
 #: Longer expressions are not calculated: each operator is a call inside another.
 _LONGEST = 250
 _CALL = re.compile(r"([A-Z_]\w*)\(")
@@ -223,6 +226,8 @@ def without_known_answers(
         values = {} if ANY in setting[place] else dict(before)
         for name, expression in setting[place].items():
             number = None if expression is None else value_of(expression, before)
+            if number is not None and number % 1.0 and _ARITHMETIC.fullmatch(name) is None:
+                number = None
             values.pop(name, None)
             values |= {} if number is None else {name: number}
         decision = decisions.get(place)
