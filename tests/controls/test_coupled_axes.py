@@ -41,12 +41,13 @@ POINTS |= {number + 200: value for number, value in POINTS.items() if number < 1
 
 
 def fanuc(more: Mapping[int, str]) -> tuple[ControlFile, ...]:
-    """Parameters and pitch data; ``more``: further lines by number, without it."""
+    """Parameters and pitch data; ``more``: further lines by number, without it; empty: no line."""
     rows = {
         number: "".join(f"A{axis}P{value}" for axis, value in enumerate(values, start=1))
         for number, values in FANUC.items()
     }
-    text = "".join(f"N{number:05d}Q1{row}\n" for number, row in sorted({**rows, **more}.items()))
+    lines = sorted({**rows, **more}.items())
+    text = "".join(f"N{number:05d}Q1{row}\n" for number, row in lines if row)
     points = "".join(f"N{10_000 + n}Q0P{POINTS.get(n, 0)}\n" for n in range(400))
     return (
         ControlFile("CNC-PARA.TXT", f"%\n{text}%".encode()),
@@ -65,8 +66,10 @@ def axis(address: str, gantry: str | None = None, *, alone: bool = False) -> Axi
     )
 
 
-def read(more: Mapping[int, str], *axes: Axis, format_id: str = "fanuc-30i") -> ControlState:
-    return decode(open_control(Session(), format_id, {}), fanuc(more), axes).state
+def read(
+    more: Mapping[int, str], *axes: Axis, format_id: str = "fanuc-30i", **options: object
+) -> ControlState:
+    return decode(open_control(Session(), format_id, options), fanuc(more), axes).state
 
 
 SYNCHRONOUS = {8311: "A1P0A2P0A3P0A4P1", 8312: "A1P0A2P0A3P0A4P0"}
@@ -157,6 +160,18 @@ def test_each_coupling_of_a_fanuc_names_its_parameter(
 )
 def test_what_couples_other_axes_stops_nothing(more: Mapping[int, str]) -> None:
     assert set(read(more, axis("1")).axes) == {"1"}
+
+
+@pytest.mark.parametrize("second", [axis("1", "2"), axis("2")])
+def test_one_detection_unit_is_not_that_of_two_multipliers(second: Axis) -> None:
+    """Detection unit = least command increment / CMR; 1820 = 2 x CMR (B-63943EN-1/02 page 109): of
+    one increment system 2 and 4 are units of 1 to 1/2.
+    """
+    axes = (axis("1"), second) if second.address == "2" else (second,)
+    no_system = {1013: ""}
+    read({**no_system, 1820: "A1P2A2P2A3P2A4P4"}, *axes, detection_unit=0.001)
+    with pytest.raises(InputError, match=r"axis 2.*1820.*detection_unit"):
+        read({**no_system, 1820: "A1P2A2P4A3P2A4P2"}, *axes, detection_unit=0.001)
 
 
 def test_a_new_job_names_the_slave(tmp_path: Path) -> None:

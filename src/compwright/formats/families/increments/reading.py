@@ -30,7 +30,12 @@ from compwright.formats.families.increments.coupling import couplings_of
 from compwright.formats.families.increments.detection_unit import resolved_options
 from compwright.formats.families.increments.increment_facts import increments_of
 from compwright.formats.families.increments.parameter_checks import pointed_numbers
-from compwright.formats.families.increments.parameters import AxisParameters, Parameters
+from compwright.formats.families.increments.parameters import (
+    MULTIPLIER,
+    AxisParameters,
+    Parameters,
+    ParameterValue,
+)
 from compwright.formats.families.increments.points import points_by_number
 from compwright.formats.families.increments.sections import GRID, read_sections
 from compwright.formats.families.increments.sheet_lines import parameter_lines
@@ -104,7 +109,7 @@ class StateReader:
                 self._leave_alone(address)
         self._check_names()
         self._note_unknown()
-        self.notes.faults.extend(self._refuse_partners())
+        self.notes.faults.extend((*self._refuse_partners(), *self._refuse_one_unit()))
         couplings = couplings_of(self.parameters, self._numbers())
         wanted = {name: axis for name, axis in self.wanted.items() if axis in self.axes and axis}
         check_couplings(couplings, wanted, self.notes)
@@ -283,6 +288,31 @@ class StateReader:
                     expected=f"{own:g}",
                     found=f"{other:g}",
                     hint="correct `gantry` in the job, or work on the two axes in two jobs",
+                )
+
+    def _refuse_one_unit(self) -> Iterator[Fault]:
+        """Check that axes with different multipliers (1820), whose detection units no file states,
+        do not share one of the job.
+        """
+        shared: dict[object, ParameterValue] = {}
+        for address in filter(self.facts.__contains__, self.wanted):
+            own, axis = AxisParameters(self.parameters, address), self.wanted[address]
+            multiplier = own.get(MULTIPLIER)
+            if multiplier is None or DETECTION_UNIT in self.facts[address].stated:
+                continue
+            options = {**self.family.options, **(axis.options if axis else {})}
+            first = shared.setdefault(options.get(DETECTION_UNIT), multiplier)
+            if first.whole != multiplier.whole:
+                yield replace(
+                    multiplier.fault(
+                        f"{own.label}: its 1820 differs, so that one detection_unit does not hold"
+                        " for both",
+                        f"{first.label}, or the increment system (1013) among the files",
+                    ),
+                    hint=(
+                        "give the whole parameter file; or give `detection_unit` under the options"
+                        " of each axis, and work on the axes of a gantry in two jobs"
+                    ),
                 )
 
     def _check_names(self) -> None:

@@ -102,7 +102,7 @@ def _definitions(files: Sequence[ControlFile]) -> dict[int, list[tuple[str, Coup
 def _is_conditional(found: CouplingStatement) -> bool:
     """Return whether a conditional block is open at a statement of a script."""
     before = found.match.string[: found.match.start()]
-    names = [directive["name"].upper() for directive in DIRECTIVE.finditer(before)]
+    names = [str(directive["name"]).upper() for directive in DIRECTIVE.finditer(before)]
     return sum(name.startswith("IF") for name in names) > names.count("ENDIF")
 
 
