@@ -163,7 +163,7 @@ def test_a_job_that_names_another_lead_gets_a_remark(
     told = [each for each in read(values, pitch=pitch).findings if each.code == "CW-S049"]
     assert [each.severity for each in told] == [severity] * bool(severity)
     if told:
-        assert f"names {', '.join(f'{one:g}' for one in pitch)} instead" in told[0].message
+        assert f"gives {', '.join(f'{one:g}' for one in pitch)} instead" in told[0].message
 
 
 @pytest.mark.parametrize(
