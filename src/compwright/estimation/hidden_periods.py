@@ -19,7 +19,7 @@ closed over a scale along it and therefore without periods (a judgement, from no
 search describes axes in general; here a limit is accepted for one axis that is not known to have a
 scale.
 
-Prior of the amplitude: half-normal of width `_AMPLITUDE`. ISO 3408-3 (2006) lets the lead of a
+Prior of the amplitude: half-normal of width `AMPLITUDE`. ISO 3408-3 (2006) lets the lead of a
 ground screw vary by 6 to 8 µm within one turn (grades 3 and 5), and the axial run-out of its seat
 adds up to 5 µm (DIN ISO 3408-3, E 8.2, diameters to 50 mm, by the tables of makers). Together that
 is an amplitude of 6.5 µm, which one axis in a hundred exceeds.
@@ -51,7 +51,7 @@ from compwright.records.axis import AxisKind, FloatArray
 #: What is expected before the data where no period is known.
 _FIRST: Final = PeriodOdds(none=0.25, usual=0.57)
 #: Standard deviation of the normal law of which the amplitude is one half: 2.5 µm, 2.5 arcsec.
-_AMPLITUDE: Final = {AxisKind.LINEAR: 2.5e-3, AxisKind.ROTARY: 2.5 / 3600.0}
+AMPLITUDE: Final = {AxisKind.LINEAR: 2.5e-3, AxisKind.ROTARY: 2.5 / 3600.0}
 #: That law as waves of normal cosine and sine: widths of equal probability, in its own (a square
 #: of one degree of freedom is that of two times a number of the arcsine law).
 _WIDTHS: Final = np.sin(0.5 * np.pi * (np.arange(5) + 0.5) / 5.0)
@@ -289,7 +289,7 @@ def _hypotheses(
     likelihood = PeriodLikelihood(replace(middles, free=free), basis)
     periods, log_odds = expected.periods(likelihood, odds)
     long, phases = _long_waves(1.0 / periods, middles.targets)
-    width = (_AMPLITUDE[expected.kind] * _WIDTHS / likelihood.unit) ** 2
+    width = (AMPLITUDE[expected.kind] * _WIDTHS / likelihood.unit) ** 2
     width = width[:, np.newaxis, np.newaxis]
     gram, moment = likelihood.moments(1.0 / periods, likelihood.everything())
     smooth = np.where(np.isfinite(long), likelihood.roughness**2, 0.0)

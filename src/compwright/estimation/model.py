@@ -35,6 +35,11 @@ from compwright.records.noise import NoiseDraws
 #: Lengths, in half travels, from which a climb starts: that of a rough smooth part, of a calm one.
 _SHORT: Final = (0.08, 0.16)
 _LONG: Final = (0.8, 1.6)
+#: Middle and width of the prior of the length's logarithm, in half travels. The lead of a screw has
+#: a tolerance of its own over 300 mm (ISO 3408-3, v300), and five targets a metre are enough for a
+#: positioning test (ISO 230-2): errors of screws and guideways keep together over 200 to 300 mm.
+#: Half of a travel of 300 to 1 000 mm is 150 to 500 mm.
+_LENGTH: Final = (float(np.log(0.7)), 0.8)
 _REVERSAL_PART: Final = [REVERSAL, REVERSAL_LENGTH]
 _SEED: Final = 230  # the same tests give the same posterior
 
@@ -217,12 +222,12 @@ def _prior_for(cells: Cells, basis: Basis, *, varying: bool) -> Prior:
         np.log(spread),
         np.log(0.1 * spread),
         np.log(roughness),
-        np.log(0.4),
+        _LENGTH[0],
         np.log(3.0),
         np.log(spread) if varying else np.log(1e-6),  # constant: a millionth of the scale
         np.log(0.7),
     ]
-    width = [3.0 if cells.data.dof else 1.0, 1.5, 1.5, 0.8, 1.2, 1.5, 0.7]
+    width = [3.0 if cells.data.dof else 1.0, 1.5, 1.5, _LENGTH[1], 1.2, 1.5, 0.7]
     if cells.other_noise is not None:
         centre[NOISE] = _borrowed_noise(cells.other_noise, cells.data.scale)
         width[NOISE] = 0.5

@@ -29,7 +29,8 @@ from compwright.records.axis import FloatArray
 _SMOOTH_STEP: Final = 0.7
 _LENGTH_STEP: Final = 0.45
 _WHITE_STEP: Final = 0.4
-#: Centre and width of the prior of the length's logarithm, in half ranges: weak.
+#: Centre and width of the prior of the length's logarithm, in half ranges: shorter than in the
+#: estimate (`model`), since a rough curve must not count as a wave.
 LENGTH: Final = (float(np.log(0.4)), 0.8)
 #: Amplitudes of a wave, in widths of their prior.
 AMPLITUDES: Final = np.arange(-2.0, 2.01, 0.5)
@@ -45,8 +46,9 @@ _NO_EXCESS: Final = 1e-3
 #: Nodes count that come so near to the best one (natural logarithm).
 _MATTERS: Final = 4.0
 
-#: Standard errors by which an amplitude has to differ from zero to be seen.
-_SURE: Final = 3.0
+#: Amplitude that the targets show, in its standard errors: it differs from zero by three in 95 %
+#: of all tests (the 95 % point of the normal law).
+SEEN: Final = 3.0 + 1.645
 #: Precision, in that of a typical target's middle, below which no amplitude is seen.
 _UNSEEN: Final = 1e-4
 
@@ -206,8 +208,7 @@ class PeriodLikelihood:
         """Return the least amplitude (f,) of a wave of each of the ``frequencies`` (1 / mm or 1 /
         deg) that the targets show, mm or deg; inf where they show none.
 
-        A wave of this amplitude exceeds `_SURE` standard errors of its own in 95 % of all tests,
-        whatever its phase: `_SURE` and the 95 % point of the normal law.
+        A wave of this amplitude is `SEEN`, whatever its phase.
         """
         choice = self.coarse()
         shares = np.exp(self._log(choice) - _log_sum(self._log(choice)))
@@ -220,7 +221,7 @@ class PeriodLikelihood:
         precision = np.concatenate(precisions)
         seen = precision > _UNSEEN
         found = np.full(frequencies.size, np.inf)
-        found[seen] = (_SURE + 1.645) * self.unit / np.sqrt(precision[seen])
+        found[seen] = SEEN * self.unit / np.sqrt(precision[seen])
         return found
 
     def everything(self) -> NodeChoice:

@@ -22,7 +22,7 @@ from compwright.planning.limit_decisions import (
     unguarded,
 )
 from compwright.planning.motions import with_backlash, with_motion
-from compwright.planning.new_targets import decide_limits
+from compwright.planning.new_targets import decide_limits, further_targets_finding
 from compwright.planning.predicted_gain import (
     judged_parameter,
     predict,
@@ -265,7 +265,13 @@ def predict_axis(
         table=table,
         quantum=work.capacity.quantum if work.capacity is not None else None,
         accept=accept,
-        findings=(*work.findings, *undecided, *guard, *_offered(work, tests, first, rule)),
+        findings=(
+            *work.findings,
+            *undecided,
+            *further_targets_finding(axis, work.posterior.own),
+            *guard,
+            *_offered(work, tests, first, rule),
+        ),
         periods=work.posterior.own.periods,
         evidence=work.posterior.own.search.evidence(),
     )

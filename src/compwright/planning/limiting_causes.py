@@ -34,6 +34,7 @@ _SCATTERING: Final[Mapping[str, tuple[NoisePart, ...]]] = {
 }
 WARM: Final = "temperature within its uncertainty"
 UNKNOWN: Final = "error that the test leaves open"
+HIDDEN: Final = "periods that the test leaves open"
 NO_TABLE: Final = "no table is written"
 NEVER_APPLIED: Final = "steps that the control never applies"
 #: A cause below this share of the parameter is not worth a word, unless the fit has named it.
@@ -46,7 +47,8 @@ def what_limits(work: AxisWork, new: Correction, fresh: FreshTests) -> LimitingC
 
     ``fresh``: tests like that one, at new targets. Each cause is removed alone, while all others
     stay. The part of the known error that the table does not hold is the sum of the causes that
-    `shortfalls` names: to remove one is to add what it lacks.
+    `shortfalls` names: to remove one is to add what it lacks. No median contains the periods that
+    the test leaves open (`FreshTests.band`): their value is what they would add.
     """
     name = judged_parameter(work.results[0])
     if name is None:
@@ -65,6 +67,11 @@ def what_limits(work: AxisWork, new: Correction, fresh: FreshTests) -> LimitingC
             for cause, without, rms in _without(work, fresh, change, shown, alike)
         ),
     ]
+    waves = fresh.open_waves()
+    if waves is not None:
+        causes.append(
+            LimitingCause(cause=HIDDEN, value=shown(change, waves=waves).median - then.median)
+        )
     worth = [
         cause
         for cause in causes

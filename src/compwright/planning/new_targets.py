@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping
 from typing import Final, Literal
 
 from compwright.estimation.axis import AxisPosterior
+from compwright.estimation.further_targets import further_targets
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.limit_decisions import accept_decisions, accepted_index, magnitude
@@ -35,6 +36,25 @@ def decide_limits(
     place = accepted_index(entry.accept, tuple(each.name for each in tests))
     accept = accept_decisions(entry, tests, rule)
     return accept, tuple(_left_open(entry.axis, accept, tests[place], posterior))
+
+
+def further_targets_finding(axis: Axis, posterior: AxisPosterior) -> Iterator[Finding]:
+    """Yield the few targets that would show the periods that the readings leave open (CW-P164)."""
+    hidden = posterior.hidden
+    found = further_targets(posterior) if hidden.probability >= _NAMED else None
+    if found is None:
+        return
+    factor, unit = outside_factor(axis.kind.unit), shown_unit(axis.kind.unit)
+    yield Finding.of(
+        "CW-P164",
+        "info",
+        axis=axis.name,
+        probability=hidden.probability,
+        periods=[period for period, _ in hidden.periods[:3]],
+        targets=found.targets.tolist(),
+        unit=axis.kind.unit,
+        amplitude=Amount(found.amplitude * factor, unit),
+    )
 
 
 def _left_open(

@@ -130,14 +130,10 @@ class FreshTests:
         Those that the readings show at all are in the draws, each as often as it is probable. Those
         that they leave open count for the upper end alone: the axis may have none of them.
         """
-        if not self.waves:
-            result, (count, _) = self.result, self.draws.positive.shape
-            rng = generator(result.test.axis, result.test.name, "hidden periods")
-            self.waves.append(self.hidden().waves(self.targets, count, rng))
-        shown = self.quantiles(change, only=only)
-        if not np.any(self.waves[0]):
+        shown, waves = self.quantiles(change, only=only), self.open_waves()
+        if waves is None:
             return shown
-        more = self.quantiles(change, only=only, waves=self.waves[0])
+        more = self.quantiles(change, only=only, waves=waves)
         return {
             name: Quantiles(
                 median=each.median,
@@ -146,6 +142,16 @@ class FreshTests:
             )
             for name, each in shown.items()
         }
+
+    def open_waves(self) -> FloatArray | None:
+        """Return draws (s, m) of the periods that the readings leave open, each as often as it is
+        probable, mm or deg; None where there are none.
+        """
+        if not self.waves:
+            result, (count, _) = self.result, self.draws.positive.shape
+            rng = generator(result.test.axis, result.test.name, "hidden periods")
+            self.waves.append(self.hidden().waves(self.targets, count, rng))
+        return self.waves[0] if np.any(self.waves[0]) else None
 
     def has(self, parts: Sequence[NoisePart]) -> bool:
         """Whether any draw of the noise has any of its ``parts``."""

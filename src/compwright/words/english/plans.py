@@ -308,6 +308,12 @@ SENTENCES: Final[dict[str, str]] = {
         " job."
     ),
     "CW-P163": "Axis {axis}, test {test}: its files differ in {keys:join|; }",
+    "CW-P164": (
+        "Axis {axis}: the error may repeat with a period that these targets cannot show"
+        " ({probability:.0%}; most likely {periods:3sig} {unit}). Measure at {targets:.7g} {unit}"
+        " in the same test too: all together show such an error from an amplitude of {amplitude}"
+        " on."
+    ),
     "grid.even": "{points} points from {start:.10g} to {end:.10g} {unit}, every {step:.6g} {unit}",
     "grid.few": "{points} points",
     "grid.predicted": "predicted {name} {value:.2f} {unit} ({elsewhere:.2f} at new targets)",

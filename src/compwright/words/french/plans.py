@@ -322,6 +322,12 @@ SENTENCES: Final[dict[str, str]] = {
         " fichier, ou measured_in et states du dossier de travail."
     ),
     "CW-P163": "Axe {axis}, essai {test} : ses fichiers diffèrent en {keys:join|; }",
+    "CW-P164": (
+        "Axe {axis} : l'erreur peut se répéter avec une période que ces points visés ne montrent"
+        " pas ({probability:.0%} ; d'abord {periods:3sig} {unit}). Mesurer aussi à {targets:.7g}"
+        " {unit} dans le même essai : tous ensemble montrent une telle erreur à partir d'une"
+        " amplitude de {amplitude}."
+    ),
     "grid.even": "{points} points de {start:.10g} à {end:.10g} {unit}, tous les {step:.6g} {unit}",
     "grid.few": "{points} points",
     "grid.predicted": (

@@ -320,6 +320,12 @@ SENTENCES: Final[dict[str, str]] = {
         " Auftrags berichtigen."
     ),
     "CW-P163": "Achse {axis}, Prüfung {test}: Ihre Dateien unterscheiden sich in {keys:join|; }",
+    "CW-P164": (
+        "Achse {axis}: Der Fehler kann sich mit einer Periode wiederholen, die diese"
+        " Zielpositionen nicht zeigen ({probability:.0%}; vor allem {periods:3sig} {unit}). In"
+        " derselben Prüfung auch an {targets:.7g} {unit} messen: Alle zusammen zeigen einen solchen"
+        " Fehler ab einer Amplitude von {amplitude}."
+    ),
     "grid.even": "{points} Punkte von {start:.10g} bis {end:.10g} {unit}, alle {step:.6g} {unit}",
     "grid.few": "{points} Punkte",
     "grid.predicted": (

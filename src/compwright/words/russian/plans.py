@@ -304,6 +304,12 @@ SENTENCES: Final[dict[str, str]] = {
         " действовало, затем исправьте ключ compensation файла или measured_in и states задания."
     ),
     "CW-P163": "Ось {axis}, проверка {test}: её файлы различаются в {keys:join|; }",
+    "CW-P164": (
+        "Ось {axis}: погрешность может повторяться с периодом, который эти заданные позиции не"
+        " показывают ({probability:.0%}; прежде всего {periods:3sig} {unit}). В той же проверке"
+        " измерьте и в {targets:.7g} {unit}: все вместе показывают такую погрешность начиная с"
+        " амплитуды {amplitude}."
+    ),
     "grid.even": "точек {points}, от {start:.10g} до {end:.10g} {unit}, через {step:.6g} {unit}",
     "grid.few": "точек {points}",
     "grid.predicted": "прогноз {name} {value:.2f} {unit} ({elsewhere:.2f} в новых позициях)",
