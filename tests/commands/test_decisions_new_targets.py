@@ -11,11 +11,15 @@ from typing import Any
 
 import numpy as np
 import pytest
+from test_estimation import a_test
 from test_estimation_periods import Curve, made, smooth_basis
 from test_planning_limits import entry_of, predicted
 
 from compwright.cli import run as compwright
+from compwright.estimation.axis import AxisPosterior, estimate_axis
+from compwright.estimation.further_targets import further_targets
 from compwright.estimation.hidden_periods import hidden_periods
+from compwright.estimation.observed_test import ObservedTest
 from compwright.estimation.periods import search_periods
 from compwright.planning.limit_decisions import accept_decisions
 from compwright.records.axis import AxisKind
@@ -141,6 +145,35 @@ def test_equal_targets_fold_a_wave_to_a_longer_one() -> None:
     assert probability > 0.5
     assert np.quantile(size, 0.95) > 0.8 * shown
     assert left_open(Machine().targets(25), screw)[0] < 0.2  # these show it as it is
+
+
+@pytest.mark.parametrize(
+    ("targets", "lead"),
+    [
+        (np.linspace(8.0, 792.0, 12), 25.0),
+        (np.array([8.0, 131.0, 330.0, 418.0, 640.0, 790.0]), 6.0),
+    ],
+)
+def test_the_further_targets_show_which_period_there_is(targets: Floats, lead: float) -> None:
+    """Twelve equal targets, and six, leave a wave open. Measured again with the few further targets
+    that are proposed, a wave of 1.3 times the amplitude that is stated is named.
+    """
+
+    def estimate(places: Floats, size: float) -> AxisPosterior:
+        machine = Waving(bow=0.0005, waves=((lead, size, 1.0),))
+        readings = machine.measure(places, 1)
+        test = a_test(readings[1], readings[-1], places)
+        return estimate_axis([ObservedTest(test=test)], travel=(0.0, 800.0))
+
+    proposed = further_targets(estimate(targets, 0.0))
+    assert proposed is not None
+    assert 2 <= proposed.targets.size <= 8
+    assert proposed.amplitude < 4.0 * UM
+    size = 1.3 * proposed.amplitude
+    assert not estimate(targets, size).periods
+    more = np.sort(np.concatenate([targets, proposed.targets]))
+    (found,) = (each for each in estimate(more, size).periods if each.probability > 0.5)
+    assert found.period == pytest.approx(lead, rel=0.01)
 
 
 @pytest.mark.parametrize(
