@@ -9,6 +9,7 @@ distribution).
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -40,8 +41,23 @@ class Informed:
         return np.stack([mean, mean - weights[k:] @ less])
 
 
-def inform(machine: Machine, readings: Floats) -> Informed:
-    """Return the posterior from the readings (2, m, n) of the first test, NaN where none is."""
+def inform(machine: Machine, tests: Sequence[Floats]) -> Informed:
+    """Return the posterior from the readings (2, m, n) of the ``tests``, NaN where none is: each
+    multiplies the density, the prior counts once.
+    """
+    sizes = np.array([*machine.mean.sizes, *machine.reversal.sizes])
+    precision, moment = (1 - len(tests)) * np.diag(sizes**-2.0), np.zeros(sizes.size)
+    for readings in tests:
+        mean, covariance = _from_one(machine, readings)
+        inverse = np.linalg.inv(covariance)
+        precision, moment = precision + inverse, moment + inverse @ mean
+    together = np.linalg.inv(precision)
+    together = 0.5 * (together + together.T)
+    return Informed(machine, together @ moment, np.linalg.cholesky(together))
+
+
+def _from_one(machine: Machine, readings: Floats) -> tuple[Floats, Floats]:
+    """Return mean (k,) and covariance (k, k) of the weights from the readings of one test."""
     x, noise = machine.targets, machine.noise
     u = (x - machine.low) / machine.length
     known = machine.in_time(u, *((0, 0) if noise.redrawn else (noise.drift, noise.expansion)))
@@ -67,7 +83,7 @@ def inform(machine: Machine, readings: Floats) -> Informed:
             near = (1 - noise.outlier_share) * np.exp(-0.5 * left)
             weights = near / (near + far)
     k = machine.mean.weights.size + machine.reversal.weights.size
-    return Informed(machine, mean[:k], np.linalg.cholesky(covariance[:k, :k]))
+    return mean[:k], covariance[:k, :k]
 
 
 def _shapes(machine: Machine, x: Floats) -> tuple[Floats, Floats]:

@@ -173,6 +173,11 @@ def _redrawn(rng: Generator) -> Machine:
     return loud(axis, drift=axis.noise.sigma * rng.uniform(2, 6), redrawn=True)
 
 
+@kind("scatter, another each test")
+def _daily(rng: Generator) -> Machine:
+    return loud(plain(rng), daily=float(rng.uniform(0.2, 0.6)))
+
+
 @kind("drift growing along the travel")
 def _expansion(rng: Generator) -> Machine:
     axis = plain(rng)
@@ -296,6 +301,20 @@ def _several(rng: Generator) -> Machine:
         student=5.0,
         growth=float(rng.uniform(0, 1.5)),
     )
+
+
+def _with_two_tests(once: Kind) -> Kind:
+    """Return the kind whose axes are measured on two days before the table is made."""
+    return lambda rng: replace(once(rng), tests=2)
+
+
+for _name in (
+    "drift, another each test",
+    "scatter, another each test",
+    "two states of rest",
+    "evenly spread scatter",
+):
+    kind(f"{_name}: two tests")(_with_two_tests(KINDS[_name]))
 
 
 # ---- other tests and axes

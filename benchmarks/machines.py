@@ -42,6 +42,7 @@ class Noise:
     readings.
     ``drift``, ``expansion`` (at the far end, none at the low one): grown from the first reading to
     the last, linear in time, the same in each test unless ``redrawn`` (then a standard deviation).
+    ``daily``: standard deviation of the logarithm by which ``sigma`` is another in each test.
     ``warmup`` grows as 1 - exp(-t / ``warmup_time``), t = 1 at the end of the test; of it
     ``warmup_slope`` grows along the travel. ``temperature``: standard deviation of a slope per
     test, over the travel.
@@ -68,6 +69,7 @@ class Noise:
     drift: float = 0.0
     expansion: float = 0.0
     redrawn: bool = False
+    daily: float = 0.0
     warmup: float = 0.0
     warmup_time: float = 1.0
     warmup_slope: float = 0.0
@@ -80,7 +82,8 @@ class Machine:
     """One axis with its first test and the wishes of its job.
 
     ``mean``: error arriving in +; ``reversal``: B, mean(+) less mean(-); both functions of
-    position. ``periods``: of the periodic errors in it, largest first; ``told``: what the job says.
+    position. ``tests``: how many are made before the table. ``periods``: of the periodic errors in
+    it, largest first; ``told``: what the job says.
     """
 
     low: float
@@ -90,6 +93,7 @@ class Machine:
     noise: Noise
     targets: Floats
     runs: int = 5
+    tests: int = 1
     turn: float | None = None
     rotary: bool = False
     signs: tuple[int, ...] = (1, -1)
@@ -151,6 +155,8 @@ class Machine:
             random = random + noise.states * rng.choice([-1.0, 1.0], shape)
         hit = rng.uniform(size=shape) < noise.outlier_share
         random = random + hit * noise.outlier_size * rng.choice([-1.0, 1.0], shape)
+        if noise.daily:
+            random = random * np.exp(noise.daily * rng.standard_normal())
         beside = self._traverses(u[:, None], rng) + self._in_time(u, rng) + warm * u[:, None]
         datum = 20 * rng.standard_normal()
         return np.asarray(self.scales(u) * random + beside + datum)

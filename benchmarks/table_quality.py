@@ -44,12 +44,17 @@ FRESH = 8  # tests after loading, at the same targets and at new ones
 DRAWS = 160  # of the judge who knows the noise
 
 
+def test_files(count: int) -> list[str]:
+    """Return the names of the files of ``count`` tests."""
+    return ["x.csv", *(f"x{number}.csv" for number in range(2, count + 1))]
+
+
 def job_of(machine: Machine) -> str:
     """Return the job file, for a control whose table is no limit."""
     axis: dict[str, Any] = {
         "travel": [machine.low, machine.high],
         "address": "AX1",
-        "before": ["x.csv"],
+        "before": test_files(machine.tests),
         "table": {"spacing": machine.spacing, "mode": machine.mode},
     }
     if machine.rotary:
@@ -105,11 +110,13 @@ def measured(
     return readings
 
 
-def run_tool(machine: Machine, readings: Floats, folder: Path) -> tuple[Record, float]:
+def run_tool(machine: Machine, tests: list[Floats], folder: Path) -> tuple[Record, float]:
     """Return ``axes.X`` of the prediction and the seconds of the run."""
     from compwright.cli import run
 
-    (folder / "x.csv").write_text(csv_of(machine, machine.targets, readings), encoding="utf-8")
+    for file, readings in zip(test_files(len(tests)), tests, strict=True):
+        text = csv_of(machine, machine.targets, readings)
+        (folder / file).write_text(text, encoding="utf-8")
     (folder / "job.yaml").write_text(job_of(machine), encoding="utf-8")
     said = io.StringIO()
     start = time.perf_counter()
@@ -127,11 +134,12 @@ def experiment(kind: str, number: int) -> Record:
     machine = machine_of(kind, number)
     rng = name_seed(kind, number, 1)
     warm = machine.temperature(rng)
-    readings = measured(machine, rng, warm)
+    tests = [measured(machine, rng, warm)]
+    tests += [measured(machine, rng, machine.temperature(rng)) for _ in range(machine.tests - 1)]
     record: Record = {"kind": kind, "number": number}
     with tempfile.TemporaryDirectory() as name:
         try:
-            axis, record["seconds"] = run_tool(machine, readings, Path(name))
+            axis, record["seconds"] = run_tool(machine, tests, Path(name))
         except Exception as error:  # noqa: BLE001 - a run that fails is a result
             return {**record, "failed": f"{type(error).__name__}: {error}"[:500]}
     table = axis["table"]
@@ -140,8 +148,8 @@ def experiment(kind: str, number: int) -> Record:
     ours = np.zeros((2, nodes.size))
     if table:
         ours = np.array([table["correction_positive"], table["correction_negative"]])
-    known = inform(machine, readings)
-    tables = rivals(machine, readings, grid, warm, known)
+    known = inform(machine, tests)
+    tables = rivals(machine, tests[0], grid, warm, known)
     tables["ours"] = Table(nodes, ours, machine.turn)
     fresh = _fresh(machine, tables, name_seed(kind, number, 2))
     return {

@@ -16,7 +16,7 @@ from compwright.planning.axis_work import (
     start_axis,
     why_no_gain,
 )
-from compwright.planning.drift_doubts import drift_or_reversal
+from compwright.planning.drift_doubts import drift_of_one_test, drift_or_reversal
 from compwright.planning.goal_findings import goal_findings
 from compwright.planning.limiting_causes import what_limits
 from compwright.planning.point_count_tradeoff import point_count_tradeoff
@@ -59,6 +59,7 @@ def predict_task(
         *prediction.findings,
         *goal_findings(work, new, fresh),
         *drift_or_reversal(work, fresh),
+        *drift_of_one_test(work, new, fresh),
         *(
             ()
             if fitted is None

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from itertools import pairwise
 from typing import Any, Final
 
@@ -152,6 +152,10 @@ class FreshTests:
             rng = generator(result.test.axis, result.test.name, "hidden periods")
             self.waves.append(self.hidden().waves(self.targets, count, rng))
         return self.waves[0] if np.any(self.waves[0]) else None
+
+    def with_noise(self, noise: NoiseDraws) -> FreshTests:
+        """Return the same tests with another ``noise``, as many draws of it."""
+        return replace(self, draws=replace(self.draws, noise=noise), drawn={})
 
     def has(self, parts: Sequence[NoisePart]) -> bool:
         """Whether any draw of the noise has any of its ``parts``."""

@@ -10,6 +10,7 @@ import numpy as np
 from compwright.estimation.axis import AxisPosterior, Draws, estimate_axis
 from compwright.estimation.hidden_periods import HiddenPeriods
 from compwright.estimation.noise import infer_noise
+from compwright.estimation.noise_days import over_days
 from compwright.estimation.noise_posterior import NoisePosterior
 from compwright.estimation.observed_test import ObservedTest
 from compwright.evaluation.valid_readings import without_traverses, zero_traverses
@@ -42,13 +43,15 @@ class MeasuredError:
 
     A table may have any shape: it is subtracted before the smooth error is estimated, and added
     again exactly. ``counted``: by test of the axis, its index in the estimate, None where it does
-    not count; ``noises``: by test, the noise from its repeated readings.
+    not count; ``noises``: by test, the noise from its repeated readings; ``alike``: indices of the
+    tests that count and were taken like the first.
     """
 
     own: AxisPosterior
     active: AxisCompensation | None
     counted: tuple[int | None, ...] = (0,)
     noises: tuple[NoisePosterior | None, ...] = (None,)
+    alike: tuple[int, ...] = ()
 
     @property
     def noise(self) -> float:
@@ -102,6 +105,10 @@ class MeasuredError:
         if place is None and own is not None:
             evenly = np.arange(count) * own.fresh.count // count
             draws = replace(draws, noise=own.fresh.taken(evenly))
+        days = [each.fresh for each in (self.noises[k] for k in self.alike) if each is not None]
+        if test in self.alike and len(days) > 1:
+            noise = over_days(draws.noise, days, self.alike.index(test), rng)
+            draws = replace(draws, noise=noise)
         if self.active is None:
             return draws
         return replace(
@@ -161,6 +168,23 @@ def measured_error(
         active,
         tuple(int(p) if counts else None for p, counts in zip(places, counting, strict=True)),
         tuple(each.noise for each in observed),
+        _taken_alike(tests, observed),
+    )
+
+
+def _taken_alike(tests: Sequence[PlannedTest], observed: Sequence[ObservedTest]) -> tuple[int, ...]:
+    """Return which tests count and were taken like the first: same motion, numbers of targets and
+    of readings, so that they lasted as long; with their noise known.
+    """
+
+    def way(place: int) -> tuple[object, ...]:
+        test = observed[place].test
+        return tests[place].motion, test.cycle, test.positive.shape, test.negative.shape
+
+    return tuple(
+        place
+        for place, each in enumerate(observed)
+        if each.noise is not None and tests[place].acted is not None and way(place) == way(0)
     )
 
 

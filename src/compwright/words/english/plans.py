@@ -314,6 +314,12 @@ SENTENCES: Final[dict[str, str]] = {
         " in the same test too: all together show such an error from an amplitude of {amplitude}"
         " on."
     ),
+    "CW-P165": (
+        "Axis {axis}: the test drifts by {drift}, and the prediction assumes the same drift in the"
+        " next one: {parameter} {low:.2f} to {high:.2f} {unit} at new targets. If each test has a"
+        " drift of its own of that size, {parameter} is {least:.2f} to {most:.2f} {unit}. A second"
+        " test in the same way decides: add its file to before of the axis"
+    ),
     "grid.even": "{points} points from {start:.10g} to {end:.10g} {unit}, every {step:.6g} {unit}",
     "grid.few": "{points} points",
     "grid.predicted": "predicted {name} {value:.2f} {unit} ({elsewhere:.2f} at new targets)",

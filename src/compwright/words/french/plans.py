@@ -328,6 +328,13 @@ SENTENCES: Final[dict[str, str]] = {
         " {unit} dans le même essai : tous ensemble montrent une telle erreur à partir d'une"
         " amplitude de {amplitude}."
     ),
+    "CW-P165": (
+        "Axe {axis} : l'essai dérive de {drift}, et la prévision suppose la même dérive dans le"
+        " suivant : {parameter} {low:.2f} à {high:.2f} {unit} à de nouveaux points visés. Si chaque"
+        " essai a sa propre dérive de cette taille, {parameter} est de {least:.2f} à {most:.2f}"
+        " {unit}. Un deuxième essai fait de la même façon décide : ajouter son fichier à before de"
+        " l'axe"
+    ),
     "grid.even": "{points} points de {start:.10g} à {end:.10g} {unit}, tous les {step:.6g} {unit}",
     "grid.few": "{points} points",
     "grid.predicted": (

@@ -326,6 +326,13 @@ SENTENCES: Final[dict[str, str]] = {
         " derselben Prüfung auch an {targets:.7g} {unit} messen: Alle zusammen zeigen einen solchen"
         " Fehler ab einer Amplitude von {amplitude}."
     ),
+    "CW-P165": (
+        "Achse {axis}: Die Prüfung driftet um {drift}, und die Vorhersage nimmt dieselbe Drift in"
+        " der nächsten an: {parameter} {low:.2f} bis {high:.2f} {unit} an neuen Zielpositionen. Hat"
+        " jede Prüfung eine eigene Drift dieser Größe, ist {parameter} {least:.2f} bis {most:.2f}"
+        " {unit}. Eine zweite Prüfung auf dieselbe Art entscheidet: ihre Datei bei der Achse unter"
+        " before angeben"
+    ),
     "grid.even": "{points} Punkte von {start:.10g} bis {end:.10g} {unit}, alle {step:.6g} {unit}",
     "grid.few": "{points} Punkte",
     "grid.predicted": (

@@ -310,6 +310,12 @@ SENTENCES: Final[dict[str, str]] = {
         " измерьте и в {targets:.7g} {unit}: все вместе показывают такую погрешность начиная с"
         " амплитуды {amplitude}."
     ),
+    "CW-P165": (
+        "Ось {axis}: проверка дрейфует на {drift}, и прогноз предполагает тот же дрейф в следующей:"
+        " {parameter} от {low:.2f} до {high:.2f} {unit} в новых позициях. Если у каждой проверки"
+        " свой дрейф такой величины, {parameter} от {least:.2f} до {most:.2f} {unit}. Решит вторая"
+        " проверка, выполненная так же: добавьте её файл в before оси"
+    ),
     "grid.even": "точек {points}, от {start:.10g} до {end:.10g} {unit}, через {step:.6g} {unit}",
     "grid.few": "точек {points}",
     "grid.predicted": "прогноз {name} {value:.2f} {unit} ({elsewhere:.2f} в новых позициях)",

@@ -1,0 +1,105 @@
+"""What a fresh test adds to the error of an axis, by several tests that were taken in the same way.
+
+One test shows its own drift and its own scatter, not whether they come again. Several show how they
+differ from day to day:
+
+    drift: the same in every test, or drawn for each, normal about nothing;
+    scatter: the same in every test, or its logarithm drawn for each, normal about a mean.
+
+Both have the prior probability of one half. The sizes of what is drawn are not known: they are
+summed over, flat in the logarithm (Gelman et al., Bayesian Data Analysis, 3rd ed. 2013, sections
+5.4 and 5.7). With two tests a drift that is drawn for each follows about Student's law with two
+degrees of freedom.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Final
+
+import numpy as np
+
+from compwright.records.axis import FloatArray
+from compwright.records.noise import NoiseDraws
+
+#: Part of a drift that counts as none of another day (`fresh_noise` draws it for every test).
+_ALIKE: Final = 0.07
+#: Sizes of a drift that is drawn, in the rms of those that were seen.
+_SIZES: Final = np.geomspace(0.3, 12.0, 24)
+#: Standard deviations of the logarithm of the scatter between days: up to a factor 2.7.
+_CHANGES: Final = np.geomspace(0.08, 1.0, 12)
+_TINY: Final = 1e-12
+
+
+def over_days(
+    noise: NoiseDraws, tests: Sequence[NoiseDraws], own: int, rng: np.random.Generator
+) -> NoiseDraws:
+    """Return the ``noise`` of a fresh test like the one in place ``own`` of the ``tests``, which
+    were taken in the same way, with drift and scatter as far as they differ between these.
+    """
+    drifts = np.array([(np.mean(each.drift), np.mean(each.drift_tilt)) for each in tests]).T
+    stds = np.array([(np.std(each.drift), np.std(each.drift_tilt)) for each in tests]).T
+    if np.any(drifts != 0.0):
+        parts = [_drawn_sizes(drift, std) for drift, std in zip(drifts, stds, strict=True)]
+        odds = sum(part[0] for part in parts)
+        drawn = rng.random(noise.count) < 1.0 / (1.0 + np.exp(-np.clip(odds, -50.0, 50.0)))
+        fresh = [
+            rng.choice(sizes, noise.count, p=shares) * rng.standard_normal(noise.count)
+            for _, sizes, shares in parts
+        ]
+        noise = replace(
+            noise,
+            drift=np.where(drawn, fresh[0], noise.drift),
+            drift_tilt=np.where(drawn, fresh[1], noise.drift_tilt),
+        )
+    factor = np.exp(_log_change(tests, own, noise.count, rng))[:, np.newaxis]
+    return replace(noise, sigma=noise.sigma * factor)
+
+
+def _drawn_sizes(drifts: FloatArray, stds: FloatArray) -> tuple[float, FloatArray, FloatArray]:
+    """Return the log odds that the ``drifts`` (k,), standard errors ``stds`` (k,), were drawn for
+    each test, over one drift of all, and the possible sizes (s,) with their probabilities.
+    """
+    size = float(np.sqrt(np.mean(drifts**2)))
+    if size == 0.0:
+        return 0.0, np.zeros(1), np.ones(1)
+    noise = np.diag(np.maximum(stds, _ALIKE * size) ** 2)
+    sizes = size * _SIZES
+    same, each = np.ones((drifts.size, drifts.size)), np.eye(drifts.size)
+    together, apart = (
+        np.array([_log_normal(drifts, noise + one**2 * shape) for one in sizes])
+        for shape in (same, each)
+    )
+    shares = np.exp(apart - np.max(apart))
+    odds = np.logaddexp.reduce(apart) - np.logaddexp.reduce(together)
+    return float(odds), sizes, shares / np.sum(shares)
+
+
+def _log_normal(values: FloatArray, covariance: FloatArray) -> float:
+    root = np.linalg.cholesky(covariance)
+    left = np.linalg.solve(root, values)
+    return float(-0.5 * left @ left - np.sum(np.log(np.diag(root))))
+
+
+def _log_change(
+    tests: Sequence[NoiseDraws], own: int, count: int, rng: np.random.Generator
+) -> FloatArray:
+    """Return draws (count,) of the logarithm of the scatter of a fresh test over that of the test
+    in place ``own``.
+    """
+    logs = [np.mean(np.log(np.maximum(each.sigma, _TINY)), axis=1) for each in tests]
+    means = np.array([np.mean(each) for each in logs])
+    variances = np.array([max(float(np.var(each)), 1e-6) for each in logs])
+    changes = np.append(0.0, _CHANGES)
+    prior = np.append(0.5, np.full(_CHANGES.size, 0.5 / _CHANGES.size))
+    weights = 1.0 / (variances + changes[:, np.newaxis] ** 2)
+    middle = weights @ means / np.sum(weights, axis=1)
+    squares = np.sum(weights * (means - middle[:, np.newaxis]) ** 2, axis=1)
+    # Restricted likelihood: the mean is not known.
+    log = 0.5 * (np.sum(np.log(weights), axis=1) - np.log(np.sum(weights, axis=1)) - squares)
+    shares = prior * np.exp(log - np.max(log))
+    chosen = rng.choice(changes.size, count, p=shares / np.sum(shares))
+    spread = changes[chosen] * np.sqrt(1.0 + 1.0 / len(tests))
+    found: FloatArray = middle[chosen] - means[own] + spread * rng.standard_normal(count)
+    return found
