@@ -5,6 +5,7 @@ is not found.
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -12,11 +13,12 @@ import pytest
 
 from compwright.estimation.noise import LEAST_DOF, infer_noise
 from compwright.estimation.noise_chain import WAYS, GibbsChain
+from compwright.estimation.noise_days import over_days
 from compwright.estimation.noise_posterior import NoisePosterior
 from compwright.estimation.noise_readings import cell_readings
 from compwright.estimation.noise_rounding import common_std, rounded_std, rounded_stds
 from compwright.records.axis import AxisKind, FloatArray
-from compwright.records.noise import INDEPENDENT, RUNS, WAVE
+from compwright.records.noise import INDEPENDENT, RUNS, WAVE, NoiseDraws, normal_noise
 from compwright.records.positioning import PositioningTest
 
 UM = 1e-3
@@ -92,6 +94,51 @@ def test_fresh_noise_belongs_to_the_draws_of_the_estimate() -> None:
     assert {len(set(row)) for row in offset.tolist()} <= {1, 2}
     assert np.mean(found.fresh.sigma) == pytest.approx(np.mean(found.draws.sigma), rel=0.03)
     assert np.unique(sigma).size > 4 * count
+
+
+# --- from day to day
+# --------------------------------------------------------------------------------------------------
+
+
+def days(drifts: Sequence[float], scatters: Sequence[float]) -> list[NoiseDraws]:
+    """The noise of tests of known drift (± 0.2 µm) and scatter (± 5 %)."""
+    rng = np.random.default_rng(8)
+    found = []
+    for drift, scatter in zip(drifts, scatters, strict=True):
+        sigma = scatter * np.exp(0.05 * rng.standard_normal(96))
+        found.append(replace(normal_noise(sigma), drift=drift + 0.2 * rng.standard_normal(96)))
+    return found
+
+
+def fresh(drifts: Sequence[float], scatters: Sequence[float], seed: int) -> NoiseDraws:
+    tests = days(drifts, scatters)
+    noise = tests[0].taken(np.arange(600) % 96)
+    return over_days(noise, tests, 0, np.random.default_rng(seed))
+
+
+def test_two_days_hold_the_drift_and_the_scatter_of_a_third() -> None:
+    """Drift with 4 µm and logarithm of the scatter with 0.4, on every other machine another each
+    day, else the same: 5 to 95 % hold those of the third day in nine cases of ten.
+    """
+    rng, held = np.random.default_rng(9), []
+    for seed in range(200):
+        day = np.arange(3) * (seed % 2)
+        drifts = 4.0 * rng.standard_normal(3)[day]
+        scatters = np.exp(0.4 * rng.standard_normal(3)[day])
+        noise = fresh(drifts[:2], scatters[:2], seed)
+        held.append(
+            (inside(drifts[2], noise.drift, 0.05), inside(scatters[2], noise.sigma[:, 0], 0.05))
+        )
+    drift, scatter = np.mean(held, axis=0)
+    assert 0.84 < drift < 0.97
+    assert 0.84 < scatter < 0.99
+
+
+def test_what_two_days_show_alike_is_expected_again() -> None:
+    noise = fresh((4.0, 4.1), (1.0, 1.02), 3)
+    assert np.mean(np.abs(noise.drift - 4.05) < 1.0) > 0.75
+    assert np.quantile(noise.sigma, [0.1, 0.9]) == pytest.approx([1.0, 1.0], abs=0.25)
+    assert not np.any(fresh((0.0, 0.0), (1.0, 1.0), 3).drift_tilt)
 
 
 # --- nothing but white noise

@@ -29,8 +29,7 @@ from compwright.records.axis import FloatArray
 _SMOOTH_STEP: Final = 0.7
 _LENGTH_STEP: Final = 0.45
 _WHITE_STEP: Final = 0.4
-#: Centre and width of the prior of the length's logarithm, in half ranges: shorter than in the
-#: estimate (`model`), since a rough curve must not count as a wave.
+#: Centre and width of the prior of the length's logarithm, in half ranges: weak.
 LENGTH: Final = (float(np.log(0.4)), 0.8)
 #: Amplitudes of a wave, in widths of their prior.
 AMPLITUDES: Final = np.arange(-2.0, 2.01, 0.5)

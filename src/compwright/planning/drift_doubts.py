@@ -18,13 +18,13 @@ import numpy as np
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.axis_work import AxisWork
+from compwright.planning.predicted_gain import judged_parameter
 from compwright.planning.reversal_along_travel import (
     drift_within_run,
     explained_by_drift,
     reversal_curve,
     reversal_rise,
 )
-from compwright.planning.predicted_gain import judged_parameter
 from compwright.planning.simulated_repeat_tests import FreshTests, generator
 from compwright.prediction.active_corrections import Correction, difference
 from compwright.records.axis import Direction
