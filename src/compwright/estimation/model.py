@@ -36,8 +36,8 @@ from compwright.records.noise import NoiseDraws
 _SHORT: Final = (0.08, 0.16)
 _LONG: Final = (0.8, 1.6)
 #: Middle and width of the prior of the length's logarithm, in half travels. ISO 230-2 takes five
-#: targets a metre for enough: an error keeps together over the 200 mm between them, 0.4 of half of a
-#: metre. Axes of 300 to 2 000 mm and rougher errors are within a factor of 2.2. Longer ones (0.7)
+#: targets a metre for enough: an error keeps together over the 200 mm between them, 0.4 of half
+#: a metre. Axes of 300 to 2 000 mm and rougher errors are within a factor of 2.2. Longer ones (0.7)
 #: make bands at five to seven targets a fifth narrower, and random walks 7 to 18 % less exact.
 _LENGTH: Final = (float(np.log(0.4)), 0.8)
 _REVERSAL_PART: Final = [REVERSAL, REVERSAL_LENGTH]
