@@ -6,8 +6,9 @@ differ from day to day:
     drift: the same in every test, or drawn for each, normal about nothing;
     scatter: the same in every test, or its logarithm drawn for each, normal about a mean.
 
-Both have the prior probability of one half. The sizes of what is drawn are not known: they are
-summed over, flat in the logarithm (Gelman et al., Bayesian Data Analysis, 3rd ed. 2013, sections
+A drift repeats in one case of two (the same motion brings the same heat; the hall does not). A
+scatter is the same in nine of ten: ISO 230-2 takes repeatability from a single test. Both are
+judgements, from no document. The sizes of what is drawn are not known: they are summed over, flat in the logarithm (Gelman et al., Bayesian Data Analysis, 3rd ed. 2013, sections
 5.4 and 5.7). With two tests a drift that is drawn for each follows about Student's law with two
 degrees of freedom.
 """
@@ -27,6 +28,8 @@ from compwright.records.noise import NoiseDraws
 _ALIKE: Final = 0.07
 #: Sizes of a drift that is drawn, in the rms of those that were seen.
 _SIZES: Final = np.geomspace(0.3, 12.0, 24)
+#: Prior probability that the scatter is the same every day.
+_SAME: Final = 0.9
 #: Standard deviations of the logarithm of the scatter between days: up to a factor 2.7.
 _CHANGES: Final = np.geomspace(0.08, 1.0, 12)
 _TINY: Final = 1e-12
@@ -92,7 +95,7 @@ def _log_change(
     means = np.array([np.mean(each) for each in logs])
     variances = np.array([max(float(np.var(each)), 1e-6) for each in logs])
     changes = np.append(0.0, _CHANGES)
-    prior = np.append(0.5, np.full(_CHANGES.size, 0.5 / _CHANGES.size))
+    prior = np.append(_SAME, np.full(_CHANGES.size, (1.0 - _SAME) / _CHANGES.size))
     weights = 1.0 / (variances + changes[:, np.newaxis] ** 2)
     middle = weights @ means / np.sum(weights, axis=1)
     squares = np.sum(weights * (means - middle[:, np.newaxis]) ** 2, axis=1)
