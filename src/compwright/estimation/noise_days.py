@@ -8,9 +8,9 @@ differ from day to day:
 
 A drift repeats in one case of two (the same motion brings the same heat; the hall does not). A
 scatter is the same in nine of ten: ISO 230-2 takes repeatability from a single test. Both are
-judgements, from no document. The sizes of what is drawn are not known: they are summed over, flat in the logarithm (Gelman et al., Bayesian Data Analysis, 3rd ed. 2013, sections
-5.4 and 5.7). With two tests a drift that is drawn for each follows about Student's law with two
-degrees of freedom.
+judgements, from no document. The sizes of what is drawn are not known: they are summed over, flat
+in the logarithm (Gelman et al., Bayesian Data Analysis, 3rd ed. 2013, sections 5.4 and 5.7). With
+two tests a drift that is drawn for each follows about Student's law with two degrees of freedom.
 """
 
 from __future__ import annotations
