@@ -210,3 +210,32 @@ def test_no_limit_is_accepted_that_fresh_tests_break(
     assert np.mean(held) > 0.5
     assert axis["predicted"]["A"]["p95"] < limit
     assert axis["accept"]["A"]["decision"] == "undecided"
+
+
+def test_a_second_test_decides_whether_a_drift_repeats(tmp_path: Path) -> None:
+    """A drift of 4 µm over the runs, and -3 µm on another day: with one test the band holds the
+    first alone and states the other case, with both it reaches below and above.
+    """
+    machine, bands, codes = Machine(bow=0.0005), [], []
+    targets = machine.targets(13)
+    steps = np.arange(5) / 4.0 - 0.5
+    for number, drift in enumerate((4.0, -3.0)):
+        readings = {
+            sign: values + drift * UM * steps
+            for sign, values in machine.measure(targets, number).items()
+        }
+        (tmp_path / f"x{number}.csv").write_text(csv_of(targets, readings))
+    for files in ("x0.csv", "x0.csv, x1.csv"):
+        (tmp_path / "job.yaml").write_text(
+            "compwright: 1\ncontroller: {format: siemens-840d-sl}\nstates: {as_found: none}\n"
+            f"axes:\n  X: {{travel: [0, 800], address: AX1, before: [{files}],"
+            " table: {spacing: 10}}\n"
+        )
+        compwright(["run", str(tmp_path / "job.yaml"), "--force"])
+        axis = json.loads((tmp_path / "job" / "prediction.json").read_text())["axes"]["X"]
+        bands.append(axis["predicted"]["A"])
+        codes.append({finding["code"] for finding in axis["findings"]})
+    one, two = bands
+    assert ["CW-P165" in each for each in codes] == [True, False]
+    assert two["p05"] < 0.9 * one["p05"]
+    assert two["p95"] > 1.2 * one["p95"]

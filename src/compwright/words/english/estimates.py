@@ -129,10 +129,10 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-E020": (
         "The readings drift by {drift} from the first run to the last ({odds}){flattens:if|,"
-        " and it flattens out}. The prediction assumes the same drift in a test that is"
-        " repeated in the same way, from as cold an axis, to about a tenth. One test does not"
-        " tell more: another drift, or none because the axis is warm by then, is outside of"
-        " the band. Warm the axis up and measure again to see it without"
+        " and it flattens out}. With one test the prediction assumes the same drift in a test that"
+        " is repeated in the same way, from as cold an axis, to about a tenth: another drift, or"
+        " none because the axis is warm by then, is outside of the band. A second test in the same"
+        " way puts it into the band. Warm the axis up and measure again to see it without"
     ),
     "CW-E021": (
         "The readings drift apart along the travel, as in thermal expansion: by {lower} at"

@@ -132,10 +132,11 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-E020": (
         "Les mesures dérivent de {drift} du premier au dernier parcours ({odds}){flattens:if|, et"
-        " la dérive s'atténue}. La prévision suppose la même dérive dans un essai répété de la même"
-        " façon, à partir d'un axe aussi froid, à un dixième près. Un essai n'en dit pas plus : une"
-        " autre dérive, ou aucune parce que l'axe est alors chaud, est hors de la bande. Mettre"
-        " l'axe en température et mesurer de nouveau pour le voir sans elle"
+        " la dérive s'atténue}. Avec un seul essai, la prévision suppose la même dérive dans un"
+        " essai répété de la même façon, à partir d'un axe aussi froid, à un dixième près : une"
+        " autre dérive, ou aucune parce que l'axe est alors chaud, est hors de la bande. Un deuxième"
+        " essai fait de la même façon l'y met. Mettre l'axe en température et mesurer de nouveau"
+        " pour le voir sans elle"
     ),
     "CW-E021": (
         "Les mesures s'écartent le long de la course, comme dans une dilatation thermique : de"

@@ -136,10 +136,11 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-E020": (
         "Die Messwerte driften um {drift} vom ersten zum letzten Lauf ({odds}){flattens:if|, und"
-        " die Drift flacht ab}. Die Vorhersage nimmt in einer gleich wiederholten Prüfung, von"
-        " ebenso kalter Achse, dieselbe Drift an, auf etwa ein Zehntel. Mehr zeigt eine Prüfung"
-        " nicht: Eine andere Drift, oder keine, weil die Achse dann warm ist, liegt außerhalb des"
-        " Bandes. Die Achse warmfahren und neu messen, um sie ohne zu sehen"
+        " die Drift flacht ab}. Mit einer Prüfung nimmt die Vorhersage in einer gleich"
+        " wiederholten, von ebenso kalter Achse, dieselbe Drift an, auf etwa ein Zehntel: Eine"
+        " andere Drift, oder keine, weil die Achse dann warm ist, liegt außerhalb des Bandes. Eine"
+        " zweite Prüfung auf dieselbe Art bringt sie hinein. Die Achse warmfahren und neu messen,"
+        " um sie ohne zu sehen"
     ),
     "CW-E021": (
         "Die Messwerte driften über den Verfahrweg auseinander, wie bei einer Wärmedehnung: um"
