@@ -74,9 +74,9 @@ def _drawn_sizes(drifts: FloatArray, stds: FloatArray) -> tuple[float, FloatArra
         np.array([_log_normal(drifts, noise + one**2 * shape) for one in sizes])
         for shape in (same, each)
     )
-    shares = np.exp(apart - np.max(apart))
+    shares = np.round(np.exp(apart - np.max(apart)), 6)
     odds = np.logaddexp.reduce(apart) - np.logaddexp.reduce(together)
-    return float(odds), sizes, shares / np.sum(shares)
+    return round(float(odds), 6), sizes, shares / np.sum(shares)
 
 
 def _log_normal(values: FloatArray, covariance: FloatArray) -> float:
@@ -101,7 +101,7 @@ def _log_change(
     squares = np.sum(weights * (means - middle[:, np.newaxis]) ** 2, axis=1)
     # Restricted likelihood: the mean is not known.
     log = 0.5 * (np.sum(np.log(weights), axis=1) - np.log(np.sum(weights, axis=1)) - squares)
-    shares = prior * np.exp(log - np.max(log))
+    shares = np.round(prior * np.exp(log - np.max(log)), 6)
     chosen = rng.choice(changes.size, count, p=shares / np.sum(shares))
     spread = changes[chosen] * np.sqrt(1.0 + 1.0 / len(tests))
     found: FloatArray = middle[chosen] - means[own] + spread * rng.standard_normal(count)

@@ -134,8 +134,8 @@ SENTENCES: Final[dict[str, str]] = {
         "Les mesures dérivent de {drift} du premier au dernier parcours ({odds}){flattens:if|, et"
         " la dérive s'atténue}. Avec un seul essai, la prévision suppose la même dérive dans un"
         " essai répété de la même façon, à partir d'un axe aussi froid, à un dixième près : une"
-        " autre dérive, ou aucune parce que l'axe est alors chaud, est hors de la bande. Un deuxième"
-        " essai fait de la même façon l'y met. Mettre l'axe en température et mesurer de nouveau"
+        " autre dérive, ou aucune parce que l'axe est alors chaud, est hors de la bande. Un"
+        " deuxième essai fait de la même façon l'y met. Mettre l'axe en température et mesurer de nouveau"
         " pour le voir sans elle"
     ),
     "CW-E021": (
