@@ -135,8 +135,8 @@ SENTENCES: Final[dict[str, str]] = {
         " la dérive s'atténue}. Avec un seul essai, la prévision suppose la même dérive dans un"
         " essai répété de la même façon, à partir d'un axe aussi froid, à un dixième près : une"
         " autre dérive, ou aucune parce que l'axe est alors chaud, est hors de la bande. Un"
-        " deuxième essai fait de la même façon l'y met. Mettre l'axe en température et mesurer de nouveau"
-        " pour le voir sans elle"
+        " deuxième essai fait de la même façon l'y met. Mettre l'axe en température et mesurer de"
+        " nouveau pour le voir sans elle"
     ),
     "CW-E021": (
         "Les mesures s'écartent le long de la course, comme dans une dilatation thermique : de"
