@@ -7,10 +7,11 @@ differ from day to day:
     scatter: the same in every test, or its logarithm drawn for each, normal about a mean.
 
 A drift repeats in one case of two (the same motion brings the same heat; the hall does not). A
-scatter is the same in nine of ten: ISO 230-2 takes repeatability from a single test. Both are
-judgements, from no document. The sizes of what is drawn are not known: they are summed over, flat
-in the logarithm (Gelman et al., Bayesian Data Analysis, 3rd ed. 2013, sections 5.4 and 5.7). With
-two tests a drift that is drawn for each follows about Student's law with two degrees of freedom.
+scatter is the same in three of four: ISO 230-2 takes repeatability from a single test. Both are
+judgements, from no document. The size of a drift is not known: it is summed over, flat in its
+logarithm; so is that of a change of the scatter, flat in itself, as few groups need it (Gelman,
+Prior distributions for variance parameters, Bayesian Analysis 1, 2006). With two tests a drift that
+is drawn for each follows about Student's law with two degrees of freedom.
 """
 
 from __future__ import annotations
@@ -29,9 +30,9 @@ _ALIKE: Final = 0.07
 #: Sizes of a drift that is drawn, in the rms of those that were seen.
 _SIZES: Final = np.geomspace(0.3, 12.0, 24)
 #: Prior probability that the scatter is the same every day.
-_SAME: Final = 0.9
+_SAME: Final = 0.75
 #: Standard deviations of the logarithm of the scatter between days: up to a factor 2.7.
-_CHANGES: Final = np.geomspace(0.08, 1.0, 12)
+_CHANGES: Final = np.linspace(0.08, 1.0, 12)
 _TINY: Final = 1e-12
 
 
