@@ -323,7 +323,7 @@ def test_results_that_the_user_changed_stay(
         path.write_bytes(path.read_bytes() + b"mine")
     said = refused(folder, capsys, "run", "job.yaml")
     for name in names:
-        assert f"{name}: was not written by an earlier run, or was changed since" in said
+        assert f"{name}: the file was not written by an earlier run, or was changed since" in said
 
 
 def test_what_an_earlier_run_wrote_and_this_one_does_not_is_removed(folder: Path) -> None:
@@ -355,7 +355,7 @@ def test_the_control_s_own_files_are_not_replaced_by_export(
     assert compwright(["decode", "new", "--format", CONTROL]) == 0
     table = folder / "new" / "AX1_EEC.INI"
     table.write_bytes(table.read_bytes() + b"; by hand\n")
-    assert "AX1_EEC.INI: was not written by an earlier run, or was changed" in refused(
+    assert "AX1_EEC.INI: the file was not written by an earlier run, or was changed" in refused(
         folder, capsys, *words
     )
 
@@ -368,11 +368,11 @@ def test_simulate_replaces_its_own_files_and_no_real_ones(
         compwright(["simulate", "machine.yaml", "--out", "virtual", "--seed", "2", "--force"]) == 0
     )
     said = refused(folder, capsys, "simulate", "machine.yaml", "--out", ".")
-    assert "x.csv: was not written by an earlier run" in said
+    assert "x.csv: the file was not written by an earlier run" in said
     edited = folder / "virtual" / "x.csv"
     edited.write_bytes(edited.read_bytes() + b"# looked at\n")
     said = refused(folder, capsys, "simulate", "machine.yaml", "--out", "virtual")
-    assert "x.csv: was not written by an earlier run, or was changed since" in said
+    assert "x.csv: the file was not written by an earlier run, or was changed since" in said
     assert compwright(["evaluate", "virtual"]) == 0  # the list is no measurement
 
 
@@ -380,7 +380,7 @@ def test_the_demo_leaves_a_job_of_the_user_alone(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (tmp_path / "job.yaml").write_text(JOB)
-    assert "job.yaml: was not written by an earlier run" in refused(
+    assert "job.yaml: the file was not written by an earlier run" in refused(
         tmp_path, capsys, "demo", "--out", str(tmp_path)
     )
 

@@ -254,7 +254,7 @@ def test_a_number_of_a_million_digits_in_a_control_file_is_refused(tmp_path: Pat
     with pytest.raises(InputError) as caught:
         read_files(Session(), [file])
     assert without_hint(str(caught.value)) == (
-        "m.cfg: line 2: contains a number that is too long; expected at most 1000 digits, found"
+        "m.cfg: line 2: this line contains a number with too many digits; expected at most 1000 digits, found"
         " more than 1000"
     )
 

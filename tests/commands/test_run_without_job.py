@@ -88,7 +88,7 @@ def test_the_job_gives_the_same_bytes_again(hall: Path, capsys: pytest.CaptureFi
     (hall / job).write_text(text.replace("kind: linear", "kind:  linear"))
     edited = tree(hall)
     assert compwright(["run", FILE, *WORDS, "--out", OUT, "--force"]) == 5
-    assert "job.yaml: was not written by an earlier run, or was changed" in capsys.readouterr().err
+    assert "job.yaml: the file was not written by an earlier run, or was changed" in capsys.readouterr().err
     assert tree(hall) == edited
     assert compwright(["run", job, "--force"]) == 0
     assert compwright(["run", FILE, *WORDS, "--out", OUT, "--force"]) == 5
@@ -101,7 +101,7 @@ def test_a_job_of_the_user_s_own_is_not_replaced(
     (hall / "other").mkdir()
     (hall / "other" / "job.yaml").write_text("compwright: 1\n")
     assert compwright(["run", FILE, *WORDS, "--out", "other", "--force"]) == 5
-    assert "other/job.yaml: was not written by an earlier run" in capsys.readouterr().err
+    assert "other/job.yaml: the file was not written by an earlier run" in capsys.readouterr().err
     assert tree(hall / "other") == {"job.yaml": b"compwright: 1\n"}
 
 

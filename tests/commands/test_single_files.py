@@ -103,7 +103,7 @@ def test_what_may_be_replaced(
         return
     with pytest.raises(StorageError) as caught:
         refuse_other_kinds(Session(), {tmp_path / name: new}, force=True)
-    assert f"{name}: was not written by this command" in str(caught.value)
+    assert f"{name}: the file was not written by this command" in str(caught.value)
 
 
 def test_a_workbook_is_not_replaced_by_a_document(tmp_path: Path) -> None:

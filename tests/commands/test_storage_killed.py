@@ -415,7 +415,7 @@ def test_what_the_user_changed_meanwhile_is_refused_by_name_and_stays(
     before = files(top)
     with pytest.raises(InputError) as caught:
         storage.read_bytes(Session(), top / "out" / "record")
-    assert f"{top / 'out' / 'set' / 'x'}: was changed after" in str(caught.value)
+    assert f"{top / 'out' / 'set' / 'x'}: the file was changed after" in str(caught.value)
     assert storage.read_bytes(Session(), top / "out" / "notes.txt") == b"mine"
     assert files(top) == before
     (top / "out" / "set" / "x").rename(top / "out" / "my-x")

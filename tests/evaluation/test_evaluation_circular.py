@@ -506,7 +506,7 @@ def test_unknown_standard() -> None:
 
 
 def test_an_arc_below_90_degrees() -> None:
-    with pytest.raises(InputError, match="arc of the samples; expected at least 90°"):
+    with pytest.raises(InputError, match="too short an arc; expected at least 90°"):
         evaluate_circle(measured(perfect, arc=(10.0, 89.0)))
     assert value(evaluate_circle(measured(perfect, arc=(10.0, 90.0))), "G_ccw") == pytest.approx(
         0.0, abs=EXACT

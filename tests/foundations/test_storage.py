@@ -92,7 +92,7 @@ def test_folder_in_the_place_of_a_file(tmp_path: Path, force: bool) -> None:
     (fault,) = faults_of(
         lambda: storage.write_files(Session(), tmp_path, {"y": b"", "x": b""}, force=force)
     )
-    assert fault.startswith(f"{tmp_path / 'x'}: is a folder")
+    assert fault.startswith(f"{tmp_path / 'x'}: this is a folder")
     assert tree(tmp_path) == {"x": None}
 
 

@@ -105,7 +105,7 @@ def test_values_of_controller_options_stay_text() -> None:
 )
 def test_travel_is_two_numbers_in_order(travel: str) -> None:
     (line,) = faults_of(travel=travel)
-    assert without_hint(line).startswith("--travel: must look like 0:800 ")
+    assert without_hint(line).startswith("--travel: the value of `--travel` must look like 0:800 ")
     assert line.endswith("such as `--travel 0:800`")
     assert f"; found {travel!r}." in line
 
@@ -120,7 +120,7 @@ def test_travel_is_two_numbers_in_order(travel: str) -> None:
         ({"states": [""]}, "--state: "),
         ({"options": ["spacing"]}, "--option: the value of `--option` must look like KEY=VALUE"),
         ({"options": ["=1"]}, "--option: the value of `--option` must look like KEY=VALUE"),
-        ({"options": ["a=1", "a=2"]}, "--option a: is given twice"),
+        ({"options": ["a=1", "a=2"]}, "--option a: `--option` is given twice"),
         ({"options": ["spacing=0"]}, "--option spacing: "),
         ({"options": ["mode=both"]}, "--option mode: "),
         ({"options": ["kind=round"]}, "--option kind: "),

@@ -341,7 +341,7 @@ def test_short_travels_keep_a_quarter_at_each_end() -> None:
     [((10.0, 10.0), 5), ((10.0, 0.0), 5), ((0.0, 10.0), 0), ((float("nan"), 1.0), 3)],
 )
 def test_impossible_targets(travel: tuple[float, float], count: int) -> None:
-    with pytest.raises(UsageError, match="no targets"):
+    with pytest.raises(UsageError, match="no target"):
         dithered_targets(travel, count, rng(0))
 
 

@@ -273,7 +273,7 @@ def test_any_other_format_of_a_figure_is_refused_with_those_there_are() -> None:
 
 @pytest.mark.parametrize("results", [[], [{"kind": "circular"}]])
 def test_nothing_to_plot_is_said(results: list[dict[str, Any]]) -> None:
-    with pytest.raises(UsageError, match="nothing to plot"):
+    with pytest.raises(UsageError, match="to plot"):
         evaluation_plot({"results": results})
 
 

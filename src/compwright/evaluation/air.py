@@ -28,9 +28,9 @@ def ciddor(
     humidity_percent: FloatArray,
     wavelength: float = HELIUM_NEON,
 ) -> FloatArray:
-    """Return n by Ciddor (1996) for air at ``air_c`` (°C), ``pressure_hpa`` (hPa) and relative
-    humidity (%), each (k,); ``wavelength`` in vacuum, µm (0.3 to 1.7). Valid from -40 to 100 °C and
-    from 80 to 120 kPa. 450 µmol/mol of carbon dioxide.
+    """Return the refractive index n of air by Ciddor (1996). Arguments (k,): ``air_c`` (°C),
+    ``pressure_hpa`` (hPa), relative humidity (%); ``wavelength`` in vacuum, µm (0.3 to 1.7).
+    Valid from -40 to 100 °C and from 80 to 120 kPa. 450 µmol/mol of carbon dioxide.
     """
     S = wavelength**-2
     t, T, p = air_c, air_c + _KELVIN, 100.0 * pressure_hpa

@@ -20,8 +20,9 @@ def score_of_t(t: float, dof: float) -> float:
 
 
 def score_of_ratio(ratio: float, dof: float, dof_below: float) -> float:
-    """Return the standard normal value as improbable as a ratio of two variances with ``dof`` and
-    ``dof_below`` degrees of freedom; negative where the upper one is smaller.
+    """Return the standard normal value with the same probability as a ratio of two variances.
+    ``dof`` and ``dof_below``: their degrees of freedom; negative where the upper variance is
+    smaller.
 
     Paulson, Ann. Math. Statist. 13 (1942) 233: the cube root of F is nearly normal. Turned so that
     the larger variance stands above, where it is at its best.
@@ -49,8 +50,8 @@ UNDECLARED_SLOPE = 11.5
 
 @dataclass(frozen=True, slots=True)
 class UncertainValue:
-    """A parameter of a test: value, standard error with its degrees of freedom, and ``declared``,
-    the standard uncertainty that the job declares; all in one unit.
+    """A parameter of a test with its standard error and the degrees of freedom of that.
+    ``declared``: the standard uncertainty that the job declares; all in one unit.
     """
 
     value: float
@@ -61,8 +62,9 @@ class UncertainValue:
 
 @dataclass(frozen=True, slots=True)
 class Change:
-    """A difference and its standard uncertainty; ``score``: the standard normal value as
-    improbable, ``two_sided_probability``: how often tests of an unchanged machine differ as much.
+    """A difference of two values with its standard uncertainty. ``score``: the standard normal
+    value of equal probability; ``two_sided_probability``: how often tests of an unchanged
+    machine differ as much.
     """
 
     size: float

@@ -27,8 +27,8 @@ _FLAT: Final = 1e-8
 
 
 def least_squares_circle(points: FloatArray) -> tuple[Point, float]:
-    """Return centre and radius of the circle with the least sum of squared distances to ``points``
-    (n, 2), in their unit.
+    """Return centre and radius of the least-squares circle through ``points`` (n, 2), in their
+    unit.
 
     Gauss-Newton from an algebraic start, on centred and scaled coordinates; the radius is the mean
     distance and so no unknown of its own. Partial arcs are no special case. Raises InputError for
@@ -89,8 +89,8 @@ def _require_curved(x: FloatArray, y: FloatArray, size: float) -> None:
 
 
 def _algebraic_centre(x: FloatArray, y: FloatArray) -> Point:
-    """Return the centre for which x² + y² - 2 a x - 2 b y - c has the least sum of squares (Kåsa
-    1976); x and y have mean 0.
+    """Return the centre that minimises the squares of x² + y² - 2 a x - 2 b y - c (Kåsa 1976);
+    x and y have mean 0.
     """
     square = x * x + y * y
     scatter = 2.0 * np.array([[x @ x, x @ y], [x @ y, y @ y]])

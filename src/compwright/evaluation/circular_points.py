@@ -1,5 +1,5 @@
-"""From the readings of a circular test to points of the actual path, and the comparison of two
-paths angle by angle.
+"""The points of the actual path, from the readings of a circular test; and how two paths differ at
+each angle.
 """
 
 from __future__ import annotations

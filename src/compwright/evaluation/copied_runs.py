@@ -80,8 +80,8 @@ def _groups_of_many(block: FloatArray) -> list[list[int]]:
 
 
 def copied_run_findings(test: PositioningTest) -> list[Finding]:
-    """Return the finding CW-T031: runs that agree to the last digit, or nearly so, in one direction
-    or between the two.
+    """Return the finding CW-T031: runs, in one direction or between both, that agree to the
+    last digit or almost.
     """
     exact = _exact(test)
     if exact and not _by_chance(test):
@@ -141,8 +141,8 @@ def _by_chance(test: PositioningTest) -> bool:
 
 
 def _near(test: PositioningTest) -> tuple[list[Sentence], float]:
-    """Return the pairs of runs that are nearly the same, in words, and what the runs of a direction
-    differ by (mm or deg, rms); none among many runs.
+    """Return the pairs of runs that are almost equal, in words; none if there are many runs.
+    With it: the rms difference of the runs of a direction (mm or deg).
     """
     if test.positive.shape[1] + test.negative.shape[1] > _MOST_RUNS:
         return [], 0.0
@@ -176,8 +176,8 @@ def _near(test: PositioningTest) -> tuple[list[Sentence], float]:
 
 
 def _all_apart(runs: Sequence[FloatArray]) -> list[tuple[int, int, float]]:
-    """Return of any two ``runs`` (m,) by how much they differ, rms, but for a constant and a drift
-    along the run; of none with too few targets in common.
+    """Return the rms difference of each pair of ``runs`` (m,), after a constant and a drift
+    along the run are removed. Pairs with too few common targets are left out.
     """
     if len(runs) < 2:
         return []

@@ -1,5 +1,5 @@
-"""Which of many tests may be one measurement: candidates for `duplicate_measurements`, found by
-sorting readings instead of holding every test against every other.
+"""Find tests that may be copies of one measurement. Readings are sorted first, so that not every
+pair of tests has to be compared; `duplicate_measurements` decides.
 
 What `same_readings` and `share_a_run` call the same agrees but for one constant, the zero of the
 instrument: readings less one of them are the same numbers, and stand side by side when sorted.
@@ -27,7 +27,7 @@ _Numbers = NDArray[np.int64]
 
 @dataclass(frozen=True, slots=True)
 class _CandidateRun:
-    """A run of the test with the index ``owner``: its readings that were made, (n,) mm or deg, and
+    """A run of the test with the index ``owner``: its readings that exist, (n,) mm or deg, and
     the numbers of their targets, ascending.
     """
 
@@ -37,8 +37,8 @@ class _CandidateRun:
 
 
 def equal_tests(tests: Sequence[PositioningTest]) -> list[list[int]]:
-    """Return the groups (two or more indices, ascending) of ``tests`` that have the same targets
-    and agree reading by reading but for one constant, by `SAME_READING`.
+    """Return groups of ``tests`` with the same targets and readings that differ only by one
+    constant. A group has at least two indices, ascending; readings agree within `SAME_READING`.
     """
     blocks = [np.concatenate([test.positive.ravel(), test.negative.ravel()]) for test in tests]
     made = [np.isfinite(block) for block in blocks]
@@ -90,8 +90,8 @@ def _agreeing(runs: Sequence[_CandidateRun], fewest: int) -> Iterator[set[int]]:
 
 
 def _looked_at(grids: Sequence[_Numbers], fewest: int) -> list[set[bytes]]:
-    """Return for each grid of targets the parts of it at which it is compared with itself and with
-    the others.
+    """Return the parts of each grid of targets to compare, within this grid and with the other
+    grids.
     """
     having: dict[int, list[int]] = defaultdict(list)
     for index, places in enumerate(grids):

@@ -40,8 +40,8 @@ class NamedTest:
 
 
 def same_measurement(one: NamedTest, other: NamedTest) -> bool:
-    """Return whether two tests share a file by its content, hold the same scattering readings at
-    the same targets, or share a run.
+    """Return whether two tests come from one measurement. They do if they share a file (by
+    content) or a run, or have the same scattering readings at the same targets.
     """
     if share_a_file(one.sources, other.sources):
         return True
@@ -111,8 +111,8 @@ def share_a_run(one: PositioningTest, other: PositioningTest) -> bool:
 
 
 def _always_by_chance(ours: _Blocks, others: _Blocks) -> bool:
-    """Return whether runs at so few targets may always be the same by chance: of m differences one
-    is the commonest, so that p is 1/m or more. Counted are the runs without a gap.
+    """Return whether runs with so few targets can always agree by chance. Of m differences one
+    is the most frequent, so p is 1/m or more. Only runs without a gap count.
     """
     targets = len(ours[Direction.POSITIVE])
     pairs = 0
@@ -127,8 +127,8 @@ def _always_by_chance(ours: _Blocks, others: _Blocks) -> bool:
 
 
 def _zeros(mine: FloatArray, theirs: FloatArray) -> list[float] | None:
-    """Return the constants by which runs (columns) of two blocks differ that differ by nothing
-    else; None where no two runs can be compared, as `_gaps` does.
+    """Return the constants by which runs (columns) of two blocks differ, if nothing else
+    differs. None where no two runs can be compared, as in `_gaps`.
     """
     found: list[float] = []
     compared = False
@@ -220,8 +220,8 @@ def _sharing_runs(tests: Sequence[PositioningTest]) -> list[set[int]]:
 
 
 def _one_of_each(tests: Sequence[PositioningTest]) -> list[list[int]]:
-    """Return the tests (their indices, ascending) in groups that have the same readings or come
-    from the same file; most groups hold one.
+    """Return the tests (indices, ascending) in groups with the same readings or the same file.
+    Most groups contain one test.
     """
     above = list(range(len(tests)))
 

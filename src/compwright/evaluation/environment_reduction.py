@@ -51,10 +51,10 @@ def reduce_by_record(
     *,
     own_temperature: bool,
 ) -> PositioningTest:
-    """Return ``test`` (machine coordinates) without what the air did to the light and, where
-    ``thermal`` is given, without the differential expansion, both at the moment of each reading.
-    ``zero``: where the display was zeroed, mm; ``own_temperature``: T_m of ``thermal`` is stated by
-    the test itself.
+    """Return ``test`` corrected for air and thermal expansion with the environment record. The
+    effect of the air on the laser light is removed at the moment of each reading, and with
+    ``thermal`` the differential expansion too. Machine coordinates. ``zero``: where the display
+    was zeroed, mm; ``own_temperature``: the test itself states T_m of ``thermal``.
 
     Findings: CW-T024 and CW-T028 what was removed, CW-T029 how light, expansion and the rest
     changed over the test, CW-T038 a gap in the record, CW-T039 readings without times: for them the
@@ -207,8 +207,8 @@ def _usual_distance(record: EnvironmentRecord) -> float:
 def _at(
     record: EnvironmentRecord, times: FloatArray | None, readings: FloatArray
 ) -> Mapping[str, FloatArray]:
-    """Return the values of the record at each reading: linear in time between two rows, the mean of
-    all rows where the readings have no times.
+    """Return the values of the environment record at each reading. They are linear in time
+    between two rows; readings without times get the mean of all rows.
     """
     if times is None:
         return {name: np.full_like(readings, value.mean()) for name, value in record.values.items()}
@@ -263,8 +263,8 @@ def _light_finding(
 def _untimed(
     environment: Environment, test: PositioningTest, thermal: Thermal | None
 ) -> Iterator[Finding]:
-    """Yield by how much the reduction varies within the record, µm over the targets, where nothing
-    says when the readings were taken; nothing where that is small. ``thermal``: the expansion whose
+    """Yield how much the correction would vary within the record (µm over the targets), for
+    tests without times. Nothing where that is small. ``thermal``: the expansion whose
     temperature is that of the record.
     """
     record = environment.record
@@ -282,10 +282,11 @@ def _untimed(
 def _changes(
     times: FloatArray, split: int, light: FloatArray, expansion: FloatArray, rest: FloatArray
 ) -> Iterator[Finding]:
-    """Yield by how much light, expansion and the rest of the readings changed over the test, µm:
-    the straight line over time through the readings of each target and direction, times the
-    duration. Light and expansion at the target where they changed most; of the rest the mean over
-    the targets with its standard error. Nothing where a target was approached once.
+    """Yield how much the air, the expansion and the other part of the readings changed during
+    the test, µm. Each change is the slope of a straight line over time through the readings of
+    each target and direction, times the duration. Air and expansion: at the target where they
+    changed most; the other part: the mean over the targets with its standard error. Nothing
+    where a target was approached once.
     """
     duration = float(np.nanmax(times) - np.nanmin(times))
     centred = _centred(times, split)

@@ -109,10 +109,10 @@ def expansion_finding(thermal: Thermal) -> Finding:
 
 
 def remove_differential_expansion(test: PositioningTest, thermal: Thermal) -> PositioningTest:
-    """Return ``test`` without its differential expansion, and the findings. e20 = e - (x -
-    x_fix)[alpha_m (T_m - 20) - alpha_d (T_d - 20)], with a finding (CW-T024). Where the temperature
-    rose during the test, CW-T025 follows: the mean of start and end is used, because no reading has
-    a time.
+    """Return ``test`` without its differential thermal expansion, with findings. e20 = e - (x -
+    x_fix)[alpha_m (T_m - 20) - alpha_d (T_d - 20)], with a finding (CW-T024). Where the
+    temperature rose during the test, CW-T025 follows: the mean of start and end is used,
+    because no reading has a time.
 
     x in mm, alpha in µm/(m K), T in °C, deviations in mm. ``thermal.x_fix`` is the fixed point of
     the measurement and ``thermal.refer_to`` says whose expansion alpha_m and T_m are: the machine's

@@ -154,8 +154,8 @@ def _pairs(n: int) -> tuple[Indices, Indices]:
 
 
 def _narrowest(x: FloatArray, y: FloatArray, reach: float, tolerance: float) -> FloatArray:
-    """Return the centre (2,) of the narrowest annulus of a few points among the origin and the
-    crossings of their bisectors.
+    """Return the centre (2,) of the narrowest annulus that encloses a few points. Candidates
+    are the origin and the crossings of the points' bisectors.
 
     Centres farther from the origin than ``reach`` are left out. Of several equally good ones the
     middle is taken: where two points on a ray set the width all centres between are as good, and

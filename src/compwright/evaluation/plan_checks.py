@@ -96,8 +96,8 @@ def _runs(test: PositioningTest) -> list[Finding]:
 
 
 def _linear_targets(test: PositioningTest) -> list[Finding]:
-    """CW-T002: at least five targets per metre and five in all (4.3.2); long axes with n = 1 have
-    their own interval.
+    """CW-T002: at least five targets per metre and five in all (4.3.2). Long axes with n = 1
+    have another interval.
     """
     length = _length(test)
     if length > LONG[test.kind] and approaches(test) == 1:
@@ -159,8 +159,8 @@ def _long_axis(
     travel: tuple[float, float] | None,
     other_tests: Sequence[PositioningTest],
 ) -> list[Finding]:
-    """CW-T005: axes over 2 000 mm or 360° need two tests: n = 1 over the whole length, n = 5 over 2
-    000 mm or 360°.
+    """CW-T005: axes over 2 000 mm or 360° need two tests. One has n = 1 over the whole length,
+    the other n = 5 over 2 000 mm or 360°.
 
     No finding where the second test is among ``other_tests``.
     """
@@ -185,8 +185,8 @@ def _is_single(test: PositioningTest) -> bool:
 
 
 def _long_interval(test: PositioningTest, standard: str) -> list[Finding]:
-    """CW-T006: 250 mm (4.3.3); rotary at most 45° (1997, GOST) or eight targets per turn (2006,
-    2014), up to 1 800°.
+    """CW-T006: targets at most 250 mm apart (4.3.3). Rotary axes: at most 45° (1997, GOST) or
+    eight targets per turn (2006, 2014), up to 1 800°.
     """
     length, number = _length(test), test.targets.size
     if test.kind is AxisKind.LINEAR:

@@ -157,8 +157,8 @@ def _other_unit(test: PositioningTest) -> Finding | None:
 
 
 def reversal_above_zero(test: PositioningTest) -> float:
-    """Return the mean reversal value in mm or deg where it is above zero by more than is usual,
-    else 0.
+    """Return the mean reversal value (mm or deg) if it is positive and larger than usual, else
+    0.
     """
     reversal = mean_deviation(test.positive) - mean_deviation(test.negative)
     known = reversal[np.isfinite(reversal)]
@@ -217,8 +217,7 @@ _COVERS: Final = (0.5, 1.05)
 
 
 def wrong_target_unit(test: PositioningTest, travel: tuple[float, float]) -> str:
-    """Return in which unit the targets seem to be, so that they fit ``travel`` (mm); empty where
-    they fit as they are.
+    """Return the unit in which the targets fit ``travel`` (mm); empty if they fit it in mm.
 
     Certain, because nothing else brings it about: the targets span less than a tenth of the travel
     (or more than ten times of it), and times 25.4 or 1000 (or divided by it) they span at least

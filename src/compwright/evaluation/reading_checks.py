@@ -140,8 +140,8 @@ def missing_reading_findings(test: PositioningTest) -> list[Finding]:
 
 
 def zero_traverse_findings(test: PositioningTest) -> list[Finding]:
-    """Return a finding for each traverse of zeros (two targets or more), and one for rows of zeros
-    within a traverse (CW-T011).
+    """Return the findings on readings that are exactly zero (CW-T011). One for each traverse of
+    zeros (two targets or more), one for rows of zeros within a traverse.
 
     A file that was read with this finding of its own (CW-R010) does not get the first one twice.
     """
@@ -242,8 +242,8 @@ def _drift_sentence(
     means: FloatArray,
     growths: FloatArray,
 ) -> Sentence:
-    """Return the drift of each direction in words: its mean, or, where that hides most of it, what
-    it is at both ends of the travel.
+    """Return the drift of each direction in words. It is the mean drift, or the drift at both
+    ends of the travel where the mean hides most of it.
     """
     if np.abs(growths).max() <= np.abs(means).max():
         each = [
@@ -308,8 +308,8 @@ def _orders(runs: int) -> FloatArray:
 
 
 def suspect_traverse_findings(test: PositioningTest, compare: Compare) -> list[Finding]:
-    """Return a finding for each run that is an outlier as a whole, in one direction or in both
-    (CW-T013); at least three runs.
+    """Return a finding for each run that deviates from the others as a whole (CW-T013), in one
+    direction or in both. Needs at least three runs.
     """
     shifts = _shifts(test)
     suspect = _suspect(test, shifts)
@@ -431,9 +431,9 @@ def suspect_reading_findings(
 
 
 def _run_scores(residual: FloatArray, along: FloatArray, scale: float) -> FloatArray:
-    """Return for each run (2, n) the mean over targets of the residuals, clipped at three
-    ``scale``, and that of their product with the place ``along`` the travel (m,); 0 for a run
-    without readings.
+    """Return two scores of each run, (2, n): the mean over targets of the residuals, and the
+    mean of residuals times position. Residuals are clipped at three ``scale``; ``along`` (m,):
+    the place along the travel; 0 for a run without readings.
     """
     clipped = np.clip(np.nan_to_num(residual), -3.0 * scale, 3.0 * scale)
     number = np.maximum(np.isfinite(residual).sum(axis=0), 1)

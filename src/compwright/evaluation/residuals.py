@@ -25,8 +25,8 @@ _BOTH: Final = (Direction.POSITIVE, Direction.NEGATIVE)
 
 
 def pooled_residuals(test: PositioningTest) -> tuple[list[FloatArray], float]:
-    """Return the residuals (m, n) from the target's median in + and −, and the robust scale of a
-    reading, common to both.
+    """Return the residuals (m, n) in + and −, from the median of each target, and their robust
+    scale. Both directions have the same scale.
     """
     residuals = [
         test.deviations(direction) - row_medians(test.deviations(direction)) for direction in _BOTH

@@ -1,5 +1,5 @@
-"""A test that was written down once more: with fewer digits, another zero of the instrument, its
-runs in another order, or some runs and targets only.
+"""Find a test that is a second record of another one. It may have fewer digits, another zero of the
+instrument, its runs in another order, or only some of the runs and targets.
 """
 
 from __future__ import annotations

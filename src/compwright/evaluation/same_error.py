@@ -32,8 +32,8 @@ _LENGTH: Final = 0.4
 
 
 def same_error_findings(tests: dict[str, list[PositioningTest]]) -> list[Finding]:
-    """Return a doubt (CW-T037) for each pair of axes with tests of the same error; ``tests`` by the
-    name of the axis.
+    """Return a doubt (CW-T037) for each pair of axes whose tests show the same error. ``tests``
+    by the name of the axis.
     """
     found = []
     for one, other in combinations(tests, 2):
@@ -56,8 +56,8 @@ def same_error_findings(tests: dict[str, list[PositioningTest]]) -> list[Finding
 
 
 def same_error_odds(one: PositioningTest, other: PositioningTest) -> float:
-    """Return how much more likely the means of two tests are with one error than with two; 0 where
-    they have too few targets in common.
+    """Return how much more likely the means of two tests are with one common error than with
+    two errors. 0 where they have too few common targets.
     """
     if one.kind is not other.kind:
         return 0.0
@@ -83,8 +83,8 @@ def _log_density(values: FloatArray, covariance: FloatArray) -> float:
 
 
 def _common(one: PositioningTest, other: PositioningTest) -> tuple[FloatArray, ...]:
-    """Return at the targets and directions that both have: difference of the means, both means,
-    variance of the difference, position and direction (+1, -1).
+    """Return how two tests compare at their common targets and directions. Difference of the
+    means, both means, variance of the difference, position and direction (+1, -1).
     """
     _, first, second = np.intersect1d(
         np.round(one.targets / SAME_READING),

@@ -1,5 +1,5 @@
-"""What an axis did beneath the environmental variation: the readings of a test as they would have
-been without it, drawn from what the readings leave possible.
+"""Draw what a test would have shown without environmental variation. The draws come from all
+scatters of the axis that are compatible with the readings.
 
 A reading is a position of the axis plus a draw of the environmental variation, whose size is known.
 What is added makes a test wider than its axis: scatter grows, and of many targets the one that got
@@ -35,9 +35,9 @@ _POWERS: Final = (2.0, 4.0)
 def without_environment(
     test: PositioningTest, sigma: float, count: int, rng: np.random.Generator
 ) -> tuple[FloatArray, FloatArray]:
-    """Return ``count`` draws of the readings in + (count, m, n) and in -, mm or deg, without an
-    environmental variation. Its standard deviation is ``sigma``, one draw per reading; NaN where
-    none was made.
+    """Return ``count`` draws of the readings in + (count, m, n) and in -, mm or deg, without
+    environmental variation. Its standard deviation is ``sigma``, one draw per reading; NaN
+    where no reading was made.
     """
     blocks = (test.positive, test.negative)
     if sigma <= 0.0:
@@ -69,8 +69,8 @@ def _squares(block: FloatArray) -> FloatArray:
 def _own_variance(
     squares: FloatArray, number: FloatArray, sigma: float, count: int, rng: np.random.Generator
 ) -> FloatArray:
-    """Return draws (count, k) of the variance of the axis' own scatter in k cells, each with its
-    sum of ``squares`` (k,) over ``number`` (k,) readings.
+    """Return draws (count, k) of the variance of the axis' own scatter in k cells (a target and
+    direction). ``squares`` (k,): the sum of squares over ``number`` (k,) readings.
 
     The cells share a level and a spread about it, both drawn by their likelihood; within a cell the
     squares are chi-square times own variance plus sigma².
@@ -91,8 +91,8 @@ def _own_variance(
 
 
 def _populations() -> FloatArray:
-    """Return the shares (h, t) of the variances tried: every level with every spread about it; the
-    first one is no scatter at all.
+    """Return the weights (h, t) of the variances to try: every level with every spread about
+    it. The first one is no scatter at all.
     """
     level = np.log(4.0) * np.arange(_TRIED.size)
     off = level[:, np.newaxis] - level
@@ -126,7 +126,7 @@ def _scatter(
 def _means(
     test: PositioningTest, own: float | None, sigma: float, count: int, rng: np.random.Generator
 ) -> tuple[FloatArray, FloatArray]:
-    """Return draws (count, m) of the means in + and in - without the environment; ``own``: the
+    """Return draws (count, m) of the means in + and in - without the environment. ``own``: the
     variance of the axis' own scatter, None where no reading is repeated.
     """
     up, down = mean_deviation(test.positive), mean_deviation(test.negative)
@@ -151,8 +151,8 @@ def _curve(
     count: int,
     rng: np.random.Generator,
 ) -> FloatArray:
-    """Return draws (count, m) of ``values`` (m,) without their ``noise``; ``own``: of the axis' own
-    scatter in them, which is at least there (both variances).
+    """Return draws (count, m) of ``values`` (m,) without their ``noise``. ``own``: the variance
+    of the axis' own scatter in them, which stays in any case (both variances).
 
     Less its straight line a curve is smooth plus rough: over the cosines of the order of the
     targets the variance is a / frequency^p + w, with a, p and w by their evidence.
@@ -176,9 +176,10 @@ def _curve(
 
 
 def _curves_tried(m: int, *, own_known: bool) -> tuple[FloatArray, FloatArray]:
-    """Return the variances (h, m - 1) of the cosines in units of the noise, and the logarithm of
-    their weights (h,): no smooth part weighs as much as all, and so does no rough part where the
-    scatter of the axis is counted already (``own_known``); else no axis is without any.
+    """Return the variances (h, m - 1) of the cosines to try, in units of the noise, and the
+    logarithm of their weights (h,). The model without a smooth part weighs as much as all
+    models with one. So does the model without a rough part if the scatter of the axis is
+    counted already (``own_known``); else it weighs as much as a single one with it.
     """
     frequency = 2.0 * np.sin(0.5 * np.pi * np.arange(1, m) / m)
     shapes = [frequency**-power for power in _POWERS]

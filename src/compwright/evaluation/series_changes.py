@@ -41,8 +41,8 @@ _COMMON = 0.8
 def noted_changes(
     entries: Sequence[HistoryEntry], trends: Sequence[NotedTrend]
 ) -> list[NotedChange]:
-    """Return what changed between the tests of one axis or plane: each is compared with the last
-    comparable test before it.
+    """Return what changed between the tests of one axis or plane. Each test is compared with
+    the last comparable test before it.
 
     ``entries`` in their order in time; ``trends``: theirs (`noted_trends`). What the other
     comparisons differ by more than their standard errors explain is scatter from test to test.
@@ -86,9 +86,9 @@ def noted_changes(
 
 
 def _between_tests(others: Sequence[Change]) -> tuple[float, float]:
-    """Return the variance of a difference between two tests that their standard errors do not
-    explain, and its degrees of freedom, from other comparisons of the same parameter; 0 for fewer
-    than four.
+    """Return the variance between tests that their standard errors do not explain, and its
+    degrees of freedom. From other comparisons of the same parameter; 0 if there are fewer than
+    four.
 
     Neighbouring differences share a test, which leaves two thirds of their number.
     """
@@ -114,8 +114,8 @@ _DAYS: Final = 365.25
 
 
 def noted_trends(entries: Sequence[HistoryEntry]) -> Iterator[NotedTrend]:
-    """Yield the rate per year of each parameter, from the dated tests that can be compared with the
-    last one; ``entries`` in their order in time.
+    """Yield the rate per year of each parameter. It uses the dated tests that can be compared
+    with the last one; ``entries`` in order of time.
 
     A jump of one parameter makes jumps of the others between the same tests likely: else a
     collision that tilts the error curve within the temperature uncertainty looks like growth.
@@ -197,8 +197,8 @@ def _noted(
 
 
 def _stated(entry: HistoryEntry, parameter: str) -> float:
-    """Return the standard uncertainty of a parameter by the temperature as far as it is declared,
-    else 1 K of steel on a linear axis.
+    """Return the standard uncertainty of a parameter from the temperature. It counts as declared,
+    else as 1 K of steel on a linear axis.
     """
     if entry.kind == "circular" or parameter not in _OF_LENGTH:
         return 0.0

@@ -1,5 +1,5 @@
-"""How far the parameters of a positioning test would differ in a test made again at once: their
-standard errors, from the scatter of its own readings.
+"""Standard errors of the parameters of a positioning test. They state how much a parameter would
+differ in a test repeated at once, and come from the scatter of the test's own readings.
 """
 
 from __future__ import annotations
@@ -27,8 +27,8 @@ class StandardError:
 def standard_errors(
     positive: FloatArray, negative: FloatArray, coverage: float
 ) -> dict[str, StandardError]:
-    """Return the standard errors of A, B, B_mean (ISO 230-2:2014 symbols) and of the pooled
-    standard deviation ``s`` of a reading.
+    """Return the standard errors of A, B, B_mean (symbols of ISO 230-2:2014) and of ``s``, the
+    pooled standard deviation of a reading.
 
     ``positive``, ``negative`` (m, n): readings of each direction in any one unit, NaN for those not
     made, width 0 for a direction not measured; columns are runs. ``coverage``: k of A. Empty
@@ -58,8 +58,8 @@ def slope_error(
     positions: FloatArray, positive: FloatArray, negative: FloatArray
 ) -> StandardError | None:
     """Return the standard error of the slope of the mean deviation over ``positions`` (m,), per
-    unit of position; None without two whole runs. As `standard_errors`: from the scatter of single
-    readings, or of the slopes of the runs where these differ more.
+    unit of position. None without two whole runs. It comes from the scatter of single readings,
+    or of the slopes of the runs where these differ more.
     """
     blocks = [block for block in (positive, negative) if block.size and np.isfinite(block).any()]
     scatter = _scatter(blocks)
@@ -103,8 +103,9 @@ def _scatter(blocks: list[FloatArray]) -> tuple[float, StandardError] | None:
 
 
 def _between_runs(blocks: list[FloatArray]) -> list[float]:
-    """Return the relative variance of s², as the mean square residuals of the traverses and of the
-    runs differ, where there are three of them; each row of n readings loses one to its mean.
+    """Return the relative variance of s², from how much the mean square residuals of traverses
+    and runs differ. Needs three of them; each row of n readings loses one degree of freedom to
+    its mean.
     """
     residuals = [
         block - np.nanmean(block, axis=1, keepdims=True)
@@ -139,8 +140,8 @@ def _dof(cell: FloatArray) -> int:
 
 
 def _ends(blocks: list[FloatArray], coverage: float) -> tuple[FloatArray, FloatArray] | None:
-    """Return the readings of the two cells that make A: the highest mean + k s and the lowest
-    mean - k s; None where none is repeated.
+    """Return the readings of the two cells that determine A. They have the highest mean + k s
+    and the lowest mean - k s; None if no reading is repeated.
     """
     cells = [row for block in blocks for row in block if _dof(row) > 0]
     if not cells:

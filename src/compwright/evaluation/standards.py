@@ -369,8 +369,8 @@ def _why(
 def _located(
     test: PositioningTest, columns: TargetColumns, given: Mapping[str, float | None]
 ) -> dict[str, float]:
-    """Return the target at which each parameter that is the extreme of one target is reached (the
-    first one on a tie).
+    """Return the target at which each parameter has its extreme value (the first one if
+    several).
     """
     sources = {
         "R": columns.repeatability,
@@ -393,8 +393,8 @@ def _extremes(
     given: Mapping[str, float | None],
     coverage: float,
 ) -> dict[str, tuple[Extreme, Extreme]]:
-    """Return the highest and the lowest value behind each of A, E and M that is given (the first
-    target on a tie).
+    """Return the highest and the lowest value from which A, E and M are formed. Only parameters
+    that are given; the first target if several.
     """
     means = dict(zip(_BOTH, (columns.mean_positive, columns.mean_negative), strict=True))
     spread = dict(zip(_BOTH, (columns.s_positive, columns.s_negative), strict=True))
@@ -465,8 +465,8 @@ def _comparison(
     standard: Standard,
     spread: str,
 ) -> Sentence | None:
-    """Return "A 5.00 µm with it, 4.00 µm without; R ..." for the readings that ``other`` lacks;
-    None where s is missing.
+    """Return "A 5.00 µm with it, 4.00 µm without; R ..." for the readings that are missing in
+    ``other``. None if s is missing.
     """
     try:
         columns = _columns(other, standard, spread)

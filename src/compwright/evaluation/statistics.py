@@ -114,8 +114,8 @@ def _mean(values: FloatArray, number: NDArray[np.intp]) -> FloatArray:
 
 
 def _total(values: FloatArray) -> FloatArray:
-    """Return the sum of values (..., n) over n: of few, as of the readings at a target, one by one
-    from the first: the bits of numpy's own sum in a quarter of its time.
+    """Return the sum of values (..., n) over n. Few values are added one by one from the first,
+    with the same bits as numpy's own sum in a quarter of its time.
     """
     if not 0 < values.shape[-1] < _MANY:
         return np.asarray(values.sum(axis=-1))
@@ -256,8 +256,8 @@ def vdi_parameters(
     mean_negative: FloatArray,
     s_negative: FloatArray,
 ) -> dict[str, FloatArray]:
-    """Return the parameters of VDI/DGQ 3441, each (...), from means and s (..., m); the unit is
-    that of the input.
+    """Return the parameters of VDI/DGQ 3441, each (...). Input: means and s (..., m); same
+    unit.
 
     U_i = abs(B_i), Ps_i = 6 (s+ + s-)/2, Pa = range of the two-direction means,
     P = max[mean_i + (U_i + Ps_i)/2] - min[mean_i - (U_i + Ps_i)/2]. The text of VDI/DGQ 3441 was

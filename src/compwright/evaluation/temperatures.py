@@ -1,5 +1,5 @@
-"""The temperatures that a measurement file states of its test (ISO 230-2:2006, 7.1: of the sensors,
-at the start and at the end of the test).
+"""The temperatures in a measurement file: of the sensors, at start and end of the test (ISO
+230-2:2006, 7.1).
 
 Keys of the header, °C: ``T_m`` of the machine's scale or workpiece, ``T_d`` of the measuring
 device; or ``T_m_start`` and ``T_m_end``, ``T_d_start`` and ``T_d_end``.
@@ -58,8 +58,8 @@ def stated_temperatures(header: Mapping[str, str], file: str) -> Temperatures:
 
 
 def temperatures_of(parts: Sequence[PositioningTest]) -> Temperatures:
-    """Return what the files of one test state together: from the start of the first to the end of
-    the last that says it. Raises InputError.
+    """Return the temperatures of one test from all its files. They reach from the start of the
+    first file to the end of the last file that states one. Raises InputError.
     """
     found: dict[str, tuple[float, float]] = {}
     for part in parts:

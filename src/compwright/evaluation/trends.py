@@ -1,5 +1,5 @@
-"""How fast a parameter of an axis changes over the years, where it jumped, and when it will reach
-its limit.
+"""Trends of a parameter over the years: rate of change, jumps, and the time at which a limit is
+reached.
 
 Model of the tests k at times t_k (years) of one parameter:
 
@@ -69,8 +69,8 @@ class TrendJump:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Forecast:
-    """When a limit is reached, in years after the last test: median, and the ends of a 90 %
-    interval; None: not within 30 years.
+    """The time when a limit is reached, in years after the last test. Median and the ends of a
+    90 % interval; None: not within 30 years.
     """
 
     median: float | None
@@ -95,8 +95,9 @@ class Trend:
         return abs(self.rate) > 3.0 * self.std_error
 
     def reaches(self, limit: float, toward: float = 1.0) -> Forecast | None:
-        """Return when the parameter without its scatter, times ``toward`` (its sign, ±1), exceeds
-        ``limit``; None where the trend is not clear or leads away from it.
+        """Return when the parameter without its scatter exceeds ``limit``. It is multiplied
+        by ``toward`` (its sign, ±1); None where the trend is not clear or leads away from
+        the limit.
         """
         if not self.clear or toward * self.rate <= 0.0:
             return None
@@ -182,8 +183,8 @@ class _Tests:
 
 @dataclass(frozen=True, slots=True)
 class _Solution:
-    """A linear model for each scatter (s): coefficients (s, p), covariance (s, p, p), logarithm of
-    the evidence (s,) and, for each further jump, what it adds (s, n - 1).
+    """A linear model, solved for each scatter tried (s). Coefficients (s, p), covariance (s, p,
+    p), logarithm of the evidence (s,) and what each further jump adds to it (s, n - 1).
     """
 
     coefficients: FloatArray
@@ -245,8 +246,8 @@ def _variants(
 def _found_jumps(
     tests: _Tests, certain: Sequence[int], start: Sequence[int]
 ) -> tuple[list[int], float]:
-    """Return the jumps that are more probable than not and the logarithm of their evidence: from
-    ``start``, one after the other is taken in or out, the best first.
+    """Return the jumps that are more probable than not, and the logarithm of their evidence.
+    Starting from ``start``, the best change (one jump more or less) is made first.
     """
     found = list(start)
     log_odds = np.log(tests.odds / (1.0 - tests.odds))

@@ -55,8 +55,8 @@ def _log_square(ratio: float) -> float:
 
 
 def turned_odds(reversal: float, kind: AxisKind) -> float:
-    """Return how much more usual a mean reversal is with its sign turned, mm or deg; ``reversal``
-    mean(+) - mean(-), below zero for lost motion (ISO 230-2:1997, 2.14).
+    """Return how much more usual a mean reversal value would be with the opposite sign.
+    ``reversal``: mean(+) - mean(-), mm or deg, negative for lost motion (ISO 230-2:1997, 2.14).
     """
     size = reversal * outside_factor(kind.unit)
     return _density(-size) / max(_density(size), 1e-12)

@@ -1,5 +1,5 @@
-"""Measurement uncertainty of the parameters, k = 2: the contributors of ISO 230-2:2006 annex A,
-their distributions propagated as in JCGM 101:2008.
+"""Measurement uncertainty of the parameters, k = 2. The contributors of ISO 230-2:2006 annex A;
+their distributions are propagated as in JCGM 101:2008.
 
 Readings as the contributors would leave them are drawn and evaluated by the definitions of the
 parameters; no coefficient is quoted from the standard. Only the measurement enters: the
@@ -76,8 +76,9 @@ def contributions(
 def thermal_contributions(
     length: float, U_theta: float, U_alpha: float, thermal: Thermal | None
 ) -> tuple[Contribution, ...]:
-    """Return what temperature (``U_theta``, K) and coefficient of expansion (``U_alpha``, µm/(m K))
-    of the machine and, where it expands, the instrument add to a ``length`` (m) at 20 °C.
+    """Return the uncertainty of a ``length`` (m) at 20 °C from temperature and expansion.
+    ``U_theta`` (K) of the temperature and ``U_alpha`` (µm/(m K)) of the coefficient, for the
+    machine and for an instrument that expands.
     """
     expands = [
         ("machine", thermal.alpha_m if thermal else _STEEL, thermal.T_m if thermal else 20.0)
@@ -130,8 +131,8 @@ def _variation(given: float, unit: str) -> Contribution:
 def length_uncertainty(
     test: PositioningTest, budget: UncertaintyBudget, thermal: Thermal | None
 ) -> float:
-    """Return the expanded uncertainty (µm; rotary axes: arcsec) over the measured length of all
-    that is one draw per test times position.
+    """Return the expanded uncertainty over the measured length (µm; rotary axes: arcsec). It
+    covers all contributors that are one draw per test, proportional to position.
     """
     every = contributions(test, budget, thermal)
     return COVERAGE * math.hypot(*(one.standard for one in every if one.per == "length"))
@@ -310,8 +311,8 @@ def _parameters(
 
 @cache
 def _normal_scores(count: int) -> FloatArray:
-    """Return the means of equally likely slices of the normal law, so that one contributor alone
-    comes out as it is (McKay, Beckman and Conover, Technometrics 21 (1979) 239).
+    """Return the means of equally probable slices of the normal distribution. One contributor
+    alone then keeps its exact spread (McKay, Beckman and Conover, Technometrics 21 (1979) 239).
     """
     from statistics import NormalDist  # slow to import, and most tests come without a budget
 

@@ -35,8 +35,8 @@ def valid_part(test: PositioningTest) -> PositioningTest:
 
 
 def zero_traverses(test: PositioningTest) -> list[tuple[Direction, int]]:
-    """Return direction and column of each traverse that is exactly zero at all its targets (two or
-    more) while the others scatter so that this is no chance.
+    """Return direction and column of each traverse that is exactly zero at all its targets (two
+    or more). The others must scatter so much that this cannot be chance.
     """
     chance = chance_of_zero(test)
     found = []
@@ -96,8 +96,8 @@ def without_readings(
 
 
 def chance_of_zero(test: PositioningTest) -> float:
-    """Return how often a reading that scatters about zero is exactly zero: the step of the digits
-    by the width of the scatter.
+    """Return the probability that a reading that scatters about zero is exactly zero. It is the
+    step of the digits divided by the width of the scatter.
 
     Scatter: the median of s over the targets that show one, so that the zeros themselves do not
     count.
