@@ -69,7 +69,7 @@ KINDS = {
     "broken YAML": job("not valid YAML", "correct this line", JOB.replace("[0, 400]", "[0, 400")),
     "a list": job("is not a job", "make a job file", "- 1\n"),
     "an unknown format": job("no such control format", "formats list", JOB.replace("linuxcnc", "linuxnc")),
-    "an unknown option": job("no such option", "leave this option out", JOB.replace("linuxcnc", "linuxcnc, options: {unit: mm}")),
+    "an unknown option": job("has no option", "leave this option out", JOB.replace("linuxcnc", "linuxcnc, options: {unit: mm}")),
     "a wrong option": job("has a wrong value", "correct the value", JOB.replace("linuxcnc", "linuxcnc, options: {units: ell}"), JOB.replace("linuxcnc", "linuxcnc, options: {units: mm}")),
     "no detection unit": job("the detection unit of the axis", "add `detection_unit`", FANUC.replace("detection_unit: 0.001, ", ""), FANUC),
     "no axis number": job("needs the number", "add `address: 1`", FANUC.replace("address: 0", "address: X"), FANUC.replace("address: 0", "address: 1")),

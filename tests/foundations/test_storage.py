@@ -99,7 +99,7 @@ def test_folder_in_the_place_of_a_file(tmp_path: Path, force: bool) -> None:
 def test_file_in_the_place_of_a_folder(tmp_path: Path) -> None:
     storage.write_file(Session(), tmp_path / "x", b"file")
     (fault,) = faults_of(lambda: storage.write_files(Session(), tmp_path, {"ok": b"", "x/y": b""}))
-    assert fault.startswith(f"{tmp_path / 'x'}: is not a folder")
+    assert fault.startswith(f"{tmp_path / 'x'}: this is not a folder")
     assert tree(tmp_path) == {"x": b"file"}
 
 

@@ -79,7 +79,7 @@ def _absent(path: Path) -> Fault:
         )
     elif path.name == "plan.json":
         hint = "write it with `compwright run JOB.yaml`, or check the path"
-    return Fault(message="there is no file of this name", found=found, hint=hint)
+    return Fault(message="the file does not exist", found=found, hint=hint)
 
 
 def _at_most(stream: BinaryIO, count: int) -> bytes:
