@@ -245,7 +245,7 @@ def test_target_never_holds_a_part_of_the_content(
 def test_no_permission() -> None:
     """/proc refuses new files even to root."""
     (fault,) = faults_of(lambda: storage.write_file(Session(), Path("/proc/compwright.txt"), b"x"))
-    assert fault.startswith("/proc/compwright.txt: cannot be written; found ")
+    assert fault.startswith("/proc/compwright.txt: the file cannot be written; found ")
 
 
 def test_reading_says_why_not(tmp_path: Path) -> None:
