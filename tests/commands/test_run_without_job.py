@@ -88,7 +88,10 @@ def test_the_job_gives_the_same_bytes_again(hall: Path, capsys: pytest.CaptureFi
     (hall / job).write_text(text.replace("kind: linear", "kind:  linear"))
     edited = tree(hall)
     assert compwright(["run", FILE, *WORDS, "--out", OUT, "--force"]) == 5
-    assert "job.yaml: the file was not written by an earlier run, or was changed" in capsys.readouterr().err
+    assert (
+        "job.yaml: the file was not written by an earlier run, or was changed"
+        in capsys.readouterr().err
+    )
     assert tree(hall) == edited
     assert compwright(["run", job, "--force"]) == 0
     assert compwright(["run", FILE, *WORDS, "--out", OUT, "--force"]) == 5

@@ -76,7 +76,9 @@ def test_without_its_list_nothing_is_its_own(content: bytes | None, tmp_path: Pa
     (tmp_path / LIST).unlink()
     if content is not None:
         (tmp_path / LIST).write_bytes(content)
-    assert "a.ini: the file was not written by an earlier run" in refused(tmp_path, {"a.ini": b"new"})
+    assert "a.ini: the file was not written by an earlier run" in refused(
+        tmp_path, {"a.ini": b"new"}
+    )
 
 
 def test_commands_in_one_folder_leave_each_other_s_files(tmp_path: Path) -> None:
@@ -97,7 +99,9 @@ def test_a_file_that_lay_there_just_so_stays_the_user_s(tmp_path: Path) -> None:
     (tmp_path / "a.ini").write_bytes(b"one")
     written(tmp_path, SET)
     assert "a.ini" not in (tmp_path / LIST).read_text()
-    assert "a.ini: the file was not written by an earlier run" in refused(tmp_path, {"a.ini": b"new"})
+    assert "a.ini: the file was not written by an earlier run" in refused(
+        tmp_path, {"a.ini": b"new"}
+    )
     written(tmp_path, {"c.ini": b"new"})
     assert set(tree(tmp_path)) == {"a.ini", "c.ini", LIST}
 
