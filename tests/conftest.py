@@ -1,6 +1,6 @@
 """For all tests: pages hold empty frames for figures of circles unless a module or a test says
-`pytest.mark.real_figures`; those about the control's files say `pytest.mark.brief`; random cases have
-fixed seeds.
+`pytest.mark.real_figures`; those about the control's files say `pytest.mark.short_estimate`; random
+cases have fixed seeds.
 
 Circles are looked at in the tests of the reporting room, of the examples and of the plots that
 `evaluate` writes. Most of the time of a run is sampling. Where a measured axis or circle is only the
@@ -125,7 +125,7 @@ def of_module(request: pytest.FixtureRequest) -> Iterator[None]:
     with pytest.MonkeyPatch.context() as patch:
         if not request.node.get_closest_marker("real_figures"):
             unpaint(patch)
-        _sample(patch, brief=request.node.get_closest_marker("brief") is not None)
+        _sample(patch, brief=request.node.get_closest_marker("short_estimate") is not None)
         yield
 
 
@@ -138,8 +138,8 @@ def of_test(request: pytest.FixtureRequest) -> Iterator[None]:
     with pytest.MonkeyPatch.context() as patch:
         if "real_figures" in marks:
             paint(patch)
-        if marks & {"brief", "whole"}:
-            _sample(patch, brief="brief" in marks)
+        if marks & {"short_estimate", "full_estimate"}:
+            _sample(patch, brief="short_estimate" in marks)
         yield
 
 

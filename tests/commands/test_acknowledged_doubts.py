@@ -21,7 +21,7 @@ from compwright.words.sentences import say
 from loop import Machine, csv_of
 from places import PROJECT
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 MACHINE = Machine(high=1200.0)
 TARGETS = MACHINE.targets(count=25)

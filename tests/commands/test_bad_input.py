@@ -19,7 +19,7 @@ from compwright.fitting.solve import load_solver
 from loop import Machine, csv_of
 from places import PROJECT
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 JOB = """\
 compwright: 1

@@ -34,7 +34,7 @@ from places import PROJECT
 from reporting_samples import sample_card
 from sinumerik_container import container
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 TRAVEL = {"X": (0.0, 1200.0), "A": (-120.0, 120.0)}  # of the example
 

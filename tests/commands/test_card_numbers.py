@@ -18,7 +18,7 @@ from compwright.cli import run as compwright
 from compwright.records.axis import FloatArray
 from places import PROJECT
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 #: ``name = number unit`` as cards write it; a bracket may stand behind the name.
 _ASSIGNED = re.compile(

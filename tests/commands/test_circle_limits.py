@@ -32,7 +32,7 @@ from compwright.records.job import Acceptance
 from compwright.records.prediction import CirclePrediction, Quantiles
 from compwright.words.sentences import say
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 Rule = Literal["simple", "guarded"]
 UM = 1e-3

@@ -26,7 +26,7 @@ from format_samples import DEFINITIONS
 from places import REAL
 from sinumerik_archive import ARCHIVE, cec_text, eec_text, machine_data, needs_archive
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 FANUC = REAL / "fanuc"
 needs_backup = pytest.mark.skipif(

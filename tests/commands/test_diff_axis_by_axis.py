@@ -19,7 +19,7 @@ from compwright.cli import run as compwright
 from fanuc_backup import parameters, pitch_data
 from loop import Machine, csv_of
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 Files = dict[str, str]
 MACHINE = Machine(low=-200, high=200, slope=40e-6, bow=0.006, lost=0.005)

@@ -13,7 +13,7 @@ import pytest
 
 from compwright.cli import run as compwright
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 TARGETS = np.arange(0.0, 1001.0, 100.0)
 #: The machine's own error, µm, at the targets.

@@ -12,7 +12,7 @@ import pytest
 
 from compwright.cli import run as compwright
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 JOB = """\
 compwright: 1

@@ -132,7 +132,7 @@ def done(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
-@pytest.mark.brief
+@pytest.mark.short_estimate
 @pytest.mark.parametrize("kind", KINDS.values(), ids=KINDS)
 def test_the_next_step_removes_the_fault(
     kind: Kind,

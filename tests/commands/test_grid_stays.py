@@ -33,7 +33,7 @@ from compwright.controllers.virtual import virtual_control
 from compwright.records.correction import ControlFile
 from loop import Floats, Machine, csv_of
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 NOW, LATER = Machine(), Machine(bow=0.009)
 TARGETS = NOW.targets()

@@ -96,7 +96,7 @@ def test_help_has_what_is_required_examples_and_a_page(
     assert all(len(line) <= 100 for line in shown.splitlines())
 
 
-@pytest.mark.brief
+@pytest.mark.short_estimate
 def test_every_example_of_the_help_works(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -193,7 +193,7 @@ def test_formats_are_listed_by_maker_with_names_and_evidence(
     assert all(len(line) <= 100 for line in shown.splitlines())
 
 
-@pytest.mark.brief
+@pytest.mark.short_estimate
 def test_nothing_is_cut_on_a_pipe(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -219,7 +219,7 @@ def test_nothing_is_cut_on_a_pipe(
     assert "…" not in capsys.readouterr().out
 
 
-@pytest.mark.brief
+@pytest.mark.short_estimate
 def test_run_and_verify_end_with_the_next_command(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -16,7 +16,7 @@ import pytest
 from compwright.cli import run as compwright
 from loop import Floats, Machine, csv_of
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 MACHINE = Machine(high=1200.0)
 
@@ -195,7 +195,7 @@ def test_a_doubt_leaves_limits_undecided(tmp_path: Path) -> None:
     assert "to be met" not in page
 
 
-@pytest.mark.whole
+@pytest.mark.full_estimate
 def test_one_run_copied_is_a_doubt(tmp_path: Path) -> None:
     targets, values = readings(runs=1)
     write(

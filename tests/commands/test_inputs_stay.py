@@ -24,7 +24,7 @@ from dying import Process, running
 from loop import Machine, csv_of
 from next_steps import without_hint
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 CONTROL = "siemens-840d-sl"
 JOB = """\

@@ -12,7 +12,7 @@ from compwright.foundations.errors import StorageError
 from compwright.foundations.session import Session
 from compwright.workflow.history.result_folders import result_folders
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 
 def test_a_link_to_a_folder_among_what_is_handed_on_is_named(tmp_path: Path) -> None:

@@ -19,7 +19,7 @@ from test_inputs_stay import tree
 from compwright.cli import run as compwright
 from compwright.instruments.header_words import stated_unit
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 HALL = "Prüfung Halle 3"
 SHEET = f"{HALL}/X Achse – vorher.csv"

@@ -18,7 +18,7 @@ import pytest
 from compwright.cli import run as compwright
 from places import REAL, needs_shared
 
-pytestmark = [needs_shared, pytest.mark.brief]
+pytestmark = [needs_shared, pytest.mark.short_estimate]
 
 SLOPE, LOST = 0.012, 3.0
 

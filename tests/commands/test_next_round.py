@@ -46,7 +46,7 @@ from compwright.workflow.verify.verified_axis import verified_axis
 from frames import unpaint
 from loop import Floats, Machine, accuracy, allowed, csv_of
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 ADDRESSES = {"linuxcnc": ("0", "1"), "siemens-840d-sl": ("AX1", "AX2")}
 MACHINES = {"X": Machine(bow=0.008), "Y": Machine(slope=-30e-6, bow=0.008, lost=0.003)}

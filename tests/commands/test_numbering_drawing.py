@@ -22,7 +22,7 @@ from compwright.records.facts import AxisFacts
 from compwright.reporting.numbering import numbering_svg, numbering_text
 from format_samples import DEFINITIONS
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 
 def numbered(

@@ -24,7 +24,7 @@ from compwright.records.correction import ControlFile
 from compwright.records.positioning import PositioningTest
 from loop import Floats, Machine, csv_of
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 AXES = {
     "X": Machine(low=0.0, high=800.0),

@@ -13,7 +13,7 @@ from compwright.cli import run as compwright
 from compwright.reporting.pdf import pdf_of_page
 from loop import Machine, csv_of
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 JOB = """\
 compwright: 1

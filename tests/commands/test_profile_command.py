@@ -15,7 +15,7 @@ from compwright.workflow.commands.evaluate import evaluate_files
 from compwright.workflow.inputs.job_inputs import read_measurement
 from loop import Machine
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 MACHINE = Machine()
 

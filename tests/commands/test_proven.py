@@ -127,15 +127,15 @@ BOTH = {"others": True, "backlash": True, "two_curves": True}
 
 def test_what_a_candidate_leaves_open_is_not_proven() -> None:
     sure = proven_axis("X", LOADED, 20.0, **BOTH)
-    assert sure.left_open == ()
+    assert sure.unproven == ()
     open_one = {**LOADED, "equivalent": ["shifted"], "candidates": [{"verdict": "backlash"}]}
     found = proven_axis("X", open_one, 20.0, **BOTH)
-    assert found.left_open == ("their places", "sign and size of the backlash value")
-    assert "sign of the values" in proven_axis("X", LOADED, SURE - 0.1, **BOTH).left_open
+    assert found.unproven == ("their places", "sign and size of the backlash value")
+    assert "sign of the values" in proven_axis("X", LOADED, SURE - 0.1, **BOTH).unproven
     near = {**LOADED, "near": ["scaled"]}  # the test lies too close to tell, likely or not
-    assert proven_axis("X", near, 20.0, **BOTH).left_open == ("size and unit of the values",)
+    assert proven_axis("X", near, 20.0, **BOTH).unproven == ("size and unit of the values",)
     inverted = {**LOADED, "candidates": [{"verdict": "inverted"}]}
-    assert "sign of the values" in proven_axis("X", inverted, 20.0, **BOTH).left_open
+    assert "sign of the values" in proven_axis("X", inverted, 20.0, **BOTH).unproven
 
 
 def test_odds_of_the_sign() -> None:

@@ -17,7 +17,7 @@ import pytest
 from compwright.cli import run as compwright
 from places import PROJECT
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 EXAMPLE = PROJECT / "examples" / "fanuc-backup"
 OPTIONS = "tables/fanuc-30i"

@@ -27,8 +27,8 @@ from compwright.records.correction import ControlFile
 from loop import Floats, Machine, csv_of
 
 # Tests of what the estimate or the prediction says are marked whole.
-pytestmark = pytest.mark.brief
-WHOLE = pytest.mark.whole
+pytestmark = pytest.mark.short_estimate
+WHOLE = pytest.mark.full_estimate
 
 MACHINE = Machine()
 UM = 1e-3

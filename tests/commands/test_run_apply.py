@@ -22,7 +22,7 @@ from test_run_circles import AXIS_X, CEC, SIEMENS, Bent, codes, judge_of, measur
 from compwright.cli import run as compwright
 from compwright.records.axis import Direction
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 #: What the option cec of the SINUMERIK needs to be written at all; whole jobs differ in the rest.
 ADDRESSES = {SIEMENS: ("AX1", "AX2"), "linuxcnc": ("0", "1"), "fanuc-30i": ("1", "2")}

@@ -34,7 +34,7 @@ from compwright.simulation.circular import CircleAxis, CircleErrors, CirclePlan,
 from compwright.simulation.circular_files import to_circular_csv
 from loop import Floats, Machine, csv_of
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 SIEMENS = "siemens-840d-sl"
 CEC = "{cec: available, cec_sign: correction, cec_tables: [0, 1, 2, 3, 4, 5, 6, 7]}"

@@ -22,7 +22,7 @@ from compwright.records.correction import Assumption
 from laser_files import laser_file
 from loop import Floats, Machine
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 FILE = "Messungen Süd/X Achse vorher.rtl"
 WORDS = ["--format", "siemens-840d-sl", "--axis", "X", "--travel", "0:800", "--state", "none"]

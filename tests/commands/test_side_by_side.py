@@ -259,7 +259,7 @@ class Named(pickle.Unpickler):
         return super().find_class(module_name, global_name)
 
 
-@pytest.mark.brief
+@pytest.mark.short_estimate
 def test_work_on_an_axis_loads_neither_formats_nor_commands(tmp_path: Path) -> None:
     (tmp_path / "machine.yaml").write_text(MACHINE)
     (tmp_path / "job.yaml").write_text(JOB)

@@ -17,7 +17,7 @@ from compwright.reporting.evaluation_table import table_bytes
 from compwright.workflow.results.single_files import kind_of, refuse_other_kinds
 from laser_files import laser_file
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 CSV = b"# axis: X\ntarget_mm,direction,run,deviation_um\n0,+,1,1\n100,+,1,2\n"
 FOREIGN = "Soll;Ist\r\n1,0;1,1\r\n2,0;2,1\r\n".encode("cp1252")

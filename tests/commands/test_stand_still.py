@@ -19,7 +19,7 @@ from compwright.records.axis import AxisKind
 from compwright.records.drift import DriftRequest, DriftTest
 from compwright.workflow.inputs.jobs import read_job_file
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 UM = 1e-3
 JOB = """compwright: 1

@@ -20,7 +20,7 @@ from compwright.planning.circle_diagnosis import diagnose_circle
 from compwright.records.correction_need import correction_need
 from compwright.simulation.circular_files import to_circular_csv
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 #: A machine with 28 µm/m less than 90°, lost motion of both axes, and a column that bends.
 MACHINE = Machine(

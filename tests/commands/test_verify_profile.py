@@ -11,7 +11,7 @@ import pytest
 
 from compwright.cli import run as compwright
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 PROFILE = """\
 compwright_profile: 1

@@ -29,8 +29,8 @@ from compwright.workflow.inputs.jobs import read_job_file
 from loop import Floats, Machine, csv_of
 
 # Tests of what the readings after loading say by themselves are marked whole.
-pytestmark = pytest.mark.brief
-WHOLE = pytest.mark.whole
+pytestmark = pytest.mark.short_estimate
+WHOLE = pytest.mark.full_estimate
 
 MACHINE = Machine()
 TARGETS = MACHINE.targets(count=25)

@@ -17,7 +17,7 @@ from test_run_circles import CEC, SIEMENS
 
 from compwright.cli import run as compwright
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 NCK, ITNC = "heidenhain-nck", "heidenhain-itnc530"
 Files = dict[str, str]

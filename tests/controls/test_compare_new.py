@@ -22,7 +22,7 @@ from compwright.verification.read_back import judge_read_back
 from fanuc_backup import parameters, pitch_data
 from loop import Machine, csv_of
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 MACHINE = Machine(low=-200, high=200, slope=40e-6, bow=0.006, lost=0.005)
 UNIT = {"detection_unit": 0.001}

@@ -24,7 +24,7 @@ from places import REAL
 from sinumerik_archive import ARCHIVE, needs_archive
 from sinumerik_container import container
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 FANUC = REAL / "fanuc"
 SIEMENS = "siemens-840d-sl"

@@ -18,7 +18,7 @@ from compwright.foundations.session import Session
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.correction import ControlFile, ControlState
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 # --- FANUC
 # --------------------------------------------------------------------------------------------------

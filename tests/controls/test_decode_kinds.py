@@ -14,7 +14,7 @@ import pytest
 
 from compwright.cli import run as compwright
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 ADDRESS = {
     "siemens-840d-sl": "AX4",

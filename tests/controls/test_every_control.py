@@ -29,7 +29,7 @@ from compwright.records.correction import AxisCompensation, ControlFile
 from compwright.records.plan import Texts
 from loop import Floats, Machine, accuracy, allowed, csv_of
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 FORMATS = (
     "siemens-840d-sl",

@@ -22,7 +22,7 @@ import pytest
 from compwright.cli import run as compwright
 from compwright.records.axis import FloatArray
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 #: By parameter: X, Y, Z, B, and the letter of the owner; the real machine's values where they
 #: matter.

@@ -18,7 +18,7 @@ from test_fanuc_backup_honoured import AXES, POINTS, Bench, error, said
 
 from compwright.cli import run as compwright
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 GRID = (3620, 3621, 3622, 3624, 3625, 3626)
 
@@ -146,7 +146,7 @@ def test_an_interval_below_the_rule_for_its_feed_stays_and_is_told(tmp_path: Pat
     assert "table.spacing: auto chooses" in findings(bench, "X")["CW-F011"]
 
 
-@pytest.mark.whole
+@pytest.mark.full_estimate
 def test_a_gain_is_offered_with_its_numbers(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -177,7 +177,7 @@ def test_a_gain_is_offered_with_its_numbers(
     assert "CW-P141" in report
 
 
-@pytest.mark.whole
+@pytest.mark.full_estimate
 def test_no_offer_where_a_test_would_not_show_the_gain(tmp_path: Path) -> None:
     bench = Bench(tmp_path)
     assert bench.run("Y") == 0

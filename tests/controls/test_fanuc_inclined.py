@@ -20,7 +20,7 @@ from test_fanuc_neighbour_functions import INCLINED, NeighbourBench, cyclic, inc
 from compwright.cli import run as compwright
 from compwright.records.axis import FloatArray
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 #: 1 µm per pulse, and the parameters of the line at rest, as in the real backup.
 COARSE: Edits = {

@@ -16,7 +16,7 @@ from test_fanuc_backup_honoured import SMALL, UNIT, Bench, Edits, added, error, 
 
 from compwright.cli import run as compwright
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 _RNG = np.random.default_rng
 SEPARATE: Edits = {(981, "1"): "1", (1800, "L1"): "00011000", (1800, "L2"): "00001000"}

@@ -22,7 +22,7 @@ from test_fanuc_backup_honoured import SMALL, UNIT, Bench, Edits, said
 from compwright.cli import run as compwright
 from compwright.records.axis import FloatArray
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 #: What acts beside the table at x, mm, by the parameters that are in the control.
 Beside = Callable[[str, FloatArray], FloatArray]

@@ -16,7 +16,7 @@ from backup_jobs_fanuc import Job, alike, axis_job, job_on
 from judge_fanuc import Played, quietly, run_job
 from virtual_fanuc import VirtualFanuc, loaded
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 needs_backup = pytest.mark.skipif(
     not FOLDER.is_dir(), reason="the real FANUC backup is not beside the project"

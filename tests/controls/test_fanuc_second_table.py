@@ -23,7 +23,7 @@ from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.correction import no_compensation
 from compwright.records.estimate import WantedCorrection
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 #: The parameters stand in the backup, at rest.
 AT_REST: Edits = {(14985, "4"): "0", (14986, "4"): "0", (14987, "4"): "0.0"}

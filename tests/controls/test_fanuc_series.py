@@ -18,7 +18,7 @@ from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation, ControlFile
 from format_samples import DEFINITIONS
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 UP, DOWN = Direction.POSITIVE, Direction.NEGATIVE
 #: B-64303CM-1/01 page 26: points 31 to 37, reference 33.

@@ -25,7 +25,7 @@ from compwright.records.correction import ControlState
 from format_samples import CONTENT, DEFINITIONS
 from mutants import merged_definition
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 #: What the other series read as detection unit 0.00005 mm, path, totals, further compensation, and
 #: a smooth backlash that reaches 5 mm.

@@ -19,7 +19,7 @@ pytestmark = [
     pytest.mark.skipif(
         not FOLDER.is_dir(), reason="the real FANUC backup is not beside the project"
     ),
-    pytest.mark.brief,
+    pytest.mark.short_estimate,
 ]
 #: What X, Y, Z and B of the real backup claim; Y claims the numbers of X in these tests.
 CLAIMED = {*range(1, 42), *range(201, 242), *range(300, 313)}

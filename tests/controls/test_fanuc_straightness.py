@@ -15,7 +15,7 @@ from test_fanuc_backup_honoured import UNIT, Bench, Edits, said
 
 from compwright.cli import run as compwright
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 ROWS = (5711, 5721, *range(5731, 5735), *range(5761, 5765))
 REST: Edits = {(number, "L1"): "0" for number in ROWS}

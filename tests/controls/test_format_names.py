@@ -10,7 +10,7 @@ import pytest
 
 from compwright.cli import run as compwright
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 ROWS = "".join(
     f"{x},{sign},{run},{0.03 * x + (2 if sign == '-' else 0) + 0.1 * run}\n"

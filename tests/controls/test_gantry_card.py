@@ -11,7 +11,7 @@ import pytest
 from compwright.cli import run as compwright
 from loop import Machine, csv_of
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 MACHINE = Machine()
 

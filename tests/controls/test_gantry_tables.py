@@ -20,7 +20,7 @@ from compwright.controllers.virtual import virtual_control
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.correction import ControlFile
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 X = np.linspace(0.0, 800.0, 17)
 UM = 1e-3

@@ -18,7 +18,7 @@ from harm_command import card_of, command, tables_of
 from harm_fanuc import Backup, Fanuc, Pitch
 from harm_measuring import Axis, Correction, measure, write_csv
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 _ROW = re.compile(r"^\| *([−-]?[\d.]+) *\| *([+−-]) *\| *([−-]?[\d.]+) *\|", re.MULTILINE)
 _FILE = re.compile(r"\b[\w-]+\.(?:INI|TXT|NC|comp|ini|pmc|lis|csv|MPF|SPF)\b")

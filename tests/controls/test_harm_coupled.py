@@ -27,7 +27,7 @@ from harm_bridges import (
 from harm_columns import APART, FIRST, SECOND, accuracy, load, prepare, snapshot
 from harm_command import ASKED, card_of, command, tables_of
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 EACH = [pytest.param(make, id=name) for name, make in BRIDGES.items()]
 COUPLED = [

@@ -32,7 +32,7 @@ from harm_programs import (
     program,
 )
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 
 @pytest.mark.parametrize("case", DOUBTFUL)

@@ -18,7 +18,7 @@ from harm_following import follow
 from harm_measuring import Axis, measure, write_csv
 from places import REAL, needs_shared
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 ARCHIVE = REAL / "siemens" / "dmu_840d_sl.arc"
 

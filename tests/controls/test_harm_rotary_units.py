@@ -13,7 +13,7 @@ import pytest
 from harm_command import Answer, command, document, tables_of
 from harm_measuring import Axis, measure, write_csv
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 #: Format -> (address, more keys of the axis, options of the job, options of decode).
 TURNING = {

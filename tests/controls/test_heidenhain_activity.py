@@ -16,7 +16,7 @@ import pytest
 from compwright.cli import run as compwright
 from loop import Floats, Machine, csv_of
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 MACHINE = Machine()
 NODES = np.arange(-50.0, 851.0, 50.0)

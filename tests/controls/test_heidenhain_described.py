@@ -27,7 +27,7 @@ from compwright.records.correction import ControlFile, ControlState
 from format_samples import DEFINITIONS, axis_of, correction, table
 from loop import csv_of
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 ITNC = DEFINITIONS["heidenhain-itnc530"]
 NCK = DEFINITIONS["heidenhain-nck"]

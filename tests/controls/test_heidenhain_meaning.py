@@ -15,7 +15,7 @@ import pytest
 from compwright.cli import run as compwright
 from loop import Floats, Machine, accuracy, csv_of
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 MACHINE = Machine()
 CONTROLS = ["heidenhain-itnc530", "heidenhain-nck"]

@@ -11,7 +11,7 @@ import pytest
 from compwright.cli import run as compwright
 from loop import Machine
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 
 def run(folder: Path, control: str, low: float, high: float) -> int:

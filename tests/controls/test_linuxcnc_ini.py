@@ -20,7 +20,7 @@ from compwright.records.correction import ControlFile
 from format_samples import DEFINITIONS
 from loop import Machine, csv_of
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 MACHINE = Machine(low=0.0, high=200.0)
 INI = """[KINS]

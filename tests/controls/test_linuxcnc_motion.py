@@ -19,7 +19,7 @@ from compwright.records.correction import AxisCompensation, ControlFile
 from compwright.records.facts import AxisFacts
 from loop import Machine, csv_of
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 UP, DOWN = Direction.POSITIVE, Direction.NEGATIVE
 SWITCH = "HOME_OFFSET = -40\nHOME_SEARCH_VEL = -20\nHOME_LATCH_VEL = -2\n"

@@ -25,7 +25,7 @@ from linuxcnc_control import (
     run_session,
 )
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 UP = {"came_up": True, "trouble": "", "messages": [], "stops": [[[1.0, 1.25, 0.0, 0.25]]]}
 DOWN = {"came_up": False, "trouble": "the control did not come up", "messages": [], "stops": []}

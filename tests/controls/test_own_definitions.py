@@ -31,7 +31,7 @@ from loop import Machine, csv_of
 from next_steps import without_hint
 from places import PROJECT
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 MACHINE = Machine()
 FANUC = ', address: "1"'

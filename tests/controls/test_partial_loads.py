@@ -18,7 +18,7 @@ from test_fanuc_backup_honoured import POINTS, Bench, added, data, error, said
 
 from compwright.cli import run as compwright
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 
 class NoisyBench(Bench):
@@ -44,7 +44,7 @@ def shown(bench: Bench) -> float:
     return float(prediction["axes"]["X"]["predicted_new_targets"]["A"]["median"])
 
 
-@pytest.mark.whole  # whether a finer step shows is what the prediction says
+@pytest.mark.full_estimate  # whether a finer step shows is what the prediction says
 def test_the_magnification_stays_where_a_test_shows_nothing_of_a_better_one(
     tmp_path: Path,
 ) -> None:

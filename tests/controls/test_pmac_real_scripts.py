@@ -23,7 +23,7 @@ from compwright.records.correction import ControlFile, ControlState
 from format_samples import DEFINITIONS
 from loop import Machine, csv_of
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 UP, DOWN = Direction.POSITIVE, Direction.NEGATIVE
 ROW = "1664000,755200,473600,217600,73600,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0"

@@ -22,7 +22,7 @@ from compwright.records.correction import ControlFile
 from format_samples import DEFINITIONS
 from loop import Floats, Machine, csv_of
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 #: All variables as the card came; the second script is sent behind it.
 VARIABLES = "I51=1\nI100=1\nI185=0\nI186=0\n"

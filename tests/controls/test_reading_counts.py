@@ -21,7 +21,7 @@ from compwright.records.correction import ControlFile
 from format_samples import DEFINITIONS, SIEMENS, axis_of, table
 from loop import Machine, csv_of
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 MACHINE = Machine()
 ADDRESSES = {name: one.expect[0].axis for name, one in DEFINITIONS.items()}

@@ -23,7 +23,7 @@ from backup_jobs_fanuc import AxisJob, Job, Physics, axis_job
 from judge_fanuc import Outcome, Played, judge, play, quietly, run_job
 from virtual_fanuc import Floats, NotKnownError, VirtualFanuc, accuracy, loaded
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 needs_backup = pytest.mark.skipif(
     not FOLDER.is_dir(), reason="the real FANUC backup is not beside the project"

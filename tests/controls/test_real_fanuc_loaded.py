@@ -19,7 +19,7 @@ from judge_fanuc import Played, control_of, judge, run_job
 from judge_loaded_fanuc import judge_loaded, judge_new
 from virtual_fanuc import Registers, VirtualFanuc, loaded
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 needs_backup = pytest.mark.skipif(
     not FOLDER.is_dir(), reason="the real FANUC backup is not beside the project"

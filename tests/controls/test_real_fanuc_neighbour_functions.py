@@ -16,7 +16,7 @@ pytestmark = [
     pytest.mark.skipif(
         not FOLDER.is_dir(), reason="the real FANUC backup is not beside the project"
     ),
-    pytest.mark.brief,
+    pytest.mark.short_estimate,
 ]
 
 

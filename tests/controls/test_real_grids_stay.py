@@ -22,7 +22,7 @@ from compwright.records.correction import ControlFile
 from loop import Floats
 from sinumerik_archive import eec_text, machine_data, needs_archive
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 needs_backup = pytest.mark.skipif(
     not FOLDER.is_dir(), reason="the real FANUC backup is not beside the project"

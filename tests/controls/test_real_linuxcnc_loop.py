@@ -29,7 +29,7 @@ from linuxcnc_control import (
 )
 from loop import Floats, Machine, accuracy, allowed, csv_of
 
-pytestmark = [*REAL_LINUXCNC, pytest.mark.brief]
+pytestmark = [*REAL_LINUXCNC, pytest.mark.short_estimate]
 
 AGREES = 1e-6  # mm, deg
 KINDS = {"0": AxisKind.LINEAR, "1": AxisKind.LINEAR, "2": AxisKind.ROTARY}

@@ -18,7 +18,7 @@ from compwright.records.correction import AxisCompensation
 from linuxcnc_control import REAL_LINUXCNC, Session, measure, run_session, switch_at
 from loop import Machine, csv_of
 
-pytestmark = [*REAL_LINUXCNC, pytest.mark.brief]
+pytestmark = [*REAL_LINUXCNC, pytest.mark.short_estimate]
 
 UP, DOWN = Direction.POSITIVE, Direction.NEGATIVE
 WHOLE = """[KINS]

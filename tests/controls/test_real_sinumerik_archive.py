@@ -30,7 +30,7 @@ from sinumerik_archive import (
 from sinumerik_container import container
 from sinumerik_judge import Outcome, control_before, foreign_bytes, fresh, load_by_card, try_case
 
-pytestmark = [needs_archive, pytest.mark.brief]
+pytestmark = [needs_archive, pytest.mark.short_estimate]
 
 #: Of the first 150 random jobs the first of each kind that no case below plays by its name, and one
 #: more for each form of text that these do not have.

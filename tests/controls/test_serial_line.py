@@ -16,7 +16,7 @@ from compwright.cli import run as compwright
 from compwright.records.serial_line import from_line
 from format_samples import DEFINITIONS
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 AROUND = [
     (b"\x00" * 40, b"\x1a"),

@@ -21,7 +21,7 @@ from compwright.words.sentences import say
 from sinumerik_archive import ARCHIVE, needs_archive
 from sinumerik_container import ACTIVE, container
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 EEC = (
     "METRIC\nCHANDATA(1)\n$AA_ENC_COMP[1,0,AX1]=0\n$AA_ENC_COMP[1,1,AX1]=0.0123\n"

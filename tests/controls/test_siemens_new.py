@@ -11,7 +11,7 @@ import pytest
 from compwright.cli import run as compwright
 from sinumerik_archive import cec_lines
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 NAMES = '$MN_AXCONF_MACHAX_NAME_TAB[0]="X1"\n$MN_AXCONF_MACHAX_NAME_TAB[1]="Y1"\n'
 

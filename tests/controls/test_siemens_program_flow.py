@@ -30,7 +30,7 @@ from format_samples import SIEMENS, axis_of
 from harm_sinumerik import Control
 from sinumerik_archive import ARCHIVE, needs_archive
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 ROWS = "".join(
     f"$AA_ENC_COMP[0,{index},AX1]={value}\n"
@@ -584,7 +584,7 @@ def run_with(folder: Path, text: str, *more: str) -> int:
     return compwright(given)
 
 
-@pytest.mark.whole
+@pytest.mark.full_estimate
 def test_a_program_as_state_of_a_run(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Asked for (2), with the line; every value carried out: a table in files of their own, because
     what is patched in the program may not be carried out.
@@ -601,7 +601,7 @@ def test_a_program_as_state_of_a_run(tmp_path: Path, capsys: pytest.CaptureFixtu
     assert "LOAD.MPF" in capsys.readouterr().err
 
 
-@pytest.mark.whole
+@pytest.mark.full_estimate
 def test_a_subprogram_as_state_of_a_run(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Beside a main program that never calls it: asked for (2), and no table."""
     (tmp_path / "MAIN.MPF").write_text("%_N_MAIN_MPF\nR1=0\nM30\n")

@@ -12,7 +12,7 @@ import pytest
 
 from compwright.cli import run as compwright
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 AXES = ("AX1", "AX2", "AX3")
 VALUES = {"AX1": "-0.0073", "AX2": "0.0069", "AX3": "0.0027"}

@@ -30,7 +30,7 @@ from sinumerik_archive import cec_lines, eec_lines, needs_archive
 from sinumerik_judge import try_case
 from virtual_sinumerik import VirtualSinumerik
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 AXIS = replace(axis_of("AX1"), travel=(0.0, 800.0))
 EEC = eec_lines("AX1", 0, 0.0, 200.0, [0.0, 0.004, -0.002, 0.003, 0.0], modulo=False)

@@ -25,7 +25,7 @@ from compwright.records.facts import AxisFacts
 from format_samples import SIEMENS, axis_of, table
 from virtual_sinumerik import VirtualSinumerik
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 AXIS = axis_of("AX1")
 

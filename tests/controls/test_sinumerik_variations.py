@@ -34,7 +34,7 @@ from sinumerik_judge import (
     way_back,
 )
 
-pytestmark = [needs_archive, pytest.mark.brief]
+pytestmark = [needs_archive, pytest.mark.short_estimate]
 
 Judge = Callable[[Case], Outcome]
 

@@ -13,7 +13,7 @@ import pytest
 
 from compwright.cli import run as compwright
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 
 @pytest.fixture(scope="module")

@@ -14,7 +14,7 @@ from test_fanuc_backup_honoured import Bench, added, error
 from compwright.cli import run as compwright
 from loop import Machine, csv_of
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 MACHINE = Machine()
 

@@ -119,7 +119,7 @@ def anonymous(path: str) -> str:
     )
 
 
-@pytest.mark.brief
+@pytest.mark.short_estimate
 def test_documents_hold_no_key_that_is_not_listed(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -53,7 +53,7 @@ def samples(sense: float = 1.0, count: int = 360) -> CircleSamples:
         radius=R,
         speed=2000.0 / 60.0,
         arc=(0.0, 2.0 * np.pi),
-        lag_doubt=1e-3,
+        lag_std=1e-3,
     )
 
 
@@ -81,7 +81,7 @@ def test_a_lag_moves_the_trace_of_a_cause_by_its_slope(name: str, sense: float) 
     found = lag_column(of, {name: value})
     shape = SHAPES[name]
     slope = (shape(of.theta + h) - shape(of.theta - h)) / (2.0 * h)
-    expected = -sense * of.lag_doubt * value * UM * slope
+    expected = -sense * of.lag_std * value * UM * slope
     assert radial(of, found.x, found.y) == pytest.approx(expected, abs=1e-12)
 
 
@@ -92,7 +92,7 @@ def test_a_late_machine_is_seen_where_it_is() -> None:
     assert at_actual_angles(samples(), Lag(2e-3, 1e-4)).theta == pytest.approx(
         of.theta - 2e-3, abs=1e-15
     )
-    assert at_actual_angles(of, Lag(2e-3, 1e-4)).lag_doubt == 1e-4
+    assert at_actual_angles(of, Lag(2e-3, 1e-4)).lag_std == 1e-4
 
 
 @pytest.mark.parametrize("axis", ["first", "second"])

@@ -22,7 +22,7 @@ from format_samples import DEFINITIONS
 from judge_fanuc import FACTOR, ROOM, acting, median_accuracy, quietly, reloaded
 from virtual_fanuc import VirtualFanuc, loaded
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 LINEAR, ROTARY = AxisKind.LINEAR, AxisKind.ROTARY
 TABLE = {3620: "1", 3621: "1", 3622: "2", 3623: "1", 3624: "50.0", 1851: "3"}

@@ -18,7 +18,7 @@ from compwright.records.axis import Axis, AxisKind
 from compwright.records.correction import ControlFile
 from format_samples import DEFINITIONS
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 #: A second table of axis 4 whose numbers lie among those that X claims (A-78868E page 6).
 CYCLIC: Edits = {(14985, "4"): "22", (14986, "4"): "30", (14987, "4"): "2.0"}

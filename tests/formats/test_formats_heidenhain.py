@@ -33,7 +33,7 @@ from compwright.records.facts import AxisFacts
 from format_samples import DEFINITIONS, axis_of, codes, correction, table
 from loop import Machine, accuracy, allowed, csv_of
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 ITNC = DEFINITIONS["heidenhain-itnc530"]
 NCK = DEFINITIONS["heidenhain-nck"]

@@ -23,7 +23,7 @@ from compwright.records.correction import AxisCompensation, ControlFile, Control
 from format_samples import DEFINITIONS, axis_of, codes, table
 from loop import Machine, csv_of
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 ISG = "isg-kernel"
 #: The sample of the definition: hand-worked in µm, + and -, at positions in mm (values are errors).

@@ -32,7 +32,7 @@ from compwright.records.facts import AxisFacts
 from compwright.records.fitted import TableRequest
 from format_samples import DEFINITIONS
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 PMAC = DEFINITIONS["pmac"]
 PLUS, MINUS = Direction

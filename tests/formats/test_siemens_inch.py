@@ -24,7 +24,7 @@ from format_samples import SIEMENS, axis_of, codes, files, table
 from sinumerik_archive import cec_lines, eec_lines, in_inch
 from virtual_sinumerik import VirtualSinumerik
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 NAMES = '$MN_AXCONF_MACHAX_NAME_TAB[0]="X1"\n$MN_AXCONF_MACHAX_NAME_TAB[3]="A1"\n'
 MD = (

@@ -24,7 +24,7 @@ from compwright.foundations.errors import InputError, UsageError
 from compwright.records.correction import ControlFile
 from format_samples import SIEMENS, axis_of
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 GRID = (
     "$AA_ENC_COMP_STEP[0,AX1]=100\n$AA_ENC_COMP_MIN[0,AX1]=0\n$AA_ENC_COMP_MAX[0,AX1]=100\n"

@@ -22,7 +22,7 @@ from compwright.words.sentences import catalogue, parts
 from places import PROJECT
 from reporting_samples import run_view, verify_view
 
-pytestmark = [pytest.mark.brief, pytest.mark.real_figures]
+pytestmark = [pytest.mark.short_estimate, pytest.mark.real_figures]
 
 LANGUAGES = ("de", "fr", "ru")
 EXAMPLE = PROJECT / "examples" / "linuxcnc-two-axes"

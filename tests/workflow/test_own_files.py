@@ -16,7 +16,7 @@ from compwright.foundations.errors import StorageError
 from compwright.foundations.session import Session
 from compwright.workflow.results.own_files import write_listed
 
-pytestmark = pytest.mark.brief
+pytestmark = pytest.mark.short_estimate
 
 SET = {"a.ini": b"one", "sub/b.ini": b"two"}
 

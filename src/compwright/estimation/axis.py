@@ -57,8 +57,8 @@ _DRAWS: Final = 48  # distinct hyperparameters kept for summaries and prediction
 
 @dataclass(frozen=True, slots=True)
 class Draws:
-    """Joint draws of the deviation: ``positive``, ``negative`` (count, k), mm or deg, and the noise
-    of a test, drawn with them.
+    """Joint draws of the deviation and the noise of a test. ``positive``, ``negative`` (count,
+    k), mm or deg.
     """
 
     positive: FloatArray
@@ -289,11 +289,11 @@ def estimate_axis(
     cells = build_cells(tests, turn=turn)
     shown = visible_periods(cells.targets, periods)
     over = Travel(*travel, turn)
-    middles = bidirectional_means(cells, endless=turn is not None)
+    bidirectional = bidirectional_means(cells, endless=turn is not None)
     smooth = model_basis(cells, over, Periods(), varying=False)
-    known = Periods.of(cells, fitted_periods(middles, smooth, shown))
+    known = Periods.of(cells, fitted_periods(bidirectional, smooth, shown))
     kind, first = tests[0].test.kind, tests[0].noise
-    search = search_periods(middles, smooth, kind, known=known.periods, suggested=suggested)
+    search = search_periods(bidirectional, smooth, kind, known=known.periods, suggested=suggested)
     shown_periods = tuple(each.period for each in search.found if each.named)
     mixture = average_models(cells, over, known, search.models, _DRAWS)
     parts, odds = mixture.parts, mixture.reversal_log_odds
@@ -312,7 +312,9 @@ def estimate_axis(
             *estimate_findings(cells, travel if turn is None else None, periods, shown, kind),
             *period_findings(search, cells.targets, kind, shown, known.periods, nodes),
             *unseen_findings(
-                unseen_periods(middles, smooth, known.periods, shown_periods), shown_periods, kind
+                unseen_periods(bidirectional, smooth, known.periods, shown_periods),
+                shown_periods,
+                kind,
             ),
             *slope_findings(tests, cells, parts),
             *(finding for each in tests if each.noise for finding in each.noise.findings),
@@ -392,7 +394,7 @@ def _refuse_misuse(
 
 
 def _equivalent_dof(log_noise: FloatArray, readings: int) -> float:
-    """Return the degrees of freedom that a scatter of log s amounts to: var(log s) = 1 / (2 dof)
-    (JCGM 100:2008, eq. G.3).
+    """Return the degrees of freedom that correspond to the scatter of log s. var(log s) = 1 /
+    (2 dof) (JCGM 100:2008, eq. G.3).
     """
     return float(np.clip(0.5 / max(float(np.var(log_noise)), 1e-12), 1.0, max(1.0, readings - 1.0)))

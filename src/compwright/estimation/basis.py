@@ -81,9 +81,9 @@ class Basis:
         return np.hstack([mean, half_reversal]), np.hstack([mean, -half_reversal])
 
     def halves(self, positions: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return what both directions have in common, (k, mean_size), and what the positive one has
-        in addition and the negative one less, (k, size - mean_size), at ``positions`` (k,), mm or
-        deg.
+        """Return the functions of the error in two parts at ``positions`` (k,), mm or deg.
+        One is common to both directions, (k, mean_size); the other, (k, size - mean_size),
+        is added in + and subtracted in -.
         """
         u = (positions - self.centre) / self.half
         slope = u if self.turn is None else np.zeros_like(u)
@@ -189,8 +189,8 @@ _WINDOW = 200_000
 
 
 def alias_wavelength(targets: FloatArray, wavelength: float) -> float | None:
-    """Return the longer wavelength as which these targets show a wave, mm or deg (inf for a
-    constant); None where they show itself.
+    """Return the longer wavelength that a wave shows at these targets, mm or deg (inf for a
+    constant). None where the targets show the wave itself.
 
     Targets a mean interval d apart show waves longer than 2 d as what they are. A shorter one folds
     where for some frequency g within 1 / (2 d) the mean of exp(2 pi i (1 / wavelength - g) x) over
@@ -227,8 +227,9 @@ def _alias_wavelength(places: bytes, wavelength: float) -> float | None:
 
 
 def _window(frequencies: FloatArray, targets: FloatArray) -> FloatArray:
-    """Return the size (f,) of the spectral window of ``targets`` (m,) at ``frequencies`` (f,): 1
-    where a wave is the same at all of them (Deeming 1975).
+    """Return how similar a wave is at all ``targets`` (m,), the spectral window (f,) at
+    ``frequencies`` (f,). It is 1 where the wave has the same value at all of them (Deeming
+    1975).
     """
     turns = np.outer(frequencies, targets - targets[0])
     sizes: FloatArray = np.abs(np.mean(np.exp(2j * np.pi * turns), axis=1))

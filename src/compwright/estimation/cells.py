@@ -1,5 +1,5 @@
-"""What the tests of an axis say before any model: means and counts per target and direction (ISO
-230-2:1997, 2.10), pooled spread (JCGM 100:2008, 4.2.4), straight line by least squares.
+"""The readings of an axis before any model is fitted. Means and counts per target and direction
+(ISO 230-2:1997, 2.10), pooled spread (JCGM 100:2008, 4.2.4), straight line by least squares.
 """
 
 from __future__ import annotations
@@ -41,8 +41,8 @@ _SEED: Final = 202  # by it the noise of one test is paired with that of another
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Cells:
-    """Targets with readings in any test (m,), their ``data`` less ``offset + slope x + d
-    reversal/2``, and the guesses of the spread.
+    """Targets (m,) with readings in any test, and first guesses of the spread. ``data``: the
+    readings minus ``offset + slope x + d reversal/2``.
 
     ``spread`` and ``roughness`` are in units of ``data.scale``: noise of one reading as guessed,
     scatter about the straight line. ``noises``: by test, the noise of a fresh one like it, as much
@@ -100,8 +100,8 @@ def _target_tolerance(positions: FloatArray) -> float:
 def build_cells(
     tests: Sequence[ObservedTest], *, turn: float | None = None, stepped: bool = True
 ) -> Cells:
-    """Return means, counts and spread of the tests of an axis; an endless axis, whose error repeats
-    with its ``turn`` (deg), has no slope.
+    """Return means, counts and spread of the tests of an axis. An endless axis has no slope,
+    because its error repeats with its ``turn`` (deg).
 
     Means as in ISO 230-2:1997, 2.10; the spread pools the squares about the means of all targets
     and directions over their n - 1 (JCGM 100:2008, 4.2.4). Raises InputError for fewer than two
@@ -223,8 +223,8 @@ def _refit_without_jumps(
 def _common_line(
     parts: Sequence[ObservedCells], targets: FloatArray, *, endless: bool
 ) -> _CommonLine:
-    """Return the line by least squares over all readings (JCGM 100:2008, H.3): the mean reversal of
-    the targets approached in both directions first.
+    """Return the least-squares line over all readings (JCGM 100:2008, H.3). The mean reversal
+    comes first, from the targets approached in both directions.
     """
     differences = np.concatenate([_reversals(part) for part in parts])
     reversal = float(np.mean(differences)) if differences.size else 0.0
@@ -384,8 +384,8 @@ def _blocks(columns: Sequence[FloatArray]) -> FloatArray:
 
 
 def _neighbour_spread(parts: Sequence[ObservedCells], left: Sequence[FloatArray]) -> float:
-    """Return the scatter that second differences of neighbouring targets show: all that single
-    readings can tell (Gasser, Sroka and Jennen-Steinmetz, Biometrika 73, 1986).
+    """Return the scatter that second differences of neighbouring targets show. It is all that
+    single readings can show (Gasser, Sroka and Jennen-Steinmetz, Biometrika 73, 1986).
     """
     rows = [
         np.diff(row[part.signs == sign], 2)
@@ -400,9 +400,8 @@ def _neighbour_spread(parts: Sequence[ObservedCells], left: Sequence[FloatArray]
 
 
 def visible_periods(targets: FloatArray, periods: Sequence[float]) -> tuple[float, ...]:
-    """Return the known periods that these targets can show: neither hidden by the spacing
-    (`hidden_share`) nor folded to a longer wave (`alias_wavelength`); ``targets`` (m,), all in mm
-    or deg.
+    """Return the known periods that the ``targets`` (m,) can show, mm or deg. These are neither
+    hidden by the spacing (`hidden_share`) nor seen as a longer wave (`alias_wavelength`).
     """
     return tuple(
         float(period)
@@ -474,8 +473,9 @@ def _targets_text(targets: FloatArray, unit: str) -> Sentence:
 
 
 def alias_findings(targets: FloatArray, periods: Sequence[float], unit: str) -> list[Finding]:
-    """Return the periods that these ``targets`` (m,) show as longer waves (CW-E010); those that
-    they do not show at all are CW-E003's. mm or deg, as ``unit`` says.
+    """Return the findings about periods that the ``targets`` (m,) show as longer waves
+    (CW-E010). Periods that they do not show at all are in CW-E003; mm or deg, as ``unit``
+    states.
     """
     found = []
     for period in map(float, periods):

@@ -1,5 +1,5 @@
-"""Factors of symmetric matrices, as numpy alone has them: it knows no triangular ones, and takes a
-general inverse where half of it is zero.
+"""Cholesky factors of symmetric matrices with numpy alone. It has no triangular solver and computes
+a general inverse, although half of it is zero.
 """
 
 from __future__ import annotations

@@ -71,9 +71,9 @@ _NOISE_STEADY: Final = 0.25
 
 
 def diagnose(test: CircularTest, *, periods: Mapping[str, float] | None = None) -> Diagnosis:
-    """Return the causes of a circular test (ISO 230-4:1996, annex B), with standard errors,
-    correlation, and findings on what is not separable. Of a run with more than `MOST_SAMPLES`
-    samples, means of neighbours stand for them.
+    """Return the causes of the deviations of a circular test (ISO 230-4:1996, annex B). With
+    standard errors, correlation, and findings on what is not separable. Runs with more than
+    `MOST_SAMPLES` samples are averaged over neighbours first.
 
     ``periods``: pitch of a cyclic error, mm, by axis name; axes without one are searched. The same
     test gives the same answer. Raises InputError for a test too short or with too few samples;
@@ -166,8 +166,8 @@ def _fitted_runs(
 
 
 def _average_neighbours(run: CircularRun) -> CircularRun:
-    """Return a run with the means of as many neighbours each as leave `MOST_SAMPLES` at most; fewer
-    at the end are a mean of their own.
+    """Return a run whose samples are means of neighbours, at most `MOST_SAMPLES`. Fewer samples
+    at the end form a mean of their own.
     """
     size = -(-run.angles.size // MOST_SAMPLES)
     if size <= 1:
@@ -362,8 +362,8 @@ def _solution(start: _CircleStart, given: dict[str, float]) -> Solution:
 def _fit_with_noise(
     problem: CircleProblem, shapes: SpikeShapes, spectra: tuple[ResidualSpectrum, ...]
 ) -> CircleFit:
-    """Return the fit once the noise that it leaves is the noise that it was weighted with (iterated
-    two-stage least squares; Seber and Wild, Nonlinear Regression, 1989, chapter 6).
+    """Return the fit after its weights agree with the noise that it leaves (iterated two-stage
+    least squares; Seber and Wild, Nonlinear Regression, 1989, chapter 6).
     """
     shapes.adopt(problem)
     for _ in range(_NOISE_ROUNDS):

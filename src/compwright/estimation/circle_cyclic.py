@@ -34,8 +34,8 @@ _OVERSAMPLING: Final = 8.0  # search steps within one period over the radius
 
 @dataclass(frozen=True, slots=True)
 class CyclicSearch:
-    """What was found: frequency, 1/mm, of the clearest by its axis, and the amplitude (µm) that may
-    have been missed, by axis.
+    """The result of the search for cyclic errors. The frequency, 1/mm, of the clearest one of
+    each axis, and the amplitude (µm) that may have been missed, by axis.
     """
 
     found: Mapping[str, float]

@@ -123,7 +123,7 @@ def circle_problem(samples: CircleSamples, grid: AngleGrid) -> CircleProblem:
     """Return the problem of these samples without cyclic errors and vibration."""
     fixed = list(fixed_columns(samples))
     towards, target, known = _linear(samples, fixed)
-    if samples.lag_doubt > 0.0:
+    if samples.lag_std > 0.0:
         fixed.append(lag_column(samples, known))
     reversals, spikes = _reversals(samples, len(fixed))
     columns = [c.x * towards[0] + c.y * towards[1] for c in fixed]

@@ -1,5 +1,5 @@
-"""How late the axes reverse: the lag that both have in common, from where lost motion and spikes
-really set in.
+"""The lag with which both axes reverse. It is found from the angles at which lost motion and spikes
+really begin.
 
 The angles of a test are commanded ones, and axes that follow their commands T late reverse at v T /
 R after the commanded reversal point: 0.8° at 2 000 mm/min on R = 150 mm with a loop of Kv = 16.7/s.
@@ -35,8 +35,8 @@ _FLOOR: Final = 2e-5
 
 @dataclass(frozen=True, slots=True)
 class Lag:
-    """``angle`` rad by which both directions reverse late, and ``doubt``, its standard uncertainty,
-    rad: of a uniform range of what is equally good.
+    """The common lag of both axes. ``angle``: how late both directions reverse, rad; ``doubt``:
+    its standard uncertainty, rad, of a uniform range of equally good values.
     """
 
     angle: float
@@ -68,14 +68,14 @@ def common_lag(samples: CircleSamples) -> Lag | None:
 
 
 def at_actual_angles(samples: CircleSamples, lag: Lag) -> CircleSamples:
-    """Return the samples at the actual angles of the axes instead of the commanded ones: behind by
-    ``lag.angle`` in the sense of the run.
+    """Return the samples at the actual angles of the axes instead of the commanded ones. The
+    axes are behind by ``lag.angle`` in the sense of the run.
     """
     return replace(
         samples,
         theta=samples.theta - samples.sense * lag.angle,
         lag=lag.angle,
-        lag_doubt=lag.doubt,
+        lag_std=lag.doubt,
     )
 
 
@@ -87,18 +87,19 @@ def with_undetected_lag(samples: CircleSamples) -> CircleSamples:
     """
     spacing, windows, angles, none = _profile(samples)
     if not len(windows):
-        return replace(samples, lag_doubt=0.5 * spacing)
+        return replace(samples, lag_std=0.5 * spacing)
     squares, freedom = _squares(windows, angles)
     unit = max(float(np.min(squares)) / freedom, _FLOOR**2)
     equal = angles[squares <= squares[none] + _EQUAL * unit]
     most = max(float(equal[-1]), 0.0) + 0.5 * spacing
     # Uniform up to that: its standard deviation about zero (JCGM 100:2008, eq. 7).
-    return replace(samples, lag_doubt=max(most / np.sqrt(3.0), 0.5 * spacing))
+    return replace(samples, lag_std=max(most / np.sqrt(3.0), 0.5 * spacing))
 
 
 def _profile(samples: CircleSamples) -> tuple[float, FloatArray, FloatArray, int]:
-    """Return the angle between two samples, the windows at the reversal points, the possible angles
-    of the reversals, rad (a,), and the index of zero among them.
+    """Return what is needed to compare lags. The angle between two samples, the windows at the
+    reversal points, the possible angles of the reversals, rad (a,), and the index of zero among
+    them.
     """
     per_run = samples.theta.size / np.unique(samples.run).size
     spacing = samples.arc[1] / per_run
@@ -109,8 +110,8 @@ def _profile(samples: CircleSamples) -> tuple[float, FloatArray, FloatArray, int
 
 
 def _windows(samples: CircleSamples, half: int) -> FloatArray:
-    """Return (w, 2, 2 half): angle since the reversal point, rad, and deviation, mm, on both sides
-    of each reversal point of each run.
+    """Return the samples around each reversal point of each run, (w, 2, 2 half). Angle since
+    the reversal point, rad, and deviation, mm, on both sides.
     """
     found = []
     for number in np.unique(samples.run):

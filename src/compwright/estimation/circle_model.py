@@ -81,7 +81,7 @@ class CircleSamples:
     """All samples of a test. ``theta`` (n,) rad, commanded; ``sense`` (n,) +1 ccw, -1 cw;
     ``deviations`` (n,) mm; ``run`` (n,) index of the traverse. ``radius`` mm, ``speed`` mm/s,
     ``arc`` start and extent in rad. ``lag`` rad: common lag already taken off ``theta``, 0 where
-    none was found; ``lag_doubt`` how far it may be wrong."""
+    none was found; ``lag_std`` how far it may be wrong."""
 
     theta: FloatArray
     sense: FloatArray
@@ -91,7 +91,7 @@ class CircleSamples:
     speed: float
     arc: tuple[float, float]
     lag: float = 0.0
-    lag_doubt: float = 0.0
+    lag_std: float = 0.0
 
     @property
     def both_senses(self) -> bool:
@@ -149,8 +149,8 @@ def circle_samples(test: CircularTest) -> CircleSamples:
 
 
 def since_reversal(samples: CircleSamples, axis: str) -> FloatArray:
-    """Return the arc, mm (n,), travelled since an axis last reversed: the first axis at 0° and
-    180°, the second at 90° and 270°.
+    """Return the arc, mm (n,), travelled since an axis last reversed. The first axis reverses
+    at 0° and 180°, the second at 90° and 270°.
     """
     start = 0.0 if axis == "first" else 0.5 * np.pi
     arc: FloatArray = samples.radius * np.mod(samples.sense * (samples.theta - start), np.pi)
@@ -158,8 +158,8 @@ def since_reversal(samples: CircleSamples, axis: str) -> FloatArray:
 
 
 def fixed_columns(samples: CircleSamples) -> tuple[CauseColumn, ...]:
-    """Return every column without a free shape: nuisances (names starting with ``_``) and causes,
-    each with the standard deviation of its prior in its own unit.
+    """Return every column without a free shape, each with the standard deviation of its prior
+    in its own unit. They are the causes, and auxiliary unknowns (names starting with ``_``).
     """
     return tuple(
         CauseColumn(name, x, y, prior_width(name, samples.radius))
@@ -266,8 +266,9 @@ def _lateral_play(samples: CircleSamples, axis: str) -> Iterator[_Named]:
 
 @dataclass(frozen=True, slots=True)
 class SpikeShape:
-    """A deviation that dies out over ``length`` mm of arc: at once, exp(-s), or ``rising`` to its
-    peak at that length, s exp(1 - s), with s = arc / length. Its peak is 1.
+    """A deviation after a reversal that decays over ``length`` mm of arc. It decays at once,
+    exp(-s), or is ``rising`` to a peak at that length, s exp(1 - s), with s = arc / length. Its
+    peak is 1.
     """
 
     length: float
@@ -282,8 +283,8 @@ class SpikeShape:
 
 @dataclass(frozen=True, slots=True)
 class TakeUp:
-    """Lost motion while it is taken up: the axis stands still from its reversal until the command
-    has passed it, travelled = arc² / 2R, that is over ``length`` mm of arc. 1 at the reversal.
+    """Lost motion while the axis takes it up after a reversal, over ``length`` mm of arc. The
+    axis stands still until the command has passed it, travelled = arc² / 2R. 1 at the reversal.
     """
 
     length: float
@@ -311,11 +312,12 @@ def spike_column(
 
 
 def lag_column(samples: CircleSamples, known: Mapping[str, float]) -> CauseColumn:
-    """Return what one ``lag_doubt`` of angle does, mm: the slope of the smooth causes as they are
-    ``known``, against the motion (the derivatives by θ of the module's table; ISO 230-4:1996, annex
-    B) and of the centre. A sagging axis counts by its third harmonic: k cos²θ sinθ = k/4 (sinθ +
-    sin3θ), and the first belongs to the centre. A servo mismatch, at a high feed the largest,
-    turns into scale mismatch: 4 v τ for each radian.
+    """Return the effect of an error of the lag by its standard uncertainty ``lag_std``, mm. It
+    is the slope of the ``known`` smooth causes, against the motion (the derivatives by θ of the
+    module's table; ISO 230-4:1996, annex B), without the effect on the centre. A sagging axis
+    counts by its third harmonic: k cos²θ sinθ = k/4 (sinθ + sin3θ), and the first belongs to
+    the centre. A servo mismatch, at a high feed the largest, turns into scale mismatch: 4 v τ
+    for each radian.
     """
     double, triple = 2.0 * samples.theta, 3.0 * samples.theta
     slope = (
@@ -327,7 +329,7 @@ def lag_column(samples: CircleSamples, known: Mapping[str, float]) -> CauseColum
         + known.get("_centre_y", 0.0) * np.cos(samples.theta)
         + samples.sense * (UM * samples.speed * known.get("servo_mismatch", 0.0)) * np.cos(double)
     )
-    moved = -samples.lag_doubt * samples.sense * slope
+    moved = -samples.lag_std * samples.sense * slope
     return CauseColumn("_lag", moved * np.cos(samples.theta), moved * np.sin(samples.theta), 1.0)
 
 
@@ -355,7 +357,7 @@ def cyclic_columns(
     slope = 2.0 * np.pi * (amplitudes[0] * sine - amplitudes[1] * cosine)
     faded = -(behind**2) * (amplitudes[0] * cosine + amplitudes[1] * sine)
     spacing = samples.radius * samples.arc[1] * np.unique(samples.run).size / samples.theta.size
-    sooner = float(np.hypot(samples.lag_doubt * samples.radius, spacing))
+    sooner = float(np.hypot(samples.lag_std * samples.radius, spacing))
     lost = 0.5 * (2.0 * np.pi * frequency) ** 2 * (spacing**2 + (_RESPONSE * samples.speed) ** 2)
     named = [
         (f"_cyclic_cos_{axis}", cosine, PRIORS["_cyclic"]),

@@ -149,8 +149,8 @@ def inverse_cosine_transform(transformed: FloatArray) -> FloatArray:
 
 
 def estimate_spectrum(residual: FloatArray, leverage: FloatArray) -> ResidualSpectrum:
-    """Return the spectrum of one half from its transformed residuals (size,), mm: the densities of
-    all lengths and ratios tried, weighted by their likelihood (Whittle 1953).
+    """Return the spectrum of one half from its transformed residuals (size,), mm. It averages
+    the spectra of all lengths and ratios tried, weighted by their likelihood (Whittle 1953).
 
     ``leverage`` (size,): share of each ordinate that the fit has used up; the rest is what it
     carries of a degree of freedom.

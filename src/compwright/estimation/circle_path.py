@@ -26,8 +26,8 @@ _AT_REVERSAL: Final = ("backlash", "lateral_play", "reversal_spike")
 
 
 def undetermined_causes(test: CircularTest, samples: CircleSamples) -> dict[str, Sentence]:
-    """Return the reason for each cause that cannot be separated: one direction only, or an arc
-    without a reversal point of an axis.
+    """Return the reason for each cause that cannot be separated. Either there is only one
+    direction, or the arc has no reversal point of the axis.
     """
     reasons: dict[str, list[Sentence]] = {}
     if not samples.both_senses:

@@ -1,5 +1,5 @@
-"""From the fit of a circular test to causes in the contract's names and units, each with a standard
-error that holds the choice of the shapes (`circle_reversal`), and the reason where there is none.
+"""The causes of a circular test in the names and units of the documented JSON. Each has a standard
+error that includes the choice of the shapes (`circle_reversal`), or the reason where there is none.
 """
 
 from __future__ import annotations
@@ -218,8 +218,8 @@ def _linear(
 
 
 def _unseen_end(samples: CircleSamples, axis: str) -> float:
-    """Return the variance, um², of the mean lost motion of both ends about that of the one end that
-    the arc holds; 0 where it holds both.
+    """Return the variance, um², of the mean lost motion of both ends if the arc contains only
+    one end. 0 where it contains both.
     """
     return 0.0 if all(samples.reversals(axis)) else _ENDS_DIFFER**2
 
@@ -247,7 +247,7 @@ def _scale_mismatch(solution: Solution) -> _ReportedCause:
     names = solution.problem.names
     drawn = solution.draws.values[:, names.index("servo_mismatch")]
     off = samples.speed * samples.lag * drawn
-    error = samples.speed * (samples.lag + samples.lag_doubt) * abs(float(np.mean(drawn)))
+    error = samples.speed * (samples.lag + samples.lag_std) * abs(float(np.mean(drawn)))
     either = np.where(np.arange(off.size) % 2, error, -error)
     return replace(
         cause,
@@ -284,8 +284,8 @@ def _scale_errors(solution: Solution, mismatch: _ReportedCause) -> Iterator[_Rep
 
 
 def _spikes(solution: Solution, axis: str) -> Iterator[_ReportedCause]:
-    """Yield the spike of an axis, the mean of its ends, then that of each end, and where both
-    directions are likely to differ that of each direction.
+    """Yield the spike of an axis (the mean of its ends), then that of each end. Where both
+    directions are likely to differ, also that of each direction.
     """
     found = [spike for spike in solution.draws.spikes if spike.reversal.axis == axis]
     if not found:
@@ -331,7 +331,7 @@ def _spike(
     value = float(np.mean(heights))
     decay = np.where(spike.decay > 0.0, spike.decay, np.inf)
     response = max(_RESPONSE * samples.speed, _FILTER * sample_spacing(samples))
-    late = np.hypot(samples.lag_doubt * samples.radius, response) / decay
+    late = np.hypot(samples.lag_std * samples.radius, response) / decay
     variance = (
         float(np.mean((heights * late) ** 2)) / 3.0
         + float(np.mean((slow - heights) ** 2)) / 12.0
@@ -443,8 +443,8 @@ def _symptoms(test: CircularTest, solution: Solution) -> Iterator[_ReportedCause
 
 
 def _faded(samples: CircleSamples, frequency: float) -> float:
-    """Return the share of an amplitude that instrument and drive, a first-order filter as slow as
-    they may be, lose at ``frequency`` Hz.
+    """Return the share of an amplitude that instrument and drive lose at ``frequency`` Hz. Both
+    act as the slowest possible first-order filter.
     """
     slow = max(_RESPONSE, _FILTER * sample_spacing(samples) / samples.speed)
     return float(1.0 - 1.0 / np.hypot(1.0, 2.0 * np.pi * frequency * slow))

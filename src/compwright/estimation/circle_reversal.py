@@ -59,8 +59,8 @@ _PAIRS: Final = 6
 
 
 class SpikeShapes:
-    """The decays in the model: for each reversal point and slot the index of its length, or -1, and
-    whether the directions differ.
+    """The decay lengths of the spikes in the model. For each reversal point and slot the index
+    of its length, or -1, and whether the directions differ.
     """
 
     def __init__(self, problem: CircleProblem) -> None:
@@ -196,8 +196,8 @@ def _added(
 
 
 def _odds(marginal: MarginalEquations, shapes: SpikeShapes, name: str) -> tuple[float, float]:
-    """Return the logarithm of the odds that a rare cause is there, and the standard error that it
-    then has in its unit.
+    """Return the logarithm of the odds that a rare cause exists, and its standard error in its
+    unit if it does.
     """
     column = shapes.rare[name]
     rest, found, _ = _added(marginal, shapes, shapes.chosen(name), np.array([column]))
@@ -287,8 +287,8 @@ class SpikeDraws:
 def draw_shapes(
     weighted: WeightedProblem, shapes: SpikeShapes, rng: np.random.Generator
 ) -> CircleDraws:
-    """Return draws over the shapes, from ``shapes``, and of the causes under each of them, in pairs
-    about their mean (antithetic variates: Hammersley and Morton, 1956).
+    """Return draws of the shapes, from ``shapes``, and of the causes under each of them. They
+    come in pairs about their mean (antithetic variates: Hammersley and Morton, 1956).
     """
     marginal = weighted.without(shapes.always)
     paths: list[FloatArray] = []

@@ -31,9 +31,10 @@ _WIDTH: Final = 5.0
 
 @dataclass(frozen=True, slots=True)
 class Vibration:
-    """``frequency`` Hz of the clearest vibration, None where none is clear; ``hidden``: amplitude,
-    um, that may have been missed; ``least``: sum of squares, in standard errors, that the
-    amplitudes of one must have."""
+    """The clearest vibration in a circular test. ``frequency`` Hz, None where none is clear;
+    ``hidden``: amplitude, um, that may have been missed; ``least``: sum of squares, in standard
+    errors, that the amplitudes of one must have.
+    """
 
     frequency: float | None
     hidden: float
@@ -92,8 +93,9 @@ def search_vibration(problem: CircleProblem, residual: FloatArray) -> Vibration:
 
 
 def _threshold(count: float, runs: int) -> float:
-    """Return the power, over its mean, that ``count`` sums of ``runs`` exponentials exceed with the
-    probability `_FALSE_ALARM` (the law of Erlang, solved by iteration).
+    """Return the power (in units of its mean) that noise alone exceeds with the probability
+    `_FALSE_ALARM`. Noise: ``count`` sums of ``runs`` exponentials (Erlang distribution, solved
+    by iteration).
     """
     chance = np.log(count / _FALSE_ALARM)
     value = chance

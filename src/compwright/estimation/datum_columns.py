@@ -1,6 +1,6 @@
-"""What single tests of an axis have of their own: a datum each, and a slope where their temperature
-is uncertain: columns of a linear model with normal priors (Rasmussen and Williams, Gaussian
-Processes for Machine Learning, 2006, section 2.7).
+"""Columns for what is different in each test of an axis. A datum each, and a slope where the
+temperature is uncertain: columns of a linear model with normal priors (Rasmussen and Williams,
+Gaussian Processes for Machine Learning, 2006, section 2.7).
 """
 
 from __future__ import annotations

@@ -165,8 +165,9 @@ class Evidence:
         self.slopes[REVERSAL, self.waves.stop + 1 :] = 2.0
 
     def rows_under(self, draw: int) -> FloatArray:
-        """Return the columns (c, j) of all weights at the cells under a draw of the noise: those of
-        the basis, of single tests, and what is common to means.
+        """Return the columns (c, j) of all weights at the cells, under one draw of the
+        noise. They belong to the basis, to single tests, and to what the means have in
+        common.
         """
         return np.hstack([self.rows, self.data.columns[draw]])
 
@@ -213,8 +214,9 @@ class Evidence:
         )
 
     def log_posterior(self, h: FloatArray, draw: int | None = None) -> float:
-        """Return log marginal likelihood plus log prior of the hyperparameters (Rasmussen and
-        Williams 2006, eq. 5.8), up to a constant that neither they nor the noise move.
+        """Return log marginal likelihood plus log prior of the hyperparameters (Rasmussen
+        and Williams 2006, eq. 5.8). A constant is left out that depends on neither them nor
+        the noise.
         """
         return self._marginal(h, draw, derivatives=False)[1].log + self.prior.log(h)
 

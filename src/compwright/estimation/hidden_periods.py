@@ -100,8 +100,8 @@ class CurveColumns:
 
 @dataclass(frozen=True, slots=True)
 class WaveDraw:
-    """One draw of a hypothesis: cosine and sine of a wave, normal with ``mean`` (2,) and covariance
-    ``root`` ``root``' (2, 2), mm or deg.
+    """One draw of a hypothesis: cosine and sine of a wave, mm or deg. They are normal with
+    ``mean`` (2,) and covariance ``root`` ``root``' (2, 2).
 
     A ``share`` of it, plus an independent part of standard deviation ``apart``, is a wave of
     ``period`` (mm or deg). The rest is the long wave of frequency ``long`` (1 / mm or 1 / deg,
@@ -187,7 +187,7 @@ class HiddenPeriods:
 
 
 def hidden_periods(
-    middles: BidirectionalMeans,
+    bidirectional: BidirectionalMeans,
     basis: Basis,
     kind: AxisKind,
     search: PeriodSearch,
@@ -196,7 +196,7 @@ def hidden_periods(
 ) -> HiddenPeriods:
     """Return the periods that may exist although neither the job nor the ``search`` names them.
 
-    ``middles``: means of both directions by target; ``basis``: functions of the smooth part;
+    ``bidirectional``: means of both directions by target; ``basis``: functions of the smooth part;
     ``known``: periods (mm or deg) that are in the estimate; ``suggested``: known periods that are
     not in it, because the targets do not show them.
     """
@@ -209,7 +209,7 @@ def hidden_periods(
     expected = _ExpectedPeriods(kind, tuple(suggested), frozenset(taken.union(known)))
     return HiddenPeriods(
         tuple(
-            _hypotheses(part, middles, basis, odds, present, expected)
+            _hypotheses(part, bidirectional, basis, odds, present, expected)
             for part, odds, present in cases
             if part >= _LEAST
         )
@@ -218,8 +218,8 @@ def hidden_periods(
 
 @dataclass(frozen=True, slots=True)
 class _ExpectedPeriods:
-    """What is expected of an axis of a ``kind`` before the data: usual and ``suggested`` periods,
-    and any other; those ``taken`` are in the estimate. mm or deg.
+    """The periods that are expected of an axis of a ``kind`` before the data, mm or deg. Usual
+    and ``suggested`` periods, and any other; ``taken``: those already in the estimate.
     """
 
     kind: AxisKind
@@ -259,8 +259,8 @@ class _ExpectedPeriods:
     def _there(
         self, frequencies: FloatArray, targets: FloatArray
     ) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
-        """Return which of the ``frequencies`` (f,) the estimate does not have with those taken, and
-        can tell from these at the ``targets`` (m,).
+        """Return which of the ``frequencies`` (f,) are new to the estimate, and can be told
+        from those taken at the ``targets`` (m,).
         """
         near = PEAK / float(np.ptp(targets))
         free = np.ones(frequencies.size, dtype=np.bool_)
@@ -273,7 +273,7 @@ class _ExpectedPeriods:
 
 def _hypotheses(
     part: float,
-    middles: BidirectionalMeans,
+    bidirectional: BidirectionalMeans,
     basis: Basis,
     odds: PeriodOdds,
     present: tuple[float, ...],
@@ -282,13 +282,13 @@ def _hypotheses(
     """Return the ``expected`` periods as hypotheses, given a model with the periods ``present`` (mm
     or deg), whose probability is ``part``.
     """
-    room = middles.targets.size - LEFT - middles.free.shape[1]
-    curve = CurveColumns(basis, middles.targets, present[: max(room // 4, 0)])
+    room = bidirectional.targets.size - LEFT - bidirectional.free.shape[1]
+    curve = CurveColumns(basis, bidirectional.targets, present[: max(room // 4, 0)])
     waves = [w for one in curve.known for w in wave_columns(curve.targets, 1.0 / one)]
-    free = np.column_stack([middles.free, *waves])
-    likelihood = PeriodLikelihood(replace(middles, free=free), basis)
+    free = np.column_stack([bidirectional.free, *waves])
+    likelihood = PeriodLikelihood(replace(bidirectional, free=free), basis)
     periods, log_odds = expected.periods(likelihood, odds)
-    long, phases = _long_waves(1.0 / periods, middles.targets)
+    long, phases = _long_waves(1.0 / periods, bidirectional.targets)
     width = (AMPLITUDE[expected.kind] * _WIDTHS / likelihood.unit) ** 2
     width = width[:, np.newaxis, np.newaxis]
     gram, moment = likelihood.moments(1.0 / periods, likelihood.everything())
@@ -300,7 +300,7 @@ def _hypotheses(
     without = log_sums(logs[:, np.newaxis] + without)
     each = gains + logs[:, np.newaxis] - without + log_odds - np.log(width.size)
     together = log_sum(each.ravel())
-    fit = _SmoothFit(likelihood, middles, free, curve)
+    fit = _SmoothFit(likelihood, bidirectional, free, curve)
     nodes = _evenly(np.exp(logs), _KEPT // 4)
     usual = np.mean([fit.followed(int(node))[0] for node in nodes], axis=0)
     kept = []
@@ -328,8 +328,9 @@ def _hypotheses(
 
 
 def _long_waves(frequencies: FloatArray, targets: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return the frequencies (f,), 1 / mm or 1 / deg, and phases (f,) of the long waves that waves
-    of the ``frequencies`` look like at the ``targets`` (m,); nan where they look like none.
+    """Return frequencies (f,), 1 / mm or 1 / deg, and phases (f,) of the long waves that the
+    targets show instead of short ones. The short waves have ``frequencies`` (f,), the
+    ``targets`` are (m,); nan where they do not look like a longer wave.
     """
     length = float(np.ptp(targets))
     window = SpectralWindow(targets, float(np.max(frequencies)) + LEAST_REPEATS / length)
@@ -344,7 +345,7 @@ class _SmoothFit:
     """The smooth part that follows values at the targets, by node of the ``likelihood``."""
 
     likelihood: PeriodLikelihood
-    middles: BidirectionalMeans
+    bidirectional: BidirectionalMeans
     free: FloatArray
     curve: CurveColumns
 
@@ -358,7 +359,7 @@ class _SmoothFit:
             if place < nodes.log.size:
                 break
             place -= nodes.log.size
-        sines = self.curve.columns(self.middles.targets)[:, -basis.sines :]
+        sines = self.curve.columns(self.bidirectional.targets)[:, -basis.sines :]
         density = log_smooth(basis.frequencies, nodes.length, nodes.smoothness)
         deviations = np.concatenate(
             [
@@ -368,16 +369,16 @@ class _SmoothFit:
         )
         noise = np.sqrt(float(nodes.white[place])) * likelihood.root
         rows = noise[:, np.newaxis] * np.hstack([self.free, sines]) * deviations
-        sides = [self.middles.values[:, np.newaxis]]
+        sides = [self.bidirectional.values[:, np.newaxis]]
         if period is not None:
-            sides.append(-self.curve.wave(1.0 / period, self.middles.targets))
+            sides.append(-self.curve.wave(1.0 / period, self.bidirectional.targets))
         matrix = rows.T @ rows
         matrix.flat[:: matrix.shape[0] + 1] += 1.0
         found = np.linalg.solve(matrix, rows.T @ (noise[:, np.newaxis] * np.hstack(sides)))
         found = deviations[:, np.newaxis] * found
         # Datum and slope of single tests, and a missing direction, are not of the axis.
         line = 1 if basis.turn is not None else 2
-        alone = self.middles.free.shape[1]
+        alone = self.bidirectional.free.shape[1]
         found = np.delete(found, np.arange(line, alone), axis=0)
         return found[:, 0], found[:, 1:]
 

@@ -1,5 +1,5 @@
-"""Jumps of the error between two targets: a damaged scale, a joint of two scales, a wrong number of
-encoder lines. A stationary prior smears them over its length, and overshoots on both sides.
+"""Jumps of the error between two targets. Causes: a damaged scale, a joint of two scales, a wrong
+number of encoder lines. A smooth model would spread them over a length and overshoot on both sides.
 
 Sets of jumps and outliers are compared by the evidence of the means (`step_evidence`; Kass and
 Raftery, Bayes Factors, J. Am. Stat. Assoc. 90, 1995). Between its
@@ -38,11 +38,10 @@ _LEVEL: Final = 0.05
 
 @dataclass(frozen=True, slots=True)
 class Jump:
-    """A step of the error by ``size`` with its standard deviation ``std`` somewhere between the
-    targets ``low`` and ``high``, mm or deg; ``odds`` for it. With a ``turn`` (deg) the error comes
-    back evenly over the rest of it, and ``high`` may lie in the next one. ``end``: the last target,
-    where it clearly differs from the others and only it lies behind the step: then it may as well
-    be off by itself.
+    """A step of the error by ``size``, with standard deviation ``std``, between the targets
+    ``low`` and ``high``, mm or deg. ``odds`` for it. With a ``turn`` (deg) the error returns
+    evenly over the rest of it, and ``high`` may lie in the next one. ``end``: only the last
+    target lies behind the step, so it may be an outlier instead.
     """
 
     low: float
@@ -64,8 +63,8 @@ class Jump:
         return np.asarray(self.size**2 * self.probability * square)
 
     def drawn(self, positions: FloatArray, count: int, rng: np.random.Generator) -> FloatArray:
-        """Return steps (count, k) at places that are drawn, less `ramp`, at ``positions`` (k,) or
-        (count, k); nothing in the draws that have none.
+        """Return drawn steps (count, k) at drawn places, less `ramp`, at ``positions`` (k,)
+        or (count, k). Draws without a step have zeros.
         """
         places, there = rng.random((count, 1)), rng.random((count, 1)) < self.probability
         step = (self._share(positions) > places) - self._level(positions)
@@ -143,8 +142,8 @@ def find_jumps(
 
 
 def _windows(m: int, *, endless: bool) -> list[tuple[int, int, range]]:
-    """Return windows of the targets that are looked at together: the first target, how many, and
-    the gaps in the middle of which they decide. Gaps are numbered by the target before them.
+    """Return windows of targets that are examined together: the first target, how many, and the
+    gaps in the middle that they decide. Gaps are numbered by the target before them.
     """
     count = min(2 * _HALF, m) if not endless else 2 * min(_HALF, m // 2)
     gaps = m if endless else m - 1

@@ -26,8 +26,9 @@ _FREE_LINES: Final = 3  # offset, slope, mean reversal
 
 @dataclass(frozen=True, slots=True)
 class ScaledCurve:
-    """A curve (``positive``, ``negative``, (m,) mm or deg at the targets of a test) that the error
-    may hold times a factor of mean 0 and standard deviation ``std``.
+    """A curve that the error may contain, times an uncertain factor. ``positive``,
+    ``negative``: (m,) mm or deg at the targets of a test; the factor has mean 0 and standard
+    deviation ``std``.
     """
 
     positive: FloatArray
@@ -41,9 +42,9 @@ def log_likelihood(
     periods: Sequence[float],
     shape: ScaledCurve | None = None,
 ) -> float:
-    """Return the natural logarithm of the density of the means of a test (mm or deg), but for a
-    constant that depends on its targets and counts alone. Raises InputError for readings at fewer
-    than two targets.
+    """Return the natural logarithm of the density of the means of a test (mm or deg). A
+    constant that depends only on targets and counts is left out. Raises InputError for readings
+    at fewer than two targets.
     """
     # Jumps stay in: a table that is taken the wrong way tears an error where there is no jump.
     cells = build_cells([observed], turn=travel.turn, stepped=False)
@@ -55,8 +56,8 @@ def log_likelihood(
 
 
 def smooth_part(observed: ObservedTest, travel: Travel) -> tuple[FloatArray, FloatArray]:
-    """Return of the means of a test what the model holds at its targets (m,), approached in + and
-    in -: without noise and without what changes from target to target.
+    """Return the smooth part of the means of a test at its targets (m,), in + and in -. It has
+    no noise and no part that changes from target to target.
     """
     cells = build_cells([observed], turn=travel.turn)
     part = _fitted(cells, travel, ()).part(np.array([cells.data.typical()]))

@@ -46,8 +46,8 @@ _SEED: Final = 230  # the same tests give the same posterior
 
 @dataclass(frozen=True, slots=True)
 class Travel:
-    """The range (low, high) that an axis moves over, mm or deg; ``turn`` (deg): an endless axis,
-    whose error repeats with it.
+    """The range (low, high) over which an axis moves, mm or deg. ``turn`` (deg): an endless
+    axis, whose error repeats with it.
     """
 
     low: float
@@ -127,8 +127,8 @@ class FittedModel:
 def fit_model(
     cells: Cells, travel: Travel, periods: Periods, *, varying: bool, draws: int
 ) -> FittedModel:
-    """Return the model with these periods, and a reversal that varies with position or does not,
-    fitted to the cells; ``draws`` equally likely hyperparameters.
+    """Return the model with these periods, fitted to the cells. Its reversal varies with
+    position or is constant; ``draws`` equally likely hyperparameters.
     """
     evidence = model_evidence(cells, travel, periods, varying=varying)
     # Many targets leave little room for the hyperparameters.
@@ -146,9 +146,9 @@ def fit_model(
 
 
 def _starts(cells: Cells, prior: Prior) -> list[FloatArray]:
-    """Return where the posterior of the hyperparameters is climbed from, (k, h) of a kind: the
-    middle of the prior, and what leaves the roughness to a short length, to the local part, to the
-    periods.
+    """Return the points (k, h) from which the posterior of the hyperparameters is climbed. They
+    are the middle of the prior, and points that explain roughness by a short length, by the
+    local part, or by periods.
     """
     rough = float(np.log(cells.roughness))
     # As steep as ever where it is longer.

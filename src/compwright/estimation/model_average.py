@@ -28,8 +28,8 @@ _SEED: Final = 231  # by it draws of the noise go with models
 
 @dataclass(frozen=True, slots=True)
 class ModelMixture:
-    """The ``parts`` of the mixture, all their draws equally likely; ``reversal_log_odds``: natural
-    logarithm of the evidence for a reversal that varies over a constant one.
+    """Several models whose draws are all equally likely (``parts``). ``reversal_log_odds``:
+    natural logarithm of the evidence for a reversal that varies over a constant one.
     """
 
     parts: tuple[MixturePart, ...]
@@ -86,8 +86,8 @@ def _varying_and_constant_reversal(
 
 
 def _apportion(weights: Sequence[float], draws: int) -> list[int]:
-    """Return how many of ``draws`` each weight gets: whole numbers by the largest remainders, which
-    sum to ``draws`` (Balinski and Young, Fair Representation, 1982).
+    """Return how many of ``draws`` each weight gets. Whole numbers by the largest remainders,
+    which sum to ``draws`` (Balinski and Young, Fair Representation, 1982).
     """
     exact = draws * np.round(np.array(weights) / sum(weights), 9)
     counts = np.floor(exact).astype(int)

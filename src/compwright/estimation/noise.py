@@ -88,8 +88,8 @@ def infer_noise(test: PositioningTest) -> NoisePosterior | None:
 
 
 def _thinned(test: PositioningTest) -> PositioningTest:
-    """Return the test with `_MOST_RUNS` of its runs, evenly over it, the first and the last with
-    them; itself where it has no more. The time of a sweep grows with the third power of the runs.
+    """Return the test with at most `_MOST_RUNS` of its runs, evenly chosen, the first and the
+    last included. The time of a sweep grows with the third power of the runs.
     """
     blocks = test.positive, test.negative
     if max(block.shape[1] for block in blocks) <= _MOST_RUNS:

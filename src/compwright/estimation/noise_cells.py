@@ -1,5 +1,5 @@
-"""What the readings of a test say of its cells, given the noise: means, precisions, and what whole
-traverses leave common to them.
+"""What the readings of a test show about its cells, given the noise. Means, precisions, and the
+errors that whole traverses give to several means.
 """
 
 from __future__ import annotations
@@ -29,8 +29,8 @@ _AT_ONCE: Final = 500_000
 
 @dataclass(frozen=True, slots=True)
 class CellMeans:
-    """Means and precisions (c,) of the cells, 0 where there is no reading; ``columns`` (c, q) of
-    unit variance common to the means.
+    """Means and precisions (c,) of the cells, 0 where there is no reading. ``columns`` (c, q):
+    errors of unit variance that several means share.
     """
 
     mean: FloatArray

@@ -120,8 +120,8 @@ class GibbsChain:
         self._take_tail(residuals / self.sigma)
 
     def _start(self) -> tuple[float, FloatArray]:
-        """Return a robust scale of a reading, and the readings less what their cells and traverses
-        have in common: medians (Tukey, Exploratory Data Analysis, 1977, chapter 11).
+        """Return a robust scale of a reading, and the readings without the medians of their
+        cells and traverses (Tukey, Exploratory Data Analysis, 1977, chapter 11).
         """
         left = np.where(self.readings.there, self.values, np.nan)
         half = left.shape[0] // 2

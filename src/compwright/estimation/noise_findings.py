@@ -42,8 +42,8 @@ _PATTERNS: Final = {INDEPENDENT: "traverses", RUNS: "runs", WALK: "walk", WAVE: 
 def noise_findings(
     test: PositioningTest, readings: CellReadings, draws: Sequence[NoiseState], step: float
 ) -> tuple[Finding, ...]:
-    """Return a finding for each effect in the noise of ``test`` that the ``draws`` clearly show in
-    addition to white noise.
+    """Return a finding for each effect in the noise of ``test`` that the ``draws`` clearly
+    show. White noise alone gives none.
 
     ``step``: resolution of the instrument, mm or deg; 0 where it does not matter.
     """
@@ -158,8 +158,8 @@ def _tails(
 
 
 def _cause(test: PositioningTest, cells: IndexArray, runs: IndexArray) -> Sentence:
-    """Return what to look for behind outliers in ``cells`` and ``runs`` (k,): they may all lie in
-    one traverse or at one place.
+    """Return a hint for the cause of outliers in ``cells`` and ``runs`` (k,). They may all lie
+    in one traverse or at one place.
     """
     m = test.targets.size
     if cells.size >= _TOGETHER and np.ptp(cells % m) == 0:

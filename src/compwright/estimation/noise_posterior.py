@@ -19,8 +19,8 @@ from compwright.records.noise import NoiseDraws
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class NoisePosterior:
-    """Equally likely noise of a test of m targets, each draw with what its readings then say of
-    the cells: mm or deg.
+    """Equally likely draws of the noise of a test with m targets. Each draw has the means of
+    the cells that follow from it, mm or deg.
 
     ``mean``, ``precision`` (count, 2m): weighted mean of the readings and its inverse variance,
     first all targets approached in +, then in -; both 0 where a cell has no reading.

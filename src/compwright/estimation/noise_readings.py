@@ -1,5 +1,5 @@
-"""Readings of a test as the noise sees them: about the means of their cells, reduced to what they
-say of the traverses.
+"""Readings of a test as residuals from the means of their cells. They are reduced to what they show
+about the traverses.
 
 A cell is a target approached in one direction. Its mean carries the error of the axis and is left
 free (flat prior), so that nothing here depends on the error curve; what remains are the contrasts

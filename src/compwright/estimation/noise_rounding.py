@@ -44,9 +44,10 @@ _ORDERS: Final = 100
 def reading_step(
     readings: CellReadings, residuals: FloatArray, scatter: float, coarsest: float
 ) -> float:
-    """Return the step of the readings, mm or deg, where it is coarse against their ``scatter``; 0
-    where it is not, or where it is above ``coarsest``. All readings lie on it; if those of
-    different cells do not (a table was taken out of them), the differences within the cells do.
+    """Return the step of the readings, mm or deg, where it is coarse relative to their
+    ``scatter``. 0 where it is not, or where it is larger than ``coarsest``. All readings are
+    multiples of it; if those of different cells are not (a table was taken out of them), the
+    differences within the cells are.
 
     Traverses that are shifted as a whole, so that ``residuals`` (c, n) without cells and traverses
     are nothing, show no step by their shifts: the readings along them have to.
@@ -121,7 +122,8 @@ def _rms(values: FloatArray) -> float:
 
 def rounded_std(sigma: float, step: float) -> float:
     """Return the standard deviation of readings of one cell that scatter by ``sigma`` and are
-    rounded to ``step``: their variance, on average over where between two numbers their mean lies.
+    rounded to ``step``. Their variance is averaged over all places of the mean between two
+    steps.
 
     From sigma² + step²/12 for wide scatter (JCGM 100:2008, F.2.2.1) down to less than sigma² where
     most readings of a cell are the same number.

@@ -1,5 +1,5 @@
-"""A test as the estimation takes it: cells (target and direction) with their means (ISO
-230-2:1997, 2.10) and what is known of their noise, draw by draw.
+"""The input of the estimation: a test as cells (target and direction). Each has its mean (ISO
+230-2:1997, 2.10) and the draws of its noise.
 """
 
 from __future__ import annotations

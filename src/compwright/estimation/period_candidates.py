@@ -124,7 +124,7 @@ def find_candidates(
     before: PeriodOdds,
 ) -> PeriodScan:
     """Return the candidates among the equally spaced ``frequencies`` (f,) and the ``expected``
-    periods; ``before``: what is thought of them before the data.
+    periods. ``before``: their probabilities before the data.
     """
     targets = likelihood.targets
     resolution = 1.0 / float(np.ptp(targets))

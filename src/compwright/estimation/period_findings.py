@@ -1,5 +1,5 @@
-"""What a search for periods found, in words for the user: what to look for, and with which odds
-(odds: Kass and Raftery, J. Am. Stat. Assoc. 90, 1995).
+"""Findings of a search for periods: what to look for on the machine, and the odds (odds: Kass and
+Raftery, J. Am. Stat. Assoc. 90, 1995).
 """
 
 from __future__ import annotations
@@ -90,8 +90,8 @@ def period_findings(
 def unseen_findings(
     unseen: Sequence[float], found: Sequence[float], kind: AxisKind
 ) -> list[Finding]:
-    """Return the known periods (mm or deg) that the readings do not show while they show the
-    ``found`` ones (CW-E016): the period may be given wrong.
+    """Return findings about known periods (mm or deg) that the readings do not show although
+    they show others (CW-E016). The period may be stated wrongly; ``found``: the others.
     """
     if not unseen or not found:
         return []

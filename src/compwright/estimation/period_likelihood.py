@@ -1,5 +1,5 @@
-"""How well a wave of any period explains what the middle of both directions leaves, whatever the
-smooth and the local part of the error are.
+"""How well a wave of any period explains the mean of both directions. The smooth part and the local
+part of the error are unknown and averaged over.
 
 Model, in units of the noise of a typical target's middle, whitened by each target's own:
 
@@ -118,13 +118,13 @@ class _Waves:
 class PeriodLikelihood:
     """The likelihood of waves; ``basis`` holds the functions of the smooth part."""
 
-    def __init__(self, middles: BidirectionalMeans, basis: Basis) -> None:
-        self.targets = middles.targets
-        self.unit = float(np.sqrt(np.median(middles.variances)))
-        self.root = self.unit / np.sqrt(middles.variances)
-        values = self.root * middles.values / self.unit
-        free = _independent(self.root[:, np.newaxis] * middles.free)
-        rows = self.root[:, np.newaxis] * basis.design(middles.targets)[0][:, 2:]
+    def __init__(self, bidirectional: BidirectionalMeans, basis: Basis) -> None:
+        self.targets = bidirectional.targets
+        self.unit = float(np.sqrt(np.median(bidirectional.variances)))
+        self.root = self.unit / np.sqrt(bidirectional.variances)
+        values = self.root * bidirectional.values / self.unit
+        free = _independent(self.root[:, np.newaxis] * bidirectional.free)
+        rows = self.root[:, np.newaxis] * basis.design(bidirectional.targets)[0][:, 2:]
         rows = rows[:, : basis.sines]
         size = float(np.linalg.norm(rows))
         rows = rows - free @ (free.T @ rows)
@@ -136,13 +136,13 @@ class PeriodLikelihood:
         values = values - free @ (free.T @ values)
         self.projected = smooth.T @ values
         self.rest = values - smooth @ self.projected
-        self.left = max(middles.targets.size - free.shape[1] - smooth.shape[1], 0)
+        self.left = max(bidirectional.targets.size - free.shape[1] - smooth.shape[1], 0)
         roughness = float(np.sqrt(np.mean(values**2)))
-        spread = middles.reading / self.unit
+        spread = bidirectional.reading / self.unit
         self.roughness = max(roughness, 1e-3)
         #: Logarithm and width of the prior of an amplitude: as of a known period.
         self.amplitude = (float(np.log(max(spread, 0.2 * self.roughness))), 1.5)
-        white, white_prior = _white_nodes(middles.dof, spread, roughness)
+        white, white_prior = _white_nodes(bidirectional.dof, spread, roughness)
         self.white_size = white.size
         self.nodes = self._nodes(basis, smooth.T @ rows, white, white_prior)
 
@@ -188,8 +188,9 @@ class PeriodLikelihood:
     def log_odds(
         self, frequencies: FloatArray, choice: NodeChoice | None = None
     ) -> tuple[FloatArray, FloatArray]:
-        """Return the logarithms (f,) of the likelihood of a wave of each of the ``frequencies`` (1
-        / mm or 1 / deg) over that of none: with the first harmonic, and with the first two.
+        """Return the log likelihood ratios (f,) of a wave against no wave. For each of the
+        ``frequencies`` (1 / mm or 1 / deg): with the first harmonic, and with the first
+        two.
 
         ``choice``: fewer nodes of the grid, of both hypotheses.
         """
@@ -204,8 +205,8 @@ class PeriodLikelihood:
         return one, both
 
     def detectable(self, frequencies: FloatArray) -> FloatArray:
-        """Return the least amplitude (f,) of a wave of each of the ``frequencies`` (1 / mm or 1 /
-        deg) that the targets show, mm or deg; inf where they show none.
+        """Return the smallest amplitude (f,) of a wave that the targets would show, mm or
+        deg. For each of the ``frequencies`` (1 / mm or 1 / deg); inf where they show none.
 
         A wave of this amplitude is `SEEN`, whatever its phase.
         """

@@ -1,5 +1,5 @@
-"""What the search for periods takes from the cells of an axis, and which of many known periods are
-worth fitting.
+"""The input of the search for periods, from the cells of an axis. And which of many known periods
+are worth fitting.
 """
 
 from __future__ import annotations
@@ -78,8 +78,8 @@ def _dof(precision: FloatArray) -> float:
 def unseen_periods(
     middles: BidirectionalMeans, basis: Basis, known: Sequence[float], found: Sequence[float]
 ) -> tuple[float, ...]:
-    """Return those of the ``known`` periods (mm or deg) whose wave the mean readings contradict,
-    given the periods that were ``found``; empty where none was found.
+    """Return those ``known`` periods (mm or deg) that the mean readings contradict, given the
+    ``found`` ones. Empty where none was found.
 
     Only the first harmonic of a found period counts: half of it may be a known period of its own.
     """

@@ -1,4 +1,4 @@
-"""What a search for periods found, as models with their probabilities (Bayesian model averaging:
+"""The result of a search for periods, as models with probabilities (Bayesian model averaging:
 Hoeting et al., Statistical Science 14, 1999).
 """
 
@@ -116,8 +116,8 @@ class PeriodSet:
         return PeriodSet(self.members, self.log + float(np.logaddexp(0.0, rest)))
 
     def same(self, other: PeriodSet, near: float) -> bool:
-        """Return whether the other one holds the same periods, frequencies to ``near`` (1 / mm or 1
-        / deg), in whatever order.
+        """Return whether the other set has the same periods in any order. Frequencies agree
+        within ``near`` (1 / mm or 1 / deg).
         """
         mine, theirs = (np.sort([1.0 / m.period for m in s.members]) for s in (self, other))
         return mine.size == theirs.size and bool(np.all(np.abs(mine - theirs) <= near))

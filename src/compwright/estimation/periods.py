@@ -115,7 +115,7 @@ def _descending(sets: Iterable[PeriodSet]) -> list[PeriodSet]:
 
 
 def search_frequencies(targets: FloatArray, kind: AxisKind) -> FloatArray:
-    """Return the frequencies (f,) to search, equally spaced, ascending, 1 / mm or 1 / deg: from
+    """Return the frequencies (f,) to search, equally spaced, ascending, 1 / mm or 1 / deg. From
     `LEAST_REPEATS` over the ``targets`` to the `SHORTEST` period.
 
     Empty for fewer than eight targets, with which no wave can be distinguished from scatter.
@@ -176,8 +176,8 @@ class _PeriodSearch:
         return likelihood.detectable(self.frequencies)
 
     def refined(self, periods: PeriodSet) -> PeriodSet:
-        """Return a set of two or more with each member searched again given all others; the first
-        search had the others in the way.
+        """Return a set of two or more periods, each searched again given all others. In the
+        first search the others disturbed it.
 
         The probability of the set is then the likelihood of the waves one after another at their
         new places. Each is multiplied by the part of it that its prior and the width of its peak

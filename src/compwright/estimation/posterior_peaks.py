@@ -40,8 +40,8 @@ class Peak:
 
 
 def find_peaks(evidence: Evidence, starts: Sequence[FloatArray]) -> tuple[Peak, ...]:
-    """Return the different peaks that are reached uphill from ``starts``, one climb from the best
-    of each (k, h); without those that hold next to nothing.
+    """Return the different maxima that are reached uphill from ``starts``. One climb begins at
+    the best of each (k, h); maxima of almost no weight are left out.
 
     Any centre and any root propose draws; rounded they are the same on every processor, and so are
     the draws.

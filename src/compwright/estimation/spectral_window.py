@@ -18,8 +18,8 @@ _BLOCK: Final = 64
 
 
 def wave_similarity(targets: FloatArray, frequencies: FloatArray, other: float) -> FloatArray:
-    """Return how alike waves of the ``frequencies`` (f,) and one of the ``other`` are at the
-    ``targets`` (m,): 1 the same, 0 nothing in common.
+    """Return how similar waves of the ``frequencies`` (f,) and of ``other`` are at the
+    ``targets`` (m,). 1: the same; 0: nothing in common.
     """
     at = 2.0 * np.pi * (targets - targets[0])
     sizes = []
@@ -53,8 +53,8 @@ class SpectralWindow:
         return np.asarray(np.maximum(self.at(frequencies - other), self.at(frequencies + other)))
 
     def slow(self, frequencies: FloatArray, lowest: float) -> NDArray[np.bool_]:
-        """Return for which of the ``frequencies`` a wave looks like one well below the frequency
-        ``lowest`` (by half of 1 / length), as truth values.
+        """Return for which of the ``frequencies`` a wave looks like one well below the
+        frequency ``lowest`` (by half of 1 / length).
         """
         right = np.searchsorted(self.peaks, frequencies).clip(0, self.peaks.size - 1)
         left = (right - 1).clip(0)

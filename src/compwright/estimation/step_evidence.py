@@ -1,5 +1,5 @@
-"""Evidence of the means of neighbouring targets for steps between them, and for single targets that
-are outliers: sets of both are compared, because two steps hide each other where only one is tried.
+"""Evidence for steps between neighbouring targets and for single outlying targets, from their
+means. Sets of both are compared, because two steps hide each other where only one is tried.
 
 Model of the means: straight line, smooth error, local part and noise, plus a normal size for each
 member of the set. All sizes and lengths are averaged over (Kass and Raftery, Bayes Factors, J. Am.
@@ -39,7 +39,7 @@ _ROUNDED: Final = 6  # decimals of logarithms that are compared
 
 @dataclass(frozen=True, slots=True)
 class FoundStep:
-    """A step in the ``gap`` after the target of this index: its ``size`` with the standard
+    """A step in the ``gap`` after the target of this index. ``size`` with the standard
     deviation ``std``, and ``odds`` for it against the best explanation without it.
     """
 

@@ -26,8 +26,9 @@ _SELDOM: Final = 0.25
 
 @dataclass(frozen=True, slots=True)
 class UsualPeriod:
-    """``size`` in mm or deg, its ``cause`` with a ``number`` (a lead in mm or inch, the ratio of a
-    gear), and ``weight``: how frequent it is relative to a common screw lead.
+    """A period that is usual for machines. ``size`` in mm or deg, its ``cause`` with a
+    ``number`` (a lead in mm or inch, the ratio of a gear), and ``weight``: how frequent it is
+    relative to a common screw lead.
     """
 
     size: float
@@ -72,8 +73,8 @@ USUAL_PERIODS: Final = {
 
 
 def usual_periods(kind: AxisKind, suggested: Sequence[float] = ()) -> tuple[UsualPeriod, ...]:
-    """Return the usual periods of a kind of axis, and the ``suggested`` ones (mm or deg), each as
-    probable as all others together.
+    """Return the usual periods of a kind of axis, and the ``suggested`` ones (mm or deg). Each
+    suggested one is as probable as all others together.
     """
     usual = USUAL_PERIODS[kind]
     total = sum(each.weight for each in usual)

@@ -40,8 +40,8 @@ def choose_candidate(
     capacity: Capacity,
     wanted: WantedCorrection,
 ) -> HeldGrid:
-    """Return the grid of one of the candidates: ``pool`` those with the reference at a node,
-    ``others`` the rest; ``ends`` of the table, mm or deg.
+    """Return the grid to use among the candidates. ``pool``: those with a node at the
+    reference; ``others``: the rest; ``ends`` of the table, mm or deg.
 
     Raises CapacityError where there is none.
     """
@@ -157,8 +157,8 @@ def _coarsest(
     wanted: WantedCorrection,
     capacity: Capacity,
 ) -> FloatArray | None:
-    """Return the nodes of the coarsest grid that is good enough, preferably with the reference at a
-    node; None: there is none.
+    """Return the nodes of the coarsest grid that is good enough, if possible with a node at the
+    reference. None: there is none.
     """
     on, off = _first_good(pool, wanted, capacity), _first_good(others, wanted, capacity)
     if on is None or (off is not None and off.count * 3 < on.count):
@@ -169,8 +169,8 @@ def _coarsest(
 def _first_good(
     candidates: list[GridCandidate], wanted: WantedCorrection, capacity: Capacity
 ) -> GridCandidate | None:
-    """Return a grid that loses no more than the tolerance: the coarsest, or one nearly as coarse
-    with a rounder step.
+    """Return a grid whose loss is within the tolerance. It is the coarsest, or one almost as
+    coarse with a rounder step.
     """
     quantum = capacity.position_quantum
     best: GridCandidate | None = None
@@ -190,9 +190,9 @@ def _first_good(
 def _least_left(
     candidates: list[GridCandidate], wanted: WantedCorrection, capacity: Capacity, lattice: Lattice
 ) -> FloatArray:
-    """Return the grid that is expected to leave least where none is good enough: finer spacing,
-    smaller increments, but a coarser magnification where those do not suffice. The coarsest of
-    those that are nearly as good.
+    """Return the grid that is expected to leave the smallest error, if none is good enough.
+    Finer spacings need smaller increments, and a coarser magnification where these do not
+    suffice. Of grids that are almost as good the coarsest is taken.
 
     Rounding leaves step / sqrt(12) rms at a node (Bennett, Bell System Technical Journal 27, 1948)
     and, because the mean of (1 - s)² + s² over a section is 2/3, about step / sqrt(18) between

@@ -78,8 +78,8 @@ def range_gap(
     reached: float,
     box: float,
 ) -> float:
-    """Return by how much ``reached`` may lie above the least value of c'x subject to Gx <= h, for
-    all x within ``box``.
+    """Return an upper bound of how far ``reached`` is above the minimum of c'x. The minimum is
+    over all x within ``box`` with Gx <= h.
 
     Weak duality (Boyd and Vandenberghe 2004, section 5.2.2): for multipliers y >= 0, c'x >= -h'y +
     (c + G'y)'x; the last term is at least -box |c + G'y|_1. ``cost`` (n,), ``G`` (r, n), ``h`` and

@@ -1,5 +1,5 @@
-"""One curve as a chain, in which only neighbouring node values are coupled: its optimum without
-whole numbers, and lower bounds.
+"""The fit of one curve as a chain, where each node value is coupled only with its neighbours. Here:
+its optimum without whole numbers, and lower bounds.
 
 The mean square of held minus wanted is a quadratic whose matrix H is tridiagonal (linear
 interpolation) or diagonal (steps). With v0 its minimum and a constant c added to the curve (the

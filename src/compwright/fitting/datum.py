@@ -1,5 +1,5 @@
-"""The datum of a table: a constant over both directions moves the zero of the axis, not its errors,
-so that it is free which value of what is wanted comes to lie at the reference.
+"""The datum of a table: the constant that makes the table zero at the reference. A constant in both
+directions moves only the zero of the axis, not its errors, so it can be chosen.
 """
 
 from __future__ import annotations
@@ -30,8 +30,8 @@ def with_datum(
 def zero_in_the_zero_state(
     wanted: WantedCorrection, nodes: FloatArray, capacity: Capacity
 ) -> tuple[WantedCorrection, float, tuple[Finding, ...]]:
-    """Return ``wanted`` shifted to zero where a table on ``nodes`` must be zero, that place, and
-    what to say about the reference.
+    """Return ``wanted`` shifted so that a table on ``nodes`` is zero where the control requires
+    zero. Also that position, and the findings about the reference.
 
     Where the reference lies outside the table and the control holds its end value there, it is the
     end node that must be zero.
@@ -53,8 +53,8 @@ def _shifted(wanted: WantedCorrection, shift: float) -> WantedCorrection:
 def _offset_from_mean(
     wanted: WantedCorrection, place: float, layout: UnknownsLayout, capacity: Capacity
 ) -> float:
-    """Return the difference (mm or deg) at ``place`` between a curve with one reversal value and
-    the wanted correction of the return direction.
+    """Return the difference (mm or deg) at ``place`` between two curves. One has a single
+    reversal value; the other is the wanted correction of the return direction.
 
     The best curve follows the mean of both directions, half of the one reversal value away from it
     (least squares: Draper and Smith, Applied Regression Analysis, 3rd ed. 1998, chapter 1). If the

@@ -34,8 +34,8 @@ def reachable_windows(
 def closed_lanes(
     lanes: IntArray, low: FloatArray, high: FloatArray
 ) -> tuple[IntArray, FloatArray, FloatArray]:
-    """Return a lane for every value at which a curve may begin and end: its owner among ``lanes``
-    and its windows (lanes, m), in steps.
+    """Return a lane for every value at which a curve may begin and end. Each has its owner
+    among ``lanes`` and its windows (lanes, m), in steps.
     """
     owners: list[int] = []
     starts: list[float] = []
@@ -54,8 +54,8 @@ def closed_lanes(
 def cheapest_totals(
     chain: CurveChain, limits: ChainLimits, targets: FloatArray, low: IntArray, high: IntArray
 ) -> tuple[FloatArray, IntArray]:
-    """Return the least (T - target)'H(T - target)/2 (n,) over totals in the windows (n, m), and the
-    totals (n, m).
+    """Return the smallest (T - target)'H(T - target)/2 (n,) over totals T in the windows (n,
+    m), and these totals (n, m).
 
     Forward over the nodes: the least cost of arriving at each total of the node (Bellman 1957).
     Backward: the totals that gave it (Forney 1973). All lanes share the widest window at each node;

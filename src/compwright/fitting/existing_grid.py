@@ -123,8 +123,8 @@ def _from_reference(nodes: FloatArray, reference: float, period: float, unit: st
 def _to_named_ends(
     nodes: FloatArray, capacity: Capacity, request: TableRequest, unit: str
 ) -> FloatArray:
-    """Return the nodes cut, or continued, to the ends that the job names; where nodes may lie
-    anywhere, an end between two of them is a node too.
+    """Return the nodes cut or extended to the ends that the job gives. Where nodes may lie
+    anywhere, an end between two nodes becomes a node.
     """
     for name, end, sign in (("start", request.start, -1), ("end", request.end, 1)):
         if end is None:

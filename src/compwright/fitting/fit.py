@@ -191,8 +191,9 @@ def _whole_goal(
     capacity: Capacity,
     aim: WantedCorrection,
 ) -> FittedTable:
-    """Return the table of whole increments that comes closest to the best one by the ``goal`` that
-    is not whole, where tests show less of the goal with it than with the ``usual`` one; else that.
+    """Return the whole-increment table that is closest to the best table for the ``goal``. Only
+    if simulated tests show that it is better for this goal than the ``usual`` table; else that
+    one.
     """
     scenarios = wanted.scenarios
     if scenarios is None or capacity.lattice is None:
@@ -248,8 +249,8 @@ class _Fit:
         return _Best(solution.x, solution.certificate, free=not pushed)
 
     def best(self, goal: Goal, wanted: WantedCorrection, usual: _Best) -> _Best:
-        """Return the best table by the ``goal``; ``wanted``: the wish with what the grid leaves
-        out; ``usual``: the table of least expected square.
+        """Return the best table for the ``goal``. ``wanted``: the wanted correction with
+        what the grid cannot hold; ``usual``: the table of least expected square.
         """
         if goal == "expected":
             return usual
@@ -337,8 +338,8 @@ def _as_unknowns(table: AxisCompensation, layout: UnknownsLayout) -> FloatArray:
 def _limits(
     fit: _Fit, usual: _Best, best: _Best, table: AxisCompensation, grid: HeldGrid
 ) -> tuple[Limit, ...]:
-    """Return what each limit of the control costs: the rms (mm or deg) over the travel and both
-    directions that it adds. ``usual``: the table of least expected square.
+    """Return what each limit of the control costs, as the rms error (mm or deg) that it adds.
+    Over the travel and both directions; ``usual``: the table of least expected square.
 
     Costs add as squares: each is the root of the difference of two mean squares, with and without
     the limit.

@@ -77,8 +77,9 @@ def optimise_goal(
 
 
 def _halves(scenarios: Scenarios) -> tuple[IntArray, IntArray]:
-    """Return the numbers of the tests for the program, and of those that decide how far to follow
-    it: no target is in both, because what lies between targets is not seen at them.
+    """Return two sets of test numbers: tests to optimise with, and tests that decide how far to
+    follow the result. No target is in both, because a table can be wrong between targets
+    without a test at them showing it.
     """
     targets = scenarios.positions.reshape(scenarios.count, -1)
     others = np.any(targets[1:] != targets[:-1], axis=1)
@@ -154,8 +155,8 @@ def mean_over(
 def as_wanted(
     x: FloatArray, layout: UnknownsLayout, capacity: Capacity, wanted: WantedCorrection
 ) -> WantedCorrection:
-    """Return the curves of the unknowns ``x`` in place of what is ``wanted``: what a table of whole
-    numbers then comes as close to as it can.
+    """Return the curves of the unknowns ``x`` as a wanted correction. A table of whole numbers
+    is then fitted as close to them as it can be.
     """
     nodes, where = layout.nodes, wanted.positions
     inside = nodes[(nodes > where[0]) & (nodes < where[-1])]
@@ -227,8 +228,8 @@ def _of_scenarios(
 def _of_the_mean(
     goal: Range, wanted: WantedCorrection, layout: UnknownsLayout, capacity: Capacity
 ) -> Deviations:
-    """Return the wanted curve as one test at its positions and at the nodes; where the control's
-    value jumps both sides count.
+    """Return the wanted curve as one test, at its positions and at the nodes. Where the
+    control's value jumps, both sides count.
     """
     nodes, where, rule = layout.nodes, wanted.positions, capacity.interpolation
     inside = nodes[(nodes >= where[0]) & (nodes <= where[-1])]

@@ -1,5 +1,5 @@
-"""Choice of the nodes: positions that the control can say exactly: those that are there, those that
-the job names, or as many as the error needs.
+"""Choice of the nodes of a table, at positions that the control can express exactly. They are the
+existing nodes, those given in the job, or as many as the error needs.
 
 All arithmetic on positions is in whole quanta of the position, so that start + i * step is exact
 for every i.
@@ -119,8 +119,8 @@ def _kept(nodes: FloatArray, capacity: Capacity, wanted: WantedCorrection) -> He
 
 
 def _covering(grid: HeldGrid, span: Span, capacity: Capacity) -> HeldGrid:
-    """Return the grid with the spacings beyond the travel that the control should have where the
-    job left the ends open.
+    """Return the grid, extended by the spacings beyond the travel that the control should have.
+    Only at ends that the job leaves open.
     """
     nodes = grid.nodes
     below = 0 if span.low_fixed else capacity.cover

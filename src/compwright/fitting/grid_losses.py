@@ -21,8 +21,8 @@ NOISE_SHARE: Final = 0.1
 
 
 def good_enough(nodes: FloatArray, wanted: WantedCorrection, capacity: Capacity) -> bool:
-    """Return whether a grid loses no more than the control's resolution or a share of the noise,
-    and increments of the smallest magnification follow on it.
+    """Return whether the loss of a grid is within the control's resolution or a share of the
+    noise. Its increments must also be small enough for the smallest magnification.
     """
     # Steps are cheap to make finer, and their loss is a range as wide as a step: no more than
     # rounding costs anyway.

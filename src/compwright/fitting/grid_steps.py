@@ -43,8 +43,8 @@ def round_steps(most: int) -> list[int]:
 
 
 def allowed_steps(steps: Iterable[int], capacity: Capacity) -> list[int]:
-    """Return those of ``steps`` (quanta, > 0) that the control takes: none below its least spacing,
-    only those that it has.
+    """Return those of ``steps`` (quanta, > 0) that the control accepts. None is below its
+    smallest spacing; if it has only certain spacings, only these.
     """
     quantum = capacity.position_quantum
     long_enough = [step for step in steps if step * quantum >= capacity.min_spacing * (1 - _HAIR)]

@@ -118,8 +118,8 @@ def _tolerance(objective: float, unit: float) -> float:
 def _worth_a_look(
     magnification: int, bound: float, ceiling: float, best: LatticeSolution | None, unit: float
 ) -> bool:
-    """Return whether a magnification may be better than the best one so far; a larger one must be
-    so by more than the tolerance.
+    """Return whether a magnification may give a better table than the best one so far. A larger
+    one must be better by more than the tolerance.
     """
     if best is None or magnification < best.magnification:
         return bound <= ceiling

@@ -1,5 +1,5 @@
-"""One curve of a table of whole increments: what its whole numbers cost at least, and the exact
-optimum by dynamic programming within windows that are proved wide enough.
+"""One curve of a table of whole increments: a lower bound of its cost, and the exact optimum. The
+optimum comes from dynamic programming within windows that are proved wide enough.
 
 Dynamic programming: Bellman, Dynamic Programming (1957). Windows from a bound of the quadratic
 form: Fincke and Pohst, Mathematics of Computation 44 (1985).
@@ -312,8 +312,8 @@ def _within(
     variants: Variants,
     ceiling: float,
 ) -> LatticeValues | None:
-    """Return the best solution of ``variants`` with value ``ceiling`` or less, from windows that
-    hold every such one (Fincke and Pohst 1985).
+    """Return the best of the solutions of ``variants`` with value ``ceiling`` or less. The
+    windows contain every such solution (Fincke and Pohst 1985).
     """
     chain = part.chain
     spare = np.maximum(0.0, with_slack(ceiling) - relaxation.bound(variants.distance))

@@ -82,9 +82,9 @@ def product(one: SparseMatrix, other: SparseMatrix) -> SparseMatrix:
 def solve_ranges(
     shown: Deviations, limits: QuadraticProblem, *, slack: float
 ) -> tuple[FloatArray, dict[str, float]]:
-    """Return the unknowns whose tests have the least mean range under the ``limits`` (Boyd and
-    Vandenberghe 2004, section 6.1.1), and the certificate. Raises CapacityError where none is
-    certified.
+    """Return the unknowns whose simulated tests have the smallest mean range under ``limits``,
+    and the certificate (Boyd and Vandenberghe 2004, section 6.1.1). Raises CapacityError where
+    none is certified.
 
     Among all unknowns within ``slack`` (mm or deg) of the least, those of least mean square are
     taken; where the solver gives up on these, those of the least range, under the same certificate.

@@ -45,8 +45,8 @@ def without_periods(
 
 @functools.lru_cache(maxsize=4)
 def _periodic_part(positions: bytes, values: bytes, periods: Sequence[float]) -> FloatArray | None:
-    """Return the harmonics of ``periods`` in ``values`` at ``positions`` (g,), as bytes: many grids
-    are asked for the same; None where the positions show none.
+    """Return the harmonics of ``periods`` in ``values`` at ``positions`` (g,). Arguments are
+    bytes, because many grids ask for the same result; None where the positions show none.
     """
     where, middle = np.frombuffer(positions), np.frombuffer(values)
     waves = _waves(where, periods)

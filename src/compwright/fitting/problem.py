@@ -1,5 +1,5 @@
-"""The fit as a quadratic problem (Boyd and Vandenberghe, Convex Optimization, 2004, section 4.4):
-what the control does between its nodes, what is wanted, and the control's limits.
+"""The fit as a quadratic problem (Boyd and Vandenberghe, Convex Optimization, 2004, section 4.4).
+Its parts: the control's interpolation, the wanted correction, and the control's limits.
 """
 
 from __future__ import annotations
@@ -99,8 +99,8 @@ def hat_matrix(
 
 
 def bends(nodes: FloatArray, interpolation: Interpolation) -> FloatArray:
-    """Return where the control's curve with ``nodes`` (k,) bends or jumps: the nodes (k,), or the
-    midpoints between them and the ends (k + 1,).
+    """Return where the control's curve with ``nodes`` (k,) bends or jumps. These are the nodes
+    (k,), or their midpoints with the two ends (k + 1,).
     """
     if interpolation == "linear":
         return nodes
@@ -195,8 +195,8 @@ class SampledCorrection:
     wanted: Mapping[Direction, FloatArray]
 
     def mean_square(self, layout: UnknownsLayout, x: FloatArray) -> float:
-        """Return the mean over points and directions of (held - wanted)^2 for the unknowns
-        ``x`` (layout.size,), mm or deg; the result in their square.
+        """Return the mean of (held - wanted)^2 over points and directions, in mm² or deg².
+        ``x`` (layout.size,): the unknowns, mm or deg.
         """
         return 0.5 * float(
             sum(

@@ -1,5 +1,5 @@
-"""Nodes of a spacing that the job names: exactly those, or why the control cannot hold them and
-what would fit. All arithmetic is in whole quanta of the position.
+"""Nodes with the spacing that the job gives, or why the control cannot hold it and which spacings
+fit. All arithmetic is in whole quanta of the position.
 """
 
 from __future__ import annotations
@@ -60,8 +60,8 @@ def requested_grid(
 def _reaching_grid(
     span: Span, step: int, capacity: Capacity, wanted: WantedCorrection
 ) -> FloatArray:
-    """Return nodes of a control that has only certain spacings: through the reference or the job's
-    end, over the open ends.
+    """Return nodes for a control that has only certain spacings. One node is at the reference
+    or at an end given in the job; open ends are exceeded.
     """
     anchor = (
         span.low
@@ -77,8 +77,8 @@ def _reaching_grid(
 
 
 def _freely_spaced(span: Span, spacing: float, capacity: Capacity, unit: str) -> FloatArray:
-    """Return nodes that the control lists one by one: each the nearest that it can say, the last
-    section perhaps shorter.
+    """Return nodes for a control that lists each position. Each is the nearest position that
+    the control can express; the last section may be shorter.
     """
     quantum = capacity.position_quantum
     sections = int(np.ceil((span.high - span.low) * quantum / spacing - 1e-9))

@@ -11,8 +11,8 @@ from compwright.records.axis import FloatArray
 
 
 def to_quanta(values: FloatArray, quantum: float) -> FloatArray:
-    """Return the nearest whole numbers of quanta of ``values`` (k,); halves go up, so that equal
-    steps stay equal wherever they start.
+    """Return the nearest whole numbers of quanta for ``values`` (k,). Halves are rounded up, so
+    that equal steps stay equal wherever they start.
     """
     # The tiny shift keeps a half that arithmetic left a hair below one from falling to the other
     # side than its neighbours.

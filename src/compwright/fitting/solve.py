@@ -176,10 +176,10 @@ def _least_distance_set(problem: QuadraticProblem) -> tuple[BoolArray, FloatArra
 def _with_equations(
     problem: QuadraticProblem, active: BoolArray, bound: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the optimum with the ``active`` limits as equations, and the multipliers (0 for the
-    rest): the conditions of a problem with equations (Boyd and Vandenberghe 2004, section 10.1.1),
-    solved with iterative refinement (Higham, Accuracy and Stability of Numerical Algorithms, 2nd
-    ed. 2002, chapter 12).
+    """Return the optimum with the ``active`` limits as equations, and their multipliers (0 for
+    the rest). Source of the conditions: Boyd and Vandenberghe 2004, section 10.1.1; solved with
+    iterative refinement (Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed. 2002,
+    chapter 12).
     """
     rows = problem.A.taken(active)
     n, c = problem.q.size, rows.shape[0]
@@ -232,9 +232,9 @@ def _factored(matrix: SparseMatrix) -> Callable[[FloatArray], FloatArray]:
 
 
 def least_squares(matrix: SparseMatrix, weights: FloatArray, values: FloatArray) -> FloatArray:
-    """Return the unknowns (n,) of least sum of ``weights`` times (``matrix`` x - ``values``)^2, by
-    the normal equations (Golub and Van Loan, Matrix Computations, 4th ed. 2013, section 5.3);
-    neighbours alike where nothing else decides.
+    """Return the unknowns (n,) that minimise the sum of ``weights`` times (``matrix`` x -
+    ``values``)^2. By the normal equations (Golub and Van Loan, Matrix Computations, 4th ed.
+    2013, section 5.3); neighbours are equal where nothing else decides.
     """
     from scipy.sparse.linalg import splu
 

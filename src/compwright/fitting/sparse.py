@@ -1,4 +1,4 @@
-"""Matrices of which few entries are not zero, in numpy alone, so that a certificate rests on no
+"""Matrices with few entries other than zero, in numpy alone. A certificate then does not rest on a
 solver's arithmetic; every sum is taken in the order of the entries, whatever the processor.
 """
 
@@ -93,8 +93,8 @@ class SparseMatrix:
         )
 
     def largest_in_rows(self, divisor: FloatArray) -> FloatArray:
-        """Return the largest absolute entry of each row (rows,), each first divided by that of
-        ``divisor`` (columns,) for its column; 0 in a row of zeros.
+        """Return the largest absolute entry of each row (rows,). Each entry is first
+        divided by the ``divisor`` (columns,) of its column; 0 in a row of zeros.
         """
         largest = np.zeros(self.shape[0])
         np.maximum.at(largest, self.row, np.abs(self.value) / divisor[self.column])

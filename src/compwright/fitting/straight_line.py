@@ -30,8 +30,9 @@ def fit_line(
     *,
     address: str,
 ) -> FittedTable:
-    """Return the slope, a whole multiple of ``quantum`` (mm/mm, deg/deg), and the backlash of least
-    mean square over the travel (Draper and Smith 1998, chapter 1).
+    """Return the slope and the backlash with the smallest mean square over the travel. The
+    slope is a whole multiple of ``quantum`` (mm/mm, deg/deg) (Draper and Smith 1998, chapter
+    1).
 
     Both together are the exact optimum over whole multiples within their ranges. Raises
     CapacityError where the job asks for the grid of a table.
@@ -92,8 +93,8 @@ def _refuse_grid(request: TableRequest, capacity: Capacity) -> None:
 
 
 class _FittedLine:
-    """The mean square of datum + slope * x + reversal - wanted; the datum is free: it moves the
-    axis' zero, not its errors.
+    """The mean square of datum + slope * x + reversal - wanted. The datum is free: it moves the
+    zero of the axis, not its errors.
     """
 
     def __init__(self, wanted: WantedCorrection) -> None:
@@ -131,8 +132,8 @@ class _FittedLine:
         return float(np.clip(slope, *slopes)), float(np.clip(reversal, *reversals))
 
     def best(self, quantum: float, capacity: Capacity) -> tuple[float, float]:
-        """Return the best whole slope and backlash (as the record counts it): each the nearest to
-        its best within its range.
+        """Return the best slope and backlash as whole numbers (as the record counts them).
+        Each is the nearest to its optimum within its range.
 
         With a free datum the mean square is the sum of a parabola of the slope and one of the
         reversal, so that this is exact.

@@ -49,8 +49,8 @@ def added_rms(larger: float, smaller: float) -> float:
 def edge_findings(
     table: AxisCompensation, wanted: WantedCorrection, *, kept: bool
 ) -> tuple[Finding, ...]:
-    """Return the findings about the ends: the correction where the table does not cover the travel,
-    and points beyond the travel.
+    """Return the findings about the ends of the table. They concern the correction where the
+    table does not cover the travel, and points beyond the travel.
 
     An endless table has no ends; one on an existing grid (``kept``) keeps its range.
     """

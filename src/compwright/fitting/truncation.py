@@ -1,5 +1,5 @@
-"""What a control cannot hold by far: more than the noise of a reading is cut off by its value range
-or its increments.
+"""Wanted corrections that are far beyond what a control can hold. Its value range or increments
+then cut off more than the noise of a reading.
 """
 
 from __future__ import annotations
@@ -29,8 +29,8 @@ _HELP = {
 def truncation_faults(
     fitted: FittedTable, wanted: WantedCorrection, capacity: Capacity
 ) -> Iterator[Fault]:
-    """Yield a fault for each limit that cuts off more than a quantum and than the noise of one
-    reading (rms over the travel).
+    """Yield a fault for each limit that cuts off more than a quantum and more than the noise of
+    one reading (rms over the travel).
 
     A smaller loss is a limit that costs accuracy, and the table is the best under it.
     """
@@ -52,8 +52,8 @@ def truncation_faults(
 
 
 def range_faults(wanted: WantedCorrection, capacity: Capacity) -> Iterator[Fault]:
-    """Yield a fault where so much of what is ``wanted`` lies outside of the value range that no
-    table is worth the time of a search.
+    """Yield a fault if most of ``wanted`` is outside of the value range. A search for a table
+    would then be a waste of time.
     """
     if capacity.line is not None:
         return

@@ -32,8 +32,8 @@ _FOLLOW: Final = 2.0
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class HeldGrid:
-    """``nodes`` (k,) mm or deg; ``wanted``: what is left to fit: of periods that the nodes do not
-    hold only what they do hold.
+    """A grid with what is left to fit on it. ``nodes`` (k,) mm or deg; ``wanted``: the
+    correction, of short periods only the part that the nodes can hold.
 
     ``left_out``: rms of the rest. ``points_loss``: rms that more points would save, 0 where the
     number of points is no limit. ``kept``: the nodes are those of the grid that is in the control.
@@ -65,9 +65,10 @@ def _longer_than(nodes: FloatArray, periods: Sequence[float], least: float) -> l
 def resolved_part(
     nodes: FloatArray, wanted: WantedCorrection, capacity: Capacity
 ) -> WantedCorrection:
-    """Return ``wanted`` (mm or deg) with what ``nodes`` (k,) hold of the periods that they are too
-    far apart for: their part of least mean square over the travel (Draper and Smith, Applied
-    Regression Analysis, 3rd ed. 1998, chapter 1), nothing of those that they do not follow.
+    """Return ``wanted`` (mm or deg) with only the part of short periods that ``nodes`` (k,) can
+    hold. That part has the smallest mean square over the travel (Draper and Smith, Applied
+    Regression Analysis, 3rd ed. 1998, chapter 1); it is zero for periods that the nodes cannot
+    follow.
     """
     lost = unresolved_periods(nodes, wanted.periods)
     if not lost:
@@ -104,8 +105,8 @@ def resolved_part(
 def _projected(
     nodes: FloatArray, wanted: WantedCorrection, wave: FloatArray, capacity: Capacity
 ) -> FloatArray:
-    """Return the values (k,) at ``nodes`` that come closest to a ``wave`` (g,) at the positions of
-    ``wanted``, mm or deg; the same at both ends of an endless axis.
+    """Return the values (k,) at ``nodes`` that come closest to a ``wave`` (g,), mm or deg. The
+    wave is given at the positions of ``wanted``; on an endless axis both ends are equal.
     """
     data = sample_correction(replace(wanted, positive=wave, negative=wave), nodes, capacity)
     matrix, free = data.matrix, nodes.size
@@ -131,9 +132,9 @@ def held_grid(
     loss: float = 0.0,
     finest: FloatArray | None = None,
 ) -> HeldGrid:
-    """Return the grid of given nodes, with what they hold of short periods, and a finding where
-    they leave of them more than nothing; ``loss``: rms that more points would save. ``finest``: the
-    finest nodes that the control allows, where these were chosen among them.
+    """Return the grid of given nodes with the part of short periods that it holds. With a
+    finding where some of them is left; ``loss``: rms that more points would save. ``finest``:
+    the finest nodes that the control allows, where these were chosen among them.
     """
     lost = unresolved_periods(nodes, wanted.periods)
     if not lost:
@@ -153,8 +154,8 @@ def _finding(
     rms: tuple[float, float],
     finest: FloatArray | None,
 ) -> Finding:
-    """Return what ``nodes`` leave of the periods that they do not hold, ``rms`` of what is left and
-    of the whole (mm or deg), and which spacing would hold them.
+    """Return the finding about short periods that ``nodes`` do not hold. It states the ``rms``
+    of what is left and of the whole (mm or deg), and which spacing would hold them.
     """
     shown = nodes if finest is None else finest
     lost = unresolved_periods(nodes, wanted.periods)

@@ -1,5 +1,5 @@
-"""The table of a control that stores whole increments: the best on its lattice (``lattice``:
-Bellman, Dynamic Programming, 1957), what that costs, and why this magnification.
+"""The best table of a control that stores whole increments, what rounding costs, and why this
+magnification (``lattice``: Bellman, Dynamic Programming, 1957).
 """
 
 from __future__ import annotations
@@ -315,8 +315,8 @@ def _magnification_finding(
 
 
 def goal_finding(goal: Goal, why: Literal["slope", "increments", "no_gain"]) -> tuple[Finding, ...]:
-    """Return the finding that a goal other than the expected square is not followed: the control
-    has one ``slope``, whole ``increments``, or rounding leaves ``no_gain``.
+    """Return the finding that a goal other than the expected square is not followed. Reasons:
+    the control has one ``slope``, whole ``increments``, or rounding leaves ``no_gain``.
     """
     if goal == "expected":
         return ()

@@ -53,8 +53,8 @@ def fit_all(
     each: Each = in_turn,
     rule: Literal["simple", "guarded"] = "simple",
 ) -> dict[str, AxisWork]:
-    """Fit every axis under the limits of the control; ``rule``: how the job decides, for the tests
-    that judge a goal. Raises CapacityError with the faults of all axes.
+    """Fit every axis under the limits of the control. ``rule``: how the job decides, for the
+    tests that judge a goal. Raises CapacityError with the faults of all axes.
     """
     errors: list[CompwrightError] = []
     capacities: dict[str, Capacity] = {}
@@ -175,8 +175,8 @@ def _shown(work: AxisWork, rule: Literal["simple", "guarded"]) -> Shown:
 def _pays(
     work: AxisWork, table: FittedTable, usual: FittedTable, rule: Literal["simple", "guarded"]
 ) -> bool:
-    """Return whether the ``table`` for the goal of the job is the ``usual`` one, or the tests of
-    the prediction show that it gains.
+    """Return whether the ``table`` for the job's goal is worth using. It is the ``usual`` one,
+    or the simulated tests of the prediction show a gain.
     """
     goal = work.planned.request.goal
     if goal == "expected" or same_tables(table, usual):
@@ -186,8 +186,8 @@ def _pays(
 
 
 def _not_held(error: CapacityError, name: str, work: AxisWork, file: str) -> CapacityError:
-    """Return why the control does not hold a table of an axis; before it what is doubtful in its
-    tests, because readings that are something else than they say are the usual cause.
+    """Return why the control does not hold a table of an axis. Doubts about the readings come
+    first, because readings with a wrong unit or sign are the usual cause.
     """
     doubted = [
         Fault(

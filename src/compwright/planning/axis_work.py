@@ -90,8 +90,8 @@ class AxisWork:
     at_targets: ErrorEstimate | None = None
 
     def estimate_at(self, positions: FloatArray) -> ErrorEstimate:
-        """Return mean and standard deviation of the deviation at ``positions`` (g,), mm or deg; at
-        targets of the first test as they are known already.
+        """Return mean and standard deviation of the deviation at ``positions`` (g,), mm or
+        deg. At targets of the first test the values that are already known are used.
         """
         known = self.at_targets
         if known is None or not np.all(np.isin(positions, known.positions)):
@@ -232,7 +232,7 @@ def start_axis(
 
 
 def _reported_checks(posterior: MeasuredError) -> Iterator[frozenset[str]]:
-    """Yield for each test the checks of its readings that the estimate reports already; none for a
+    """Yield the checks of each test's readings that the estimate already reports. None for a
     test that does not count.
     """
     for noise, place in zip(posterior.noises, posterior.counted, strict=True):
@@ -280,8 +280,8 @@ def predict_axis(
 def _predicted_test(
     work: AxisWork, place: int, new: Correction, job: Job, fresh: FreshTests | None
 ) -> TestPrediction:
-    """Return the prediction of a fresh test like the one at ``place`` with the correction ``new``;
-    with guard bands where a guarded decision needs them.
+    """Return the prediction of a fresh test like the one at ``place``, with the correction
+    ``new``. It has guard bands where a guarded decision needs them.
     """
     planned, result = work.planned, work.results[place]
     test = planned.tests[place]

@@ -35,8 +35,8 @@ class LaserValues:
 def laser_values(
     work: CircleWork, axis: AxisWork, index: int, during: ActiveCorrections
 ) -> LaserValues:
-    """Return lost motion (mm, > 0 lags) and scale of an axis by its positioning test, at both ends
-    of a circle.
+    """Return lost motion (mm, > 0 lags) and scale of an axis from its positioning test, at both
+    ends of a circle.
 
     ``index`` 0: the axis is the circle's first one. The laser's own uncertainty per metre counts
     where the job gives it.
@@ -89,8 +89,8 @@ class CircleChecks:
         self.states = states
 
     def laser(self, work: CircleWork, index: int) -> LaserValues | None:
-        """Return the values of the positioning test for an axis of a circle; None for an axis
-        without a positioning test in both directions.
+        """Return the values of the positioning test for one axis of a circle. None for an
+        axis without a positioning test in both directions.
         """
         axis = self.works.get(work.planned.test.axes[index])
         if axis is None or not axis.results[0].test.bidirectional:
@@ -164,8 +164,8 @@ class CircleChecks:
     def with_circle_backlash(
         self, circles: Sequence[CircleWork]
     ) -> tuple[dict[str, AxisWork], tuple[Finding, ...]]:
-        """Return the axes with the lost motion of their circles in place of that of the positioning
-        test, where the job requires it.
+        """Return the axes with the lost motion of their circles instead of that of the
+        positioning test, where the job requires it.
         """
         works = dict(self.works)
         findings: list[Finding] = []
@@ -191,8 +191,8 @@ class CircleChecks:
         return Finding.of("CW-P130.no_test", "error", axis=name)
 
     def _not_taken(self, name: str, circles: Sequence[CircleWork]) -> Finding:
-        """Return why the lost motion of an axis stays that of the laser: no failure where no circle
-        lies on the axis.
+        """Return why an axis keeps the lost motion of the laser test. It is no failure if
+        the axis has no circle.
         """
         if not _on(circles, name):
             return Finding.of("CW-P130.no_circle", "warning", axis=name)

@@ -169,8 +169,8 @@ def _observations(result: CircularResult) -> Iterator[Observation]:
 def _mean_scale(
     result: CircularResult, of_mismatch: float, turning: float
 ) -> Iterator[Observation]:
-    """Yield the mean scale of both axes, with the error of the fit alone: the shrinking is an
-    unknown of its own here.
+    """Yield the mean scale of both axes, with the standard error of the fit alone. How much the
+    servo loop shrinks the circle is a separate unknown here.
     """
     found = [effect_of(result, f"scale_error_{side}") for side in ("first", "second")]
     # What is taken off for unequal lags has opposite signs and is not in the mean.
@@ -190,9 +190,8 @@ def _mean_scale(
 
 
 def network_findings(circles: Sequence[CircleWork]) -> Iterator[Finding]:
-    """Yield for all circles of one state, where there are two or more, the machine that they show
-    together and where they contradict each other. What ``run`` says of the squareness of a plane
-    stays with `planning.cross`.
+    """Yield what two or more circles of one state show together, and where they contradict each
+    other. What ``run`` says of the squareness of a plane is in `planning.cross`.
     """
     states: dict[str, list[CircularResult]] = {}
     for work in circles:

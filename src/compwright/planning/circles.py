@@ -64,8 +64,8 @@ def effect_of(result: CircularResult, name: str) -> CircularEffect | None:
 
 
 def as_shown_at_feed(effect: CircularEffect) -> CircularEffect:
-    """Return a scale or mismatch as the circle shows it at its feed, with the error of the fit
-    alone: nothing of what a lag may do to it taken off.
+    """Return a scale or mismatch as the circle shows it at its feed. The standard error is that
+    of the fit alone; the effect of a servo lag is not removed.
     """
     off, error = (effect.more.get(name) or 0.0 for name in ("lag_taken_off", "lag_error"))
     variance = max(effect.std_error**2 - error**2, 0.0)
@@ -197,8 +197,8 @@ def _middle_assumed(test: CircularTest, centre: tuple[float, float]) -> Finding:
 
 
 def travel_findings(work: CircleWork, axes: Mapping[str, Axis]) -> tuple[Finding, ...]:
-    """Return findings about a circle that does not lie within the travels of its axes, or on axes
-    that are not linear.
+    """Return findings about a circle outside the travel of its axes, or on axes that are not
+    linear.
     """
     test, found = work.result.test, []
     for name, middle in zip(test.axes, work.planned.centre, strict=True):

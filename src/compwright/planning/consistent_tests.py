@@ -1,5 +1,5 @@
-"""Which tests of an axis count together: those in known states of the control that show the same
-error as the first.
+"""Select the tests of an axis that count together. They were taken in known states of the control
+and show the same error as the first test.
 
 The correction that was active in each is subtracted before the comparison.
 """
@@ -87,8 +87,8 @@ def select_consistent(
     axis: Axis,
     active: AxisCompensation | None,
 ) -> tuple[tuple[PlannedTest, ...], MeasuredError, tuple[Finding, ...]]:
-    """Return the tests, with those left out of the count that contradict the first; the error from
-    the others; and the doubts.
+    """Return the tests with contradicting ones excluded, the error from the other tests, and
+    the doubts.
 
     ``observed``: the same tests with the active correction subtracted; ``active``: the correction
     during the first.
@@ -111,8 +111,8 @@ def select_consistent(
 def _disagreeing(
     tests: Sequence[PlannedTest], alone: Callable[[int], MeasuredError]
 ) -> Iterator[tuple[int, Finding]]:
-    """Yield the index and the doubt of each test that contradicts the first; ``alone``: the error
-    from one test alone, by its index.
+    """Yield index and doubt of each test that contradicts the first. ``alone``: the error from
+    each single test, by its index.
 
     Each of the two tests predicts the other: a short test predicts little of a long one, the long
     one much of it.
@@ -132,8 +132,8 @@ def _doubt(
     shown: tuple[PlannedTest, MeasuredError],
     names: tuple[str, str],
 ) -> Finding | None:
-    """Return the doubt about a test (``shown``) that does not show the error from another one
-    (``telling``); each is given with the error from it alone.
+    """Return the doubt about a test (``shown``) that contradicts another one (``telling``).
+    Both are given with the error from that test alone.
 
     Only the directions in which a test was taken count. Each test has its own noise.
     """
@@ -160,8 +160,8 @@ def _doubt(
 def _only_there(
     shown: tuple[PlannedTest, MeasuredError], telling: tuple[PlannedTest, MeasuredError]
 ) -> tuple[float, ...]:
-    """Return the periods that one test shows and another one does not know of, because its targets
-    hide them or because it found none there: it expects nothing of them.
+    """Return the periods that one test shows and another cannot know. Its targets hide them or
+    it found none there, so it predicts nothing about them.
     """
     one, other = (
         visible_periods(

@@ -42,8 +42,8 @@ _PPM = 1e6
 
 @dataclass(frozen=True, slots=True)
 class Squareness:
-    """The angle of a plane as found now, rad, its standard error, the circles that it comes from,
-    and the largest diameter, mm.
+    """The angle of a plane in its present state, rad, with its standard error. Also the circles
+    that it comes from, and the largest diameter, mm.
     """
 
     value: float
@@ -158,8 +158,8 @@ class _Planner:
         curves: Mapping[Direction, FloatArray],
         slope: float,
     ) -> CrossCompensation:
-        """Return the table over the travel of the input axis, zero at its reference; beyond the
-        measured range the mean slope.
+        """Return the table over the travel of the input axis, zero at its reference. Beyond
+        the measured range it continues with the mean slope.
         """
         axis = self.axes[given]
         nodes = _nodes(axis, where)

@@ -1,5 +1,5 @@
-"""Doubts about measurements and about the state of the control: of which axes nothing is decided,
-and which of them the job acknowledges.
+"""Doubts about measurements and the state of the control. An axis with a doubt gets no decision
+unless the job acknowledges the doubt.
 """
 
 from __future__ import annotations

@@ -23,8 +23,8 @@ _REPORTED: Final = (
 
 
 def goal_findings(work: AxisWork, new: Correction, fresh: FreshTests) -> Iterator[Finding]:
-    """Yield what ``fresh`` tests at new targets show of A, E and M with ``new`` and with the table
-    that was not taken (CW-P152). Only where the job has another goal than the least expected
+    """Yield A, E and M of ``fresh`` simulated tests at new targets, with the table ``new`` and
+    with the rejected one (CW-P152). Only where the job has another goal than the least expected
     square.
     """
     planned, goal = work.planned, work.entry.table.goal

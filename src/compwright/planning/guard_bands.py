@@ -1,5 +1,5 @@
-"""The guard band of a decision about a test that is to come (ISO 14253-1): the expanded uncertainty
-of its parameters, with what the tests before it have put into the table.
+"""The guard band of a decision about a future test (ISO 14253-1). It is the expanded uncertainty of
+its parameters, including the share that earlier tests have put into the table.
 """
 
 from __future__ import annotations

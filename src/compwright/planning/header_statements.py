@@ -1,6 +1,4 @@
-"""What the files of a test state in their headers, next to what the job states, and next to each
-other.
-"""
+"""Compare the statements in the headers of the test files with the job and with each other."""
 
 from __future__ import annotations
 
@@ -34,8 +32,8 @@ _OFF: Final = re.compile(
 def statement_findings(
     tests: Sequence[PlannedTest], axis: Axis, states: Mapping[str, ControlState]
 ) -> Iterator[Finding]:
-    """Yield where the headers of an axis' files contradict the state of the control that the job
-    gives, or each other. ``states``: by name, those whose content is stated.
+    """Yield where headers of an axis' files contradict the job's state of the control, or each
+    other. ``states``: by name, those whose content is known.
     """
     for planned in tests:
         yield from _differences(planned.test, axis)
@@ -81,8 +79,8 @@ def _contradiction(
     axes: Sequence[Axis],
     states: Mapping[str, ControlState],
 ) -> Sentence | None:
-    """Return how a header contradicts the state in which its test was taken, as far as ``axes``
-    show it, and what to do; None where it does not.
+    """Return how a header contradicts the state of its test, and what to do. It is compared
+    only as far as ``axes`` show the state; None if there is no contradiction.
     """
     stated, state = _stated(header), states.get(measured_in)
     if len(stated) > 1:

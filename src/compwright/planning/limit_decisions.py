@@ -209,8 +209,8 @@ def _without_guard(what: str, names: Iterable[str], give: str) -> tuple[Finding,
 
 
 def magnitude(quantiles: Quantiles) -> Quantiles:
-    """Return the quantiles of the size of a parameter: a tolerance bounds the size, and the mean
-    reversal value has a sign.
+    """Return the quantiles of the absolute size of a parameter. A tolerance limits the size,
+    and the mean reversal value has a sign.
     """
     low, high = sorted((abs(quantiles.p05), abs(quantiles.p95)))
     spans_zero = quantiles.p05 < 0.0 < quantiles.p95
@@ -218,8 +218,8 @@ def magnitude(quantiles: Quantiles) -> Quantiles:
 
 
 def check_limits(job: Job, entry: AxisJob, results: tuple[PositioningResult, ...]) -> None:
-    """Raise UsageError for every tolerance on a parameter that the test does not have, and for a
-    guard band of nothing.
+    """Raise UsageError for every limit on a parameter that the test does not have, and for a
+    guarded decision without uncertainty.
     """
     accept = entry.accept
     if accept is None:
@@ -231,8 +231,8 @@ def check_limits(job: Job, entry: AxisJob, results: tuple[PositioningResult, ...
 def limit_faults(
     job: Job, accept: Acceptance, result: PositioningResult | CircularResult, place: str
 ) -> list[Fault]:
-    """Return a fault for every tolerance on a parameter that ``result`` does not have, and for a
-    guard band of nothing; ``place``: the section of the job.
+    """Return a fault for each limit on a parameter that ``result`` does not have. Also for a
+    guarded decision without uncertainty; ``place``: the section of the job.
     """
     faults = [
         Fault(

@@ -42,8 +42,8 @@ _WORTH_SAYING: Final = 0.005
 
 
 def what_limits(work: AxisWork, new: Correction, fresh: FreshTests) -> LimitingCauses | None:
-    """Return what limits the first of A, E, ... that the first test of an axis has, with the
-    correction ``new``; None where it has none.
+    """Return which causes limit a parameter of an axis after the correction ``new``. It is the
+    first of A, E, ... that the first test has; None where it has none.
 
     ``fresh``: tests like that one, at new targets. Each cause is removed alone, while all others
     stay. The part of the known error that the table does not hold is the sum of the causes that
@@ -57,14 +57,16 @@ def what_limits(work: AxisWork, new: Correction, fresh: FreshTests) -> LimitingC
     shown = partial(_shown, fresh, name)
     then, now = shown(change), shown(difference(work.as_found, work.active))
     least = shown(change, known=False, unknown=False, warm=False)
-    alike = shown(change, cured=("tails",))
+    without_outliers = shown(change, cured=("tails",))
     causes = [
         # Scatter without the few outliers, which are given in units of the same scatter: the
         # outliers are removed first.
-        LimitingCause(cause=NOISE, value=alike.median - shown(change, cured=("scatter",)).median),
+        LimitingCause(
+            cause=NOISE, value=without_outliers.median - shown(change, cured=("scatter",)).median
+        ),
         *(
             LimitingCause(cause=cause, value=then.median - without.median, rms=rms)
-            for cause, without, rms in _without(work, fresh, change, shown, alike)
+            for cause, without, rms in _without(work, fresh, change, shown, without_outliers)
         ),
     ]
     waves = fresh.open_waves()
@@ -99,14 +101,18 @@ def _shown(fresh: FreshTests, name: str, change: Correction, **taken: Any) -> Qu
 
 
 def _without(
-    work: AxisWork, fresh: FreshTests, change: Correction, shown: _ShownParameter, alike: Quantiles
+    work: AxisWork,
+    fresh: FreshTests,
+    change: Correction,
+    shown: _ShownParameter,
+    without_outliers: Quantiles,
 ) -> Iterator[tuple[str, Quantiles, float | None]]:
-    """Yield every cause with the parameter of tests without it, and what the fit reports for it;
-    ``alike``: the parameter without outlying readings.
+    """Yield every cause with the parameter of tests without this cause, and the size that the
+    fit reports. ``without_outliers``: the parameter without outlying readings.
     """
     for cause, parts in _SCATTERING.items():
         if fresh.has(parts):
-            yield cause, alike if cause == OUTLIERS else shown(change, cured=parts), None
+            yield cause, without_outliers if cause == OUTLIERS else shown(change, cured=parts), None
     if np.any(fresh.slopes):
         yield WARM, shown(change, warm=False), None
     yield UNKNOWN, shown(change, unknown=False), None

@@ -79,8 +79,8 @@ def mirror_image_doubts(
 def is_mirror_image(
     table: FloatArray, shown: FloatArray, targets: FloatArray, noise: float
 ) -> bool:
-    """Return whether ``table`` (m,) has the shape of what a test has ``shown`` (m,) at its
-    ``targets`` (m,), turned; ``noise``: standard deviation of a mean. mm or deg.
+    """Return whether ``table`` (m,) has the shape of the deviations ``shown`` (m,) with the
+    opposite sign. Both at ``targets`` (m,), mm or deg; ``noise``: standard deviation of a mean.
     """
     along = np.linspace(-1.0, 1.0, targets.size) if targets.size < 2 else targets - targets.mean()
     bent, seen = (
@@ -94,7 +94,7 @@ def is_mirror_image(
 
 
 def mean_of_directions(test: PositioningTest) -> FloatArray | None:
-    """Return the mean (m,) of both directions at each target, or of the one that was measured; None
+    """Return the mean (m,) of both directions at each target, or of the only one measured. None
     where a target has no reading.
     """
     means = [

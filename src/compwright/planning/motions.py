@@ -1,5 +1,5 @@
-"""Tests of one axis at cutting feed and at rapid traverse, for which a control may compensate
-backlash by different values.
+"""Tests of one axis at cutting feed and at rapid traverse. The control may use different backlash
+values for the two.
 
 A table is made for the motion of the first test (``Axis.motion``). A new one changes both values
 equally, so that their difference is active in a test at the other motion before and afterwards.
@@ -21,8 +21,8 @@ from compwright.records.plan import PlannedTest
 
 
 def backlash_more(axis: Axis, motion: Motion, state: ControlState | None) -> float:
-    """Return the backlash value that is active in a test minus the value at the motion of the axis,
-    mm or deg; 0 where the control's values are unknown.
+    """Return how much larger the active backlash value is in a test than at the motion of the
+    axis, mm or deg. 0 where the control's values are unknown.
     """
     if state is None or motion == axis.motion:
         return 0.0

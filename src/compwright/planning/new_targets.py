@@ -1,5 +1,5 @@
-"""What a test at new targets shows of an axis beyond one at the targets that were measured: periods
-that may be there, and such as the readings leave open.
+"""What a test at new targets can show that a test at the measured targets cannot. These are periods
+that are possible or that the readings do not exclude.
 """
 
 from __future__ import annotations
@@ -28,14 +28,14 @@ def decide_limits(
     rule: Literal["simple", "guarded"],
     tests: tuple[TestPrediction, ...],
 ) -> tuple[Mapping[str, AcceptDecision], tuple[Finding, ...]]:
-    """Return the decisions about the limits of an axis from the prediction for each of its
-    ``tests``, and what new targets leave undecided.
+    """Return the decisions about the limits of an axis, from the prediction for each of its
+    ``tests``. With the decisions that new targets make undecided.
     """
     if entry.accept is None:
         return {}, ()
     place = accepted_index(entry.accept, tuple(each.name for each in tests))
     accept = accept_decisions(entry, tests, rule)
-    return accept, tuple(_left_open(entry.axis, accept, tests[place], posterior))
+    return accept, tuple(_undecided(entry.axis, accept, tests[place], posterior))
 
 
 def further_targets_finding(axis: Axis, posterior: AxisPosterior) -> Iterator[Finding]:
@@ -57,7 +57,7 @@ def further_targets_finding(axis: Axis, posterior: AxisPosterior) -> Iterator[Fi
     )
 
 
-def _left_open(
+def _undecided(
     axis: Axis,
     accept: Mapping[str, AcceptDecision],
     test: TestPrediction,

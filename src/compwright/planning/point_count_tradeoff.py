@@ -28,9 +28,9 @@ _MOST: Final = 400
 def point_count_tradeoff(
     work: AxisWork, new: Correction, fresh: FreshTests, name: str
 ) -> tuple[PointCountOption, ...]:
-    """Return what fresh tests at new targets show of the parameter ``name`` with tables of several
-    numbers of points, ascending; with ``new`` for the one that is written. Empty where there is
-    nothing to choose: no table, or only one grid.
+    """Return the parameter ``name`` of simulated tests at new targets for tables with different
+    numbers of points. Ascending; ``new`` is the table that is written. Empty where there is no
+    choice: no table, or only one grid.
 
     Every table is fitted to what is wanted under the control's own limits, on equally spaced nodes
     that it can hold.

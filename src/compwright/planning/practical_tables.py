@@ -67,9 +67,9 @@ def planned_request(
 def _with_kept_magnification(
     wanted: WantedCorrection, capacity: Capacity, request: TableRequest, axis: Axis, shown: Shown
 ) -> tuple[Capacity, FittedTable]:
-    """Return the best table, under the magnification that the control has now where a test shows
-    next to nothing of a better one: loaded without its increments, or they without it, a new
-    magnification multiplies the whole table.
+    """Return the best table with the control's existing magnification, if a test would show
+    almost no difference. A new magnification is a risk: loaded without its increments, or these
+    without it, it multiplies the whole table.
     """
     lattice = capacity.lattice
     best = fit_within(wanted, capacity, request, axis)

@@ -140,8 +140,8 @@ def _amount(result: PositioningResult, value: float) -> Amount:
 
 
 def parameter_spread(shown: Quantiles) -> float:
-    """Return the standard deviation of a parameter between tests, from the part below its median: a
-    few outlying readings widen the part above.
+    """Return the standard deviation of a parameter between tests, from the part below its
+    median. A few outlying readings widen the part above.
     """
     return 2.0 * (shown.median - shown.p05) / BAND
 

@@ -18,8 +18,8 @@ STOP_SCATTER = 5.0
 
 @dataclass(frozen=True, slots=True)
 class CheckReading:
-    """One reading of the quick check, mm or deg: what the control ``adds`` there, the reading that
-    is ``expected``, and to ``stop`` where it is further off than this.
+    """One reading of the quick check, mm or deg. The correction that the control ``adds``
+    there, the ``expected`` reading, and the difference from it at which to ``stop``.
     """
 
     position: float

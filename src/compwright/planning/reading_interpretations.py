@@ -162,8 +162,8 @@ def _in_opposite_order(observed: ObservedTest) -> ObservedTest:
 
 
 def _counted_against(observed: ObservedTest, ends: float) -> ObservedTest:
-    """Return the test of an instrument that counts against the machine (`to_machine`); ``ends``:
-    the sum of both ends of the travel.
+    """Return the test as if its instrument counted against the machine (`to_machine`).
+    ``ends``: the sum of both ends of the travel.
     """
     turned = _exchanged(_turned(_in_opposite_order(observed)))
     targets = ends - observed.test.targets[::-1]

@@ -1,5 +1,5 @@
-"""Put a short period that the grid cannot hold into a table of its own that repeats with it, where
-the control has one.
+"""Put a short period that the grid cannot hold into a separate table that repeats with the period.
+Only where the control has such a table.
 
 The sections of the period take whole increments whose sum is zero; their aim is the residual of the
 main table, folded over the period.
@@ -38,8 +38,8 @@ def with_repeating_table(
     request: TableRequest,
     plain: FittedTable,
 ) -> FittedTable:
-    """Return the table with a second one that repeats with a known short period, where that leaves
-    clearly less than ``plain``; else ``plain``. Both give both numbers.
+    """Return the table with a second one that repeats with a known short period. Only where
+    that leaves clearly less error than ``plain``; else ``plain``. Both state both errors.
     """
     if capacity.wave is None or plain.compensation.positions.size < 2:
         return plain
@@ -83,8 +83,8 @@ def with_repeating_table(
 def _left(
     wanted: WantedCorrection, table: AxisCompensation, periods: Sequence[float]
 ) -> FloatArray:
-    """Return the residual (g,) at the positions of ``wanted``, the mean of both directions, as if
-    the main table were straight between its nodes: its steps are no wave.
+    """Return the residual (g,) at the positions of ``wanted``, the mean of both directions. The
+    main table counts as straight between its nodes, so that its steps are no wave.
 
     The ``periods`` (mm or deg) that the main table holds count as residual too: the table of the
     period takes all of them.
@@ -101,8 +101,8 @@ def _left(
 def _wave(
     wanted: WantedCorrection, rest: FloatArray, plain: FittedTable, period: float, limits: Wave
 ) -> AxisCompensation | None:
-    """Return the table of one period from the reference on; None where the control cannot hold
-    it, or where it is nothing.
+    """Return the table of one period, starting at the reference. None where the control cannot
+    hold it, or where all its values are zero.
     """
     sections = next((n for n in _SECTIONS if limits.holds(period / n)), None)
     if sections is None or sections + 1 > limits.room:

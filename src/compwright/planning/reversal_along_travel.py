@@ -20,8 +20,8 @@ _ALIKE: Final = 2.0
 
 
 def reversal_curve(estimate: ErrorEstimate, active: Correction) -> tuple[FloatArray, FloatArray]:
-    """Return positions (k,) over the measured range, and the reversal of the axis itself there
-    (without the ``active`` correction), mean in + minus mean in -, mm or deg.
+    """Return positions (k,) over the measured range and the axis' own reversal there, mm or
+    deg. It is the mean in + minus the mean in -, without the ``active`` correction.
 
     For a rotary axis whole turns are removed: its travel may begin at a reference some turns away
     from the measured range.
@@ -40,8 +40,8 @@ def reversal_curve(estimate: ErrorEstimate, active: Correction) -> tuple[FloatAr
 
 
 def reversal_rise(estimate: ErrorEstimate, active: Correction) -> float:
-    """Return by how much the reversal of the axis itself rises from end to end of the measured
-    range, mm or deg: by a straight line.
+    """Return how much the axis' own reversal rises over the measured range, mm or deg, from a
+    straight line.
     """
     where, reversal = reversal_curve(estimate, active)
     slope = np.polyfit(where - where[0], reversal, 1)[0]

@@ -192,8 +192,8 @@ def shrinking(work: CircleWork) -> float:
 def _two_feeds(
     works: Sequence[CircleWork], name: str
 ) -> Iterator[tuple[CircleWork, CircleWork, ValueWithError]]:
-    """Yield (fast, slow, scale at no feed) of circles of one size about one centre in one state, at
-    feeds far enough apart.
+    """Yield (fast, slow, scale at no feed) of circles at sufficiently different feeds. They
+    have the same size and centre and were taken in one state.
     """
     for slow in works:
         for fast in works:
@@ -218,8 +218,8 @@ def _two_feeds(
 
 
 def _seen(work: CircleWork, name: str) -> ValueWithError | None:
-    """Return the scale as the circle shows it, with the standard error of its fit alone; the lag
-    needs two feeds.
+    """Return the scale as the circle shows it, with the standard error of its fit alone. Two
+    feeds are needed to know the lag.
     """
     effect = effect_of(work.result, f"scale_error_{ENDS[_index(work, name)]}")
     if effect is None:

@@ -1,5 +1,6 @@
-"""Fresh tests that may come, for a goal of the fit to be judged by: drawn as predictions are, from
-draws of their own; and whether the tests of the prediction, a third lot, bear it out.
+"""Simulated fresh tests by which a goal of the fit is optimised and judged. They are drawn as
+predictions are, from separate draws; a third set, that of the prediction, confirms the result or
+not.
 """
 
 from __future__ import annotations

@@ -37,8 +37,8 @@ def with_line(
     request: TableRequest,
     plain: FittedTable,
 ) -> FittedTable:
-    """Return the table with a separate straight line where that leaves clearly less at the nodes
-    than ``plain``, the table alone; else ``plain``. Both give both numbers.
+    """Return the table with a separate straight line, if that leaves clearly less error at the
+    nodes. Else ``plain``, the table alone. Both state both errors.
     """
     if capacity.slope is None or capacity.period is not None:
         return plain
@@ -77,8 +77,8 @@ def with_line(
 def _line(
     table: AxisCompensation, nodes: FloatArray, unit: float, reference: float
 ) -> AxisCompensation | None:
-    """Return the line with the slope of ``table``, from the second of ``nodes`` on, zero at the
-    reference; None where it is less than one unit per section.
+    """Return a line with the slope of ``table``, from the second of ``nodes`` on, zero at the
+    reference. None where it is less than one unit per section.
     """
     mean = (table.positive + table.negative) / 2
     if mean.size < 3:

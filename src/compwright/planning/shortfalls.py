@@ -1,5 +1,5 @@
-"""The part of the wanted correction that the table of an axis does not hold, as curves by cause;
-their sum is the whole.
+"""The part of the wanted correction that the table of an axis cannot hold, as one curve per cause.
+Their sum is the whole shortfall.
 
 A single curve cannot hold a reversal that varies along the travel. Straight lines between the nodes
 cannot hold what bends there (by how much, the best curve on the same nodes without limits of value
@@ -54,8 +54,8 @@ class Shortfall:
 def shortfalls(
     wanted: WantedCorrection, fitted: FittedTable, capacity: Capacity
 ) -> tuple[Shortfall, ...]:
-    """Return the shortfalls of a ``fitted`` table from the ``wanted`` correction (totals), except
-    for a constant, which only moves the datum; without those that are zero.
+    """Return the differences between ``fitted`` table and ``wanted`` correction (totals), by
+    cause. Without a constant, which only moves the datum, and without those that are zero.
     """
     rms = {limit.cause: limit.value for limit in fitted.limits}
     return tuple(
@@ -68,8 +68,8 @@ def shortfalls(
 def unheld_period(
     wanted: WantedCorrection, capacity: Capacity, request: TableRequest
 ) -> tuple[Shortfall, Finding] | None:
-    """Return the part of short periods that no table on the grid of the ``request`` would hold, and
-    its finding; None without such a period, or without a grid.
+    """Return the part of short periods that no table on the grid of ``request`` can hold, with
+    its finding. None without such a period, or without a grid.
     """
     if capacity.line is not None or not wanted.periods:
         return None

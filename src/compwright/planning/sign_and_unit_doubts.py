@@ -121,8 +121,8 @@ def with_known_backlash(result: PositioningResult, bare: ObservedTest) -> Positi
 def misreading_doubts(
     bare: ObservedTest, axis: Axis, active: ActiveAt | None
 ) -> tuple[Finding, ...]:
-    """Return the doubt (CW-P160) about a test whose readings are far more likely under another
-    assumption than as stated, with the odds.
+    """Return the doubt (CW-P160) about readings that fit another sign or unit far better than
+    the stated one, with the odds.
 
     ``bare``: the test with the active correction subtracted; ``active``: that correction by
     position and direction, mm or deg, None where it is unknown.

@@ -1,5 +1,5 @@
-"""Fresh tests of one axis at newly dithered targets, all from the same draws: two answers differ
-only by the requested change, not by chance.
+"""Simulated repeat tests of one axis at newly dithered targets. All come from the same draws, so
+two answers differ only by the requested change, not by chance.
 """
 
 from __future__ import annotations
@@ -103,9 +103,9 @@ class FreshTests:
         ):
             mean = self.expected[direction]
             there = (mean + change(self.sets, direction))[self.chosen] if known else 0.0
-            left_open = drawn - mean[self.chosen] if unknown else np.zeros_like(drawn)
+            uncertain = drawn - mean[self.chosen] if unknown else np.zeros_like(drawn)
             added = 0.0 if waves is None else waves
-            deviations.append(there + left_open + (self.slopes if warm else 0.0) + added)
+            deviations.append(there + uncertain + (self.slopes if warm else 0.0) + added)
         still = np.zeros(self.sets.shape[1])
         found = predict_test(
             deviations[0],
@@ -189,8 +189,8 @@ def draws_like(result: PositioningResult) -> int:
 def fresh_tests(
     result: PositioningResult, posterior: MeasuredError, axis: Axis, like: RepeatConditions = FIRST
 ) -> FreshTests:
-    """Return fresh tests of ``axis`` like ``result`` at newly dithered targets; the same for the
-    same names of axis and test.
+    """Return simulated tests of ``axis`` like ``result`` at newly dithered targets. The same
+    names of axis and test give the same draws.
     """
     name, m = result.test.name, result.test.targets.size
     count = draws_like(result)

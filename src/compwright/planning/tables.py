@@ -1,5 +1,5 @@
-"""The table of one axis under the limits of the control: on the existing grid where that is
-suitable, else on a new one; and the gain of a new one.
+"""The best table of one axis under the limits of the control. It uses the existing grid where that
+is suitable, else a new one, and states what a new one would gain.
 """
 
 from __future__ import annotations
@@ -117,8 +117,8 @@ def free_grid_table(
     table: FittedTable,
     axis: Axis,
 ) -> FittedTable | None:
-    """Return the table on the grid that compwright would choose, where ``table`` uses the existing
-    one and that loses too much; else None.
+    """Return the table on a grid that compwright chooses, if ``table`` uses the existing grid
+    and loses too much. Else None.
     """
     held = table.compensation
     own = without_kept_tables(wanted, held.others)
@@ -182,8 +182,8 @@ def new_grid_offer(
     quantum: float,
     written: bool,
 ) -> Finding | None:
-    """Return what the ``chosen`` table would gain over the one on the existing grid ``there``
-    (nodes, mm or deg); None where no test would show the gain.
+    """Return what the ``chosen`` table would gain over one on the existing grid ``there``
+    (nodes, mm or deg). None where no test would show the gain.
 
     ``kept``, ``offered``: the first test's predictions with both; ``written``: False where no table
     on the existing grid improves the axis, and ``kept`` is the prediction without one. A gain

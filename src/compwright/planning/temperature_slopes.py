@@ -36,8 +36,9 @@ def with_temperature_slopes(job: Job, tests: Sequence[PlannedTest]) -> tuple[Pla
 
 
 def relative_to_first(tests: Sequence[PlannedTest]) -> tuple[PlannedTest, ...]:
-    """Return the tests with slopes relative to the first, from which the table is made: zero for
-    the first, the combination of both for the others.
+    """Return the tests with the standard deviation of their slope relative to the first, from
+    which the table is made. It is zero for the first and the combination of both for the
+    others.
     """
     first, *others = tests
     return (
@@ -54,8 +55,8 @@ def fresh_slope(rule: Literal["simple", "guarded"], test: PlannedTest) -> float:
 
 
 def slope_in_table(job: Job, tests: Sequence[PlannedTest], coming: PositioningTest) -> float:
-    """Return the standard deviation of the slope (mm/mm) that the first of the ``tests`` has put
-    into the table, relative to a test like ``coming``.
+    """Return the standard deviation of the slope (mm/mm) that the first of ``tests`` has put
+    into the table. Relative to a test like ``coming``.
 
     It combines the uncertain slope of the first test with the effect of the uncertain coefficient
     over the difference of their temperatures.

@@ -12,8 +12,8 @@ from compwright.records.correction import AxisCompensation
 
 
 def unapplied_step_findings(axis: Axis, table: AxisCompensation) -> Iterator[Finding]:
-    """Yield CW-P156 where reversals of a table lie in the zone of steps that are never applied,
-    with the accelerations of the axis that would help.
+    """Yield CW-P156 where reversals of a table lie where the control never applies a step. With
+    the axis accelerations that would help.
     """
     found = unapplied_range(table, axis)
     if found is None or axis.unapplied_steps is None:

@@ -38,8 +38,8 @@ UNDECLARED_SLOPE = 11.5e-6
 
 @dataclass(frozen=True, slots=True)
 class MeasuredError:
-    """The error of an axis from its tests: that of the axis itself, estimated, and the known
-    correction during the first of them.
+    """The error of an axis, estimated from its tests, and the known correction during the first
+    of them.
 
     A table may have any shape: it is subtracted before the smooth error is estimated, and added
     again exactly. ``counted``: by test of the axis, its index in the estimate, None where it does
@@ -81,8 +81,8 @@ class MeasuredError:
         return self.own.findings
 
     def summary(self, positions: FloatArray) -> ErrorEstimate:
-        """Return mean and standard deviation of the deviation at ``positions`` (g,), with the
-        correction active that was active during the first test.
+        """Return mean and standard deviation of the deviation at ``positions`` (g,). The
+        correction of the first test counts as active.
         """
         estimate = self.own.summary(positions)
         if self.active is None:
@@ -146,8 +146,8 @@ def measured_error(
     axis: Axis,
     active: AxisCompensation | None,
 ) -> MeasuredError:
-    """Return the error of ``axis`` from those of its tests that count (those with ``acted``; the
-    first where none has it).
+    """Return the error of ``axis`` from its tests that count. These are tests with a known
+    active correction (``acted``), or the first test if none has it.
 
     ``observed``: the same tests, as input of the estimation; ``active``: the correction of the
     control during the first, None where it is unknown. The same tests give the same answer.
@@ -225,8 +225,8 @@ def _at(active: AxisCompensation, test: PositioningTest) -> Acted:
 
 
 def check_coverage(file: str, axis: Axis, tests: Sequence[PositioningTest]) -> None:
-    """Raise InputError where the targets of the tests from which the table is made together cover
-    less than half of the axis' travel.
+    """Raise InputError where the targets of the tests cover less than half of the axis' travel
+    together.
 
     The rest is extrapolated, and a table over less than half of the travel would be a guess. A gap
     between two tests is not covered. For an endless axis, the turn minus the largest gap between
@@ -279,8 +279,8 @@ def covered_travel(tests: Sequence[PositioningTest], low: float, high: float) ->
 
 
 def axis_compensation(state: ControlState, axis: Axis) -> AxisCompensation:
-    """Return what a state of the control does on an axis; an axis of which it does not speak has no
-    compensation.
+    """Return what a state of the control does on an axis. An axis that the state does not
+    mention has no compensation.
     """
     none = no_compensation(axis.address, axis.kind, axis.reference_return)
     return applied_compensation(state.axes.get(axis.address, none), axis)

@@ -19,7 +19,7 @@ ENCODER_SYSTEM = "encoder_system"
 
 
 @dataclass(frozen=True, slots=True)
-class LeftOpen:
+class UnansweredOption:
     """An option that a prefilled job leaves to the user where no file says it.
 
     ``words``: what is expected; ``stand_in``: a value with which the files tell their axes all the

@@ -27,7 +27,7 @@ class ProvenAxis:
 
     axis: str
     proven: tuple[str, ...]
-    left_open: tuple[str, ...]
+    unproven: tuple[str, ...]
 
 
 def proven_axis(

@@ -33,7 +33,7 @@ from compwright.records.correction import (
     ControlState,
 )
 from compwright.records.delivery import Delivery
-from compwright.records.options import LeftOpen
+from compwright.records.options import UnansweredOption
 
 #: Address, axis and table: what is written for one axis.
 AxisTable = tuple[str, Axis, AxisCompensation]
@@ -149,7 +149,7 @@ class Family(ResolvedDefinition, ABC):
 
     listing: ClassVar[Listing] = Listing()
     #: The number without which tables cannot be read, where their control has one.
-    left_open: LeftOpen | None = None
+    unanswered_option: UnansweredOption | None = None
     #: A job is drafted from the files: as in a job, what no option lists stays as it is.
     drafting = False
 

@@ -24,7 +24,7 @@ from compwright.jobs.writing import AxisDraft, Prefilled, job_text
 from compwright.records.axis import AxisKind
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
 from compwright.records.facts import AxisFacts
-from compwright.records.options import LeftOpen
+from compwright.records.options import UnansweredOption
 from compwright.workflow.results.single_files import refuse_other_kinds
 
 #: Findings of the control's files that are shown for a new job: the basis of its contents.
@@ -89,7 +89,7 @@ def new_job(
             drafts = [_without_lengths(draft, unknown) for draft in drafts]
         every_axis = control.definition.options[unknown.name].asked is not None
         if assumed_value or every_axis:
-            given |= _left_open(unknown, drafts)
+            given |= _unanswered(unknown, drafts)
     named = storage.relative(Path(format_id), out.parent) if is_path(format_id) else format_id
     listed = [storage.relative(path, out.parent) for path in files]
     text = job_text(named, given, listed, drafts, active=active)
@@ -101,22 +101,22 @@ def new_job(
     return NewOutcome(out, tuple(_open(given, drafts)), notes)
 
 
-def _unknown_option(control: Control) -> LeftOpen | None:
+def _unknown_option(control: Control) -> UnansweredOption | None:
     """Return the option that is left open where the files do not say it; None where it is given."""
-    open_option = control.format.left_open
+    open_option = control.format.unanswered_option
     if open_option is None or open_option.name not in control.definition.options:
         return None
     return open_option if control.options[open_option.name] is None else None
 
 
-def _left_open(unknown: LeftOpen, drafts: Sequence[AxisDraft]) -> dict[str, Prefilled]:
+def _unanswered(unknown: UnansweredOption, drafts: Sequence[AxisDraft]) -> dict[str, Prefilled]:
     """Return the option of the controller that the user fills in; none where every axis has it."""
     if all("options" in draft.values for draft in drafts):
         return {}
     return {unknown.name: Prefilled(None, f"{unknown.words}; nothing in the files says it")}
 
 
-def _without_lengths(draft: AxisDraft, unknown: LeftOpen) -> AxisDraft:
+def _without_lengths(draft: AxisDraft, unknown: UnansweredOption) -> AxisDraft:
     """Return a draft without the lengths that were read with a number standing in."""
     hanging = {
         key: Prefilled(None, f"mm or deg, by {unknown.name}; {entry.source}")
@@ -162,7 +162,9 @@ def _open(options: Mapping[str, Prefilled], drafts: Sequence[AxisDraft]) -> Iter
                 yield f"axes.{draft.name}.{key}: {entry.source}"
 
 
-def _drafts(control: Control, state: ControlState, unknown: LeftOpen | None) -> Iterator[AxisDraft]:
+def _drafts(
+    control: Control, state: ControlState, unknown: UnansweredOption | None
+) -> Iterator[AxisDraft]:
     compensated = [
         address
         for address, axis in state.axes.items()

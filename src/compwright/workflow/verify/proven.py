@@ -160,7 +160,7 @@ def _how(found: Verified, axes: Sequence[ProvenAxis]) -> str:
 def _summary(axes: Sequence[ProvenAxis]) -> list[str]:
     """Return in words the facts proven by at least one axis, and those proven by none."""
     proven = dict.fromkeys(fact for one in axes for fact in one.proven)
-    left = dict.fromkeys(fact for one in axes for fact in one.left_open if fact not in proven)
+    left = dict.fromkeys(fact for one in axes for fact in one.unproven if fact not in proven)
     return [
         f"proven: form of the files (read back as written), {', '.join(proven) or 'nothing else'}",
         f"not proven: {', '.join(left) or 'nothing of these'}",

@@ -28,7 +28,7 @@ from compwright.foundations.errors import CapacityError, Fault, raise_all
 from compwright.records.axis import Axis
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
-from compwright.records.options import DETECTION_UNIT, LeftOpen
+from compwright.records.options import DETECTION_UNIT, UnansweredOption
 
 #: No control numbers more axes than this.
 _MOST_AXES = 40
@@ -87,7 +87,7 @@ class IncrementsFamily(Family):
         is_idle=_idle,
         for_display=_shown,
     )
-    left_open = LeftOpen(
+    unanswered_option = UnansweredOption(
         DETECTION_UNIT, "mm or deg per pulse, such as 0.001", stand_in=0.001, lengths=False
     )
 

@@ -32,7 +32,7 @@ from compwright.foundations.errors import CapacityError, Fault, UsageError, rais
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
-from compwright.records.options import LeftOpen
+from compwright.records.options import UnansweredOption
 
 RULES = ShapeRules(
     kept=KeptLines((rf"zahl_(?:kw|mp)\s+{NUMBER}",)),
@@ -68,7 +68,7 @@ def _own_limits(
 class ListsFamily(Family):
     """Entries by index in one list per axis."""
 
-    left_open = LeftOpen(
+    unanswered_option = UnansweredOption(
         "encoder_increment",
         "mm or deg per encoder increment, such as 0.0001",
         stand_in=0.0001,

@@ -39,7 +39,7 @@ from compwright.records.correction import (
     ControlFile,
     ControlState,
 )
-from compwright.records.options import LeftOpen
+from compwright.records.options import UnansweredOption
 from compwright.words.sentences import control_text
 
 
@@ -94,7 +94,7 @@ RULES = ShapeRules(
 class WrappedFamily(Family):
     """Parts of a count over a length that repeats."""
 
-    left_open = LeftOpen(
+    unanswered_option = UnansweredOption(
         COUNTS,
         "counts of the motor per mm or deg, such as 1000 (negative against the axis)",
         stand_in=1000.0,
