@@ -379,9 +379,9 @@ class TestRotary:
         )
 
     def test_sum_over_the_turn(self) -> None:
-        with pytest.raises(InputError, match="creeps by 3 detection units each turn"):
+        with pytest.raises(InputError, match="add up to 3 detection units each turn"):
             control(ROTARY.replace("N10068Q0P-1", "N10068Q0P2"))
-        with pytest.raises(InputError, match="creeps by -6 detection units"):
+        with pytest.raises(InputError, match="add up to -6 detection units"):
             control(
                 ROTARY.replace("N10068Q0P-1", "N10068Q0P-4").replace("N03623Q1A1P1", "N03623Q1A1P2")
             )
@@ -422,7 +422,7 @@ class TestRotary:
             (
                 ROTARY.replace("N03621Q1A1P60", "N03621Q1A1P59\nN10059Q0P0"),
                 {"modulo": {"1": 360.0}},
-                "go once round",
+                "cover one turn",
             ),
             (ROTARY, {"modulo": {"1": 180.0}}, "turn of axis 1"),
             (
@@ -557,7 +557,7 @@ class TestBidirectional:
         )
         box = control(text)
         assert values(box, [90, 450, 0], DOWN) == pytest.approx([0.002, 0.002, 0.005], abs=EXACT)
-        with pytest.raises(InputError, match="creeps by 1 "):
+        with pytest.raises(InputError, match="add up to 1 "):
             control(text.replace("N10078Q0P1", "N10078Q0P2"))
 
 

@@ -160,7 +160,7 @@ class TestInclination:
 
         box = control(turning(0), **self.COUNTED)
         assert um(box, (45, 90, 180, 315, 360, 405)) == [2, 4, 8, 2, 0, 2]
-        with pytest.raises(InputError, match="5871 to 5874 of axis 1 creeps by 3"):
+        with pytest.raises(InputError, match="5871 to 5874 of axis 1 adds up to 3"):
             control(turning(3), **self.COUNTED)
 
     def test_zero_says_nothing(self) -> None:
@@ -225,7 +225,7 @@ class TestCycle:
     @pytest.mark.parametrize(
         ("old", "new", "says"),
         [
-            ("N10015Q0P-1\n", "N10015Q0P0\n", "creeps by 1 "),
+            ("N10015Q0P-1\n", "N10015Q0P0\n", "add up to 1 "),
             ("N10015Q0P-1\n", "", "N10015"),
             ("N14987", "N14988Q1A1P2\nN14987", "what 14988 does"),
             ("14986Q1A1P20", "14986Q1A1P10", "14985 below 14986"),
@@ -303,7 +303,7 @@ class TestStraightness:
         assert control(zero, **self.COUNTED).cross() == ()
 
     def test_moving_axis_without_points_that_act(self) -> None:
-        with pytest.raises(InputError, match="moves with axis 1, whose points do not act"):
+        with pytest.raises(InputError, match="moves with axis 1, whose points are not active"):
             control(self.WHOLE.replace("N03623Q1A1P1", "N03623Q1A1P0"), **self.COUNTED)
 
     def test_nobody_asks_for_it(self) -> None:

@@ -162,9 +162,7 @@ class TestTable:
         assert um(finer, [-44.45], UP) == close([-4.5])
 
     def test_encoder_increments_need_their_size(self) -> None:
-        with pytest.raises(
-            UsageError, match=r"encoder_increment of axis 1: .*\(kw\.ssfk\.unit 0\)"
-        ):
+        with pytest.raises(UsageError, match=r"encoder_increment of axis 1 .*\(kw\.ssfk\.unit 0\)"):
             isg(EVEN)
         with pytest.raises(InputError, match="kw_startpos; expected -2147483647 to 2147483647"):
             isg(EVEN.replace("-909000", "-1e308"), options={"encoder_increment": 1e-4})
@@ -249,7 +247,7 @@ class TestModulo:
         with pytest.raises(InputError, match="spans 360; expected one turn, 180"):
             isg(TURN, modulo={"4": 180.0})
         one = "".join(f"{line}\n" for line in TURN.split("\n") if "].pos" not in line)
-        with pytest.raises(InputError, match="one entry makes no turn"):
+        with pytest.raises(InputError, match="one entry is not enough"):
             isg(one.replace("nr_max 5", "nr_max 1") + "kw.ssfk.table[0].pos 1\n")
 
 
@@ -344,7 +342,9 @@ class TestCross:
         control = isg(CROSS)
         assert control.cross() == ()
         assert any("option cross_values" in note for note in control.notes)
-        with pytest.raises(UsageError, match=r"no table by which 1 corrects 2.*cross_values"):
+        with pytest.raises(
+            UsageError, match=r"no table by which axis 1 corrects axis 2.*cross_values"
+        ):
             control.cross_correction("1", "2", np.zeros(1), UP)
         with pytest.raises(UsageError, match="option cross_values"):
             isg(CROSS, options={"cross_values": "yes"})
@@ -381,7 +381,7 @@ class TestCross:
             ("master_ax_nr 1", "master_ax_nr 0", r"expected a line kw\.crosscomp\.master_ax_nr"),
             ("master_ax_nr 1", "slave_ax_nr 1", r"line 4: kw\.crosscomp\.slave_ax_nr .* not known"),
             ("last_index 2", "last_index 1", "line 10: entry 2 beyond the last"),
-            ("last_index 2", "last_index 3", "1 of 4 are not there"),
+            ("last_index 2", "last_index 3", "1 of 4 are missing"),
             ("last_index 2", "last_index 1001", "more entries than there is room for"),
             ("kw.crosscomp.last_index 2\n", "", r"expected a line kw\.crosscomp\.last_index"),
             ("setpoint 2000000", "setpoint 900000", "line 10: setpoint 2 does not ascend"),
@@ -456,23 +456,23 @@ class TestLists:
             (
                 "kw.ssfk.interval                  0",
                 "kw.ssfk.interval 1500000",
-                "line 13: setpoint off the equal spacing; expected -500000, found '0'",
+                "line 13: a setpoint is not at its equally spaced place; expected -500000, found '0'",
             ),
             (
                 "kw_startpos               -2000000",
                 "kw_startpos -1999999",
-                "line 6: the table begins in two places; expected -2000000",
+                "line 6: two lines state different starts of the table; expected -2000000",
             ),
-            ("kw_nr_max                 4", "kw_nr_max 5", "1 of 5 entries are not there"),
+            ("kw_nr_max                 4", "kw_nr_max 5", "1 of 5 entries are missing"),
             ("kw_nr_max                 4", "kw_nr_max 3", "line 19: entry 3 beyond the last"),
-            ("kw_nr_max                 4", "kw_nr_max 0", "there are some"),
+            ("kw_nr_max                 4", "kw_nr_max 0", "but contains some"),
             ("kw_nr_max                 4", "kw_nr_max 1500", "less than 1500 .the default"),
             ("kw_nr_max                 4", "kw_nr_max 2000000000", "less than 1500"),
             ("kw_nr_max                 4", "kw_nr_max 4.5", "a whole number"),
             ("kw.ssfk.kw_nr_max                 4", "", r"expected a line kw\.ssfk\.kw_nr_max"),
             ("kw.ssfk.bilateral                 1", "", r"expected a line kw\.ssfk\.bilateral"),
             ("kw.ssfk.table[2].neg              42", "", r"expected a line kw\.ssfk\.table\[2\]"),
-            ("kw.ssfk.table[2].pos              30", "", "1 of 4 entries are not there"),
+            ("kw.ssfk.table[2].pos              30", "", "1 of 4 entries are missing"),
             ("setpoint         1500000", "setpoint -1500000", "line 16: setpoint 2 does not asc"),
             ("setpoint         1500000", "setpoint 0", "setpoint 2 does not ascend"),
             ("table[2].pos              30", "table[2].pos 3O", "line 17: .*a number, found '3O'"),
@@ -507,7 +507,7 @@ class TestLists:
         with pytest.raises(InputError, match=r"less than 1500 .the default"):
             isg(long + "kw.ssfk.max_points 0\n")
         many = long.replace("kw_nr_max 1500", "kw_nr_max 2000000000")
-        with pytest.raises(InputError, match="of 2000000000 entries are not there"):
+        with pytest.raises(InputError, match="of 2000000000 entries are missing"):
             isg(many + "kw.ssfk.max_points 2147483647\n")
 
     def test_twice_is_once_or_a_contradiction(self) -> None:

@@ -229,7 +229,9 @@ class TestCross:
             assert got.tolist() == close([5, 0, 5, 10, 5, 5])
         assert um(control, [25, 50], UP, "2") == close([-0.5, -1])
         assert control.addresses() == ("2",)
-        with pytest.raises(UsageError, match="no table by which 2 corrects 1; expected 1 and 2"):
+        with pytest.raises(
+            UsageError, match="no table by which motor 2 corrects motor 1; expected 1 and 2"
+        ):
             control.cross_correction("2", "1", at, UP)
 
     def test_units_of_both_motors(self) -> None:
@@ -289,7 +291,7 @@ class TestScript:
             ("COMP 4,#1D,400000", "COMP 4,#1D", "line 2: not a command"),
             ("COMP 4,#1D,400000", "COMP 4,#33D,400000", "a motor; expected 1 to 32, found #33"),
             ("COMP 4,#1D,400000", "CMP 4,#1D,400000", "line 2: not a command"),
-            ("#1 DEFINE COMP", "DEFINE COMP", "line 2: no motor is addressed"),
+            ("#1 DEFINE COMP", "DEFINE COMP", "line 2: this line names no motor"),
             ("#1 DEFINE COMP", "#0 DEFINE COMP", "a motor; expected 1 to 32, found #0"),
             ("I51=1", "I51=2", "line 7: I51; expected 0 or 1, found '2'"),
             ("I51=1", "I51=P1", "line 7: I51; expected 0 or 1"),

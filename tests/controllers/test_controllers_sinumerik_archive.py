@@ -346,7 +346,7 @@ $MA_ENC_COMP_ENABLE[0,AX1]=1
 
     def test_a_value_that_is_not_given(self) -> None:
         left_out = "$MA_BACKLASH[0,AX1]=n/a ; not measured\n"
-        with pytest.raises(InputError, match=r"f0: line 10.*BACKLASH.*no other file says it"):
+        with pytest.raises(InputError, match=r"f0: line 10.*BACKLASH.*no other file states it"):
             load(self.LISTING + left_out)
         said = load(self.LISTING + left_out, "$MA_BACKLASH[0,ax1]=0.002\n")
         assert at(said, "AX1", [0], DOWN) == [0.001]

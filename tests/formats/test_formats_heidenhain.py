@@ -335,7 +335,7 @@ def test_the_job_counts_axes_its_own_way() -> None:
 
 
 BAD_SHEETS = {
-    "no sign": ("# value: error\n", "", "must say what its values are"),
+    "no sign": ("# value: error\n", "", "must state what its values are"),
     "unknown sign": ("value: error", "value: deviation", "value: error or # value: correction"),
     "cut short": (
         "# value: error\n",
@@ -385,7 +385,7 @@ BAD_TABLES = {
         "more text follows",
     ),
     "implausible": ("-0.0012", "-12.000", "not plausible"),
-    "column twice": ("2=F()", "1=F()", "stands twice"),
+    "column twice": ("2=F()", "1=F()", "is in the table twice"),
     "no spacing": ("DIST:16", "DIST:0", "datum and spacing"),
 }
 

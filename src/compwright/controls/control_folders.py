@@ -34,7 +34,7 @@ def _entries(session: Session, path: Path, deepest: int) -> list[Path]:
         return entries
     if any(entry.name in _RESULTS for entry in entries):
         below = [str(folder) for folder in storage.folders_in(path / _TABLES)]
-        raise _fault(path, "is a folder of results", " or ".join(below) or CONTROL.help)
+        raise _fault(path, "this is a folder of results", " or ".join(below) or CONTROL.help)
     if entries or deepest == 0:
         return entries
     found = [

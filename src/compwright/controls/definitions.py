@@ -77,7 +77,7 @@ def name_conflicts(session: Session, definition: Definition) -> tuple[Fault, ...
     return (
         definition.text.fault(
             ("id",),
-            "is the id of a control that ships, which no file can take",
+            "this is the id of a control that ships, which no other definition can have",
             expected=f"an id of its own, such as my-{shipped}; or {shipped} itself in the"
             " place of the file's name",
             found=definition.id,

@@ -213,7 +213,7 @@ class AxisLoader:
             count = turn / grid.interval
             self.fault(
                 grid.axis,
-                f"axis {grid.axis} is endless but its numbers do not go once round",
+                f"axis {grid.axis} is endless but its point numbers do not cover one turn",
                 f"3621 = 3620 and 3622 = 3620 + {count:g}, a whole number",
                 f"3620 {grid.reference}, 3621 {grid.lowest}, 3622 {grid.highest}, interval"
                 f" {grid.interval:g} deg",

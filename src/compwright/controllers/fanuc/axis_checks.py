@@ -53,7 +53,7 @@ def not_used(memory: Memory, axis: int) -> Iterator[Fault]:
             yield apart
         elif switch is not None and switch.bit(0):
             yield switch.fault(
-                f"the table of axis {axis} does not act: {switch.number}#0 = 1 switches stored"
+                f"the table of axis {axis} is not active: {switch.number}#0 = 1 switches stored"
                 " pitch error compensation off",
                 f"{switch.number}#0 = 0",
             )

@@ -144,8 +144,8 @@ def cycle(
     if sum(increments) != 0:
         memory.faults.append(
             last.fault(
-                f"the second table of axis {axis} creeps by {sum(increments)} detection units each"
-                " period",
+                f"the increments of the second table of axis {axis} add up to {sum(increments)}"
+                " detection units each period",
                 "increments that add up to 0",
             )
         )
@@ -199,7 +199,7 @@ def _inclined(loader: AxisLoader, grid: IncrementGrid, options: Options, used: i
     if grid.turn is not None and at[0] != at[-1]:
         loader.fault(
             grid.axis,
-            f"inclination 5871 to 5874 of axis {grid.axis} creeps by {at[-1] - at[0]:g} detection"
+            f"inclination 5871 to 5874 of axis {grid.axis} adds up to {at[-1] - at[0]:g} detection"
             " units each turn",
             "the same amount at both ends of the turn",
         )
@@ -219,6 +219,6 @@ def _check_turn(loader: AxisLoader, grid: IncrementGrid, pulses: int) -> None:
         creep = pulses * grid.magnification
         loader.fault(
             grid.axis,
-            f"axis {grid.axis} creeps by {creep} detection units each turn",
+            f"the increments of axis {grid.axis} add up to {creep} detection units each turn",
             "increments that add up to 0",
         )

@@ -61,8 +61,8 @@ def bending_of(
         if grid is None:
             memory.faults.append(
                 bend.entry.fault(
-                    f"straightness compensation moves with axis {bend.moving}, whose points do not"
-                    " act",
+                    f"straightness compensation moves with axis {bend.moving}, whose points are not"
+                    " active",
                     "3620 to 3624 of the moving axis",
                 )
             )

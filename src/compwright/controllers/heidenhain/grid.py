@@ -76,7 +76,7 @@ def split_tables(
             if not ends:
                 faults.append(
                     place.fault(
-                        "end of another table",
+                        "this line is the end of another table",
                         expected=f"END {opened.name} .{opened.kind}",
                         found=repr(line.strip()[:80]),
                     )
@@ -148,7 +148,7 @@ def read_grid(block: TableBlock) -> CellGrid:
         )
     names = tuple(match.group() for match in _WORD.finditer(filled[0][1]))[1:]
     faults = [
-        filled[0][0].fault("two columns of one name", found=name)
+        filled[0][0].fault("two columns have the same name", found=name)
         for name in dict.fromkeys(names)
         if names.count(name) > 1
     ]
@@ -189,7 +189,7 @@ def _row(
         cut = [line[start:end].strip() for start, end in zip(starts, ends, strict=True)]
         if all(len(cell.split()) < 2 for cell in cut):
             return tuple(cell or None for cell in cut[1:])
-        return place.fault("a cell holds two words", found=repr(line.strip()[:80]))
+        return place.fault("a cell of the table contains two words", found=repr(line.strip()[:80]))
     if len(words) == len(spans):
         return tuple(word for word, _ in words[1:])
     cells: list[str | None] = [None] * (len(spans) - 1)
@@ -197,7 +197,7 @@ def _row(
         under = [index for index, (left, right) in enumerate(spans) if start < right and left < end]
         if len(under) != 1 or under[0] == 0 or cells[under[0] - 1] is not None or "\t" in line:
             return place.fault(
-                "column of a cell is ambiguous",
+                "it is ambiguous to which column a cell belongs",
                 expected="each cell below its own heading",
                 found=repr(word[:40]),
             )

@@ -98,7 +98,10 @@ class AxisAssignment:
         """
         if len(self.given.cmas) > 1:
             self.given.faults += [
-                cma.place.fault("a second .CMA; only one is active", found=str(cma.place))
+                cma.place.fault(
+                    "the files contain a second .CMA file, but only one is active",
+                    found=str(cma.place),
+                )
                 for cma in self.given.cmas[1:]
             ]
             return []
@@ -149,7 +152,7 @@ class AxisAssignment:
         for com in self.given.coms:
             self.given.faults += [
                 com.place.fault(
-                    "column of an axis that the .CMA does not know",
+                    "the column belongs to an axis that the .CMA file does not contain",
                     expected=" or ".join(cma.axes),
                     found=axis,
                 )
@@ -178,7 +181,7 @@ class AxisAssignment:
         if len(axes) != 1:
             self.given.faults.append(
                 com.place.fault(
-                    "nothing says which axis moves this table",
+                    "no file states by which axis this table is moved",
                     expected="its .CMA, or one axis as its name",
                     found=" and ".join(sorted(com.names)),
                 )

@@ -249,7 +249,7 @@ class _SheetLines:
         if values not in {"error", "correction"}:
             self.faults.append(
                 head.fault(
-                    "nothing says what the values are",
+                    "the sheet does not state what its values are",
                     expected="# value: error or correction",
                     found=values,
                 )
@@ -258,7 +258,9 @@ class _SheetLines:
         if not address or any(character.isspace() for character in address):
             self.faults.append(
                 head.fault(
-                    "nothing names the axis", expected="# address: X, or entry_X.csv", found=address
+                    "the sheet does not name its axis",
+                    expected="# address: X, or entry_X.csv",
+                    found=address,
                 )
             )
         most = self.generation.most_points

@@ -224,7 +224,9 @@ def _by_spacing(
                 )
             )
     if len(set(columns.values())) < len(columns):
-        faults.append(block.place.fault("two columns of one axis", found=" ".join(columns)))
+        faults.append(
+            block.place.fault("two columns belong to the same axis", found=" ".join(columns))
+        )
     return Com(
         name=block.name,
         names=_names(block, stem),

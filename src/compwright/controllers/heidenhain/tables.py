@@ -290,7 +290,9 @@ class OwnTableLoader:
             expected = "one spacing" if rule == "free" else "a spacing of 2^n * 0.0001"
             self.given.faults.append(
                 sheet.place.fault(
-                    "positions are no regular grid", expected=expected, found=f"off by {off:g}"
+                    "the positions are not equally spaced",
+                    expected=expected,
+                    found=f"off by {off:g}",
                 )
             )
 

@@ -54,7 +54,7 @@ def column(
     if len(inside) < count:
         lost = next(index for index in range(count) if index not in inside)
         wanted = name.replace("[i]", f"[{lost}]")
-        axis.missing(wanted, f"{count - len(inside)} of {count} entries are not there")
+        axis.missing(wanted, f"{count - len(inside)} of {count} entries are missing")
         return None
     numbers = []
     for statement in inside.values():

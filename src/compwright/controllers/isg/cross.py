@@ -105,7 +105,7 @@ def _entries(axis: AxisLists, request: Request) -> tuple[str, FloatArray, FloatA
         return None
     if last >= len(entries["correction"]):
         absent = last + 1 - len(entries["correction"])
-        axis.missing(f"{SECTION}table[i].correction", f"{absent} of {last + 1} are not there")
+        axis.missing(f"{SECTION}table[i].correction", f"{absent} of {last + 1} are missing")
         return None
     largest = largest_value(request, axis.address, axis, SECTION)
     name = f"{SECTION}table[i]."

@@ -120,7 +120,7 @@ def _count(axis: AxisLists, entries: Entries) -> int:
         return 0
     statement = axis.statements[SECTION + "kw_nr_max"]
     if count == 0 and filled:
-        axis.fault(statement, "no entries are announced, and there are some", "their number")
+        axis.fault(statement, "the list states no entries but contains some", "their number")
     given = axis.whole(SECTION + "max_points", 0)
     room = given or DEFAULT_ROOM
     if count >= room:
@@ -130,7 +130,7 @@ def _count(axis: AxisLists, entries: Entries) -> int:
     # the rest counts to this number: a wrong one must not fill the memory
     if count > len(entries["pos"]):
         name = f"{SECTION}table[i].pos"
-        axis.missing(name, f"{count - len(entries['pos'])} of {count} entries are not there")
+        axis.missing(name, f"{count - len(entries['pos'])} of {count} entries are missing")
         return 0
     return count
 
@@ -157,7 +157,9 @@ def _positions(axis: AxisLists, entries: Entries, count: int) -> FloatArray | No
     even = start + interval * np.arange(count)
     if listed is not None and np.any(listed != even):
         index = int(np.argmax(listed != even))
-        axis.fault(setpoints[index], "setpoint off the equal spacing", f"{even[index]:.12g}")
+        axis.fault(
+            setpoints[index], "a setpoint is not at its equally spaced place", f"{even[index]:.12g}"
+        )
     return np.asarray(even, dtype=np.float64)
 
 
@@ -182,7 +184,9 @@ def _begins(axis: AxisLists, first: float) -> None:
     if start is not None and start != first:
         statement = axis.statements[SECTION + "kw_startpos"]
         axis.fault(
-            statement, "the table begins in two places", f"{first:.12g} as table[0].setpoint"
+            statement,
+            "two lines state different starts of the table",
+            f"{first:.12g} as table[0].setpoint",
         )
 
 
@@ -241,7 +245,9 @@ def _period(
     last = len(positions) - 1
     statement = axis.statements[f"{SECTION}table[{last}].pos"]
     if last == 0:
-        axis.fault(axis.statements[SECTION + "modulo"], "one entry makes no turn", "two or more")
+        axis.fault(
+            axis.statements[SECTION + "modulo"], "one entry is not enough for a turn", "two or more"
+        )
     elif positive[0] != positive[-1] or negative[0] != negative[-1]:
         axis.fault(statement, "modulo: the last entry differs from the first", "the same values")
     span = float(positions[-1] - positions[0]) * unit

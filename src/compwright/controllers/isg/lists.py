@@ -70,7 +70,7 @@ class AxisLists:
         if _value(known) != _value(statement):
             self.faults.append(
                 statement.fault(
-                    f"{statement.name} of axis {self.address} stands twice and differs",
+                    f"{statement.name} of axis {self.address} is given twice with different values",
                     expected=f"{known.text!r} as in {known.file}, line {known.line}",
                 )
             )
@@ -226,7 +226,7 @@ def _start_up(statements: Iterable[ListStatement], lists: ControlLists) -> dict[
         if _value(found.setdefault(one.name, one)) != _value(one):
             expected = f"{found[one.name].text!r} as before"
             lists.faults.append(
-                one.fault(f"{one.name} stands twice and differs", expected=expected)
+                one.fault(f"{one.name} is given twice with different values", expected=expected)
             )
     if not found:
         return None

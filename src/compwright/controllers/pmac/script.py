@@ -149,7 +149,9 @@ def run_scripts(files: Sequence[ControlFile]) -> Card:
             script.line(without_remarks(line), ScriptPlace(file.name, number))
         script.finish()
         if script.inside is not None:
-            card.faults.append(script.inside.fault("a program that does not end", expected="CLOSE"))
+            card.faults.append(
+                script.inside.fault("a program in the script has no end", expected="CLOSE")
+            )
     return card
 
 
@@ -323,7 +325,7 @@ class _Script:
         if self.motor is None:
             found = repr(match.group())
             self.card.faults.append(
-                place.fault("no motor is addressed", expected="#n before it", found=found)
+                place.fault("this line names no motor", expected="#n before it", found=found)
             )
         return self.motor
 

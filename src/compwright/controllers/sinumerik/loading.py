@@ -61,7 +61,7 @@ class Loaded:
         assigned = {_variable(e) for e in self.assignments(names)} if open_entries else set()
         return [
             entry.fault(
-                f"{entry.variable} is not given here, and no other file says it",
+                f"{entry.variable} is not given here, and no other file states it",
                 expected="a number",
                 found="n/a",
             )

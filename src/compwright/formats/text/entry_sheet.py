@@ -165,11 +165,11 @@ class _SheetReader:
 
     def sheet(self) -> EntrySheet | None:
         if len(self.faults) == self.known and not self.rows:
-            self.fault("the sheet holds no rows: this is contradictory, not an empty table", 1)
+            self.fault("the sheet contains no rows, so it is cut short rather than empty", 1)
         meaning = self.comments.get("value", "")
         if meaning not in VALUES:
             self.fault(
-                "the sheet must say what its values are",
+                "the sheet must state what its values are",
                 self.lines.get("value", 1),
                 "# value: error or # value: correction",
                 meaning,

@@ -261,7 +261,7 @@ class _KindReader:
         ):
             self._fault(
                 line,
-                f"the section [{self.section}] is here a second time; the control reads only"
+                f"the section [{self.section}] is given a second time; the control reads only"
                 " the first",
             )
         self.seen_sections.append(self.section)

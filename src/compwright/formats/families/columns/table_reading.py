@@ -129,7 +129,7 @@ class _ColumnTableReader:
         names = self._names(lines[1]) if end > 1 else []
         if end <= 2 and len(self.faults) == self.known:
             self._fault(
-                "the table holds no rows: this is contradictory, not an empty table",
+                "the table contains no rows, so it is cut short rather than empty",
                 lines[min(end, 1)],
                 expected="NR, then rows",
             )
@@ -190,7 +190,7 @@ class _ColumnTableReader:
                 )
         for name in dict.fromkeys(names):
             if names.count(name) > 1:
-                self._fault(f"the column {name} stands twice", line)
+                self._fault(f"the column {name} is in the table twice", line)
         return [ROW_NUMBER, *names[1:]]
 
     def _spelling(self, name: str) -> str:
@@ -263,8 +263,8 @@ class _ColumnTableReader:
         if len(sides) == 2 and left != right:
             place = next(index for index in range(len(lines)) if left[index] != right[index])  # type: ignore[index]
             self._fault(
-                "a cell stands between two columns, and other cells are blank: it is not sure whose"
-                " it is",
+                "a cell is between two columns, and other cells are blank: it is uncertain to which"
+                " column it belongs",
                 lines[place],
             )
             return None, ""

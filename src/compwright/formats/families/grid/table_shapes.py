@@ -147,7 +147,7 @@ def _whole(source: TableSource) -> bool:
         source.fault("the table has no grid", expected=expected, what="no such line")
     elif not source.rows:
         source.fault(
-            "the files name a grid but hold no values: this is contradictory, not an empty table"
+            "the files contain a grid without values, so they are cut short, not an empty table"
         )
     return bool(source.rows) and not missing
 

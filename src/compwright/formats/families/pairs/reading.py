@@ -303,7 +303,7 @@ class _CrossTableReader(TableLines):
         if self.word(self.label, "cross_repeats", repeats, tell=not quiet) != "yes":
             return None
         if repeats is not None and table.positive[0] != table.positive[-1]:
-            self._wrong("the table repeats, but its two ends differ", repeats)
+            self._wrong("the table repeats, but the values at its two ends differ", repeats)
         return float(table.positions[-1] - table.positions[0])
 
     def _wrong(

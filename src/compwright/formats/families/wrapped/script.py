@@ -196,7 +196,7 @@ class _ScriptReader:
         if table is not None and len(table.values) < table.needed:
             self._fault(
                 table.word,
-                f"{table.label}: entries are missing; missing is not zero",
+                f"{table.label}: entries are missing; missing values do not count as zero",
                 f"{table.needed} whole numbers",
                 str(len(table.values)),
             )
