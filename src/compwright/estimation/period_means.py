@@ -76,7 +76,7 @@ def _dof(precision: FloatArray) -> float:
 
 
 def unseen_periods(
-    middles: BidirectionalMeans, basis: Basis, known: Sequence[float], found: Sequence[float]
+    bidirectional: BidirectionalMeans, basis: Basis, known: Sequence[float], found: Sequence[float]
 ) -> tuple[float, ...]:
     """Return those ``known`` periods (mm or deg) that the mean readings contradict, given the
     ``found`` ones. Empty where none was found.
@@ -84,19 +84,21 @@ def unseen_periods(
     Only the first harmonic of a found period counts: half of it may be a known period of its own.
     """
     waves = [
-        wave for period in found for wave in wave_columns(middles.targets, 1.0 / float(period))[:2]
+        wave
+        for period in found
+        for wave in wave_columns(bidirectional.targets, 1.0 / float(period))[:2]
     ]
-    free = np.column_stack([middles.free, *waves])
-    if not found or not known or free.shape[1] + 4 > middles.targets.size - LEFT:
+    free = np.column_stack([bidirectional.free, *waves])
+    if not found or not known or free.shape[1] + 4 > bidirectional.targets.size - LEFT:
         return ()
-    likelihood = PeriodLikelihood(replace(middles, free=free), basis)
+    likelihood = PeriodLikelihood(replace(bidirectional, free=free), basis)
     odds = np.logaddexp(*likelihood.log_odds(1.0 / np.array(known, dtype=np.float64)))
     against = np.round(odds - np.log(2.0), 6) < 0.0
     return tuple(float(period) for period, no in zip(known, against, strict=True) if no)
 
 
 def fitted_periods(
-    middles: BidirectionalMeans, basis: Basis, shown: Sequence[float]
+    bidirectional: BidirectionalMeans, basis: Basis, shown: Sequence[float]
 ) -> tuple[float, ...]:
     """Return the known periods (mm or deg) that are fitted: all, or at most the `FITTED` best.
 
@@ -107,10 +109,10 @@ def fitted_periods(
     if len(shown) <= FITTED:
         return tuple(shown)
     chosen: list[int] = []
-    columns = middles.free
+    columns = bidirectional.free
     frequencies = 1.0 / np.array(shown, dtype=np.float64)
-    while len(chosen) < FITTED and columns.shape[1] + 4 <= middles.targets.size - LEFT:
-        likelihood = PeriodLikelihood(replace(middles, free=columns), basis)
+    while len(chosen) < FITTED and columns.shape[1] + 4 <= bidirectional.targets.size - LEFT:
+        likelihood = PeriodLikelihood(replace(bidirectional, free=columns), basis)
         odds = np.logaddexp(*likelihood.log_odds(frequencies, likelihood.coarse())) - np.log(2.0)
         odds[chosen] = -np.inf
         best = int(np.argmax(np.round(odds, 6)))
@@ -118,6 +120,6 @@ def fitted_periods(
             break
         chosen.append(best)
         columns = np.column_stack(
-            [columns, *wave_columns(middles.targets, float(frequencies[best]))]
+            [columns, *wave_columns(bidirectional.targets, float(frequencies[best]))]
         )
     return tuple(float(shown[index]) for index in sorted(chosen))
