@@ -68,5 +68,5 @@ def test_a_pitch_that_the_readings_do_not_show_is_doubted(
     says = [each["message"] for each in found["findings"] if each["code"] == "CW-E016"]
     assert bool(says) == doubted
     if doubted:
-        assert "every 12 mm" in says[0]
-        assert "every 10 mm: is the pitch right?" in says[0]
+        assert "screw_pitch 12 mm" in says[0]
+        assert "every 10 mm" in says[0]

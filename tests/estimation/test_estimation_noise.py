@@ -245,8 +245,8 @@ def test_one_traverse_off_is_no_sign_that_all_of_them_move() -> None:
     assert np.median(found.fresh.moved[moving]) < 0.35
     assert np.mean((1.0 - found.fresh.moved[moving]) ** (2 * N)) > 0.15
     told = message(found, "CW-E022")
-    assert told.startswith("Single traverses are off the others by ")
-    assert "run 3 in +: look at" in told
+    assert told.startswith("Single runs deviate from the others by ")
+    assert "run 3 in +. Check" in told
 
 
 def test_a_wave_in_time_is_neither_drift_nor_shifts() -> None:
@@ -500,9 +500,8 @@ def test_outliers_that_lie_together_are_told_by_what_they_have_in_common() -> No
         next(found.message for found in posterior(each).findings if found.code == "CW-E024")
         for each in (traverse, place)
     ]
-    assert "all in run 5 in −" in told[0]
-    assert "find out what happened in that traverse" in told[0]
-    assert "all at 650 mm" in told[1]
+    assert "all are in run 5 in −" in told[0]
+    assert "all are at 650 mm" in told[1]
     assert "look at screw, guides and covers there" in told[1]
 
 

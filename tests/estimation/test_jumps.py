@@ -207,7 +207,7 @@ def test_behind_the_last_gap_it_may_be_a_jump_or_one_target(gap: int) -> None:
     assert (jump.low, jump.high) == (targets[gap], targets[gap + 1])
     (told,) = [one for one in posterior.findings if one.code == "CW-E030"]
     alone = targets[0] if gap == 0 else targets[10]
-    assert f"or the target at {alone:.10g} mm alone is off" in told.message
+    assert f"or only the target at {alone:.10g} mm deviates" in told.message
     where = np.linspace(targets[0], targets[-1], 400)
     where = where[(where < targets[gap]) | (where > targets[gap + 1])]
     lines = np.interp(where, targets, error(targets))

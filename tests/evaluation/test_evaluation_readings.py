@@ -281,7 +281,7 @@ def test_the_longest_row_of_zeros_is_counted() -> None:
         for finding in reading_findings(replace(test, positive=zeros), no_comparison)
         if finding.code == "CW-T011"
     ]
-    assert found.startswith("Up to 4 targets side by side are exactly zero in traverse 2 in +")
+    assert found.startswith("In traverse 2 in +, up to 4 neighbouring targets")
 
 
 def test_run_numbers_of_the_file_are_used() -> None:

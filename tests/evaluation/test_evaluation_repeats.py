@@ -130,16 +130,20 @@ def test_a_copy_is_found_among_many_tests_and_nothing_else() -> None:
     found = {index: finding.message for index, finding in enumerate(findings) if finding}
     assert sorted(found) == sorted([*copies, *range(200, 205)])
     for place, (original, copy) in enumerate(copies.items(), start=200):
-        assert found[original].startswith(f"The same measurement as {copy.name}: ")
-        assert found[place].startswith(f"The same measurement as t{original}: ")
+        assert found[original].startswith(f"This is the same measurement as {copy.name}. ")
+        assert found[place].startswith(f"This is the same measurement as t{original}. ")
 
 
 def test_of_very_many_copies_some_are_named() -> None:
     test = measured(1)
     findings = repeat_findings([named(test, f"copy {i}") for i in range(300)])
     told = [finding.message if finding else "" for finding in findings]
-    assert told[0].startswith("The same measurement as copy 1, copy 2, copy 3, copy 4 and others:")
-    assert told[2].startswith("The same measurement as copy 0, copy 1, copy 3, copy 4 and others:")
+    assert told[0].startswith(
+        "This is the same measurement as copy 1, copy 2, copy 3, copy 4 and others."
+    )
+    assert told[2].startswith(
+        "This is the same measurement as copy 0, copy 1, copy 3, copy 4 and others."
+    )
     assert told[299] == told[298] == told[5]
 
 

@@ -200,7 +200,7 @@ def test_misalignment_is_counted_to_both_sides_though_it_is_on_one() -> None:
     assert stated(UncertaintyBudget(misalignment_mm=1.32 * 3.0))["E"] >= short.max()
     result = evaluate(steep_axis(), budget=UncertaintyBudget(misalignment_mm=3.0))
     (said,) = [f.message for f in result.findings if f.code == "CW-T020"]
-    assert "too short, never too long: by up to 4.50 µm" in said
+    assert "too short, never too long: over these targets by up to 4.50 µm" in said
     assert f"U includes ±{told:.2f} µm" in said
 
 

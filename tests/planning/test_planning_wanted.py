@@ -186,7 +186,7 @@ def test_a_period_that_is_the_spacing_of_the_acting_table_is_told_as_such() -> N
     found = measured_error(tests, observed_tests(tests, table), axis_of(), table).findings
     (message,) = (each.message for each in found if each.code == "CW-E012")
     assert "every 40 mm" in message
-    assert "nodes of the table in the control are also 40 mm apart" in message
+    assert "points of the existing table are also 40 mm apart" in message
 
 
 def test_an_axis_of_which_the_files_do_not_speak_has_no_compensation() -> None:

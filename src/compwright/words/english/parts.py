@@ -9,10 +9,10 @@ SENTENCES: Final[dict[str, str]] = {
     "backlash_compensation_larger": (
         "{finding} The backlash compensation in the control's files is larger than the lost motion."
     ),
-    "better_targets": "targets that would show it: {targets:g} {unit}",
+    "better_targets": "targets that would show this error: {targets:g} {unit}",
     "between.deviation": "the measured deviation of {output} over {input} ({slope:+.1f} µm/m)",
     "between.squareness": "squareness of {output} over {input} ({slope:+.1f} µm/m)",
-    "compared_not_removed": "{parameters:join|; }. Not removed.",
+    "compared_not_removed": "{parameters:join|; }. Nothing was removed from the result.",
     "direct_squareness": (
         "{input} and {output}: squareness {squareness:+.1f} µm/m by the direct measurement"
     ),
@@ -74,5 +74,5 @@ SENTENCES: Final[dict[str, str]] = {
         " and give all of them"
     ),
     "value_with_error": "{value:+.1f} ± {error:.1f} {unit}",
-    "with_and_without": "{parameter} {value} with, {without} without",
+    "with_and_without": "{parameter} is {value} with, {without} without",
 }

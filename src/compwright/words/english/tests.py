@@ -6,41 +6,48 @@ from typing import Final
 
 SENTENCES: Final[dict[str, str]] = {
     "CW-C001": (
-        "Each parameter belongs to one traverse (clauses 3.2 and 5); given are those of"
-        " {first:and}. Others: {others}."
+        "Several runs were measured, but each parameter belongs to one run (clauses 3.2 and 5)."
+        " The parameters given are those of {first:and}. The other runs: {others}."
     ),
     "CW-C001.other": "{direction} run {run}: G {G}",
     "CW-C001.run": "{direction} run {run}",
     "CW-C002": (
-        "Only {direction} was measured: parameters of both directions do not exist, and squareness,"
-        " servo mismatch and lost motion cannot be separated."
+        "Only the {direction} direction was measured. So there are no parameters of both"
+        " directions, and squareness, servo mismatch and lost motion cannot be separated. Measure"
+        " the other direction too."
     ),
     "CW-C003": (
-        "The length of the bar was not calibrated: F is not given; D and F about the least-squares"
-        " centre rest on the nominal length."
+        "The length of the bar was not calibrated, so the radial deviation F is not given. D, and"
+        " F about the least-squares centre, use the nominal length."
     ),
     "CW-C004": (
-        "The samples of {run} are {interval:3sig}° apart: spikes at the reversal points can be"
-        " missed, and G, F and H come out too small."
+        "The samples of {run} are {interval:3sig}° apart. Short spikes at the reversal points can"
+        " lie between two samples, and then G, F and H come out too small. Measure with a higher"
+        " sample rate or a lower feed."
     ),
     "CW-C005.arc": "{run} covers {covered:.5g}° of an arc of {arc:.5g}°.",
     "CW-C005.gap": "No samples of {run} from {gaps}: what the path does there is not evaluated.",
-    "CW-C006.no_feed": "{feed:g} mm/min is no feed.",
+    "CW-C006.no_feed": "A feed of {feed:g} mm/min is not possible: correct the feed in the file.",
     "CW-C006.time": (
         "At {feed:g} mm/min a circle of {radius:g} mm takes {seconds:3sig} s: check the unit of the"
         " feed."
     ),
     "CW-C007": (
-        "{run} covers {covered:.5g}°, more than the arc of {arc:.5g}°: starting and stopping arcs"
-        " seem not to be cut."
+        "{run} covers {covered:.5g}°, more than the arc of {arc:.5g}°. The samples seem to"
+        " include the run-up before the arc and the overrun after it: check the settings of the"
+        " export."
     ),
     "CW-C008": (
-        "{ccw} samples ccw and {cw} cw: the common circle is drawn towards the direction with more."
+        "The ccw run has {ccw} samples and the cw run {cw}. The common circle therefore lies"
+        " nearer to the direction with more samples."
     ),
-    "CW-C009": "{repeated} samples of {run} repeat an angle; all of them count.",
+    "CW-C009": (
+        "{repeated} samples of {run} have the same angle as another sample. All samples are used."
+    ),
     "CW-C010": (
-        "F on an arc counts from the set-up centre (3.5 a) and contains its offset, here about"
-        " {offset}; F about the least-squares centre is given as well."
+        "On an arc, F is measured from the set-up centre (clause 3.5 a). It therefore contains"
+        " the offset of this centre, here about {offset}. F about the least-squares centre is"
+        " given as well."
     ),
     "CW-C011": (
         "The circle lies {offset} from the set-up centre. The angles were taken as commanded; if"
@@ -48,110 +55,127 @@ SENTENCES: Final[dict[str, str]] = {
         " and measure again."
     ),
     "CW-C012": (
-        "The ends of {run} differ by {step} at the same place: drift during the run, a moved bar,"
-        " or readings of the starting arc among the samples."
+        "The two ends of {run} are at the same place but differ by {step}. Either the machine"
+        " drifted during the run, or the bar moved, or readings of the run-up are among the"
+        " samples. Repeat the run."
     ),
-    "CW-C013": "{run} is exactly zero throughout: probably it was not measured.",
+    "CW-C013": (
+        "Every sample of {run} is exactly zero. The run was probably not measured: measure it"
+        " again."
+    ),
     "CW-T001": (
         "The standard asks for 5 approaches to each target and direction; found {counts:and}."
     ),
     "CW-T001.count": "{count} in {direction}",
     "CW-T002.linear": (
-        "{targets} targets over {length:.10g} mm are too few: at least 5 per metre and 5 in all are"
-        " needed, here {needed}."
+        "{targets} targets over {length:.10g} mm are too few. The standard asks for at least 5"
+        " per metre and at least 5 in all: here {needed}."
     ),
     "CW-T002.principal": (
         "ISO 230-2:1988, 4.3.4 asks for three positions in addition to 0°, 90°, 180°, 270°; there"
         " are {others}."
     ),
     "CW-T002.rotary": (
-        "{targets} targets over {length:.10g}° are too few: this travel needs at least {needed}"
-        " (table of target positions)."
+        "{targets} targets over {length:.10g}° are too few. For this travel the standard asks for"
+        " at least {needed} (table of target positions)."
     ),
     "CW-T003": (
-        "Only the approach in {direction} was measured; parameters of both directions do not exist."
+        "Only approaches in direction {direction} were measured, so there are no parameters of"
+        " both directions. Lost motion is unknown."
     ),
-    "CW-T004": "Principal position not among the targets: {positions}.",
+    "CW-T004": (
+        "The standard asks for these principal positions too, but they are not among the targets:"
+        " {positions}."
+    ),
     "CW-T005.repeated_long": (
-        "Repeated approaches over more than {limit}: the standard tests the whole length with one"
-        " approach per direction, and n = 5 over {limit} in the normal working area, as two tests."
-        " Evaluated as measured."
+        "This test repeats its approaches over more than {limit}. Here the standard asks for two"
+        " tests: one of the whole length with one approach per direction, and one with n = 5 over"
+        " {limit} of the normal working area. The test was evaluated as it was measured."
     ),
     "CW-T005.repeated_missing": (
-        "The axis is longer than {limit}; in addition to this test with one approach per direction"
-        " a test with n = 5 over {limit} belongs to it."
+        "The axis is longer than {limit}, and this test has one approach per direction. In"
+        " addition the standard asks for a test with n = 5 over {limit}."
     ),
     "CW-T005.whole_missing": (
-        "The axis is longer than {limit}; a test of its whole length with one approach per"
-        " direction belongs to it too."
+        "The axis is longer than {limit}. In addition the standard asks for a test of its whole"
+        " length with one approach per direction."
     ),
     "CW-T006.linear": (
-        "The mean interval of the targets is {interval:.5g} mm; over 2 000 mm it is to be 250 mm at"
-        " most."
+        "The mean interval of the targets is {interval:.5g} mm. On an axis over 2 000 mm the"
+        " standard allows at most 250 mm."
     ),
     "CW-T006.per_turn": (
         "{targets} targets over {turns:.4g} turns: at least eight per turn are needed."
     ),
     "CW-T006.rotary": (
-        "The widest interval of the targets is {interval:.5g}°; over 360° it is to be 45° at most."
+        "The widest interval of the targets is {interval:.5g}°. On an axis over 360° the standard"
+        " allows at most 45°."
     ),
     "CW-T006.turns": (
         "{length:.10g}° were measured; the standard asks for 1 800° (five turns) at most."
     ),
     "CW-T007.end": "{length} at the {end:choose|lower=lower|upper=upper} end",
     "CW-T007.outside": (
-        "Targets {first} to {last} lie outside the travel {travel_start} to {travel_end}: check the"
-        " offset and the sense of the positions."
+        "The targets {first} to {last} lie outside the travel {travel_start} to {travel_end} of"
+        " the job. Check the offset and the direction of the target positions."
     ),
     "CW-T007.uncovered": (
-        "Part of the travel was not measured: {ends:and}, more than one interval of the targets."
+        "A part of the travel was not measured: {ends:and}. That is more than one interval"
+        " between targets."
     ),
     "CW-T008.equal": (
-        "The targets are equally spaced ({interval}): a periodic error (screw pitch, scale pitch)"
-        " that divides the spacing stays hidden. The standard asks for random offsets; {better}"
-    ),
-    "CW-T008.period": (
-        "The targets hit the period of {period} always at the same phases: a periodic error of this"
-        " period can stay hidden. Choose targets at varying phases (clause on target positions);"
+        "The targets are equally spaced ({interval}). A periodic error (screw pitch, scale pitch)"
+        " stays hidden if its period divides this spacing. The standard asks for random offsets;"
         " {better}"
     ),
+    "CW-T008.period": (
+        "All targets lie at the same phases of the period of {period}. A periodic error of this"
+        " period can stay hidden. Choose targets at different phases (clause on target"
+        " positions); {better}"
+    ),
     "CW-T009": (
-        "Step cycle: not for acceptance unless agreed in writing (annex of ISO 230-2). A drift D"
-        " during the test puts about 0.92 D into E and M, and hardly any into R."
+        "The test uses a step cycle, which the standard allows for acceptance only if agreed in"
+        " writing (annex of ISO 230-2). A drift D during such a test puts about 0.92 D into E and"
+        " M, and hardly any into R."
     ),
     "CW-T010": (
-        "Readings are missing: {where:join|; } have fewer than the others; each target is evaluated"
-        " with its own n."
+        "Readings are missing: {where:join|; } have fewer readings than the others. Each target"
+        " is evaluated with the readings that it has."
     ),
     "CW-T010.direction": "in {direction} {fewer} of {targets} targets ({at}{more:if| ...})",
     "CW-T011.rows": (
-        "Up to {targets} targets side by side are exactly zero in traverse {traverses}{more:if| and"
-        " {more} more}, while the other readings scatter: probably not measured, and filled up with"
-        " zeros. They are part of the result."
+        "In traverse {traverses}{more:if| and {more} more}, up to {targets} neighbouring targets"
+        " are exactly zero, while the other readings scatter. Probably they were not measured and"
+        " were filled up with zeros. They are part of the result: if they were not measured,"
+        " remove them from the file."
     ),
     "CW-T011.traverse": (
-        "Traverse {run} in {direction} is exactly zero at all {targets} targets: probably not"
-        " measured. It is part of the result; where the others scatter, table and prediction are"
-        " made without it."
+        "Run {run} in direction {direction} is exactly zero at all {targets} targets, so it was"
+        " probably not measured. The result includes it. If the other runs scatter, table and"
+        " prediction are made without it."
     ),
     "CW-T012": (
-        "The readings drift: {how}; in runs without drift such an order has a chance of"
-        " {chance:.1f} %. Warm the axis up and measure again: the drift is part of R and A."
+        "The readings drift: {how}. Without drift, chance alone would put the readings in such an"
+        " order in {chance:.1f} % of all tests. Warm the axis up and measure again, because the"
+        " drift makes R and A larger."
     ),
     "CW-T012.ends": "{lower} and {upper} in {direction}",
     "CW-T012.growing": (
-        "from the first run to the last, at the lower and the upper end of the travel,"
-        " {drifts:join|; } (it grows along the travel, as expansion does)"
+        "at the lower and the upper end of the travel, {drifts:join|; } from the first run to the"
+        " last (the drift grows along the travel, as thermal expansion does)"
     ),
     "CW-T012.mean": "{drifts:and} from the first run to the last (mean over the targets)",
-    "CW-T013.more": "{more} more runs are outliers, by less.",
+    "CW-T013.more": (
+        "{more} more {more:plural|run is an outlier|runs are outliers}, by a smaller amount."
+    ),
     "CW-T013.run": (
-        "Run {run} is {off:and} off the others (robust standard deviation of their readings:"
-        " {scatter}).{compared:if| {compared}}"
+        "Run {run} differs from the other runs by {off:and}. The readings of the other runs"
+        " scatter by {scatter} (robust standard deviation).{compared:if| {compared}}"
     ),
     "CW-T013.traverse": (
-        "Traverse {run} in {direction} is {off} off the others (robust standard deviation of their"
-        " readings: {scatter}).{compared:if| {compared}}"
+        "Run {run} in direction {direction} differs from the other runs by {off}. The readings of"
+        " the other runs scatter by {scatter} (robust standard deviation).{compared:if|"
+        " {compared}}"
     ),
     "CW-T014.compared": (
         "The result with {readings:plural|the suspect reading|the {readings} suspect readings} and"
@@ -163,139 +187,150 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-T015": "Targets without any reading are left out: {targets}.",
     "CW-T016": (
-        "Fewer than two readings per direction at {targets}: no standard deviation there."
-        " Parameters that need it are not given.{others:if| Over the other targets: {others}.}"
+        "At {targets} there are fewer than two readings per direction, so there is no standard"
+        " deviation. Parameters that need it are not given.{others:if| For the other targets"
+        " alone: {others}.}"
     ),
     "CW-T020": (
-        "Uncertainty: U (k = 2) from the contributors of ISO 230-2:2006, annex A, as far as the job"
-        " declares them; their distributions are propagated (JCGM 101:2008), not the coefficients"
-        " of the annex.{misalignment:if| A misaligned beam makes distances too short, never"
-        " too long: by up to {misalignment:.2f} µm over these targets. U includes"
-        " ±{counted:.2f} µm for this.}"
+        "The uncertainty U (k = 2) is calculated from the contributors of ISO 230-2:2006, annex"
+        " A, that the job declares. Their distributions are propagated (JCGM 101:2008); the"
+        " coefficients of the annex are not used.{misalignment:if| A misaligned laser beam makes"
+        " distances too short, never too long: over these targets by up to {misalignment:.2f} µm."
+        " U includes ±{counted:.2f} µm for this.}"
     ),
     "CW-T021": (
-        "No uncertainty is stated for VDI/DGQ 3441: annex A of ISO 230-2 treats its own parameters"
-        " only."
+        "No uncertainty is stated for VDI/DGQ 3441, because annex A of ISO 230-2 covers only the"
+        " parameters of ISO 230-2."
     ),
     "CW-T022": (
-        "U_theta is given without thermal.alpha_m: {alpha_m} µm/(m K) (steel) was assumed for the"
-        " machine."
+        "The job gives U_theta but not thermal.alpha_m, the expansion coefficient of the machine."
+        " The value of steel was assumed: {alpha_m} µm/(m K)."
     ),
     "CW-T023": (
-        "U_alpha is given without thermal.T_m: the temperature is unknown, so its term is missing"
-        " from U."
+        "The job gives U_alpha but not thermal.T_m, the temperature of the machine. The"
+        " contribution of U_alpha is therefore missing from U. Add thermal.T_m."
     ),
     "CW-T024": (
-        "Referred to 20 °C ({refer_to}): {slope:+.3f} µm/m removed about {x_fix:.10g} mm, from"
-        " {alpha_m:g} µm/(m K) at {T_m:g} °C for the {refer_to} and {alpha_d:g} µm/(m K) at {T_d:g}"
-        " °C for the instrument."
+        "The readings were converted to 20 °C of the {refer_to}: {slope:+.3f} µm/m were removed,"
+        " with the fixed point at {x_fix:.10g} mm. Basis: {alpha_m:g} µm/(m K) at {T_m:g} °C for"
+        " the {refer_to}, {alpha_d:g} µm/(m K) at {T_d:g} °C for the instrument."
     ),
     "CW-T025": (
         "The temperature changed from start to end of the test: {changes:and}. Over the"
-        " {length:.5g} mm of the targets that is {drift:+.2f} µm from the first run to the last."
-        " The expansion was removed with the mean of start and end, because the file does not say"
-        " when each reading was taken: what differs from it stays in the readings as drift."
+        " {length:.5g} mm of the targets this means {drift:+.2f} µm from the first run to the"
+        " last. The file does not give the time of each reading, so the expansion at the mean"
+        " temperature of start and end was removed. The remaining expansion is in the readings as"
+        " drift."
     ),
     "CW-T025.change": (
         "that of the {of:choose|scale=scale|workpiece=workpiece|instrument=instrument} by"
         " {kelvin:+2sig} K"
     ),
     "CW-T026.whole": (
-        "E_VE is {E_VE}, the largest range of {file} within all of its {minutes:g} min. It must be"
-        " as long as a positioning test: give the time of yours as duration_min where it is"
-        " shorter."
+        "The environmental variation E_VE is {E_VE}: the largest range of {file} within all of"
+        " its {minutes:g} min. E_VE belongs to the duration of a positioning test. If your test"
+        " takes less time, give its duration as duration_min."
     ),
-    "CW-T026.within": "E_VE is {E_VE}, the largest range of {file} within {minutes:g} min.",
+    "CW-T026.within": (
+        "The environmental variation E_VE is {E_VE}: the largest range of {file} within any"
+        " {minutes:g} min."
+    ),
     "CW-T027": (
-        "The stand-still test {file} shows too little of E_VE: {reasons:join|; }. Record the"
-        " reading of the axis at rest, at least ten times, for as long as a test takes."
+        "The stand-still test {file} cannot show the whole environmental variation E_VE:"
+        " {reasons:join|; }. Record the reading of the axis at rest, at least ten times, for as"
+        " long as a positioning test takes."
     ),
     "CW-T027.coarse": (
-        "up to {minutes:g} min lie between two readings: what comes and goes is missed"
+        "up to {minutes:g} min lie between two readings, so changes in between are missed"
     ),
     "CW-T027.short": (
         "it lasts {minutes:g} min, and {test:if|a positioning test of the job takes {test:g} min|no"
         " positioning test is so short}: the drift of a test is larger"
     ),
     "CW-T028": (
-        "The effect of the air on the laser wavelength was removed:"
-        " {least:+.3f}{most:if| to {most:+.3f}|} µm/m from {zero:.10g} mm on, where the display"
-        " shows 0 ({equation:choose|ciddor=Ciddor|edlen=Edlén}; air at {air_c:.4g} °C,"
-        " {pressure_hpa:.6g} hPa, {humidity_percent:.3g} % on average). The display of the"
+        "The effect of the air on the laser wavelength was removed: {least:+.3f}{most:if| to"
+        " {most:+.3f}|} µm/m, counted from {zero:.10g} mm, where the display shows 0"
+        " ({equation:choose|ciddor=Ciddor|edlen=Edlén}; air on average {air_c:.4g} °C,"
+        " {pressure_hpa:.6g} hPa, {humidity_percent:.3g} % humidity). The display of the"
         " instrument {assumed:if|is assumed to use|uses} the refractive index"
-        " {counted:.9f}"
-        "{assumed:if|, air at 20 °C, 1013.25 hPa and 50 %: give `instrument_air` under"
-        " `environment` where it uses another|}."
+        " {counted:.9f}{assumed:if| (air at 20 °C, 1013.25 hPa, 50 % humidity). If it uses"
+        " another index, give `instrument_air` under `environment`|}."
     ),
     "CW-T029": (
-        "From the first to the last reading the laser wavelength changed the readings by"
-        " {light:+.2f} µm and the expansion by {expansion:+.2f} µm, at the target with the largest"
-        " change: both were removed. The mean over the targets still changed by {rest:+.2f}"
-        "{std_error:if| ± {std_error:.2f}|} µm: drift of the machine itself, or of the set-up."
+        "At the target with the largest change, the air changed the readings by {light:+.2f} µm"
+        " (laser wavelength) and thermal expansion by {expansion:+.2f} µm from the first reading"
+        " to the last. Both were removed. The mean over the targets still changed by"
+        " {rest:+.2f}{std_error:if| ± {std_error:.2f}|} µm: the machine itself or the set-up"
+        " drifted."
     ),
-    "CW-T030.certain": "This cannot be right: {why}.",
+    "CW-T030.certain": "The readings cannot be right: {why}. Check their unit.",
     "CW-T030.small": (
-        "All readings lie within {spread}: few machines are that good. Is the unit right?"
+        "All readings lie within {spread}. Few machines are so accurate: check the unit of the"
+        " readings."
     ),
     "CW-T030.unit": (
-        "The unit is probably {unit}, read as {read_as} ({odds:odds} to 1). The readings spread"
-        " over {spread} and scatter by {scatter}; machine tools usually have values {factor:g}"
-        " times {larger:if|larger|smaller}. Compare one reading with the instrument."
+        "The readings were read as {read_as}, but their unit is probably {unit} (odds {odds:odds}"
+        " to 1). They spread over {spread} and scatter by {scatter}; machine tools usually have"
+        " values {factor:g} times {larger:if|larger|smaller}. Compare one reading with the"
+        " instrument."
     ),
     "CW-T031.directions": "the runs in + and those in −",
     "CW-T031.near": (
-        "Nearly the same readings: {runs:join|; }{more:if| and {more} more pairs}, while runs of"
-        " this test differ by {noise}. Was one run copied and changed a little? Repeatability and"
-        " noise is unknown from them."
+        "These runs have nearly the same readings: {runs:join|; }{more:if| and {more} more"
+        " pairs}. Other runs of this test differ by {noise}. Perhaps one run was copied and"
+        " slightly changed; then repeatability and noise are unknown. Measure again."
     ),
     "CW-T031.pair": "{one} and {other} ({difference})",
     "CW-T031.runs": "runs {runs} and {more:if|{more} more|{last}} in {direction}",
     "CW-T031.same": (
-        "The same readings to the last digit: {runs:join|; }{more:if| and {more} more such groups}."
-        " Was one run copied, or are the readings rounded too coarsely? Repeatability and noise"
-        " cannot be found from them."
+        "These runs have the same readings to the last digit: {runs:join|; }{more:if| and {more}"
+        " more such groups}. Either one run was copied, or the readings are rounded too coarsely."
+        " Repeatability and noise cannot be found from them. Measure again, or export with more"
+        " digits."
     ),
     "CW-T032": (
-        "The mean reversal value is +{reversal}, while lost motion gives a negative one{likely:if|:"
-        " {odds:odds} to 1 that|: perhaps} the directions + and − are swapped or the sign of the"
-        " deviations is turned, unless the backlash compensation is too large. A table made from"
-        " swapped directions doubles the lost motion. Check at one target: with lost motion the"
-        " deviation of an approach in + is the smaller one."
+        "The mean reversal value is +{reversal}, but lost motion makes it negative."
+        " {likely:if|With odds of {odds:odds} to 1|Perhaps} the directions + and − are swapped or"
+        " the sign of the deviations is turned, unless the backlash compensation is too large. A"
+        " table made from swapped directions doubles the lost motion. Check at one target: with"
+        " lost motion the deviation of an approach in + is the smaller one."
     ),
     "CW-T033": (
-        "The targets, {first} to {last}, are whole millimetres when they are taken for inches: are"
-        " they in inches?"
+        "Taken as inches, the targets {first} to {last} are whole numbers of millimetres. Check"
+        " whether the file gives them in inches."
     ),
     "CW-T034": (
-        "The same measurement as {tests}{others:if| and others}: given twice it proves nothing new."
+        "This is the same measurement as {tests}{others:if| and others}. A measurement that is"
+        " given twice proves nothing more: give it once."
     ),
     "CW-T035": (
-        "{targets} {targets:plural|target|targets}, where the standard asks for {fewest} at least:"
-        " of what lies between them nothing is known. Parameters and limits speak of"
-        " {targets:plural|this target|these targets} alone."
+        "The test has {targets} {targets:plural|target|targets}, but the standard asks for at"
+        " least {fewest}. The error between the targets is unknown. Parameters and limits hold"
+        " for {targets:plural|this target|these targets} alone."
     ),
     "CW-T036": (
-        "The tests {test} and {other} contradict each other: they differ by {difference:.2f}"
-        " {unit}, {what:choose|error=the error itself|reversal=the mean reversal itself} is"
-        " {size:.2f} {unit}. Were sign, directions, unit, axis and state the same? Only {test}"
-        " counts, {other} does not."
+        "The tests {test} and {other} contradict each other. They differ by {difference:.2f}"
+        " {unit}, and {what:choose|error=the error itself|reversal=the mean reversal itself} is"
+        " {size:.2f} {unit}. Only {test} is used, {other} is not. Check that both have the same"
+        " sign, directions, unit, axis and state of the control."
     ),
     "CW-T037": (
-        "The tests of axes {one} and {other} show the same error: {odds:odds} to 1 that one axis"
-        " was measured for both, or one file given for the other. A table made from the test of"
-        " another axis makes its error larger. Which axis moved in each test?"
+        "The tests of axes {one} and {other} show the same error. With odds of {odds:odds} to 1,"
+        " the same axis was measured for both, or one file was given for both. A table made from"
+        " the test of another axis makes the error larger. Check which axis moved in each test."
     ),
     "CW-T038": (
-        "The record of the environment {file} has a gap during the test, {gap:2sig} times as long"
-        " as its rows usually lie apart: in between, the values were taken on a straight line."
+        "The environment record {file} has a gap during the test, {gap:2sig} times as long as the"
+        " usual interval between its rows. Within the gap the values were interpolated on a"
+        " straight line."
     ),
     "CW-T039": (
-        "The readings do not say when they were taken: the mean of the record of the environment"
-        " was used. Within the record the correction varies by {range:.2f} µm over {length:.5g} mm,"
-        " and the readings may be wrong by as much. Add a column `time` to the measurement file, or"
-        " give the record of the time of the test alone."
+        "The readings have no time, so the mean of the environment record was used. Within the"
+        " record the correction varies by {range:.2f} µm over {length:.5g} mm, and the readings"
+        " may be wrong by as much. Add a column `time` to the measurement file, or give only the"
+        " part of the record that belongs to the test."
     ),
-    "reason.cannot_be_formed": "cannot be formed from these readings",
+    "reason.cannot_be_formed": "cannot be calculated from these readings",
     "reason.no_common_angle": "the two directions have no angle in common",
     "reason.no_reading": "no reading in the {direction} direction at {position}",
     "reason.not_calibrated": (

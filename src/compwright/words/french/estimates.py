@@ -6,226 +6,234 @@ from typing import Final
 
 SENTENCES: Final[dict[str, str]] = {
     "CW-D001": (
-        "un seul sens : ce qui dépend du sens ne peut être séparé du reste ; erreurs types que cela"
-        " multiplie : {causes:if|{causes}|aucune}"
+        "un seul sens a été mesuré, donc les causes qui dépendent du sens ne peuvent être"
+        " séparées des autres. Causes dont l'erreur type est multipliée par cela :"
+        " {causes:if|{causes}|aucune}"
     ),
-    "CW-D001.cause": "{cause} (x {factor:.0f}, avec {other})",
+    "CW-D001.cause": "{cause} (erreur type fois {factor:.0f}, inséparable de {other})",
     "CW-D002": (
-        "un arc de {arc:g}° sépare moins bien les causes qu'un cercle ; erreurs types que cela"
-        " multiplie : {causes:if|{causes}|aucune}"
+        "un arc de {arc:g}° sépare moins bien les causes qu'un cercle complet. Causes dont"
+        " l'erreur type est multipliée par cela : {causes:if|{causes}|aucune}"
     ),
     "CW-D003": (
-        "la longueur de l'instrument n'était pas étalonnée : l'échelle des axes seuls n'est pas"
-        " donnée, seulement leur différence"
+        "la longueur de l'instrument n'était pas étalonnée, donc l'échelle des axes seuls n'est"
+        " pas donnée. Seule leur différence est donnée"
     ),
     "CW-D004": (
         "à {feed:g} mm/min, une boucle de position souple rend le cercle plus petit de {most:.1f}"
-        " µm au plus : de ce fait, l'échelle des axes seuls est incertaine de {doubt:.0f} µm/m ; un"
-        " second essai à faible avance tranche"
+        " µm au plus. L'échelle des axes seuls est donc incertaine de {doubt:.0f} µm/m. Un second"
+        " essai à faible avance lève ce doute"
     ),
     "CW-D005.none": (
-        "l'arc ne contient aucun point d'inversion de {name} : son jeu, son jeu latéral et son pic"
-        " d'inversion ne sont pas déterminés"
+        "l'axe {name} ne s'inverse pas sur cet arc. Son jeu, son jeu latéral et son pic"
+        " d'inversion ne sont donc pas déterminés"
     ),
     "CW-D005.one": (
-        "l'arc ne contient qu'un point d'inversion de {name} : son jeu est celui de l'extrémité"
+        "l'axe {name} ne s'inverse qu'une fois sur cet arc. Son jeu est celui de l'extrémité"
         " {end:choose|positive=positive|negative=négative}"
     ),
     "CW-D006": "une erreur périodique de {axis} a été trouvée au pas de {pitch:.4g} mm",
     "CW-D007": (
-        "aucune erreur périodique de {name} n'a été trouvée ; une de moins de {hidden:2sig} µm peut"
-        " être cachée"
+        "aucune erreur périodique de l'axe {name} n'a été trouvée. Une erreur périodique de moins"
+        " de {hidden:2sig} µm peut encore être cachée"
     ),
     "CW-D008": (
-        "{name} est jusqu'à {inward:2sig} µm à l'intérieur après ses inversions : sa compensation"
-        " de jeu est peut-être trop forte"
+        "après les inversions de l'axe {name}, la trajectoire est jusqu'à {inward:2sig} µm à"
+        " l'intérieur du cercle. La compensation de jeu de cet axe est peut-être trop forte"
     ),
     "CW-D009": (
-        "une période de {period:g} mm le long de {axis} ne peut être vue : les points de mesure"
-        " montrent des périodes de {least:3sig} à {most:g} mm"
+        "les points de mesure ne montrent que des périodes de {least:3sig} à {most:g} mm, donc"
+        " une erreur de période {period:g} mm le long de l'axe {axis} reste invisible"
     ),
     "CW-D010": (
-        "{rms:2sig} µm d'écart ont une forme qu'aucune cause n'explique ; les erreurs types en"
-        " tiennent compte"
+        "une partie de l'écart, {rms:2sig} µm (valeur efficace), a une forme qu'aucune cause"
+        " connue n'explique. Les erreurs types en tiennent compte"
     ),
     "CW-D011": (
         "les axes s'inversent {lag:.1f} ± {error:.1f} ms après leurs consignes ; les angles ont été"
         " corrigés de ce retard"
     ),
     "CW-E001": (
-        "Mesuré dans un seul sens : la même erreur est supposée dans les deux, le jeu n'est pas"
-        " connu."
+        "Un seul sens a été mesuré. La même erreur est supposée dans l'autre sens, et le jeu est"
+        " inconnu."
     ),
     "CW-E002": (
-        "Une approche par point visé et par sens : le bruit est déduit de la dispersion entre"
-        " points visés voisins."
+        "Il n'y a qu'une approche par point visé et par sens. Le bruit est donc estimé d'après la"
+        " dispersion entre points visés voisins."
     ),
     "CW-E003": (
-        "Les points visés ne peuvent montrer une erreur de période {period:g} {unit} (leur"
-        " intervalle la cache) : elle est laissée de côté, et un essai à d'autres points visés peut"
-        " montrer plus que prévu ; {better}"
+        "L'intervalle des points visés cache une erreur de période {period:g} {unit}, donc cette"
+        " période ne fait pas partie de l'estimation. Un essai à d'autres points visés peut"
+        " montrer plus d'erreur que prévu ; {better}"
     ),
     "CW-E004": (
         "La course dépasse de {beyond:g} {unit} au plus la zone mesurée (de {first:g} à {last:g}"
-        " {unit}) : l'erreur y est prolongée avec la pente mesurée, et son incertitude croît"
+        " {unit}). Au-delà de cette zone, l'erreur est prolongée avec la pente mesurée, et son"
+        " incertitude croît"
     ),
     "CW-E010": (
-        "À ces points visés, espacés de {interval:.4g} {unit}, une erreur de période {period:g}"
-        " {unit} ressemble à {wave:if|une onde de {wave:.4g} {unit}|une constante} : les deux ne"
-        " peuvent être séparées, la période n'est pas ajustée, et aucune limite n'est acceptée ;"
-        " {better}"
+        "Les points visés sont espacés de {interval:.4g} {unit}. À ces points, une erreur de"
+        " période {period:g} {unit} ressemble à {wave:if|une onde de {wave:.4g} {unit}|une"
+        " constante}, et les deux ne peuvent être séparées. La période ne fait donc pas partie de"
+        " l'estimation, et aucune limite n'est acceptée ; {better}"
     ),
     "CW-E011": (
         "La table est faite {number:plural|du seul essai {tests}, qui couvre|des essais"
-        " {tests:and}, sur} {low:g} à {high:g} {unit} ; l'essai {other} a mesuré {other_low:g} à"
-        " {other_high:g} {unit} et n'est pas ajusté. Au-delà de {low:g} à {high:g} {unit}, l'erreur"
-        " est seulement prolongée et peut être fausse de plus que sa valeur : nommer l'état actif"
-        " dans la commande pendant la mesure (measured_in), donner l'essai {other} en premier, ou"
-        " arrêter la table à la zone mesurée (table: start, end)"
+        " {tests:and}, qui couvrent} {low:g} à {high:g} {unit}. L'essai {other} a mesuré"
+        " {other_low:g} à {other_high:g} {unit}, mais il n'est pas utilisé : l'état de la"
+        " commande dans cet essai n'est pas connu. Au-delà de {low:g} à {high:g} {unit}, l'erreur"
+        " est seulement prolongée et peut être fausse de plus que sa valeur. Faire une de ces"
+        " trois choses : nommer l'état actif pendant l'essai (measured_in), donner l'essai"
+        " {other} en premier, ou arrêter la table à la zone mesurée (table: start, end)"
     ),
     "CW-E012.found": (
-        "L'erreur se répète tous les {period:.5g} {unit} (probabilité {probability:.0f} %, {odds})"
-        " : {meaning}.{nodes:if| Les points de la table dans la commande sont aussi espacés de"
-        " {nodes:.5g} {unit} : une table qui n'était pas active comme le disent ses fichiers laisse"
-        " une erreur qui ressemble à celle-ci ; vérifier d'abord qu'elle l'était.} Elle compte dans"
-        " l'estimation et la prévision avec cette probabilité"
+        "L'erreur se répète tous les {period:.5g} {unit} (probabilité {probability:.0f} %,"
+        " {odds}) : {meaning}.{nodes:if| Les points de la table existante sont aussi espacés de"
+        " {nodes:.5g} {unit}. Une table qui n'était pas active dans l'essai laisse une telle"
+        " erreur : vérifier d'abord qu'elle était active.} Estimation et prévision pondèrent la"
+        " période par sa probabilité"
     ),
     "CW-E012.period": "{period:.5g} {unit} ({percent:.0f} %)",
     "CW-E012.possible": (
-        "L'erreur peut se répéter tous les {periods} : ces points visés n'en décident pas, et"
-        " chacune compte avec sa probabilité. Plus de points visés à décalages aléatoires le"
-        " montreraient"
+        "L'erreur peut se répéter tous les {periods}, mais ces points visés ne le montrent pas"
+        " clairement. Estimation et prévision pondèrent chacune de ces périodes par sa"
+        " probabilité. Pour trancher, mesurer à plus de points visés à décalages aléatoires"
     ),
     "CW-E013": (
-        "L'erreur se répète, mais ces points visés ne montrent pas avec quelle période :"
-        " {periods:.4g}{more:if| et {more} autres} {unit} y ont le même aspect. Aucune n'est"
-        " retirée avec certitude, et un essai à d'autres points visés peut tout en montrer ;"
+        "L'erreur se répète, mais à ces points visés plusieurs périodes ont le même aspect :"
+        " {periods:.4g}{more:if| et {more} autres} {unit}. La table n'en corrige aucune avec"
+        " certitude, et un essai à d'autres points visés peut montrer toute l'erreur périodique ;"
         " {better}"
     ),
     "CW-E014.equal_spacing": (
-        "Aucune période n'a été trouvée, mais des intervalles égaux cachent celles qui les divisent"
-        " ({interval:.4g} {unit}) ; les points visés que propose CW-T008 les montreraient"
+        "Aucune période n'a été trouvée, mais des points visés équidistants ({interval:.4g}"
+        " {unit}) cachent toute période qui divise l'intervalle. Les points visés que propose"
+        " CW-T008 montreraient ces périodes"
     ),
     "CW-E014.few_targets": (
-        "Trop peu de points visés ({targets}) pour chercher une erreur périodique : huit à"
-        " décalages aléatoires en montrent certaines, plus sont mieux"
+        "{targets} points visés sont trop peu pour chercher une erreur périodique. Mesurer à huit"
+        " points visés ou plus, à décalages aléatoires"
     ),
     "CW-E014.hidden": (
-        "Aucun pas de vis ni autre période n'est donné, et aucun n'a été trouvé : il y a"
-        " {probability:.0f} % de chances que l'erreur se répète avec une période que ces points"
-        " visés ne montrent guère"
+        "Le dossier de travail ne donne ni pas de vis ni autre période, et aucune n'a été"
+        " trouvée. Avec une probabilité de {probability:.0f} %, l'erreur se répète avec une"
+        " période que ces points visés ne montrent guère"
     ),
     "CW-E014.unlikely": (
-        "Aucun pas de vis ni autre période n'est donné, et aucun n'a été trouvé : il y a moins de 1"
-        " % de chances que l'erreur se répète avec une période que ces points visés ne montrent"
-        " guère"
+        "Le dossier de travail ne donne ni pas de vis ni autre période, et aucune n'a été"
+        " trouvée. La probabilité que l'erreur se répète avec une période que ces points visés ne"
+        " montrent guère est inférieure à 1 %"
     ),
     "CW-E015": (
-        "Sur {known} périodes connues, les mesures en montrent {fitted} : {periods:g} {unit} ; les"
-        " autres ne sont pas ajustées"
+        "Les mesures montrent {fitted} des {known} périodes connues : {periods:g} {unit}. Les"
+        " autres périodes ne font pas partie de l'estimation"
     ),
     "CW-E016": (
-        "Les mesures ne montrent pas d'erreur qui se répète tous les {stated:and} {unit}, comme le"
-        " dit le dossier de travail (screw_pitch), mais une qui se répète tous les {found:and}"
-        " {unit} : le pas est-il juste ? Les deux restent dans l'estimation ; un pas faux n'y nuit"
-        " pas, mais la grille est choisie pour lui"
+        "Le dossier de travail donne screw_pitch {stated:and} {unit}, mais les mesures ne"
+        " montrent pas d'erreur de cette période. Elles en montrent une qui se répète tous les"
+        " {found:and} {unit}. Vérifier le pas : les deux périodes restent dans l'estimation, où"
+        " une fausse ne nuit pas, mais les points de la table sont choisis pour le pas donné"
     ),
     "CW-E020": (
         "Les mesures dérivent de {drift} du premier au dernier parcours ({odds}){flattens:if|, et"
-        " la dérive s'atténue}. Avec un seul essai, la prévision suppose la même dérive dans un"
-        " essai répété de la même façon, à partir d'un axe aussi froid, à un dixième près : une"
-        " autre dérive, ou aucune parce que l'axe est alors chaud, est hors de la bande. Un"
-        " deuxième essai fait de la même façon l'y met. Mettre l'axe en température et mesurer de"
-        " nouveau pour le voir sans elle"
+        " la dérive s'atténue}. Après un seul essai, la prévision suppose la même dérive, à un"
+        " dixième près, dans un essai répété de la même façon à partir d'un axe aussi froid. Une"
+        " autre dérive, ou aucune sur un axe chaud, donne des résultats hors de la bande prévue."
+        " Un deuxième essai fait de la même façon les inclut dans la bande. Mettre l'axe en"
+        " température et mesurer de nouveau pour le voir sans dérive"
     ),
     "CW-E021": (
-        "Les mesures s'écartent le long de la course, comme dans une dilatation thermique : de"
-        " {lower} à l'extrémité inférieure et de {upper} à l'extrémité supérieure du premier au"
-        " dernier parcours ({odds}){flattens:if|, et la dérive s'atténue}. La prévision suppose la"
-        " même dérive dans un essai répété de la même façon, à partir d'un axe aussi froid, à un"
-        " dixième près. Un essai n'en dit pas plus : une autre dérive, ou aucune parce que l'axe"
-        " est alors chaud, est hors de la bande. Mettre l'axe en température et mesurer de nouveau"
-        " pour le voir sans elle"
+        "Les mesures dérivent le long de la course comme dans une dilatation thermique : de"
+        " {lower} à l'extrémité inférieure et de {upper} à l'extrémité supérieure, du premier au"
+        " dernier parcours ({odds}){flattens:if|. La dérive s'atténue}. La prévision vaut pour un"
+        " essai répété de la même façon à partir d'un axe aussi froid : elle suppose la même"
+        " dérive, à un dixième près. Une autre dérive, ou aucune sur un axe chaud, donne des"
+        " résultats hors de la bande prévue. Mettre l'axe en température et mesurer de nouveau"
+        " pour le voir sans dérive"
     ),
     "CW-E022.all": (
         "{pattern:choose|traverses=Les parcours sont décalés les uns par rapport aux"
         " autres|runs=Les allers-retours sont décalés en bloc les uns par rapport aux"
         " autres|walk=Le zéro se promène d'un parcours à l'autre|wave=Les mesures montent et"
-        " descendent lentement dans le temps} de {size}{pattern:choose|walk= par pas|=} (un"
-        " écart-type ; {odds}){where:if|, {where:and}} : {pattern:choose|wave=regarder l'air du"
-        " hall (chauffage, refroidissement, courants d'air, soleil)|=regarder la mise en"
-        " température, le bridage, les prises de référence et la fixation de l'instrument entre les"
-        " parcours}. La prévision tire de nouveau de {pattern:choose|wave=telles ondes|=tels"
-        " décalages}"
+        " descendent lentement dans le temps} de {size}{pattern:choose|walk= par pas|=}"
+        " (écart-type ; {odds}){where:if|, {where:and}}. {pattern:choose|wave=Vérifier l'air"
+        " autour de la machine : chauffage, refroidissement, courants d'air, soleil|=Vérifier la"
+        " mise en température, le bridage, les prises de référence et la fixation de l'instrument"
+        " entre les parcours}. La prévision suppose des {pattern:choose|wave=ondes|=décalages} de"
+        " cette taille dans le prochain essai"
     ),
     "CW-E022.either": (
-        "Les parcours bougent les uns par rapport aux autres ({odds}) ; ces mesures ne montrent pas"
-        " s'ils dérivent ou sautent : regarder la mise en température, le bridage, les prises de"
-        " référence et la fixation de l'instrument entre les parcours. La prévision compte avec les"
-        " deux"
+        "Les parcours sont décalés les uns par rapport aux autres ({odds}). Ces mesures ne"
+        " montrent pas si l'axe dérive ou saute ; la prévision compte avec les deux. Vérifier la"
+        " mise en température, le bridage, les prises de référence et la fixation de l'instrument"
+        " entre les parcours"
     ),
     "CW-E022.seldom": (
         "{pattern:choose|traverses=Quelques parcours s'écartent des autres|runs=Quelques"
         " allers-retours s'écartent en bloc des autres|walk=Le zéro saute de temps en temps et"
-        " reste là,} de {size} (un écart-type ; {odds}){where:if|, {where:and}} : regarder la mise"
-        " en température, le bridage, les prises de référence et la fixation de l'instrument entre"
-        " les parcours. La prévision tire de nouveau de tels décalages, aussi rarement"
+        " reste là,} de {size} (écart-type ; {odds}){where:if|, {where:and}}. Vérifier la mise en"
+        " température, le bridage, les prises de référence et la fixation de l'instrument entre"
+        " les parcours. La prévision suppose des décalages de cette taille dans le prochain"
+        " essai, aussi rares"
     ),
     "CW-E023": (
         "L'échelle change d'un parcours à l'autre : les extrémités de la course bougent de {tilt}"
-        " par rapport à son milieu (un écart-type ; {odds}) : regarder la compensation d'air et de"
-        " température de l'instrument et les courants d'air"
+        " par rapport à son milieu (écart-type ; {odds}). Vérifier comment l'instrument compense"
+        " l'air et la température, et chercher des courants d'air"
     ),
     "CW-E024": (
-        "{outliers} des {readings} {outliers:plural|mesures est aberrante|mesures sont aberrantes}"
-        " : {where}{more:if| et {more} autres} ({odds}). Elles comptent peu dans l'estimation, et"
-        " un essai répété devrait en avoir autant : {cause}, puis mesurer de nouveau"
+        "{outliers} des {readings} {outliers:plural|mesures est aberrante|mesures sont"
+        " aberrantes} : {where}{more:if| et {more} autres} ({odds}). Les mesures aberrantes"
+        " comptent peu dans l'estimation, et la prévision en attend autant dans un essai répété."
+        " Ensuite : {cause}, puis mesurer de nouveau"
     ),
     "CW-E024.reading": "chercher leur cause (faisceau, copeaux, bridage)",
-    "CW-E024.target": "toutes à {target}, y regarder vis, guidages et protections",
-    "CW-E024.traverse": "toutes dans {traverse}, chercher ce qui s'est passé dans ce parcours",
+    "CW-E024.target": "toutes sont à {target}, y regarder vis, guidages et protections",
+    "CW-E024.traverse": "toutes sont dans {traverse}, chercher ce qui s'est passé dans ce parcours",
     "CW-E025": (
-        "Quelques mesures sont plus loin que la dispersion normale ne l'explique ({odds}) : les"
-        " mesures lointaines comptent moins dans l'estimation, et un essai répété devrait en avoir"
+        "Quelques mesures sont plus loin de la moyenne que la dispersion normale ne l'explique"
+        " ({odds}). De telles mesures comptent moins dans l'estimation, et la prévision en attend"
+        " aussi dans un essai répété"
     ),
     "CW-E026": (
         "Les mesures se dispersent de {positive} en + et de {negative} en − ({odds}) : chercher ce"
         " qui bouge librement dans un seul sens"
     ),
     "CW-E027": (
-        "La dispersion des mesures dépend de la position : la plus petite, {least}, à {least_at} et"
-        " la plus grande, {most}, à {most_at} ({odds}) : regarder vis, guidages et protections là"
-        " où elle est la plus grande"
+        "La dispersion des mesures dépend de la position ({odds}). Elle est la plus petite,"
+        " {least}, à {least_at} et la plus grande, {most}, à {most_at}. Regarder vis, guidages et"
+        " protections là où elle est la plus grande"
     ),
     "CW-E028": (
-        "L'essai {test} a une autre pente que l'essai {other} : {difference:+.1f} ± {error:.1f}"
-        " µm/m, autant que {kelvin:2sig} K d'acier. Elle compte comme température ou montage d'un"
-        " des essais, pas comme erreur de l'axe ; ils ne montrent pas laquelle est juste : donner"
-        " les températures des essais (thermal), ou mesurer de nouveau à température égale"
+        "L'essai {test} a une autre pente que l'essai {other} : la différence est de"
+        " {difference:+.1f} ± {error:.1f} µm/m, autant que {kelvin:2sig} K d'acier. Elle est"
+        " prise comme température ou montage d'un des essais, pas comme erreur de l'axe. Les"
+        " essais ne montrent pas quelle pente est juste : donner leurs températures (thermal), ou"
+        " mesurer de nouveau à température égale"
     ),
     "CW-E029": (
-        "Résolution supposée de l'instrument : {step} ({repeated:if|chaque point visé répète une"
-        " mesure, et |}toutes les mesures tombent sur ce pas). L'erreur vraie peut différer de"
-        " chaque moyenne d'un demi-pas. Si l'instrument résout mieux, exporter ses mesures avec"
-        " tous les chiffres et évaluer de nouveau"
+        "L'instrument semble avoir une résolution de {step} : {repeated:if|chaque point visé"
+        " répète une mesure, et |}toutes les mesures sont des multiples de ce pas. L'erreur vraie"
+        " peut différer de chaque moyenne d'un demi-pas. Si l'instrument résout mieux, exporter"
+        " ses mesures avec tous les chiffres et évaluer de nouveau"
     ),
     "CW-E030.jump": (
         "L'erreur saute de {size} ± {error} entre {low:.10g} et {high:.10g} {unit} (cote"
-        " {sure:if|supérieure à 1000|de {odds:2sig}} contre 1) : y regarder la règle (dommage,"
-        " saleté, joint), sa tête de lecture et le nombre de traits du codeur. Entre ces points"
-        " visés, la place du saut est inconnue : y mesurer à des points visés espacés de quelques"
-        " mm avant de charger une table"
+        " {sure:if|supérieure à 1000|de {odds:2sig}} contre 1). Y regarder la règle (dommage,"
+        " saleté, joint) et sa tête de lecture, et vérifier le nombre de traits du codeur. Où"
+        " exactement l'erreur saute est inconnu : mesurer entre ces points visés tous les"
+        " quelques mm avant de charger une table"
     ),
     "CW-E030.jump_or_target": (
-        "L'erreur saute de {size} ± {error} entre {low:.10g} et {high:.10g} {unit}, ou seul le"
-        " point visé à {target:.10g} {unit} s'écarte d'autant : y regarder la règle (dommage,"
-        " saleté, joint), sa tête de lecture et le nombre de traits du codeur. Entre ces points"
-        " visés, la place du saut est inconnue : y mesurer à des points visés espacés de quelques"
-        " mm avant de charger une table"
+        "Soit l'erreur saute de {size} ± {error} entre {low:.10g} et {high:.10g} {unit}, soit"
+        " seul le point visé à {target:.10g} {unit} s'écarte d'autant. Y regarder la règle"
+        " (dommage, saleté, joint) et sa tête de lecture, et vérifier le nombre de traits du"
+        " codeur. Où exactement l'erreur saute est inconnu : mesurer entre ces points visés tous"
+        " les quelques mm avant de charger une table"
     ),
     "CW-E031": (
-        "Le bruit est estimé d'après {used} des {runs} parcours, régulièrement répartis dans"
-        " l'essai ; les moyennes utilisent tous les parcours"
+        "Pour gagner du temps, le bruit est estimé d'après {used} des {runs} parcours,"
+        " régulièrement répartis dans l'essai. Les moyennes utilisent tous les parcours"
     ),
     "period.cause": (
         "{cause:choose|lead=un pas de vis de {number:g} mm|inch_lead=un pas de vis de {number:g}"
@@ -235,12 +243,12 @@ SENTENCES: Final[dict[str, str]] = {
         " commande}"
     ),
     "period.unusual_division": (
-        "division inhabituelle ({parts:.4g} par tour) : regarder le tour de la vis sans fin ou du"
-        " moteur par son réducteur, et le pas de la règle"
+        "aucune pièce usuelle ne divise un tour en {parts:.4g}. Regarder un tour de la vis sans"
+        " fin, un tour du moteur par son réducteur, et le pas de la règle"
     ),
     "period.unusual_lead": (
-        "pas inhabituel : regarder le tour du moteur par courroie ou réducteur, sa moitié, le pas"
-        " de la règle ou de la crémaillère, une paire d'aimants"
+        "aucune vis usuelle n'a ce pas. Regarder un tour du moteur par courroie ou réducteur, sa"
+        " moitié, le pas de la règle ou de la crémaillère, et une paire d'aimants"
     ),
     "period.usual": (
         "{once:if|chercher ce qui tourne ou se répète une fois en {period:.5g} {unit} :"

@@ -10,10 +10,10 @@ SENTENCES: Final[dict[str, str]] = {
         "{finding} La compensation de jeu dans les fichiers de la commande est plus grande que le"
         " jeu à l'inversion."
     ),
-    "better_targets": "points visés qui la montreraient : {targets:g} {unit}",
+    "better_targets": "points visés qui montreraient cette erreur : {targets:g} {unit}",
     "between.deviation": "l'écart mesuré de {output} sur {input} ({slope:+.1f} µm/m)",
     "between.squareness": "perpendicularité de {output} à {input} ({slope:+.1f} µm/m)",
-    "compared_not_removed": "{parameters:join|; }. Non retirées.",
+    "compared_not_removed": "{parameters:join|; }. Rien n'a été retiré du résultat.",
     "direct_squareness": (
         "{input} et {output} : perpendicularité {squareness:+.1f} µm/m d'après la mesure directe"
     ),
@@ -79,5 +79,5 @@ SENTENCES: Final[dict[str, str]] = {
         " dans les deux sens, et les donner tous"
     ),
     "value_with_error": "{value:+.1f} ± {error:.1f} {unit}",
-    "with_and_without": "{parameter} {value} avec, {without} sans",
+    "with_and_without": "{parameter} : {value} avec, {without} sans",
 }

@@ -10,10 +10,10 @@ SENTENCES: Final[dict[str, str]] = {
         "{finding} Die Losekompensation in den Dateien der Steuerung ist größer als das"
         " Umkehrspiel."
     ),
-    "better_targets": "Zielpositionen, die sie zeigen würden: {targets:g} {unit}",
+    "better_targets": "Zielpositionen, die diesen Fehler zeigen würden: {targets:g} {unit}",
     "between.deviation": "die gemessene Abweichung von {output} über {input} ({slope:+.1f} µm/m)",
     "between.squareness": "Rechtwinkligkeit von {output} zu {input} ({slope:+.1f} µm/m)",
-    "compared_not_removed": "{parameters:join|; }. Nicht entfernt.",
+    "compared_not_removed": "{parameters:join|; }. Aus dem Ergebnis wurde nichts entfernt.",
     "direct_squareness": (
         "{input} und {output}: Rechtwinkligkeit {squareness:+.1f} µm/m nach der direkten Messung"
     ),
@@ -80,5 +80,5 @@ SENTENCES: Final[dict[str, str]] = {
         " Richtungen messen und alle angeben"
     ),
     "value_with_error": "{value:+.1f} ± {error:.1f} {unit}",
-    "with_and_without": "{parameter} {value} mit, {without} ohne",
+    "with_and_without": "{parameter} ist {value} mit, {without} ohne",
 }

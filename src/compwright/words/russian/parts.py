@@ -9,10 +9,10 @@ SENTENCES: Final[dict[str, str]] = {
     "backlash_compensation_larger": (
         "{finding} Компенсация люфта в файлах УЧПУ больше мёртвого хода."
     ),
-    "better_targets": "заданные позиции, которые показали бы её: {targets:g} {unit}",
+    "better_targets": "заданные позиции, которые показали бы эту погрешность: {targets:g} {unit}",
     "between.deviation": "измеренное отклонение {output} по {input} ({slope:+.1f} мкм/м)",
     "between.squareness": "перпендикулярность {output} к {input} ({slope:+.1f} мкм/м)",
-    "compared_not_removed": "{parameters:join|; }. Не исключено.",
+    "compared_not_removed": "{parameters:join|; }. Из результата ничего не исключено.",
     "direct_squareness": (
         "{input} и {output}: перпендикулярность {squareness:+.1f} мкм/м по прямому измерению"
     ),
