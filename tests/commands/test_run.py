@@ -290,7 +290,7 @@ def test_a_table_that_would_make_the_axis_worse_is_not_written(
     path = str(job(folder))
     assert compwright(["run", path]) == 1
     assert (
-        "axis X: no table is written: the measured test re-evaluated with the table gives A"
+        "axis X: no table is written: the readings of the first test, evaluated again with the"
         in capsys.readouterr().err
     )
     assert not (folder / "job" / "tables").exists()
@@ -966,7 +966,7 @@ def test_a_guarded_decision_that_lacks_its_uncertainty_says_what_to_give(
     )
     assert compwright(["run", str(tmp_path / "job.yaml")]) == 1
     said = " ".join(capsys.readouterr().out.split())
-    assert f"CW-P132 Axis C: no uncertainty U of {'A' if rotary else 'P'} is known" in said
+    assert f"needs the uncertainty U of {'A' if rotary else 'P'}, which is unknown" in said
     assert told in said
     assert told in (tmp_path / "job" / "report.html").read_text(encoding="utf-8")
     arguments = ["verify", str(tmp_path / "job.yaml"), "--after", f"c={tmp_path / 'c.csv'}"]

@@ -989,7 +989,7 @@ def test_a_low_feed_and_two_feeds_tell_the_scale_apart_from_the_lag(
     write_circle(tmp_path / "xy.csv", machine.circle(3, shrink=3e-3))
     write_circle(tmp_path / "slow.csv", machine.circle(4, feed=250.0, shrink=3e-3))
     write_circle(tmp_path / "half.csv", machine.circle(5, feed=500.0, shrink=3e-3))
-    for other, source in (("slow", "at a low feed"), ("half", "extrapolated to no feed")):
+    for other, source in (("slow", "at a low feed"), ("half", "extrapolated to feed zero")):
         table = scale_of(tmp_path, f"{{file: {other}.csv, centre: [400, -250]}}, ")
         assert source in codes(capsys)
         assert table == pytest.approx(

@@ -143,7 +143,7 @@ def test_an_interval_below_the_rule_for_its_feed_stays_and_is_told(tmp_path: Pat
     bench = Bench(tmp_path, {(1420, "1"): "400000.0"})
     assert bench.run("X") == 0
     assert grid(bench.written()[0], "X") == grid(bench.parameters, "X")
-    assert "table.spacing: auto chooses" in findings(bench, "X")["CW-F011"]
+    assert "set table.spacing: auto" in findings(bench, "X")["CW-F011"]
 
 
 @pytest.mark.full_estimate
@@ -190,7 +190,7 @@ def test_a_grid_over_a_part_of_the_travel_stays_and_says_what_it_costs(tmp_path:
     assert bench.run("X") == 0
     assert grid(bench.written()[0], "X") == grid(bench.parameters, "X")
     told = findings(bench, "X")
-    assert "leaves 360 mm of the travel uncovered" in told["CW-F001"]
+    assert "does not cover 360 mm of the travel" in told["CW-F001"]
     assert "CW-P141" in told
 
 

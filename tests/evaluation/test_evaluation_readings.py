@@ -267,7 +267,7 @@ def test_a_traverse_of_zeros_is_told_once() -> None:
         for finding in reading_findings(replace(test, positive=zeros), no_comparison)
         if finding.code == "CW-T011"
     ]
-    assert [finding.message[:23] for finding in findings] == ["Traverse 2 in + is exac"]
+    assert [finding.message[:21] for finding in findings] == ["Run 2 in direction + "]
     assert not [f for f in reading_findings(test, no_comparison) if f.code == "CW-T011"]
 
 
@@ -293,7 +293,7 @@ def test_run_numbers_of_the_file_are_used() -> None:
         for finding in reading_findings(replace(test, positive=zeros), no_comparison)
         if finding.code == "CW-T011"
     ]
-    assert findings[0].startswith("Traverse 7 in +")
+    assert findings[0].startswith("Run 7 in direction + ")
 
 
 def test_rotary_findings_speak_of_arcsec() -> None:

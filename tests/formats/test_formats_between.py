@@ -247,8 +247,8 @@ def test_every_control_answers(format_id: str) -> None:
             ask(family(format_id))
         return
     ((severity, said),) = remarks(ask(family(format_id)))
-    assert said.startswith("squareness of Y over X (+40.0 µm/m) is ")
-    assert severity == ("warning" if "is in no file" in said else "error")
+    assert "squareness of Y over X (+40.0 µm/m)" in said
+    assert severity == ("error" if "is not corrected" in said else "warning")
 
 
 def test_every_correction_is_said() -> None:

@@ -171,7 +171,7 @@ def test_lost_motion_from_the_circle_leaves_the_zero_state_alone(way: str) -> No
     kept = "mean_negative" if way == "-" else "mean_positive"
     np.testing.assert_array_equal(getattr(new, kept), getattr(old, kept))
     assert [finding.code for finding in findings] == ["CW-P117"]
-    assert "+3.0 ± 1.0 µm against the laser's" in findings[0].message
+    assert "from the laser's value by +3.0 ± 1.0 µm" in findings[0].message
 
 
 def test_circles_are_weighted_by_their_uncertainty() -> None:
@@ -213,4 +213,4 @@ def test_an_axis_without_a_test_has_no_table_to_put_lost_motion_into() -> None:
     circle = circle_of({"backlash_first": (8.0, 0.5), "backlash_second": (3.0, 0.5)})
     _, findings = checks.with_circle_backlash([circle])
     assert [finding.code for finding in findings] == ["CW-P130", "CW-P117"]
-    assert findings[0].message.startswith("Y: its lost motion by the circles is not corrected")
+    assert findings[0].message.startswith("Y: the lost motion by circles is not corrected")

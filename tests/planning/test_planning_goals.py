@@ -115,7 +115,7 @@ def test_a_goal_that_gains_is_told_with_both_numbers() -> None:
 
 def test_a_goal_that_gains_nothing_says_so() -> None:
     (message,) = parameters(fitted("A", 25.0))
-    if "is the one of least A too" not in message:  # or it is nearly the same
+    if "also gives the least A" not in message:  # or it is nearly the same
         values = [part.strip("(),") for part in message.split("A ")[-1].split()[:2]]
         assert float(values[0]) == pytest.approx(float(values[1]), rel=0.01)
 
@@ -218,5 +218,5 @@ def test_a_table_that_fresh_tests_do_not_bear_out_is_not_taken(
     assert work.planned.wanted is not None
     assert work.planned.wanted.scenarios is None
     (message,) = parameters(work)
-    assert "the table of least expected square is taken" in message
-    assert "in brackets with the one made for E" in message
+    assert "the table with the least expected squared error is used" in message
+    assert "in brackets with the table made for E" in message

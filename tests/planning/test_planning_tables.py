@@ -43,8 +43,11 @@ def test_a_correction_beyond_its_increments_gets_a_new_grid_and_the_reason() -> 
     assert table.compensation.positions.size > 3
     first = table.findings[0]
     assert (first.code, first.severity) == ("CW-P140", "warning")
-    assert first.message.startswith(f"Axis {AXIS.name}: a new grid is chosen, ")
-    assert "in place of the existing one, 3 points from 0 to 500 mm, every 250 mm" in first.message
+    assert first.message.startswith(f"Axis {AXIS.name}: the new table gets new points, ")
+    assert (
+        "of the existing table, 3 points from 0 to 500 mm, every 250 mm, cannot be kept"
+        in first.message
+    )
     assert "larger than the control can store (largest increment)" in first.message
 
 

@@ -74,5 +74,5 @@ SENTENCES: Final[dict[str, str]] = {
         " and give all of them"
     ),
     "value_with_error": "{value:+.1f} ± {error:.1f} {unit}",
-    "with_and_without": "{parameter} is {value} with, {without} without",
+    "with_and_without": "{parameter} {value} with, {without} without",
 }

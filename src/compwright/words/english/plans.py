@@ -7,161 +7,179 @@ from typing import Final
 SENTENCES: Final[dict[str, str]] = {
     "CW-P001": "No table is written for axis {axis}: {why}.",
     "CW-P001.measured": (
-        "the measured test re-evaluated with the table gives {parameter} {with_table}, without it"
-        " {without}"
+        "the readings of the first test, evaluated again with the table, give {parameter}"
+        " {with_table}; without the table they give {without}"
     ),
     "CW-P001.new_targets": (
-        "at new targets {parameter} is expected to be {with_table} with the table, {without}"
-        " without it"
+        "in a test at new targets, {parameter} is expected to be {with_table} with the table and"
+        " {without} without it"
     ),
     "CW-P001.not_seen": (
-        "at new targets {parameter} is expected to be {with_table} with a further table, {without}"
-        " without it, and differs by {spread} from one test to the next: the gain is within the"
-        " uncertainty"
+        "in a test at new targets, {parameter} is expected to be {with_table} with a further"
+        " table and {without} without it. It differs by {spread} from one test to the next, so"
+        " the gain is within the uncertainty"
     ),
     "CW-P001.old_table": (
-        "the tests {off} and {on} contradict what the files say ({percent:.1f} % sure): the table"
-        " of state {state} {did:choose|not_active=was not active|inverted=was active with the"
-        " opposite sign|scaled=was active with factor {factor:2sig}|shifted=was active, shifted by"
-        " {shift:+d} points|mirrored=was active, mirrored over the travel|wrong_axis=was not the"
-        " active one: that of another axis was|one_direction=was active in one direction"
-        " only|backlash=was active with a different backlash|partial=was active over a part of the"
-        " travel only|measurement=and the readings do not go together: one of the tests was"
-        " measured wrongly|undecided=did something else ({likely:join|, or })}"
-        "{detail:if| ({detail})} in {on}"
-        "{off_too:if|, or it was active in {off} as well: both show the same axis (was it off for"
-        " {off}?)}{exchanged:if|, or the two tests are exchanged}. A total of old and new would be"
-        " wrong by as much{look_at:if|. Look at: {look_at:join|. }}"
+        "the tests {off} and {on} contradict the control's files ({percent:.1f} % sure). In {on}"
+        " the existing table of state {state} {did:choose|not_active=was not active|inverted=was"
+        " active with the opposite sign|scaled=was active with factor {factor:2sig}|shifted=was"
+        " active, shifted by {shift:+d} points|mirrored=was active, mirrored over the"
+        " travel|wrong_axis=was not active; the table of another axis was|one_direction=was"
+        " active in one direction only|backlash=was active with a different backlash|partial=was"
+        " active over a part of the travel only|measurement=does not fit the readings: one of the"
+        " tests was measured wrongly|undecided=did something else ({likely:join|, or"
+        " })}{detail:if| ({detail})}.{off_too:if| Or it was active in {off} too, because both"
+        " tests show the same axis: was it off for {off}?}{exchanged:if| Or the two tests are"
+        " exchanged.} The new table would be wrong by as much{look_at:if|. Look at:"
+        " {look_at:join|. }}"
     ),
     "CW-P101": (
-        "Circle {circle}: its place in the machine is not given; the middle of the travel is"
-        " assumed ({centre}). Give its centre: the effect of the tables depends on it."
+        "Circle {circle}: the job does not give its centre in the machine, so the middle of the"
+        " travel is assumed ({centre}). Give the centre, because the effect of the tables depends"
+        " on it."
     ),
     "CW-P101.axis": "{axis} {position:g}",
     "CW-P102": (
-        "Circle {circle}: a whole circle about its centre reaches from {low:g} to {high:g} on"
-        " {axis}, beyond the travel."
+        "Circle {circle}: a full circle about its centre reaches from {low:g} to {high:g} on axis"
+        " {axis}, which is beyond the travel. Check centre and radius."
     ),
     "CW-P103": (
-        "{input} on {output}: nodes at equal steps miss the measured points by up to"
-        " {missed:2sig} µm."
+        "The table that corrects {output} over {input} has points at equal steps. At the measured"
+        " points it differs from the wanted correction by up to {missed:2sig} µm."
     ),
     "CW-P104": (
-        "{measured}, {circle} by {tests}; they contradict each other. The direct measurement is"
-        " corrected. Check its sign, and repeat the one that is wrong."
+        "{measured}, but {circle} by {tests}. The two contradict each other. The direct"
+        " measurement is corrected: check its sign, and repeat the measurement that is wrong."
     ),
-    "CW-P105": "{measured}, which {tests} confirms ({circle}).",
+    "CW-P105": "{measured}. {tests} confirms it ({circle}).",
     "CW-P106.no_circle": (
         "apply.squareness.{plane} is not corrected: the job has no circle of this plane."
         " Measure one in both directions."
     ),
-    "CW-P106.uncertain": "apply.squareness.{plane} is not corrected: squareness {why}.",
+    "CW-P106.uncertain": "apply.squareness.{plane} is not corrected: the squareness {why}.",
     "CW-P106.undetermined": (
-        "apply.squareness.{plane} is not corrected: its squareness is not determined."
-        " {reasons:join|; }."
+        "apply.squareness.{plane} is not corrected, because the circles do not determine the"
+        " squareness. {reasons:join|; }."
     ),
-    "CW-P107": "{plane}: squareness {angle_words}: nothing to correct.",
+    "CW-P107": "Plane {plane}: the squareness is {angle_words}. There is nothing to correct.",
     "CW-P108": (
-        "{plane}: squareness {squareness} by {tests}; nothing asks for its correction (apply)."
+        "Plane {plane}: the squareness is {squareness} by {tests}. It is not corrected, because"
+        " the job does not ask for it: add apply.squareness.{plane} with the axis to be"
+        " corrected."
     ),
-    "CW-P109": "{plane}: squareness {squareness} by {tests}; {output} is to follow {input}.",
+    "CW-P109": (
+        "{plane}: the squareness is {squareness} by {tests}. To correct it, axis {output} is"
+        " moved as a function of axis {input}."
+    ),
     "CW-P110": (
-        "{plane}: its circles contradict each other about the squareness (µm/m: {values}). Repeat"
-        " the circle that deviates."
+        "Plane {plane}: the circles contradict each other about the squareness (µm/m: {values})."
+        " Repeat the circle that deviates."
     ),
     "CW-P110.circle": "{circle} {squareness:+.1f}",
     "CW-P111": (
-        "{pair}: corrected over {travel:g} mm of {axis}, the {what} is {length:g} mm: an"
-        " extrapolation."
+        "{pair}: the correction reaches over {travel:g} mm of axis {axis}, but the {what} of the"
+        " measurement is only {length:g} mm. Beyond the measured part it is extrapolated: check"
+        " it there."
     ),
     "CW-P112": (
-        "{axis} is a gantry axis: moving it by micrometres while another axis travels risks"
-        " stick-slip; its squareness belongs into the reference offset of the synchronised"
-        " axis first."
+        "{axis} is a gantry axis. Moving it by micrometres while another axis travels can cause"
+        " stick-slip. Correct its squareness first by the reference offset of the synchronised"
+        " axis."
     ),
     "CW-P113.column": (
-        "{what} is in {where} (values are {values:choose|correction=corrections|error=errors})."
+        "{what} is corrected in {where} (the values there are"
+        " {values:choose|correction=corrections|error=errors})."
     ),
     "CW-P113.not_held": (
-        "{what} is not corrected: this control, as the job describes it, cannot hold it; {why}."
+        "{what} is not corrected, because this control, as the job describes it, cannot hold the"
+        " correction: {why}."
     ),
     "CW-P113.sheet": (
-        "{what} is in no file: its parameters are in {sheet} next to the card, all unconfirmed."
+        "{what} is corrected by parameters that no file contains. They are in {sheet} next to the"
+        " card: type them in. All of them are unconfirmed."
     ),
-    "CW-P113.straightness": "{what} is in the files as straightness compensation: {values}.",
+    "CW-P113.straightness": (
+        "{what} is corrected in the files by straightness compensation: {values}."
+    ),
     "CW-P113.typed": (
-        "{what} is in no file ({why}): type it into {where}, {rows} (values are"
-        " {values:choose|correction=corrections|error=errors}), as the card and its sheet"
-        " say; the sign is unconfirmed."
+        "No file contains the correction of {what} ({why}). Type it into {where}, {rows}, as the"
+        " card and its sheet describe. The values are"
+        " {values:choose|correction=corrections|error=errors}; their sign is unconfirmed."
     ),
     "CW-P114": (
-        "{axis}: lost motion {laser} by the laser, {circle} by {test} (moving): they"
-        " disagree; that of the {counts:choose|circle=circle|laser=laser} counts."
+        "{axis}: laser and circle disagree about the lost motion. It is {laser} by the laser, and"
+        " {circle} by {test}, measured in motion. The value of the"
+        " {counts:choose|circle=circle|laser=laser} is used."
     ),
     "CW-P115": (
-        "{axis}: scale {laser} by the laser, {circle} by {test}: they disagree; the laser counts."
+        "{axis}: laser and circle disagree about the scale. It is {laser} by the laser and"
+        " {circle} by {test}. The value of the laser is used."
     ),
     "CW-P116": (
-        "Scale of {pair}: {laser} by the laser, {circle} by {test}: they disagree; the laser"
-        " counts."
+        "Scale of {pair}: laser and circle disagree. It is {laser} by the laser and {circle} by"
+        " {test}. The value of the laser is used."
     ),
-    "CW-P117": "{axis}: its lost motion is taken from the circles: {shift} against the laser's.",
-    "CW-P118": "{axis}: its scale is that of its positioning test; circles only check it.",
-    "CW-P119.impossible": "{scale}; not corrected: {reasons:join|; }.",
-    "CW-P119.negligible": "{scale}; nothing to correct.",
+    "CW-P117": (
+        "{axis}: the lost motion is taken from the circles. It differs from the laser's value by"
+        " {shift}."
+    ),
+    "CW-P118": (
+        "{axis}: the scale comes from the positioning test of this axis. The circles only check it."
+    ),
+    "CW-P119.impossible": "{scale}. It is not corrected: {reasons:join|; }.",
+    "CW-P119.negligible": "{scale}. There is nothing to correct.",
     "CW-P119.not_taken": (
-        "{axis}: its scale is not taken from a circle: {reasons:if|{reasons:join|; }|no"
-        " circle lies on it}."
+        "{axis}: no circle gives the scale of this axis: {reasons:if|{reasons:join|; }|none was"
+        " measured with it}."
     ),
     "CW-P119.undetermined": (
-        "{axis}: its scale is not corrected: {why}. It comes from {tests:join|; }. Or measure the"
+        "{axis}: the scale, taken from {tests:join|; }, is not corrected: {why}. Or measure the"
         " axis with a laser, or repeat the circle at a low feed."
     ),
     "CW-P119.lag": (
-        "the lag of the axes may shrink {circle} by {lag:.0f} µm/m at its feed (a low feed, two"
-        " feeds, or a positioning test of its other axis would decide it)"
+        "at the feed of {circle} the lag of the axes may make the circle smaller by {lag:.0f}"
+        " µm/m (measure at a low feed, at two feeds, or the other axis with a laser)"
     ),
     "CW-P119.low_feed": "{circle} at a low feed",
-    "CW-P119.mismatch": "the mismatch of {circle} and the laser on {axis}",
+    "CW-P119.mismatch": "the scale mismatch of {circle} and the laser on {axis}",
     "CW-P119.not_calibrated": (
         "the bar of {circle} was not calibrated, and its other axis has no positioning test"
     ),
-    "CW-P119.two_feeds": "{slow} and {fast} extrapolated to no feed",
+    "CW-P119.two_feeds": "{slow} and {fast}, extrapolated to feed zero",
     "CW-P120": (
-        "{scale}; its table corrects it. The temperature of bar and scale at the test is in"
-        " it: 1 K is 11 µm/m of steel."
+        "{scale}. The table corrects it. This scale includes the temperature of bar and scale"
+        " during the test: 1 K changes steel by 11 µm/m."
     ),
     "CW-P130.no_circle": (
-        "{axis}: no circle lies on it; its lost motion stays that of the laser, although the"
-        " job asks for the circles'."
+        "{axis}: the job asks for the lost motion by circles, but no circle was measured with"
+        " this axis. The value of the laser is used."
     ),
     "CW-P130.no_test": (
-        "{axis}: its lost motion by the circles is not corrected: it has no positioning test,"
-        " and so no table to put it into."
+        "{axis}: the lost motion by circles is not corrected. The axis has no positioning test,"
+        " so no table is made that could hold it."
     ),
     "CW-P130.none": (
-        "apply.backlash_from: the lost motion of no axis is taken from circles: no circle of"
-        " the job shows it."
+        "apply.backlash_from has no effect: no circle of the job shows the lost motion of an axis."
     ),
     "CW-P130.unknown": (
-        "{axis}: its lost motion is not taken from the circles, as the job asks: they do not"
-        " show it, or its positioning test has one direction only."
+        "{axis}: the job asks for the lost motion by circles, but it is not used. Either the"
+        " circles do not show it, or the positioning test has one direction only."
     ),
     "CW-P131": (
-        "Circle {circle}: {parameter} is predicted to grow from {was:.1f} to {median:.1f} µm"
-        " ({p05:.1f} to {p95:.1f}) with these tables. Positioning and circle contradict each"
-        " other, or one axis of the plane is corrected and the other not. Undecided: find out"
-        " why before you load anything."
+        "Circle {circle}: with these tables {parameter} is predicted to grow from {was:.1f} to"
+        " {median:.1f} µm ({p05:.1f} to {p95:.1f}). Either positioning test and circle contradict"
+        " each other, or only one axis of the plane is corrected. The limits of the circle stay"
+        " undecided: find out why before you load anything."
     ),
     "CW-P132": (
-        "{what}: no uncertainty U of {lacking} is known, and the decision is guarded:"
-        " undecided; {give}."
+        "{what}: a guarded decision needs the uncertainty U of {lacking}, which is unknown. The"
+        " decision stays undecided: {give}."
     ),
     "CW-P133": (
-        "Axis {axis}: the limit is predicted to be kept at the same targets, not at new ones:"
-        " 5 % of tests there show more than {parameters}. Undecided.{reasons:if| The error"
-        " may repeat {reasons:join|, or }.} Measure at {better}.{known:if|| Give the lead of"
-        " the screw, where it is known (screw_pitch).}"
+        "Axis {axis}: the limit is predicted to be kept at the same targets, but not at new"
+        " targets. There, 5 % of the tests show more than {parameters}, so the limit stays"
+        " undecided.{reasons:if| The error may repeat {reasons:join|, or }.} Measure at"
+        " {better}.{known:if|| Give the lead of the screw, if it is known (screw_pitch).}"
     ),
     "CW-P133.open": (
         "with a period that these targets cannot show ({probability:.0%}; most likely"
@@ -170,103 +188,110 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-P133.parameter": "{parameter} {value} (limit {limit:g})",
     "CW-P133.period": "every {period:.5g} {unit} ({probability:.0%})",
     "CW-P134": (
-        "Circle {causes}, so the predicted band is too narrow to decide its limits: undecided."
-        " Measure a full circle in both directions, or decide by the test after loading."
+        "Circle {causes}. The predicted band is therefore too narrow to decide the limits of the"
+        " circle, and they stay undecided. Measure a full circle in both directions, or decide by"
+        " the test after loading."
     ),
-    "CW-P135": "Circles {circles} as one machine: {machine:if|{machine}|nothing that they show}.",
+    "CW-P135": (
+        "Circles {circles}, evaluated together, show: {machine:if|{machine}|no error of the"
+        " machine}."
+    ),
     "CW-P135.error": (
         "{kind:choose|squareness=squareness|scale=scale|lost motion=lost motion} of {of} {value}"
     ),
-    "CW-P135.position_loop": "position loop of {axis} {value}",
+    "CW-P135.position_loop": "time constant of the position loop of {axis} {value}",
     "CW-P136": (
         "{kind:choose|squareness=Squareness|scale=Scale|lost motion=Lost motion|servo"
-        " mismatch=Servo mismatch}: the circles contradict each other: {values}. The machine"
-        " changed between them, or its errors depend on place, feed or temperature. Repeat"
-        " the circle that deviates."
+        " mismatch=Servo mismatch}: the circles contradict each other ({values}). Either the"
+        " machine changed between the tests, or its errors depend on place, feed or temperature."
+        " Repeat the circle that deviates."
     ),
     "CW-P136.circle": "{circle} {axes} {value}",
     "CW-P140": (
-        "Axis {axis}: a new grid is chosen, {grid}, in place of the existing one, {existing}: {why}"
+        "Axis {axis}: the new table gets new points, {grid}. The points of the existing table,"
+        " {existing}, cannot be kept: {why}"
     ),
     "CW-P141": (
-        "Axis {axis}: the existing grid {stays:if|stays|does not serve}, {existing},"
-        " predicted {parameter} {same} ({new} at new targets); a new one, {grid}, would give"
-        " {parameter} {better} ({better_new}): spacing: auto in the table of the axis takes"
-        " it; what depends on the old one moves along, or is named where it cannot"
+        "Axis {axis}: the points of the existing table {stays:if|are kept|do not serve},"
+        " {existing}: predicted {parameter} {same} ({new} at new targets). New points, {grid},"
+        " would give {parameter} {better} ({better_new}). To use them, set `spacing: auto` in the"
+        " table of the axis. Settings that depend on the old points are moved too, or named where"
+        " this is impossible"
     ),
     "CW-P142.line": (
-        "The slope of {slope} goes into a separate straight line. At the table points {left} rms"
-        " are left without this line, and {with_line} with it"
+        "The slope of {slope} goes into the control's separate straight line. At the table points"
+        " an error of {left} rms would be left without this line, and {with_line} with it"
     ),
     "CW-P142.table": (
-        "The slope of {slope} stays in the table. At the table points {left} rms are left without"
-        " a separate straight line, and {with_line} with it"
+        "The slope of {slope} stays in the table. At the table points an error of {left} rms is"
+        " left without a separate straight line, and {with_line} would be left with it"
     ),
-    "CW-P143.none": "No table of its own for {period}",
+    "CW-P143.none": "No second table is written for {period}",
     "CW-P143.period": (
-        "the period of {period:g} {unit}, too short for sections of {sections:g}: without a"
-        " table of its own {left} rms are left, {with_it} with it"
+        "the period of {period:g} {unit}, which is too short for sections of {sections:g} {unit}."
+        " Without a second table an error of {left} rms is left, with it {with_it}"
     ),
-    "CW-P143.second": "A second table for {period}",
+    "CW-P143.second": "A second table is written for {period}",
     "CW-P144": (
-        "Axis {axis}: the points are typed by hand, so few are taken: {few}, {mine}. The"
-        " other choice is {many}, {other}: start: {start:.10g}, end: {end:.10g}, spacing:"
-        " {spacing:.10g} in the table of the axis takes it"
+        "Axis {axis}: the points have to be typed by hand, so the table has few of them: {few},"
+        " {mine}. The other choice is {many}, {other}. To use it, set start: {start:.10g}, end:"
+        " {end:.10g}, spacing: {spacing:.10g} in the table of the axis"
     ),
     "CW-P150": (
-        "Axis {axis}: a table will not help here. {parameter} is {now} at new"
-        " targets{with_table:if| ({with_table} with it)}; the largest cause is {cause}"
-        " ({value:.2f} {unit}, {share:.0%}): {advice}"
+        "Axis {axis}: a table will not help here. {parameter} at new targets is"
+        " {now}{with_table:if| without a table and {with_table} with one}. The largest cause is"
+        " {cause} ({value:.2f} {unit}, {share:.0%}): {advice}"
     ),
     "CW-P151.cause": (
-        "Axis {axis}: of {parameter} {now} at new targets the table takes away {taken:.0%};"
-        " most of what is left is {cause} ({value:.2f} of {left}): {advice}"
+        "Axis {axis}: {parameter} at new targets is {now} now, and the table reduces it by"
+        " {taken:.0%}. Most of the rest is {cause} ({value:.2f} of {left}): {advice}"
     ),
     "CW-P151.scatter": (
-        "Axis {axis}: of {parameter} {now} at new targets the table takes away {taken:.0%};"
-        " {scatter:.0%} is scatter, which no table takes away"
+        "Axis {axis}: {parameter} at new targets is {now} now, and the table reduces it by"
+        " {taken:.0%}. {scatter:.0%} of it is scatter of the readings, which no table reduces"
     ),
     "CW-P152": (
-        "Axis {axis}: {tables:choose|left=the table of least expected square is taken, not"
-        " one for the least {goal}|same=the table of least expected square is the one of"
-        " least {goal} too|taken=made for the least {goal}|no_gain=a table made for the least"
-        " {goal} shows no less of it in tests that it has not seen, so the table of least"
-        " expected square is taken}; expected at new"
-        " targets{tables:choose|left=|same=|taken=, in brackets with the table of least"
-        " expected square|no_gain=, in brackets with the one made for {goal}}: {parameters}"
+        "Axis {axis}: {tables:choose|left=the table with the least expected squared error is"
+        " used, not one for the least {goal}|same=the table with the least expected squared error"
+        " also gives the least {goal}|taken=the table was made for the least {goal}|no_gain=a"
+        " table made for the least {goal} shows no smaller {goal} in new simulated tests, so the"
+        " table with the least expected squared error is used}. Expected at new"
+        " targets{tables:choose|left=|same=|taken=, in brackets with the table of least expected"
+        " squared error|no_gain=, in brackets with the table made for {goal}}: {parameters}"
         " {unit}"
     ),
     "CW-P152.parameter": "{parameter} {value:.2f}{other:if| ({other:.2f})}",
     "CW-P153": (
-        "Axis {axis}: the second table may hold the drift of this test. The reversal changes"
-        " by {risen} along the travel. With a constant play, a drift as found, {drifted} from"
-        " the first run to the last, would show {shown} of that: it goes on within every run, up"
-        " and down. Warm the axis up and measure again before two tables are loaded, or"
-        " take one (mode: single)"
+        "Axis {axis}: the second table may contain the drift of this test. The reversal changes"
+        " by {risen} along the travel. The readings drift by {drifted} from the first run to the"
+        " last. If this drift goes on within every run, out and back, it would show {shown} of"
+        " that change even with a constant backlash. Warm the axis up and measure again before"
+        " you load two tables, or use one table (mode: single)"
     ),
     "CW-P154": (
-        "Axis {axis}: the backlash value may hold the drift of this test. The mean reversal"
-        " is {measured}; the drift found, {drifted} from the first run to the last, moves it"
-        " by {shown} if it goes on within every run, up and down again. Warm the axis up and"
-        " measure again before the backlash value is loaded"
+        "Axis {axis}: the backlash value may contain the drift of this test. The mean reversal is"
+        " {measured}. The readings drift by {drifted} from the first run to the last. If this"
+        " drift goes on within every run, out and back, it changes the mean reversal by {shown}."
+        " Warm the axis up and measure again before you load the backlash value"
     ),
     "CW-P155": (
-        "Axis {axis}: stop here: what is left is {cause} ({value:.2f} {unit} of {parameter}"
-        " {left:.2f} {unit} at new targets). A further table would change less than one test"
-        " differs from the next."
+        "Axis {axis}: stop here. What is left is {cause} ({value:.2f} {unit} of {parameter}"
+        " {left:.2f} {unit} at new targets). A further table would change less than the"
+        " difference between one test and the next."
     ),
     "CW-P156": (
-        "Axis {axis}: the control never applies a step of the correction above {least:.2f}"
-        " and up to {most:.2f} {unit}, and the reversal of the table is"
-        " {reversal:.2f}{reversal_to:if| to {reversal_to:.2f}} {unit}. After a reversal the"
-        " old correction stays until the table itself changes enough; the prediction counts"
-        " with it. The control applies these steps with an acceleration limit of the axis"
-        " below {low:3sig} times the present one, or of at least {high:3sig} times: change"
-        " it, and run again"
+        "Axis {axis}: the control never applies a step of the correction that is larger than"
+        " {least:.2f} {unit} and not larger than {most:.2f} {unit}. The reversal in the table is"
+        " such a step: {reversal:.2f}{reversal_to:if| to {reversal_to:.2f}} {unit}. After a"
+        " reversal the old correction therefore stays until the table itself changes enough; the"
+        " prediction allows for this. To have these steps applied, set the acceleration limit of"
+        " the axis below {low:3sig} times its present value, or to at least {high:3sig} times,"
+        " and run again"
     ),
     "CW-P160": (
-        "The readings of test {test} do not look like what its file and state say: they are"
-        " {ways:join|, or }. A table made from them would be wrong. {checks:join| }"
+        "The readings of test {test} do not fit its file and the stated state of the control."
+        " They are {ways:join|, or }. A table made from such readings would be wrong."
+        " {checks:join| }"
     ),
     "CW-P160.check": (
         "{way:choose|off=Was compensation switched on, and the axis referenced, while it was"
@@ -278,47 +303,49 @@ SENTENCES: Final[dict[str, str]] = {
         " -1, offset: ..}}.}"
     ),
     "CW-P160.way": (
-        "{odds:odds} times more likely {way:choose|off=if the"
-        " table of the control was not active in it|sign=with the sign of the deviations"
-        " turned (target minus measured)|directions=with + and - exchanged|order=with the"
-        " readings in the opposite order of the targets|against=with an instrument that"
-        " counts against the machine}"
+        "{odds:odds} times more likely {way:choose|off=if the table of the control was not active"
+        " in this test|sign=if the sign of the deviations is turned (target minus"
+        " measured)|directions=if + and − are exchanged|order=if the readings are in the opposite"
+        " order of the targets|against=if the instrument counts against the machine}"
     ),
     "CW-P161": (
-        "The table in state {measured_in} is the mirror image of test {test} ({size:.1f}"
-        " {unit}): the table was made from this test and was not active in it. A further"
-        " table would correct the same error twice. Measure again with the table active, or"
-        " name under measured_in the state in which the test was taken"
+        "The table in state {measured_in} is the mirror image of test {test} ({size:.1f} {unit})."
+        " So the table was made from this test and was not active in it. A further table would"
+        " correct the same error twice. Measure again with the table active, or name under"
+        " measured_in the state in which the test was taken"
     ),
     "CW-P162.after": (
-        "the file of the test after loading states compensation {both:if|both on and off|off}, but"
-        " the plan loads tables for {names:and}. Check at the control that they are active,"
-        " measure again, or correct the key compensation of the file."
+        "the file of the test after loading states that compensation was {both:if|both on and"
+        " off|off}, but the plan loads tables for {names:and}. Check at the control that they are"
+        " active and measure again, or correct the key compensation of the file."
     ),
     "CW-P162.both": (
-        "the files state compensation both on and off. The new total is wrong if the job is"
-        " wrong. Check at the control what was active, then correct the key compensation of"
-        " the file, or measured_in and states of the job."
+        "the files state that compensation was both on and off. If the job is wrong about it, the"
+        " new table is wrong too. Check at the control what was active. Then correct the key"
+        " compensation of the file, or measured_in and states of the job."
     ),
     "CW-P162.state": (
-        "the file states compensation {on:if|on|off}, but the state {state} of the job"
-        " {active:if|holds an active table or backlash|holds nothing active} for {names:and}."
-        " The new total is wrong if the job is wrong. Check at the control what was active,"
-        " then correct the key compensation of the file, or measured_in and states of the"
+        "the file states that compensation was {on:if|on|off}, but the state {state} of the job"
+        " {active:if|has an active table or backlash|has nothing active} for {names:and}. If the"
+        " job is wrong about it, the new table is wrong too. Check at the control what was"
+        " active. Then correct the key compensation of the file, or measured_in and states of the"
         " job."
     ),
-    "CW-P163": "Axis {axis}, test {test}: its files differ in {keys:join|; }",
+    "CW-P163": (
+        "Axis {axis}, test {test}: the files of this test contradict each other in {keys:join|; }"
+    ),
     "CW-P164": (
         "Axis {axis}: the error may repeat with a period that these targets cannot show"
-        " ({probability:.0%}; most likely {periods:3sig} {unit}). Measure at {targets:.7g} {unit}"
-        " in the same test too: all together show such an error from an amplitude of {amplitude}"
-        " on."
+        " ({probability:.0%}; most likely {periods:3sig} {unit}). In the same test, measure at"
+        " {targets:.7g} {unit} too. All targets together show such an error if its amplitude is"
+        " at least {amplitude}."
     ),
     "CW-P165": (
-        "Axis {axis}: the test drifts by {drift}, and the prediction assumes the same drift in the"
-        " next one: {parameter} {low:.2f} to {high:.2f} {unit} at new targets. If each test has a"
-        " drift of its own of that size, {parameter} is {least:.2f} to {most:.2f} {unit}. A second"
-        " test in the same way decides: add its file to before of the axis"
+        "Axis {axis}: the test drifts by {drift}, and the prediction assumes the same drift in"
+        " the next test: {parameter} {low:.2f} to {high:.2f} {unit} at new targets. If each test"
+        " has its own drift of this size, {parameter} is {least:.2f} to {most:.2f} {unit}. To"
+        " find out which is true, measure a second test in the same way, and add its file to"
+        " `before` of the axis"
     ),
     "grid.even": "{points} points from {start:.10g} to {end:.10g} {unit}, every {step:.6g} {unit}",
     "grid.few": "{points} points",

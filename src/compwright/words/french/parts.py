@@ -79,5 +79,5 @@ SENTENCES: Final[dict[str, str]] = {
         " dans les deux sens, et les donner tous"
     ),
     "value_with_error": "{value:+.1f} ± {error:.1f} {unit}",
-    "with_and_without": "{parameter} : {value} avec, {without} sans",
+    "with_and_without": "{parameter} {value} avec, {without} sans",
 }

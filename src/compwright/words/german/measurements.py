@@ -5,42 +5,49 @@ from __future__ import annotations
 from typing import Final
 
 SENTENCES: Final[dict[str, str]] = {
-    "CW-R001": "Nicht in der Datei angegeben, angenommen: {assumed:join|; }.",
-    "CW-R002": "Die Datei nennt ihre Achse nicht (Kommentarzeile '# axis: X').",
-    "CW-R003": "Gemessene Werte wurden in Abweichungen umgerechnet, gemessen minus Ziel.",
+    "CW-R001": (
+        "Folgendes ist nicht in der Datei angegeben und wurde angenommen: {assumed:join|; }."
+    ),
+    "CW-R002": "Die Datei nennt ihre Achse nicht. Eine Kommentarzeile '# axis: X' hinzufügen.",
+    "CW-R003": (
+        "Die Datei enthält gemessene Positionen. Sie wurden in Abweichungen umgerechnet (gemessen"
+        " minus Ziel)."
+    ),
     "CW-R004": "Das Messgerät hat schon kompensiert: {compensated}.",
-    "CW-R005": "Weggelassene Spalten: {columns}.",
+    "CW-R005": "Diese Spalten wurden weggelassen: {columns}.",
     "CW-R006.place": "{target} in Lauf {run}",
     "CW-R006.readings": "{missing} von {readings} Messwerten fehlen: {places}.",
     "CW-R006.rows": (
-        "Zeilen ohne Messwert sind weggelassen: Zielposition {targets}{more:if| und {more} weitere}"
-        " {unit}. Die Ergebnisse sprechen nicht von ihnen."
+        "Zeilen ohne Messwert sind weggelassen: Zielposition {targets}{more:if| und {more}"
+        " weitere} {unit}. Die Ergebnisse umfassen diese Zielpositionen nicht."
     ),
     "CW-R007": (
-        "Es gibt {positive} Läufe in Richtung + und {negative} in Richtung −: Einer wurde"
-        " nicht gefahren, oder die Datei ist abgeschnitten."
+        "Es gibt {positive} Läufe in Richtung +, aber {negative} in Richtung −. Entweder wurde"
+        " ein Lauf nicht gefahren, oder die Datei ist abgeschnitten: mit dem Messgerät"
+        " vergleichen."
     ),
     "CW-R008": (
-        "{count} von {of} Abweichungen sind größer als 1 {unit}, die größte {largest} {unit} bei"
-        " der Zielposition {target} {unit}: Stimmt die Einheit{turn:if|, oder zählen die Messwerte"
-        " modulo 360°}?"
+        "{count} von {of} Abweichungen sind größer als 1 {unit}. Die größte ist {largest} {unit},"
+        " bei der Zielposition {target} {unit}. Die Einheit prüfen{turn:if|, und ob die Messwerte"
+        " nach 360° wieder bei 0 beginnen}."
     ),
     "CW-R009": (
-        "Alle Abweichungen sind kleiner als 0,000001 {unit}: Stimmt die Einheit, und wurde"
-        " gemessen?"
+        "Alle Abweichungen sind kleiner als 0,000001 {unit}. Die Einheit prüfen, und ob die Achse"
+        " wirklich gemessen wurde."
     ),
     "CW-R010": (
-        "Jede Abweichung von Lauf {runs} ist genau null, während andere es nicht sind: Manche"
-        " Programme füllen nicht gefahrene Läufe mit Nullen. Dann herausnehmen. Das Ergebnis"
-        " enthält sie; wo die anderen streuen, entstehen Tabelle und Vorhersage ohne sie."
+        "Jede Abweichung in Lauf {runs} ist genau null, während andere es nicht sind. Manche"
+        " Programme füllen einen nicht gefahrenen Lauf mit Nullen: dann den Lauf aus der Datei"
+        " entfernen. Das Ergebnis enthält ihn. Streuen die anderen Läufe, entstehen Tabelle und"
+        " Vorhersage ohne ihn."
     ),
     "CW-R011": (
         "Die Abweichungen wachsen um etwa 1 {unit} je {unit} Zielposition, wie gemessene"
-        " Positionen: Sind es gemessene Positionen, die Spalte measured_{unit} nennen."
+        " Positionen. Sind es gemessene Positionen, ihre Spalte measured_{unit} nennen."
     ),
     "CW-R012": (
-        "Fast gleiche Zielpositionen, von denen kein Lauf beide hat, vielleicht eine Zielposition:"
-        " {targets}."
+        "Diese Zielpositionen sind fast gleich, und kein Lauf hat Messwerte an beiden: {targets}."
+        " Ist eine Zielposition gemeint, ihr in allen Zeilen dieselbe Zahl geben."
     ),
     "CW-R012.pair": "{low:.10g} und {high}",
     "CW-R013": (
@@ -60,22 +67,22 @@ SENTENCES: Final[dict[str, str]] = {
         " in Richtung {direction} genommen: an der Maschine prüfen."
     ),
     "CW-R015": (
-        "{number} wurde mit Dezimalpunkt gelesen, aber in derselben Spalte stehen ganze Zahlen, und"
-        " keine Zahl beweist den Punkt: Trennt er Tausender, herausnehmen."
+        "{number} wurde mit Dezimalpunkt gelesen. Aber dieselbe Spalte enthält ganze Zahlen, der"
+        " Punkt kann also Tausender trennen. Wenn ja, ihn entfernen."
     ),
     "CW-R030": (
-        "Die Messwerte enthalten Kalibrierung und Temperaturkorrektur des Messgeräts schon"
-        " (Ausdehnung {expansion} µm/(m K), {temperatures} °C): Nichts wurde noch einmal"
+        "Die Messwerte enthalten schon Kalibrierung und Temperaturkorrektur des Messgeräts"
+        " (Ausdehnung {expansion} µm/(m K), {temperatures} °C). Beides wurde nicht noch einmal"
         " angewendet."
     ),
     "CW-R031": (
-        "Der wahre Vorschub, aus Abtastrate und Anzahl der Messpunkte, ist {feed:.4g} mm/min und"
-        " nicht der programmierte von {programmed:.4g} mm/min: Override, oder eine Achse, die nicht"
-        " folgte. Der wahre wird verwendet."
+        "Der wahre Vorschub nach Messrate und Zahl der Messpunkte ist {feed:.4g} mm/min, nicht"
+        " {programmed:.4g} mm/min wie programmiert. Entweder war ein Override eingestellt, oder"
+        " eine Achse folgte nicht. Verwendet wird der wahre Vorschub."
     ),
     "CW-R032": (
-        "Lauf {direction} {run} hat nach dem gemessenen Bogen {number} {more:if|mehr|weniger}"
-        " Messwerte als davor: Ein Messwert kann doppelt oder verloren sein."
+        "Lauf {direction} {run} hat nach dem gemessenen Bogen {number} Messwerte"
+        " {more:if|mehr|weniger} als davor. Ein Messwert kann doppelt oder verloren sein."
     ),
     "CW-R033": "Die Prüfung verlangt einen Lauf {sense}, aber die Datei enthält keinen.",
     "CW-R034": (
@@ -83,85 +90,98 @@ SENTENCES: Final[dict[str, str]] = {
         " {step:.3g}° auseinander)."
     ),
     "CW-R035": (
-        "Die größte Abweichung vom Nennradius ist {largest:.4g} mm: Stimmen Einheit, Nennradius und"
-        " Aufbau?"
+        "Die größte Abweichung vom Nennradius ist {largest:.4g} mm. Einheit, Nennradius und"
+        " Aufbau prüfen."
     ),
-    "CW-R036": "Jede Abweichung von Lauf {runs} ist null (unter 0,001 µm): Wurde gemessen?",
+    "CW-R036": (
+        "Jede Abweichung in Lauf {runs} ist null (unter 0,001 µm). Prüfen, ob der Lauf gemessen"
+        " wurde."
+    ),
     "CW-R037": (
-        "Das Messgerät war für {files} nicht kalibriert: Die Radien der ganzen Prüfung zählen"
-        " nicht."
+        "Das Messgerät war für {files} nicht kalibriert. Der absolute Radius wird deshalb in der"
+        " ganzen Prüfung nicht verwendet."
     ),
     "CW-R038": "{files:and} wurden als die beiden Richtungen einer Prüfung genommen.",
     "CW-R039": (
-        "Die andere Richtung kann in {files} sein, aber kein Paar ist sicher: nicht verbunden."
-        " Jeweils ein Paar auswerten, oder den Dateien Namen geben, die sich nur in ccw und cw"
-        " unterscheiden."
+        "Die andere Richtung kann in {files} sein, aber welche Dateien zusammengehören, ist nicht"
+        " sicher, deshalb wurden keine verbunden. Ein Paar nach dem anderen auswerten, oder den"
+        " Dateien eines Paars Namen geben, die sich nur durch ccw und cw unterscheiden."
     ),
     "CW-R050": (
-        "Weggelassen, weil eine Prüfung in zwei Richtungen sie nur in einer anfuhr: Zielposition"
-        " {targets}."
+        "In dieser Prüfung in zwei Richtungen wurden diese Zielpositionen nur in einer Richtung"
+        " angefahren und weggelassen: {targets}."
     ),
     "CW-R051": (
-        "Die Datei endet ohne Zeilenende nach {number} (Zeile {line}): Wurde sie beim Kopieren"
-        " abgeschnitten, fehlen dort Stellen oder Messwerte danach."
+        "Die letzte Zeile endet nach {number} ohne Zeilenumbruch (Zeile {line}). Die Datei kann"
+        " beim Kopieren abgeschnitten worden sein: Ziffern oder spätere Messwerte können fehlen."
+        " Mit dem Messgerät vergleichen."
     ),
-    "CW-R052": "Im Ordner übersprungen, nach der Endung keine Messungen: {files}.",
+    "CW-R052": (
+        "Diese Dateien des Ordners wurden übersprungen, denn ihre Endungen sind nicht die von"
+        " Messdateien: {files}."
+    ),
     "CW-R053.environment": (
-        "Die Datei hat nach ihren Mittelwerten keinen Abschnitt ENVIRONMENT::. Sie kann"
-        " abgeschnitten sein."
+        "Der Abschnitt ENVIRONMENT:: fehlt nach den Mittelwerten. Die Datei kann abgeschnitten"
+        " sein: mit dem Messgerät vergleichen."
     ),
     "CW-R053.header": (
-        "Die Datei sagt, dass sie {promised} {what:choose|targets=Zielpositionen|runs=Läufe} hat"
-        " (Schlüssel {key}), und enthält {found}: Sie kann abgeschnitten sein."
+        "Nach ihrem Schlüssel {key} hat die Datei {promised}"
+        " {what:choose|targets=Zielpositionen|runs=Läufe}, sie enthält aber {found}. Sie kann"
+        " abgeschnitten sein: mit dem Messgerät vergleichen."
     ),
     "CW-R053.last_run": (
-        "Die letzten Zeilen gehören zu Lauf {run}, dem {lacking} von {readings} Messwerten fehlen,"
-        " während die anderen alle haben: Die Datei kann abgeschnitten sein."
-    ),
-    "CW-R053.last_target": (
-        "Die letzten Zeilen gehören zur Zielposition {target}, der {lacking} von {readings}"
-        " Messwerten fehlen, während die anderen alle haben: Die Datei kann abgeschnitten sein."
-    ),
-    "CW-R053.no_end": (
-        "Die Datei endet ohne EOF::, ihre letzte Zeile ist {text} (Zeile {line}): Sie kann"
-        " abgeschnitten sein, Stellen oder Messwerte können fehlen. Mit dem Messgerät vergleichen."
-    ),
-    "CW-R053.one_direction": (
-        "Nur {direction} ist da. In dieser Form steht eine Richtung ganz vor der anderen, eine"
-        " dazwischen abgeschnittene Datei liest sich also wie eine Prüfung in einer Richtung: mit"
+        "Die letzten Zeilen gehören zu Lauf {run}, dem {lacking} von {readings} Messwerten"
+        " fehlen, während die anderen Läufe alle haben. Die Datei kann abgeschnitten sein: mit"
         " dem Messgerät vergleichen."
     ),
+    "CW-R053.last_target": (
+        "Die letzten Zeilen gehören zu Zielposition {target}, der {lacking} von {readings}"
+        " Messwerten fehlen, während die anderen alle haben. Die Datei kann abgeschnitten sein:"
+        " mit dem Messgerät vergleichen."
+    ),
+    "CW-R053.no_end": (
+        "Die Endemarke EOF:: fehlt; die letzte Zeile ist {text} (Zeile {line}). Die Datei kann"
+        " abgeschnitten sein, Ziffern oder Messwerte können fehlen. Mit dem Messgerät"
+        " vergleichen."
+    ),
+    "CW-R053.one_direction": (
+        "Die Datei enthält nur die Richtung {direction}. In dieser Form stehen alle Messwerte der"
+        " einen Richtung vor der anderen, die zweite kann also abgeschnitten sein. Mit dem"
+        " Messgerät vergleichen."
+    ),
     "CW-R053.run_count": (
-        "Die Datei verspricht {promised} Läufe (Run-count) und enthält {found}: Sie kann"
-        " abgeschnitten sein, oder die Prüfung wurde abgebrochen."
+        "Nach ihrem Schlüssel Run-count hat die Datei {promised} Läufe, sie enthält aber {found}."
+        " Entweder ist die Datei abgeschnitten, oder die Prüfung wurde abgebrochen. Mit dem"
+        " Messgerät vergleichen."
     ),
     "CW-R053.share": (
-        "{share:.0%} der Messwerte fehlen: Die Datei kann abgeschnitten sein, oder Zeilen gingen"
-        " verloren."
+        "{share:.0%} der Messwerte fehlen. Entweder ist die Datei abgeschnitten, oder Zeilen"
+        " gingen verloren. Mit dem Messgerät vergleichen."
     ),
     "CW-R054": (
-        "Weggelassene Läufe: {runs}{more:if|, ..}. Sie sind überall genau null, wie manche"
-        " Programme den Rückweg einer Prüfung in einer Richtung füllen."
+        "Diese Läufe wurden weggelassen, denn alle ihre Werte sind genau null: {runs}{more:if|,"
+        " ..}. Manche Programme füllen den Rückweg einer Prüfung in einer Richtung mit Nullen."
     ),
     "CW-R055": (
-        "Gerade Läufe wurden nur nach ihrer Nummer als Rückweg genommen (Richtung {back}): Die"
-        " Zeilen von Lauf {run} stehen in derselben Reihenfolge wie die von Lauf 1. Ging die"
-        " Prüfung nur in einer Richtung, enthält sie weder Umkehrspanne noch Lose."
+        "Gerade Läufe gelten nur wegen ihrer Nummer als Rückweg (Richtung {back}): Die Zeilen von"
+        " Lauf {run} stehen in derselben Reihenfolge wie die von Lauf 1. Gingen alle Läufe der"
+        " Prüfung in dieselbe Richtung, bedeuten ihre Werte für Umkehr und Lose nichts."
     ),
     "CW-R056": (
-        "Die Datei nennt die Einheit ihrer Abweichungen nicht; Mikroradiant wurde angenommen: Die"
-        " größte, {largest}, ist dann {arcsec}″. Mit dem Messgerät vergleichen."
+        "Die Datei nennt die Einheit ihrer Abweichungen nicht, deshalb wurde Mikroradiant"
+        " angenommen. Die größte Abweichung, {largest}, ist dann {arcsec}″. Mit dem Messgerät"
+        " vergleichen."
     ),
     "CW-R057": (
-        "Die Datei enthält Mittel mehrerer Läufe, keine Messwerte: Sie wird als ein Lauf je"
-        " Richtung gelesen, und die Wiederholpräzision ist unbekannt.{way_back:if| Die Mittel des"
-        " Rückwegs stehen nicht darin: Sie sind das Doppelte der Mittel beider Richtungen weniger"
-        " die des Hinwegs.}"
+        "Die Datei enthält Mittelwerte mehrerer Läufe, keine einzelnen Messwerte. Sie wird als"
+        " ein Lauf je Richtung gelesen, und die Wiederholpräzision ist unbekannt.{way_back:if|"
+        " Die Mittelwerte des Rückwegs sind nicht in der Datei: Sie wurden als das Doppelte der"
+        " Mittelwerte beider Richtungen minus die des Hinwegs berechnet.}"
     ),
     "CW-R058": (
-        "Die Datei ist eine Kompensationstabelle der Lasersoftware ({sign}), keine Prüfung: Sie"
-        " wird als ein Lauf je Richtung ihrer Fehler gelesen. Für eine Tabelle die Prüfung selbst"
-        " verwenden."
+        "Die Datei ist eine Kompensationstabelle der Lasersoftware ({sign}), keine Prüfung. Sie"
+        " wird als ein Lauf je Richtung mit den Fehlern dieser Tabelle gelesen. Für eine Tabelle"
+        " die Prüfung selbst verwenden."
     ),
     "CW-R059": (
         "Zeilen ohne Zahl in der Spalte {column} sind weggelassen: Zeile {lines}{more:if| und"
@@ -173,16 +193,18 @@ SENTENCES: Final[dict[str, str]] = {
         "Prüfungen derselben Datei ohne Achse sind weggelassen: {tests}. Nur {used} wird verwendet."
     ),
     "CW-R062": (
-        "Die Datei ist nicht UTF-8 und wurde als {code_page} gelesen; nur Kommentare und"
-        " Spaltennamen hängen davon ab, keine Zahl. Zeile {line} lautet {text}."
+        "Die Datei ist nicht UTF-8 und wurde als {code_page} gelesen. Zeile {line} lautet dann"
+        " {text}. Nur Kommentare und Spaltennamen hängen davon ab, keine Zahl."
     ),
     "CW-R063": (
-        "Zeilen, die wie Messwerte aussehen, stehen außerhalb der Messwerte und wurden nicht"
-        " gelesen: Zeile {lines}{more:if| und {more} weitere}. Mit dem Messgerät vergleichen."
+        "Einige Zeilen sehen aus wie Messwerte, stehen aber außerhalb des Abschnitts der"
+        " Messwerte und wurden nicht gelesen: Zeile {lines}{more:if| und {more} weitere}. Mit dem"
+        " Messgerät vergleichen."
     ),
     "CW-R064": (
-        "In der Arbeitsmappe verborgen und wie der Rest gelesen: {hidden:join|; }. Die Anzahl der"
-        " Messwerte mit dem Messgerät vergleichen und herausnehmen, was nicht zur Prüfung gehört."
+        "Diese Teile der Arbeitsmappe sind ausgeblendet, wurden aber wie der Rest gelesen:"
+        " {hidden:join|; }. Die Zahl der Messwerte mit dem Messgerät vergleichen. Entfernen, was"
+        " nicht zur Prüfung gehört."
     ),
     "CW-R064.columns": "{number} {number:plural|Spalte|Spalten} ({columns})",
     "CW-R064.rows": (

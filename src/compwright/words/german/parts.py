@@ -80,5 +80,5 @@ SENTENCES: Final[dict[str, str]] = {
         " Richtungen messen und alle angeben"
     ),
     "value_with_error": "{value:+.1f} ± {error:.1f} {unit}",
-    "with_and_without": "{parameter} ist {value} mit, {without} ohne",
+    "with_and_without": "{parameter} {value} mit, {without} ohne",
 }
