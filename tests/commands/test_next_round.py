@@ -327,7 +327,7 @@ def test_what_was_read_back_has_to_be_the_plan(pair: Pair) -> None:
 def test_what_else_was_changed_in_the_control_is_settled_first(pair: Pair) -> None:
     then = pair.next(differing(pair, "2", "BACKLASH of joint 2"))
     assert not then.files
-    assert "something else was changed" in then.document["reason"]
+    assert "other values in the control were changed" in then.document["reason"]
     assert "BACKLASH of joint 2" in then.document["reason"]
 
 
@@ -355,8 +355,8 @@ def test_squareness_alone_is_answered_in_words(pair: Pair) -> None:
     circles: Any = {"xy": None}
     bare = {name: replace(axis, fitted=None) for name, axis in pair.found.plan.axes.items()}
     for axes, said in (
-        (pair.found.plan.axes, "measure an axis that has a table after loading too"),
-        (bare, "run a new job, with what was read back as as_found"),
+        (pair.found.plan.axes, "Measure an axis that has a table after loading too"),
+        (bare, "run a new job: with the files that were read back as as_found"),
     ):
         plan = replace(pair.found.plan, axes=axes)
         found = replace(pair.found, job=job, plan=plan, circles=circles, axes={}, tests=[])
@@ -506,6 +506,6 @@ def test_an_inverted_table_is_found_and_nothing_is_written(
     assert (code, document["next"]["written"]) == (1, False)
     assert not (hall / "job" / "next").exists()
     said = capsys.readouterr().out
-    assert "No next round: no axis may be corrected further" in said
+    assert "No next round: no axis gets a further table" in said
     assert "the verdict is inverted, not loaded" in said
-    assert "axis Y: it was not measured after loading" in said
+    assert "axis Y: this axis was not measured after loading" in said

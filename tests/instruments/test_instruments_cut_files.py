@@ -33,7 +33,10 @@ def messages_by_code(test: PositioningTest) -> dict[str, str]:
 
 @pytest.mark.parametrize(
     ("rows", "words"),
-    [(BY_RUN, "The last rows are of run -3"), (BY_TARGET, "The last rows are of target 300.75 mm")],
+    [
+        (BY_RUN, "The last rows belong to run -3"),
+        (BY_TARGET, "The last rows belong to target 300.75 mm"),
+    ],
 )
 def test_the_last_run_or_target_lacks_readings(
     rows: list[tuple[float, str, int]], words: str
@@ -48,7 +51,7 @@ def test_the_last_run_lacks_readings_where_each_target_is_approached_from_both_s
 ) -> None:
     assert not CUT & messages_by_code(read(text(IN_TURN))).keys()
     message = messages_by_code(read(text(IN_TURN[:-lost])))["CW-R053"]
-    assert f"The last rows are of run 3, which lacks {lost} of 8 readings" in message
+    assert f"The last rows belong to run 3, which lacks {lost} of 8 readings" in message
 
 
 @pytest.mark.parametrize(

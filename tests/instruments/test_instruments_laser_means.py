@@ -43,14 +43,14 @@ def test_means_of_both_ways() -> None:
     assert test.targets.tolist() == [0.0, 100.0, 200.0]
     assert test.positive[:, 0].tolist() == [0.0, 0.0021, 0.0034]
     assert test.negative[:, 0].tolist() == [-0.003, -0.0011, 0.0005]
-    assert "means of several runs, not readings" in told(test)["CW-R057"]
+    assert "means of several runs, not single readings" in told(test)["CW-R057"]
     assert "unit: mm" in told(test)["CW-R001"]
 
 
 def test_the_way_back_from_both_and_forward() -> None:
     test = read(mean_file({"Bidirectional": BOTH, "Forward Directional": FORWARD}))
     assert test.negative[:, 0] == pytest.approx([-0.003, -0.0011, 0.0006], abs=1e-12)
-    assert "twice those of both directions" in told(test)["CW-R057"]
+    assert "twice the means of both directions" in told(test)["CW-R057"]
 
 
 def test_positions_from_high_to_low_turn_the_directions() -> None:

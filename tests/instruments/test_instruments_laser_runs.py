@@ -98,7 +98,7 @@ def test_a_way_back_of_zeros_was_not_made(flags: str | None) -> None:
     filled = {key: value if key[0] % 2 else "0" for key, value in READINGS.items()}
     test = read(laser_file(TARGETS, filled, flags=flags, descending=False))
     assert (test.positive.shape, test.negative.shape) == ((6, 2), (6, 0))
-    assert "Runs left out: 2, 4" in told(test)["CW-R054"]
+    assert "exactly zero: 2, 4" in told(test)["CW-R054"]
 
 
 def test_rows_that_contradict_the_directions() -> None:
@@ -161,8 +161,8 @@ def test_a_file_that_was_cut() -> None:
     assert "3 of 24 readings are missing" in told(cut)["CW-R006"]
     halved = read(whole[: whole.index("   3     6 ")])
     messages = [finding.message for finding in halved.findings if finding.code == "CW-R053"]
-    assert any("promises 4 runs (Run-count) and holds 3" in message for message in messages)
-    assert any("without EOF::" in message for message in messages)
+    assert any("has 4 runs, but it holds 3" in message for message in messages)
+    assert any("EOF:: is missing" in message for message in messages)
 
 
 @pytest.mark.parametrize(

@@ -111,7 +111,7 @@ def test_columns_that_are_no_traverse_are_a_warning() -> None:
     text = "# unit: um\ntarget_mm,+1,-1,temperature,mean +,sensor-2\n0.5,1,2,20.1,1,7\n"
     assert messages(read(text))["CW-R005"] == (
         "warning",
-        "Columns that were left out: temperature, mean +, sensor-2.",
+        "These columns were left out: temperature, mean +, sensor-2.",
     )
 
 
@@ -134,9 +134,7 @@ def test_a_target_that_lacks_one_direction_is_left_out_with_a_warning() -> None:
     assert np.isfinite(test.positive).all()
     severity, message = messages(test)["CW-R050"]
     assert severity == "warning"
-    assert message.endswith(
-        "approached them in one only: target 300 mm in direction + only (line 8)."
-    )
+    assert message.endswith("left out: 300 mm in direction + only (line 8).")
 
 
 def test_many_targets_that_lack_one_direction_are_refused() -> None:
@@ -162,7 +160,7 @@ def test_a_typing_error_in_a_target_is_refused() -> None:
 def test_a_file_that_may_be_cut_off_inside_a_number(rows: str, number: str) -> None:
     severity, message = messages(read(LONG + rows))["CW-R051"]
     assert severity == "warning"
-    assert message.startswith(f"The file ends without a line end after '{number}' (line 3)")
+    assert message.startswith(f"The last line ends after '{number}' without a line break (line 3)")
     assert "CW-R051" not in messages(read(f"{LONG}{rows}\n"))
 
 

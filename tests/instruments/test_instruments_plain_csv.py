@@ -161,7 +161,10 @@ def test_sign_key_turns_deviations_but_not_measured_values() -> None:
     assert measured.positive[0, 0] == 0.0025
     assert "CW-R013" in codes(measured)
     unsaid = read("target_mm,direction,run,measured_mm\n0,+,1,0.0025")
-    assert message(unsaid, "CW-R001") == "Not stated in the file, assumed: cycle: standard."
+    assert (
+        message(unsaid, "CW-R001")
+        == "The file does not state the following, so it was assumed: cycle: standard."
+    )
 
 
 def test_wide_form_with_an_empty_cell() -> None:
@@ -231,7 +234,7 @@ def test_comment_lines_are_kept() -> None:
     assert test.cycle == "step"
     assert (
         message(test, "CW-R001")
-        == "Not stated in the file, assumed: deviation: measured minus target."
+        == "The file does not state the following, so it was assumed: deviation: measured minus target."
     )
 
 
@@ -272,7 +275,7 @@ def test_compensated_for_and_extra_columns() -> None:
     )
     assert test.header["compensated_for"] == "air temperature"
     assert "air temperature" in message(test, "CW-R004")
-    assert message(test, "CW-R005") == "Columns that were left out: note."
+    assert message(test, "CW-R005") == "These columns were left out: note."
     assert "CW-R004" not in codes(read("# compensated_for: none\n" + COMPLETE))
 
 
@@ -281,8 +284,8 @@ def test_deviation_beyond_a_millimetre() -> None:
     # 10 * 2 + 2 + 0.5 = 22.5 is the largest of the twelve, and -4.5 to 22.5 are all beyond 1 mm.
     assert (
         message(test, "CW-R008")
-        == "12 of 12 deviations are larger than 1 mm, the largest 22.5 mm at target 200 mm: is the"
-        " unit right?"
+        == "12 of 12 deviations are larger than 1 mm. The largest is 22.5 mm, at target 200 mm. Check"
+        " the unit."
     )
     assert "CW-R008" not in codes(read(LONG + "0.5,+,1,1000\n"))  # exactly 1 mm is not larger
     assert "modulo 360" in message(
@@ -298,7 +301,7 @@ def test_deviations_below_the_resolution_of_any_instrument() -> None:
 def test_a_traverse_of_zeros() -> None:
     test = read("# unit: um\ntarget_mm,+1,-1,+2,-2\n0.5,1,2,1,0\n10,1,2,0,0\n20,1,2,1,0\n")
     assert message(test, "CW-R010").startswith(
-        "Every deviation of run -2 is exactly zero while others are not"
+        "Every deviation of run -2 is exactly zero, while others are not"
     )
     assert "CW-R010" not in codes(
         read("# unit: um\ntarget_mm,+1,-1\n0.5,0,0\n10,0,0\n")
@@ -329,9 +332,8 @@ def test_targets_almost_the_same_in_one_direction() -> None:
 
 def test_different_numbers_of_traverses() -> None:
     test = read(LONG + "0.5,+,1,1\n0.5,+,2,1\n0.5,-,1,1\n")
-    assert message(test, "CW-R007") == (
-        "There are 2 traverses in direction + and 1 in direction -: one was not made, or the file was"
-        " cut off."
+    assert message(test, "CW-R007").startswith(
+        "There are 2 runs in direction + but 1 in direction −. "
     )
 
 

@@ -76,7 +76,7 @@ def test_one_column_per_traverse() -> None:
     assert "CW-R005" not in told(test)
     assert "100 mm in direction + only" in told(test)["CW-R050"]
     left = told(read(WIDE, WIDE_PROFILE.replace("leave_out: [T]\n", "")))
-    assert left["CW-R005"] == "Columns that were left out: T."
+    assert left["CW-R005"] == "These columns were left out: T."
 
 
 def test_runs_that_count_traverses() -> None:

@@ -207,9 +207,9 @@ def test_a_fault_is_found_by_its_name(case: str) -> None:
     [
         ("positive alone", "approaches in + only"),
         ("negative alone", "approaches in - only"),
-        ("no backlash", "its backlash is wrong: missing"),
-        ("backlash twice", "its backlash is wrong: twice"),
-        ("backlash turned", "its backlash is wrong: with the wrong sign"),
+        ("no backlash", "the backlash value is wrong: missing"),
+        ("backlash twice", "the backlash value is wrong: twice"),
+        ("backlash turned", "the backlash value is wrong: with the wrong sign"),
         ("a part", "up to node 9 (200), nothing beyond"),
         # 16 intervals of 25 mm; the table holds 1.3 µm at node 9: from node 10 on looks alike.
         ("the other part", "A part of the table is active: from node 9 on (200)"),
@@ -248,7 +248,7 @@ def test_a_shift_is_told(by: int, new: AxisCompensation) -> None:
     acting = shown(moved(new.positive, by), moved(new.negative, by), new.backlash)
     verdict = judge(acting, new)
     assert (verdict.verdict, verdict.shift_nodes) == ("shifted", by), verdict.message
-    assert f"too far to {'+' if by > 0 else '-'}" in verdict.message
+    assert f"in direction {'+' if by > 0 else '-'}" in verdict.message
 
 
 def test_the_old_table_or_nothing() -> None:
@@ -304,10 +304,10 @@ def test_a_straight_line_shifted_is_the_same_line_and_mirrored_the_inverted_one(
     assert loaded.verdict == "loaded"
     assert "shifted" in loaded.equivalent
     assert "inverted" not in loaded.equivalent
-    assert "No measurement of this axis tells them" in loaded.message
-    assert "the values that are read back from the control do (--loaded)" in loaded.message
+    assert "No measurement of this axis can tell them" in loaded.message
+    assert "Read the values back from the control and give them with --loaded." in loaded.message
     told = judge(straight, line, read_back=True).message
-    assert "the values that were read back from the control are the plan's (--loaded)." in told
+    assert "they are the plan's (--loaded)." in told
     back = judge(-straight, line)
     assert {back.verdict, *back.equivalent} >= {"inverted", "mirrored"}
     warm = judge(1.5 * straight, line)

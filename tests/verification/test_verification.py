@@ -340,11 +340,11 @@ def test_rotary_axes_speak_of_arcseconds() -> None:
     assert "arcsec" in verdict.message
     # less the loaded table 0, 4, -10, 0, datum -1.5; less nothing 0, 4, 0, 10, datum 3.5
     assert (
-        "Against the prediction it is off by 5.2 arcsec rms and at worst by 8.5 arcsec (180 deg"
+        "differs from the prediction by 5.2 arcsec rms, at worst by 8.5 arcsec (180 deg"
         " approached in +)" in verdict.message
     )
     assert (
-        "Against no change it is off by 4.1 arcsec rms and at worst by 6.5 arcsec (270 deg"
+        "from the control as it was before by 4.1 arcsec rms, at worst by 6.5 arcsec (270 deg"
         " approached in +)" in verdict.message
     )
 

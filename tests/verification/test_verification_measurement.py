@@ -90,7 +90,7 @@ def test_the_scatter_of_the_first_test_under_another_error_is_a_copy(sign: float
     assert correlation == pytest.approx(1.0, abs=1e-9)
     fault = measurement_fault(made, FIRST, TRAVEL)
     assert fault is not None
-    assert "run by run (correlation 1.00)" in str(fault.sentence)
+    assert "(correlation 1.00)" in str(fault.sentence)
 
 
 @pytest.mark.parametrize(
@@ -173,7 +173,7 @@ def test_what_is_left_does_not_count_the_datum(datum: float) -> None:
     loaded = LOADED, LOADED + 6 * UM
     verdict = judged(INACTIVE + datum, INACTIVE - 3 * UM + datum, loaded)
     assert verdict.verdict == "not_active"
-    assert "lies within 0.00 µm rms of what the control did before" in verdict.message
+    assert "differs by 0.00 µm rms from what the control showed before" in verdict.message
     verdict = judged(loaded[0] + datum, loaded[1] + datum, loaded)
     assert verdict.verdict == "loaded"
     assert "lies within 0.00 µm rms of the prediction" in verdict.message

@@ -20,8 +20,9 @@ TEXTS: Final[dict[str, str]] = {
         " 0."
     ),
     "Reach beyond the travel": "Dépasser la course",
-    "What acts outside the table is not known: it should reach one spacing beyond the travel"
-    " of {name} on each side, with real values at both ends (job: table start and end).": (
+    "What the control does outside the table is unknown: the table should reach one spacing"
+    " beyond the travel of {name} on each side, with real values at both ends (job: table"
+    " start and end).": (
         "On ne sait pas ce qui agit hors de la table : elle devrait dépasser la course de"
         " {name} d'un pas de chaque côté, avec de vraies valeurs aux deux bouts (dossier de"
         " travail : début et fin de la table)."
@@ -48,11 +49,11 @@ TEXTS: Final[dict[str, str]] = {
         "Éteindre et rallumer la commande. {referencing} Les valeurs de consigne peuvent sauter"
         " légèrement quand une ligne est choisie."
     ),
-    "The sign of a table is not confirmed; that of MP720 is. Before the full test measure"
-    " two of the check positions (their table stands with the axis) as now and once more"
-    " without compensation (table: MP730 bit {bit} and MP720.{bit} = 0; line: MP720.{bit} ="
-    " 0; MP710.{bit} = 0): the compensation must add what stands there. If a table does the"
-    " opposite, set the option table_values to the other choice and run again.": (
+    "The sign of a table is not confirmed; that of MP720 is. Before the full test measure two"
+    " of the check positions (listed with the axis on the card) once as the control is now,"
+    " and once without compensation (table: MP730 bit {bit} and MP720.{bit} = 0; line:"
+    " MP720.{bit} = 0; MP710.{bit} = 0): the compensation must add what is listed there. If a"
+    " table does the opposite, set the option table_values to the other choice and run again.": (
         "Le signe d'une table n'est pas confirmé ; celui de MP720 l'est. Avant l'essai complet,"
         " mesurer deux des positions de contrôle (leur tableau est avec l'axe) telles que"
         " maintenant, et encore une fois sans compensation (table : MP730 bit {bit} et"
@@ -86,8 +87,8 @@ TEXTS: Final[dict[str, str]] = {
         " signifient {table_values} (option table_values). Ne pas toucher aux colonnes des"
         " autres axes."
     ),
-    "What acts outside the table is not known: it should reach one spacing beyond the travel"
-    " of {name} on each side (job: table start and end).": (
+    "What the control does outside the table is unknown: the table should reach one spacing"
+    " beyond the travel of {name} on each side (job: table start and end).": (
         "On ne sait pas ce qui agit hors de la table : elle devrait dépasser la course de"
         " {name} d'un pas de chaque côté (dossier de travail : début et fin de la table)."
     ),
@@ -101,15 +102,16 @@ TEXTS: Final[dict[str, str]] = {
         "CfgAxisComp de l'axe {address} : backLash (401802) = {backlash} {backlash_unit},"
         " linearCompValue = {linear} mm/m ; choisir la compensation non linéaire."
     ),
-    "Restart the control. {referencing} The table acts in open loop too and is taken over"
-    " when the loop closes.": (
+    "Restart the control. {referencing} The table is active in open loop too and is taken"
+    " over when the loop closes.": (
         "Redémarrer la commande. {referencing} La table agit aussi en boucle ouverte et est"
         " reprise quand la boucle se ferme."
     ),
     "The sign of the table is not confirmed. Before the full test measure two of the check"
-    " positions (their table stands with the axis) as now and once more without compensation"
-    " (no * in ACTIVE, backLash 0): the compensation must add what stands there. If it is"
-    " the opposite, set the option table_values to the other choice and run again.": (
+    " positions (listed with the axis on the card) once as the control is now, and once"
+    " without compensation (no * in ACTIVE, backLash 0): the compensation must add what is"
+    " listed there. If it is the opposite, set the option table_values to the other choice"
+    " and run again.": (
         "Le signe de la table n'est pas confirmé. Avant l'essai complet, mesurer deux des"
         " positions de contrôle (leur tableau est avec l'axe) telles que maintenant, et encore"
         " une fois sans compensation (pas de * dans ACTIVE, backLash 0) : la compensation doit"
@@ -180,7 +182,7 @@ TEXTS: Final[dict[str, str]] = {
         " peut pas dire."
     ),
     "The bit of axis {address} in MP730 must be 1, and the active line of the .CMA must name"
-    " its .COM: nothing acts until both are so.": (
+    " its .COM: until then no table is active.": (
         "Le bit de l'axe {address} dans MP730 doit être 1, et la ligne active du .CMA doit"
         " nommer son .COM : rien n'agit avant que les deux soient ainsi."
     ),
@@ -207,7 +209,7 @@ TEXTS: Final[dict[str, str]] = {
         "Le .COM compte en mm ou en pouces, et MP720 en mm/m."
     ),
     "With the bit of MP730 at 1 MP720 has no effect; a column for this axis in another axis'"
-    " .COM does act beside its own.": (
+    " .COM is active in addition to its own table.": (
         "Avec le bit de MP730 à 1, MP720 est sans effet ; une colonne pour cet axe dans le .COM"
         " d'un autre axe agit en plus de la sienne."
     ),
@@ -223,7 +225,7 @@ TEXTS: Final[dict[str, str]] = {
         "La colonne du .CMA nomme l'axe qui se déplace, la colonne n=F() dans le .COM l'axe qui"
         " est corrigé : les deux doivent être {address}."
     ),
-    "A table has no direction here: what acts in one direction only is MP710 (or MP750"
+    "A table has no direction here: what is active in one direction only is MP710 (or MP750"
     " within the position loop).": (
         "Une table n'a pas de sens ici : ce qui n'agit que dans un sens est MP710 (ou MP750"
         " dans la boucle de position)."
@@ -233,8 +235,8 @@ TEXTS: Final[dict[str, str]] = {
         "MP710 de l'axe {address}, appliqué à chaque inversion : positif là où le codeur est en"
         " avance sur la table de la machine."
     ),
-    "Are all rows filled, from one spacing below the travel to one above? What acts outside"
-    " the table is not known.": (
+    "Are all rows filled, from one spacing below the travel to one above? What the control"
+    " does outside the table is unknown.": (
         "Toutes les lignes sont-elles remplies, d'un pas au-dessous de la course à un pas"
         " au-dessus ? On ne sait pas ce qui agit hors de la table."
     ),
@@ -265,13 +267,12 @@ TEXTS: Final[dict[str, str]] = {
     "The .COM counts in mm or in inch, as its first line says.": (
         "Le .COM compte en mm ou en pouces, comme le dit sa première ligne."
     ),
-    "linearCompValue of CfgAxisComp beside the table: 0, or it may act too.": (
-        "linearCompValue de CfgAxisComp à côté de la table : 0, sinon il peut agir aussi."
-    ),
+    "linearCompValue of CfgAxisComp must be 0: otherwise it may be active in addition to the"
+    " table.": ("linearCompValue de CfgAxisComp à côté de la table : 0, sinon il peut agir aussi."),
     "The column AXISPOS: positions from the machine datum (MP_refPosition).": (
         "La colonne AXISPOS : positions à partir du zéro machine (MP_refPosition)."
     ),
-    "AXISPOS must ascend, with the value of each position beside it: were the points entered"
+    "AXISPOS must ascend, with the value of each position next to it: were the points entered"
     " from the other end?": (
         "AXISPOS doit croître, avec la valeur de chaque position à côté : les points ont-ils"
         " été entrés à partir de l'autre bout ?"

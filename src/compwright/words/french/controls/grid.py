@@ -19,7 +19,7 @@ TEXTS: Final[dict[str, str]] = {
     "Set the keys": "Régler les clés",
     "Put the three lines of {file_2} into the section [JOINT_{address}] of the INI file,"
     " replacing lines of the same name. BACKLASH becomes 0: the table contains the reversal,"
-    " and the control would ignore it beside a table.": (
+    " and the control ignores it where there is a table.": (
         "Mettre les trois lignes de {file_2} dans la section [JOINT_{address}] du fichier INI,"
         " à la place des lignes de même nom. BACKLASH devient 0 : la table contient"
         " l'inversion, et la commande l'ignorerait à côté d'une table."
@@ -75,7 +75,7 @@ TEXTS: Final[dict[str, str]] = {
         " du fichier INI : redémarrer après chaque changement."
     ),
     "Reading stops without a message at the first line that is not three numbers (a comment,"
-    " a header, a comma): then the table is empty, and BACKLASH acts in its place.": (
+    " a header, a comma): then the table is empty, and BACKLASH is active in its place.": (
         "La lecture s'arrête sans message à la première ligne qui n'est pas trois nombres (un"
         " commentaire, un en-tête, une virgule) : la table est alors vide, et BACKLASH agit à"
         " sa place."
@@ -114,12 +114,12 @@ TEXTS: Final[dict[str, str]] = {
         " de 0 dans l'ordre de la cinématique, donc sur un tour avec X et Z, Z est"
         " l'articulation 1."
     ),
-    "The second column acts while the joint moves in +, the third one while it moves in -.": (
+    "The second column is active while the joint moves in +, the third one while it moves in -.": (
         "La deuxième colonne agit pendant le mouvement en +, la troisième pendant le mouvement"
         " en -."
     ),
-    "BACKLASH of [JOINT_{address}] is ignored as soon as the table has one row; without rows"
-    " it acts by half in each direction.": (
+    "BACKLASH of [JOINT_{address}] is ignored as soon as the table has one row; without rows,"
+    " half of it is active in each direction.": (
         "BACKLASH de [JOINT_{address}] est ignoré dès que la table a une ligne ; sans lignes il"
         " agit pour moitié dans chaque sens."
     ),

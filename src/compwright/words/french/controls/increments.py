@@ -249,13 +249,13 @@ TEXTS: Final[dict[str, str]] = {
     "The A in the parameter file is the number of the controlled axis: {address} for {name}.": (
         "Le A du fichier de paramètres est le numéro de l'axe commandé : {address} pour {name}."
     ),
-    "No second table is known here: what acts in one direction only is 1851.": (
+    "No second table is known here: what is active in one direction only is 1851.": (
         "Aucune deuxième table n'est connue ici : ce qui n'agit que dans un sens est 1851."
     ),
     "1851 of axis {address}, in detection units.": (
         "1851 de l'axe {address}, en unités de détection."
     ),
-    "It acts from the first move against the reference return on, so approach twice from"
+    "It is active from the first move against the reference return on, so approach twice from"
     " each side before a reading counts.": (
         "Il agit à partir du premier mouvement opposé à la prise de référence, donc approcher"
         " deux fois de chaque côté avant qu'une lecture compte."
@@ -322,13 +322,13 @@ TEXTS: Final[dict[str, str]] = {
         "3627 rattache la deuxième table à la position de référence : une valeur fausse déplace"
         " tout un sens."
     ),
-    "1851 of axis {address}, in detection units; where bit 4 of 1800 is 1, 1852 acts at"
-    " rapid traverse in its place.": (
+    "1851 of axis {address}, in detection units; where bit 4 of 1800 is 1, 1852 is active in"
+    " its place at rapid traverse.": (
         "1851 de l'axe {address}, en unités de détection ; là où le bit 4 de 1800 est 1, 1852"
         " agit à sa place en rapide."
     ),
-    "With two tables (bit 0 of 3605) 1851 acts beside them and must be 0 where they hold the"
-    " reversal.": (
+    "With two tables (bit 0 of 3605) 1851 is active in addition to them, and must be 0 where"
+    " the tables hold the reversal.": (
         "Avec deux tables (bit 0 de 3605), 1851 agit en plus et doit être 0 là où elles"
         " contiennent l'inversion."
     ),

@@ -147,8 +147,8 @@ TEXTS: Final[dict[str, str]] = {
         "kopf.achs_nr dans la liste et achs_kw_log_ax_nr[i] dans la liste de démarrage : le"
         " numéro logique {address}."
     ),
-    "kw.ssfk.bilateral: with 1 the column pos acts in + and neg in -, with 0 there is one"
-    " column.": (
+    "kw.ssfk.bilateral: with 1 the column pos is active in + and neg in -, with 0 there is"
+    " one column.": (
         "kw.ssfk.bilateral : avec 1, la colonne pos agit en + et neg en -, avec 0 il y a une"
         " colonne."
     ),

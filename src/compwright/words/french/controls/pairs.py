@@ -259,8 +259,8 @@ TEXTS: Final[dict[str, str]] = {
         "MD32710 $MA_CEC_ENABLE[{address}] de l'axe de sortie et SD41300 $SN_CEC_TABLE_ENABLE"
         " des deux tables doivent être 1 ; MD32710 devait être 0 quand elles ont été chargées."
     ),
-    "The axis must be referenced, in measuring system {system}: before that nothing acts,"
-    " and a lost reference switches it off.": (
+    "The axis must be referenced, in measuring system {system}: before that no compensation"
+    " is active, and a lost reference switches it off.": (
         "L'axe doit être référencé, dans le système de mesure {system} : avant cela rien"
         " n'agit, et une référence perdue le désactive."
     ),
@@ -284,13 +284,13 @@ TEXTS: Final[dict[str, str]] = {
     "MD10240 and the line METRIC or INCH of the files: inch taken for mm is 25.4.": (
         "MD10240 et la ligne METRIC ou INCH des fichiers : pouces pris pour mm, c'est 25.4."
     ),
-    "A second table on the axis: a CEC table of {address} over itself (MD32710, SD41300)"
-    " beside MD32700 acts on top of it.": (
+    "A second table on the axis: where MD32700 is 1, a CEC table of {address} over itself"
+    " (MD32710, SD41300) is active in addition.": (
         "Une deuxième table sur l'axe : une table CEC de {address} sur lui-même (MD32710,"
         " SD41300) à côté de MD32700 agit en plus."
     ),
-    "A second table on the axis: MD32700 must be 0 beside a pair of CEC tables, and SD41310"
-    " $SN_CEC_TABLE_WEIGHT of both 1.": (
+    "A second table on the axis: MD32700 must be 0 where a pair of CEC tables is used, and"
+    " SD41310 $SN_CEC_TABLE_WEIGHT of both 1.": (
         "Une deuxième table sur l'axe : MD32700 doit être 0 à côté d'une paire de tables CEC,"
         " et SD41310 $SN_CEC_TABLE_WEIGHT des deux 1."
     ),
@@ -333,8 +333,9 @@ TEXTS: Final[dict[str, str]] = {
         "$AN_CEC_INPUT_AXIS et $AN_CEC_OUTPUT_AXIS des deux tables doivent être ({address}) ;"
         " d'après MD10000, un axe machine peut aussi s'appeler X1."
     ),
-    "This table acts in both directions: what acts in one only is a CEC table of the axis"
-    " over itself ($AN_CEC_DIRECTION, SD41300 $SN_CEC_TABLE_ENABLE) or MD32450.": (
+    "This table is active in both directions. What is active in one direction only is a CEC"
+    " table of the axis over itself ($AN_CEC_DIRECTION, SD41300 $SN_CEC_TABLE_ENABLE) or"
+    " MD32450.": (
         "Cette table agit dans les deux sens : ce qui n'agit que dans un est une table CEC de"
         " l'axe sur lui-même ($AN_CEC_DIRECTION, SD41300 $SN_CEC_TABLE_ENABLE) ou MD32450."
     ),
@@ -344,11 +345,11 @@ TEXTS: Final[dict[str, str]] = {
         " des deux 1."
     ),
     "MD32450 $MA_BACKLASH[{index},{address}], times MD32452: positive where the axis loses"
-    " motion. It acts after NEW CONF, and once the axis is referenced.": (
+    " motion. It is active after NEW CONF, and once the axis is referenced.": (
         "MD32450 $MA_BACKLASH[{index},{address}], fois MD32452 : positif là où l'axe perd du"
         " mouvement. Il agit après NEW CONF, et une fois l'axe référencé."
     ),
-    "MD32456 $MA_BACKLASH_DYN, which the PLC switches, acts beside it.": (
+    "MD32456 $MA_BACKLASH_DYN, which the PLC switches, is active in addition to it.": (
         "MD32456 $MA_BACKLASH_DYN, que la PLC commute, agit en plus."
     ),
     "MD38000 $MA_MM_ENC_COMP_MAX_POINTS[{index},{address}] must be at least the number of"

@@ -26,12 +26,12 @@ TEXTS: Final[dict[str, str]] = {
         " dans le dossier de travail et recommencer le calcul."
     ),
     "Room for the tables": "De la place pour les tables",
-    "Home all motors, then I51=0: no table acts from here on; I{address}86 still does."
+    "Home all motors, then I51=0: no table is active from here on; I{address}86 still is."
     " Delete from the lowest motor number up, every motor that has one: DELETE BLCOMP and"
     " DELETE COMP with this motor addressed; and what exists of GATHER, TBUF, ROTARY,"
-    " LOOKAHEAD and TCOMP. Anything left makes the card answer ERR003. Tables of other"
-    " motors that the script below does not hold are gone then: define them again from the"
-    " highest motor down, before the script where their number is higher.": (
+    " LOOKAHEAD and TCOMP. Anything left makes the card answer ERR003. Tables of other motors"
+    " that the script below does not hold are gone then: define them again from the highest"
+    " motor down, before the script where their number is higher.": (
         "Référencer tous les moteurs, puis I51=0 : à partir d'ici aucune table n'agit ;"
         " I{address}86 agit encore. Effacer à partir du plus petit numéro de moteur, pour"
         " chaque moteur qui en a : DELETE BLCOMP et DELETE COMP avec ce moteur adressé ; et ce"
@@ -167,7 +167,7 @@ TEXTS: Final[dict[str, str]] = {
     "DEFINE COMP names the motors: #{address} by itself as source and as target.": (
         "DEFINE COMP nomme les moteurs : #{address} seul comme source et comme cible."
     ),
-    "COMP acts in both directions; BLCOMP and I{address}86 act only while the last command"
+    "COMP is active in both directions; BLCOMP and I{address}86 only while the last command"
     " went in the negative counting direction.": (
         "COMP agit dans les deux sens ; BLCOMP et I{address}86 n'agissent que tant que la"
         " dernière commande allait dans le sens de comptage négatif."

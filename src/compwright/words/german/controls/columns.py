@@ -19,8 +19,9 @@ TEXTS: Final[dict[str, str]] = {
         " anderer Achsen nicht ändern. Ob der erste Wert 0 sein muss, ist nicht bekannt."
     ),
     "Reach beyond the travel": "Über den Verfahrweg hinaus",
-    "What acts outside the table is not known: it should reach one spacing beyond the travel"
-    " of {name} on each side, with real values at both ends (job: table start and end).": (
+    "What the control does outside the table is unknown: the table should reach one spacing"
+    " beyond the travel of {name} on each side, with real values at both ends (job: table"
+    " start and end).": (
         "Was außerhalb der Tabelle wirkt, ist nicht bekannt: Sie soll auf jeder Seite um einen"
         " Punktabstand über den Verfahrweg von {name} hinausreichen, mit echten Werten an"
         " beiden Enden (Auftrag: Anfang und Ende der Tabelle)."
@@ -46,11 +47,11 @@ TEXTS: Final[dict[str, str]] = {
         "Die Steuerung aus- und einschalten. {referencing} Sollwerte können leicht springen,"
         " wenn eine Zeile gewählt wird."
     ),
-    "The sign of a table is not confirmed; that of MP720 is. Before the full test measure"
-    " two of the check positions (their table stands with the axis) as now and once more"
-    " without compensation (table: MP730 bit {bit} and MP720.{bit} = 0; line: MP720.{bit} ="
-    " 0; MP710.{bit} = 0): the compensation must add what stands there. If a table does the"
-    " opposite, set the option table_values to the other choice and run again.": (
+    "The sign of a table is not confirmed; that of MP720 is. Before the full test measure two"
+    " of the check positions (listed with the axis on the card) once as the control is now,"
+    " and once without compensation (table: MP730 bit {bit} and MP720.{bit} = 0; line:"
+    " MP720.{bit} = 0; MP710.{bit} = 0): the compensation must add what is listed there. If a"
+    " table does the opposite, set the option table_values to the other choice and run again.": (
         "Das Vorzeichen einer Tabelle ist nicht bestätigt; das von MP720 ist es. Vor der ganzen"
         " Prüfung zwei der Prüfpositionen (ihre Tabelle steht bei der Achse) messen, wie jetzt"
         " und noch einmal ohne Kompensation (Tabelle: MP730 Bit {bit} und MP720.{bit} = 0;"
@@ -84,8 +85,8 @@ TEXTS: Final[dict[str, str]] = {
         " bedeuten {table_values} (Option table_values). Die Spalten anderer Achsen nicht"
         " ändern."
     ),
-    "What acts outside the table is not known: it should reach one spacing beyond the travel"
-    " of {name} on each side (job: table start and end).": (
+    "What the control does outside the table is unknown: the table should reach one spacing"
+    " beyond the travel of {name} on each side (job: table start and end).": (
         "Was außerhalb der Tabelle wirkt, ist nicht bekannt: Sie soll auf jeder Seite um einen"
         " Punktabstand über den Verfahrweg von {name} hinausreichen (Auftrag: Anfang und Ende"
         " der Tabelle)."
@@ -100,15 +101,16 @@ TEXTS: Final[dict[str, str]] = {
         "CfgAxisComp der Achse {address}: backLash (401802) = {backlash} {backlash_unit},"
         " linearCompValue = {linear} mm/m; die nichtlineare Kompensation wählen."
     ),
-    "Restart the control. {referencing} The table acts in open loop too and is taken over"
-    " when the loop closes.": (
+    "Restart the control. {referencing} The table is active in open loop too and is taken"
+    " over when the loop closes.": (
         "Die Steuerung neu starten. {referencing} Die Tabelle wirkt auch bei offenem Regelkreis"
         " und wird übernommen, wenn er schließt."
     ),
     "The sign of the table is not confirmed. Before the full test measure two of the check"
-    " positions (their table stands with the axis) as now and once more without compensation"
-    " (no * in ACTIVE, backLash 0): the compensation must add what stands there. If it is"
-    " the opposite, set the option table_values to the other choice and run again.": (
+    " positions (listed with the axis on the card) once as the control is now, and once"
+    " without compensation (no * in ACTIVE, backLash 0): the compensation must add what is"
+    " listed there. If it is the opposite, set the option table_values to the other choice"
+    " and run again.": (
         "Das Vorzeichen der Tabelle ist nicht bestätigt. Vor der ganzen Prüfung zwei der"
         " Prüfpositionen (ihre Tabelle steht bei der Achse) messen, wie jetzt und noch einmal"
         " ohne Kompensation (kein * in ACTIVE, backLash 0): Die Kompensation muss addieren, was"
@@ -179,7 +181,7 @@ TEXTS: Final[dict[str, str]] = {
         " nicht sagen kann."
     ),
     "The bit of axis {address} in MP730 must be 1, and the active line of the .CMA must name"
-    " its .COM: nothing acts until both are so.": (
+    " its .COM: until then no table is active.": (
         "Das Bit der Achse {address} in MP730 muss 1 sein, und die aktive Zeile der .CMA muss"
         " ihre .COM nennen: Nichts wirkt, bevor beides so ist."
     ),
@@ -205,7 +207,7 @@ TEXTS: Final[dict[str, str]] = {
         "Die .COM zählt in mm oder in Zoll, und MP720 in mm/m."
     ),
     "With the bit of MP730 at 1 MP720 has no effect; a column for this axis in another axis'"
-    " .COM does act beside its own.": (
+    " .COM is active in addition to its own table.": (
         "Mit dem Bit von MP730 auf 1 ist MP720 ohne Wirkung; eine Spalte für diese Achse in der"
         " .COM einer anderen Achse wirkt neben der eigenen."
     ),
@@ -222,7 +224,7 @@ TEXTS: Final[dict[str, str]] = {
         "Die Spalte der .CMA nennt die Achse, die sich bewegt, die Spalte n=F() in der .COM die"
         " Achse, die korrigiert wird: Beide müssen {address} sein."
     ),
-    "A table has no direction here: what acts in one direction only is MP710 (or MP750"
+    "A table has no direction here: what is active in one direction only is MP710 (or MP750"
     " within the position loop).": (
         "Eine Tabelle hat hier keine Richtung: Was nur in einer Richtung wirkt, ist MP710 (oder"
         " MP750 im Lageregelkreis)."
@@ -232,8 +234,8 @@ TEXTS: Final[dict[str, str]] = {
         "MP710 der Achse {address}, bei jeder Umkehr aufgeschaltet: positiv, wo der Geber dem"
         " Tisch vorausläuft."
     ),
-    "Are all rows filled, from one spacing below the travel to one above? What acts outside"
-    " the table is not known.": (
+    "Are all rows filled, from one spacing below the travel to one above? What the control"
+    " does outside the table is unknown.": (
         "Sind alle Zeilen gefüllt, von einem Punktabstand unter dem Verfahrweg bis zu einem"
         " darüber? Was außerhalb der Tabelle wirkt, ist nicht bekannt."
     ),
@@ -264,13 +266,12 @@ TEXTS: Final[dict[str, str]] = {
     "The .COM counts in mm or in inch, as its first line says.": (
         "Die .COM zählt in mm oder in Zoll, wie ihre erste Zeile sagt."
     ),
-    "linearCompValue of CfgAxisComp beside the table: 0, or it may act too.": (
-        "linearCompValue von CfgAxisComp neben der Tabelle: 0, sonst kann es auch wirken."
-    ),
+    "linearCompValue of CfgAxisComp must be 0: otherwise it may be active in addition to the"
+    " table.": ("linearCompValue von CfgAxisComp neben der Tabelle: 0, sonst kann es auch wirken."),
     "The column AXISPOS: positions from the machine datum (MP_refPosition).": (
         "Die Spalte AXISPOS: Positionen vom Maschinennullpunkt (MP_refPosition)."
     ),
-    "AXISPOS must ascend, with the value of each position beside it: were the points entered"
+    "AXISPOS must ascend, with the value of each position next to it: were the points entered"
     " from the other end?": (
         "AXISPOS muss steigen, mit dem Wert jeder Position daneben: Wurden die Punkte vom"
         " anderen Ende an eingegeben?"

@@ -19,7 +19,7 @@ TEXTS: Final[dict[str, str]] = {
     "Set the keys": "Schlüssel setzen",
     "Put the three lines of {file_2} into the section [JOINT_{address}] of the INI file,"
     " replacing lines of the same name. BACKLASH becomes 0: the table contains the reversal,"
-    " and the control would ignore it beside a table.": (
+    " and the control ignores it where there is a table.": (
         "Die drei Zeilen von {file_2} in den Abschnitt [JOINT_{address}] der INI-Datei setzen,"
         " an die Stelle von Zeilen gleichen Namens. BACKLASH wird 0: Die Tabelle enthält die"
         " Umkehr, und neben einer Tabelle beachtet die Steuerung ihn nicht."
@@ -76,7 +76,7 @@ TEXTS: Final[dict[str, str]] = {
         " INI-Datei: nach jeder Änderung neu starten."
     ),
     "Reading stops without a message at the first line that is not three numbers (a comment,"
-    " a header, a comma): then the table is empty, and BACKLASH acts in its place.": (
+    " a header, a comma): then the table is empty, and BACKLASH is active in its place.": (
         "Das Lesen endet ohne Meldung an der ersten Zeile, die nicht aus drei Zahlen besteht"
         " (Kommentar, Kopfzeile, Komma): Dann ist die Tabelle leer, und BACKLASH wirkt an ihrer"
         " Stelle."
@@ -115,11 +115,11 @@ TEXTS: Final[dict[str, str]] = {
         " Reihenfolge der Kinematik gezählt, an einer Drehmaschine mit X und Z ist Z also"
         " Gelenk 1."
     ),
-    "The second column acts while the joint moves in +, the third one while it moves in -.": (
+    "The second column is active while the joint moves in +, the third one while it moves in -.": (
         "Die zweite Spalte wirkt bei der Bewegung in +, die dritte bei der Bewegung in -."
     ),
-    "BACKLASH of [JOINT_{address}] is ignored as soon as the table has one row; without rows"
-    " it acts by half in each direction.": (
+    "BACKLASH of [JOINT_{address}] is ignored as soon as the table has one row; without rows,"
+    " half of it is active in each direction.": (
         "BACKLASH von [JOINT_{address}] wird nicht beachtet, sobald die Tabelle eine Zeile hat;"
         " ohne Zeilen wirkt es zur Hälfte in jeder Richtung."
     ),

@@ -256,13 +256,13 @@ TEXTS: Final[dict[str, str]] = {
     "The A in the parameter file is the number of the controlled axis: {address} for {name}.": (
         "Das A in der Parameterdatei ist die Nummer der gesteuerten Achse: {address} für {name}."
     ),
-    "No second table is known here: what acts in one direction only is 1851.": (
+    "No second table is known here: what is active in one direction only is 1851.": (
         "Eine zweite Tabelle ist hier nicht bekannt: Was nur in einer Richtung wirkt, ist 1851."
     ),
     "1851 of axis {address}, in detection units.": (
         "1851 der Achse {address}, in Erfassungseinheiten."
     ),
-    "It acts from the first move against the reference return on, so approach twice from"
+    "It is active from the first move against the reference return on, so approach twice from"
     " each side before a reading counts.": (
         "Es wirkt ab der ersten Bewegung gegen die Referenzfahrt, deshalb von jeder Seite"
         " zweimal anfahren, bevor ein Messwert zählt."
@@ -329,13 +329,13 @@ TEXTS: Final[dict[str, str]] = {
         "3627 bindet die zweite Tabelle an der Referenzposition an: Ein falscher Wert"
         " verschiebt eine Richtung als Ganzes."
     ),
-    "1851 of axis {address}, in detection units; where bit 4 of 1800 is 1, 1852 acts at"
-    " rapid traverse in its place.": (
+    "1851 of axis {address}, in detection units; where bit 4 of 1800 is 1, 1852 is active in"
+    " its place at rapid traverse.": (
         "1851 der Achse {address}, in Erfassungseinheiten; wo Bit 4 von 1800 gleich 1 ist,"
         " wirkt im Eilgang 1852 an seiner Stelle."
     ),
-    "With two tables (bit 0 of 3605) 1851 acts beside them and must be 0 where they hold the"
-    " reversal.": (
+    "With two tables (bit 0 of 3605) 1851 is active in addition to them, and must be 0 where"
+    " the tables hold the reversal.": (
         "Mit zwei Tabellen (Bit 0 von 3605) wirkt 1851 zusätzlich und muss 0 sein, wo sie die"
         " Umkehr enthalten."
     ),

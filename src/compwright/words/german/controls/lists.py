@@ -149,8 +149,8 @@ TEXTS: Final[dict[str, str]] = {
         "kopf.achs_nr in der Liste und achs_kw_log_ax_nr[i] in der Hochlaufliste: die logische"
         " Nummer {address}."
     ),
-    "kw.ssfk.bilateral: with 1 the column pos acts in + and neg in -, with 0 there is one"
-    " column.": (
+    "kw.ssfk.bilateral: with 1 the column pos is active in + and neg in -, with 0 there is"
+    " one column.": (
         "kw.ssfk.bilateral: Mit 1 wirkt die Spalte pos in + und neg in -, mit 0 gibt es eine"
         " Spalte."
     ),

@@ -260,8 +260,8 @@ TEXTS: Final[dict[str, str]] = {
         "MD32710 $MA_CEC_ENABLE[{address}] der Ausgangsachse und SD41300 $SN_CEC_TABLE_ENABLE"
         " beider Tabellen müssen 1 sein; MD32710 muss beim Laden 0 gewesen sein."
     ),
-    "The axis must be referenced, in measuring system {system}: before that nothing acts,"
-    " and a lost reference switches it off.": (
+    "The axis must be referenced, in measuring system {system}: before that no compensation"
+    " is active, and a lost reference switches it off.": (
         "Die Achse muss referenziert sein, im Messsystem {system}: Vorher wirkt nichts, und"
         " eine verlorene Referenz schaltet es aus."
     ),
@@ -285,13 +285,13 @@ TEXTS: Final[dict[str, str]] = {
     "MD10240 and the line METRIC or INCH of the files: inch taken for mm is 25.4.": (
         "MD10240 und die Zeile METRIC oder INCH der Dateien: Zoll statt mm ist 25.4."
     ),
-    "A second table on the axis: a CEC table of {address} over itself (MD32710, SD41300)"
-    " beside MD32700 acts on top of it.": (
+    "A second table on the axis: where MD32700 is 1, a CEC table of {address} over itself"
+    " (MD32710, SD41300) is active in addition.": (
         "Eine zweite Tabelle auf der Achse: Eine CEC-Tabelle von {address} über sich selbst"
         " (MD32710, SD41300) neben MD32700 wirkt zusätzlich."
     ),
-    "A second table on the axis: MD32700 must be 0 beside a pair of CEC tables, and SD41310"
-    " $SN_CEC_TABLE_WEIGHT of both 1.": (
+    "A second table on the axis: MD32700 must be 0 where a pair of CEC tables is used, and"
+    " SD41310 $SN_CEC_TABLE_WEIGHT of both 1.": (
         "Eine zweite Tabelle auf der Achse: MD32700 muss neben einem Paar von CEC-Tabellen 0"
         " sein, und SD41310 $SN_CEC_TABLE_WEIGHT von beiden 1."
     ),
@@ -335,8 +335,9 @@ TEXTS: Final[dict[str, str]] = {
         "$AN_CEC_INPUT_AXIS und $AN_CEC_OUTPUT_AXIS beider Tabellen müssen ({address}) sein;"
         " nach MD10000 kann eine Maschinenachse auch X1 heißen."
     ),
-    "This table acts in both directions: what acts in one only is a CEC table of the axis"
-    " over itself ($AN_CEC_DIRECTION, SD41300 $SN_CEC_TABLE_ENABLE) or MD32450.": (
+    "This table is active in both directions. What is active in one direction only is a CEC"
+    " table of the axis over itself ($AN_CEC_DIRECTION, SD41300 $SN_CEC_TABLE_ENABLE) or"
+    " MD32450.": (
         "Diese Tabelle wirkt in beiden Richtungen: Was nur in einer wirkt, ist eine CEC-Tabelle"
         " der Achse über sich selbst ($AN_CEC_DIRECTION, SD41300 $SN_CEC_TABLE_ENABLE) oder"
         " MD32450."
@@ -347,11 +348,11 @@ TEXTS: Final[dict[str, str]] = {
         " $SN_CEC_TABLE_ENABLE von beiden 1."
     ),
     "MD32450 $MA_BACKLASH[{index},{address}], times MD32452: positive where the axis loses"
-    " motion. It acts after NEW CONF, and once the axis is referenced.": (
+    " motion. It is active after NEW CONF, and once the axis is referenced.": (
         "MD32450 $MA_BACKLASH[{index},{address}], mal MD32452: positiv, wo die Achse Weg"
         " verliert. Es wirkt nach NEW CONF und sobald die Achse referenziert ist."
     ),
-    "MD32456 $MA_BACKLASH_DYN, which the PLC switches, acts beside it.": (
+    "MD32456 $MA_BACKLASH_DYN, which the PLC switches, is active in addition to it.": (
         "MD32456 $MA_BACKLASH_DYN, das die PLC schaltet, wirkt daneben."
     ),
     "MD38000 $MA_MM_ENC_COMP_MAX_POINTS[{index},{address}] must be at least the number of"

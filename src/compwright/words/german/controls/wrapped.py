@@ -26,12 +26,12 @@ TEXTS: Final[dict[str, str]] = {
         " reference im Auftrag berichtigen und noch einmal ausführen."
     ),
     "Room for the tables": "Platz für die Tabellen",
-    "Home all motors, then I51=0: no table acts from here on; I{address}86 still does."
+    "Home all motors, then I51=0: no table is active from here on; I{address}86 still is."
     " Delete from the lowest motor number up, every motor that has one: DELETE BLCOMP and"
     " DELETE COMP with this motor addressed; and what exists of GATHER, TBUF, ROTARY,"
-    " LOOKAHEAD and TCOMP. Anything left makes the card answer ERR003. Tables of other"
-    " motors that the script below does not hold are gone then: define them again from the"
-    " highest motor down, before the script where their number is higher.": (
+    " LOOKAHEAD and TCOMP. Anything left makes the card answer ERR003. Tables of other motors"
+    " that the script below does not hold are gone then: define them again from the highest"
+    " motor down, before the script where their number is higher.": (
         "Alle Motoren referenzieren, dann I51=0: Von hier an wirkt keine Tabelle; I{address}86"
         " wirkt noch. Von der niedrigsten Motornummer an aufwärts bei jedem Motor löschen, der"
         " eine hat: DELETE BLCOMP und DELETE COMP mit diesem Motor adressiert; und was von"
@@ -168,7 +168,7 @@ TEXTS: Final[dict[str, str]] = {
     "DEFINE COMP names the motors: #{address} by itself as source and as target.": (
         "DEFINE COMP nennt die Motoren: #{address} allein als Quelle und als Ziel."
     ),
-    "COMP acts in both directions; BLCOMP and I{address}86 act only while the last command"
+    "COMP is active in both directions; BLCOMP and I{address}86 only while the last command"
     " went in the negative counting direction.": (
         "COMP wirkt in beiden Richtungen; BLCOMP und I{address}86 wirken nur, solange der"
         " letzte Befehl in negativer Zählrichtung ging."

@@ -19,8 +19,9 @@ TEXTS: Final[dict[str, str]] = {
         " других осей не трогать. Должно ли первое значение быть 0, неизвестно."
     ),
     "Reach beyond the travel": "Выйти за пределы хода",
-    "What acts outside the table is not known: it should reach one spacing beyond the travel"
-    " of {name} on each side, with real values at both ends (job: table start and end).": (
+    "What the control does outside the table is unknown: the table should reach one spacing"
+    " beyond the travel of {name} on each side, with real values at both ends (job: table"
+    " start and end).": (
         "Что действует вне таблицы, неизвестно: она должна выходить за ход {name} на один шаг"
         " точек с каждой стороны, с настоящими значениями на обоих концах (задание: начало и"
         " конец таблицы)."
@@ -46,11 +47,11 @@ TEXTS: Final[dict[str, str]] = {
         "Выключите и включите УЧПУ. {referencing} Заданные значения могут немного скакнуть при"
         " выборе строки."
     ),
-    "The sign of a table is not confirmed; that of MP720 is. Before the full test measure"
-    " two of the check positions (their table stands with the axis) as now and once more"
-    " without compensation (table: MP730 bit {bit} and MP720.{bit} = 0; line: MP720.{bit} ="
-    " 0; MP710.{bit} = 0): the compensation must add what stands there. If a table does the"
-    " opposite, set the option table_values to the other choice and run again.": (
+    "The sign of a table is not confirmed; that of MP720 is. Before the full test measure two"
+    " of the check positions (listed with the axis on the card) once as the control is now,"
+    " and once without compensation (table: MP730 bit {bit} and MP720.{bit} = 0; line:"
+    " MP720.{bit} = 0; MP710.{bit} = 0): the compensation must add what is listed there. If a"
+    " table does the opposite, set the option table_values to the other choice and run again.": (
         "Знак таблицы не подтверждён; знак MP720 подтверждён. До полной проверки измерьте две"
         " из контрольных позиций (их таблица — у оси) как сейчас и ещё раз без компенсации"
         " (таблица: MP730 бит {bit} и MP720.{bit} = 0; прямая: MP720.{bit} = 0; MP710.{bit} ="
@@ -81,8 +82,8 @@ TEXTS: Final[dict[str, str]] = {
         "Ось {address}: {table}. {load} При вводе: AXISPOS и столбец {address}. Значения имеют"
         " смысл {table_values} (опция table_values). Столбцы других осей не трогать."
     ),
-    "What acts outside the table is not known: it should reach one spacing beyond the travel"
-    " of {name} on each side (job: table start and end).": (
+    "What the control does outside the table is unknown: the table should reach one spacing"
+    " beyond the travel of {name} on each side (job: table start and end).": (
         "Что действует вне таблицы, неизвестно: она должна выходить за ход {name} на один шаг"
         " точек с каждой стороны (задание: начало и конец таблицы)."
     ),
@@ -96,15 +97,16 @@ TEXTS: Final[dict[str, str]] = {
         "CfgAxisComp оси {address}: backLash (401802) = {backlash} {backlash_unit},"
         " linearCompValue = {linear} мм/м; выберите нелинейную компенсацию."
     ),
-    "Restart the control. {referencing} The table acts in open loop too and is taken over"
-    " when the loop closes.": (
+    "Restart the control. {referencing} The table is active in open loop too and is taken"
+    " over when the loop closes.": (
         "Перезапустите УЧПУ. {referencing} Таблица действует и при разомкнутом контуре и"
         " принимается, когда контур замыкается."
     ),
     "The sign of the table is not confirmed. Before the full test measure two of the check"
-    " positions (their table stands with the axis) as now and once more without compensation"
-    " (no * in ACTIVE, backLash 0): the compensation must add what stands there. If it is"
-    " the opposite, set the option table_values to the other choice and run again.": (
+    " positions (listed with the axis on the card) once as the control is now, and once"
+    " without compensation (no * in ACTIVE, backLash 0): the compensation must add what is"
+    " listed there. If it is the opposite, set the option table_values to the other choice"
+    " and run again.": (
         "Знак таблицы не подтверждён. До полной проверки измерьте две из контрольных позиций"
         " (их таблица — у оси) как сейчас и ещё раз без компенсации (нет * в ACTIVE, backLash"
         " 0): компенсация должна прибавлять то, что там указано. Если наоборот, задайте другое"
@@ -172,7 +174,7 @@ TEXTS: Final[dict[str, str]] = {
         " сказать не может."
     ),
     "The bit of axis {address} in MP730 must be 1, and the active line of the .CMA must name"
-    " its .COM: nothing acts until both are so.": (
+    " its .COM: until then no table is active.": (
         "Бит оси {address} в MP730 должен быть 1, и активная строка .CMA должна называть её"
         " .COM: до этого ничего не действует."
     ),
@@ -197,7 +199,7 @@ TEXTS: Final[dict[str, str]] = {
         ".COM считает в мм или в дюймах, а MP720 в мм/м."
     ),
     "With the bit of MP730 at 1 MP720 has no effect; a column for this axis in another axis'"
-    " .COM does act beside its own.": (
+    " .COM is active in addition to its own table.": (
         "При бите MP730, равном 1, MP720 не действует; столбец для этой оси в .COM другой оси"
         " действует в дополнение к её собственному."
     ),
@@ -211,7 +213,7 @@ TEXTS: Final[dict[str, str]] = {
         "Столбец .CMA называет ось, которая движется, столбец n=F() в .COM — ось, которая"
         " корректируется: обе должны быть {address}."
     ),
-    "A table has no direction here: what acts in one direction only is MP710 (or MP750"
+    "A table has no direction here: what is active in one direction only is MP710 (or MP750"
     " within the position loop).": (
         "Таблица здесь не имеет направления: только в одном направлении действует MP710 (или"
         " MP750 в контуре положения)."
@@ -220,8 +222,8 @@ TEXTS: Final[dict[str, str]] = {
     " ahead of the table.": (
         "MP710 оси {address}, подаётся при каждом реверсе: плюс, где датчик опережает стол."
     ),
-    "Are all rows filled, from one spacing below the travel to one above? What acts outside"
-    " the table is not known.": (
+    "Are all rows filled, from one spacing below the travel to one above? What the control"
+    " does outside the table is unknown.": (
         "Заполнены ли все строки, от одного шага ниже хода до одного выше? Что действует вне"
         " таблицы, неизвестно."
     ),
@@ -252,13 +254,12 @@ TEXTS: Final[dict[str, str]] = {
     "The .COM counts in mm or in inch, as its first line says.": (
         ".COM считает в мм или в дюймах, как говорит его первая строка."
     ),
-    "linearCompValue of CfgAxisComp beside the table: 0, or it may act too.": (
-        "linearCompValue в CfgAxisComp рядом с таблицей: 0, иначе может действовать тоже."
-    ),
+    "linearCompValue of CfgAxisComp must be 0: otherwise it may be active in addition to the"
+    " table.": ("linearCompValue в CfgAxisComp рядом с таблицей: 0, иначе может действовать тоже."),
     "The column AXISPOS: positions from the machine datum (MP_refPosition).": (
         "Столбец AXISPOS: позиции от нуля станка (MP_refPosition)."
     ),
-    "AXISPOS must ascend, with the value of each position beside it: were the points entered"
+    "AXISPOS must ascend, with the value of each position next to it: were the points entered"
     " from the other end?": (
         "AXISPOS должен возрастать, со значением каждой позиции рядом: не введены ли точки с"
         " другого конца?"

@@ -19,7 +19,7 @@ TEXTS: Final[dict[str, str]] = {
     "Set the keys": "Задать ключи",
     "Put the three lines of {file_2} into the section [JOINT_{address}] of the INI file,"
     " replacing lines of the same name. BACKLASH becomes 0: the table contains the reversal,"
-    " and the control would ignore it beside a table.": (
+    " and the control ignores it where there is a table.": (
         "Внесите три строки {file_2} в раздел [JOINT_{address}] файла INI на место строк с теми"
         " же именами. BACKLASH становится 0: таблица содержит реверс, а рядом с таблицей УЧПУ"
         " его не учитывает."
@@ -75,7 +75,7 @@ TEXTS: Final[dict[str, str]] = {
         " файла INI: перезапускайте после каждого изменения."
     ),
     "Reading stops without a message at the first line that is not three numbers (a comment,"
-    " a header, a comma): then the table is empty, and BACKLASH acts in its place.": (
+    " a header, a comma): then the table is empty, and BACKLASH is active in its place.": (
         "Чтение кончается без сообщения на первой строке, где не три числа (комментарий,"
         " заголовок, запятая): тогда таблица пуста, и вместо неё действует BACKLASH."
     ),
@@ -112,11 +112,11 @@ TEXTS: Final[dict[str, str]] = {
         "Таблица относится к разделу [JOINT_{address}]: узлы считаются от 0 в порядке"
         " кинематики, поэтому на токарном станке с X и Z ось Z — узел 1."
     ),
-    "The second column acts while the joint moves in +, the third one while it moves in -.": (
+    "The second column is active while the joint moves in +, the third one while it moves in -.": (
         "Второй столбец действует при движении в +, третий — при движении в -."
     ),
-    "BACKLASH of [JOINT_{address}] is ignored as soon as the table has one row; without rows"
-    " it acts by half in each direction.": (
+    "BACKLASH of [JOINT_{address}] is ignored as soon as the table has one row; without rows,"
+    " half of it is active in each direction.": (
         "BACKLASH из [JOINT_{address}] не учитывается, как только в таблице есть строка; без"
         " строк он действует наполовину в каждом направлении."
     ),

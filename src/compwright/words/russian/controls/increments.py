@@ -242,11 +242,11 @@ TEXTS: Final[dict[str, str]] = {
     "The A in the parameter file is the number of the controlled axis: {address} for {name}.": (
         "A в файле параметров — номер управляемой оси: {address} для {name}."
     ),
-    "No second table is known here: what acts in one direction only is 1851.": (
+    "No second table is known here: what is active in one direction only is 1851.": (
         "Вторая таблица здесь неизвестна: только в одном направлении действует 1851."
     ),
     "1851 of axis {address}, in detection units.": "1851 оси {address}, в единицах измерения.",
-    "It acts from the first move against the reference return on, so approach twice from"
+    "It is active from the first move against the reference return on, so approach twice from"
     " each side before a reading counts.": (
         "Он действует с первого движения против выхода в опорную позицию, поэтому подойдите с"
         " каждой стороны дважды, прежде чем отсчёт считается."
@@ -308,13 +308,13 @@ TEXTS: Final[dict[str, str]] = {
         "3627 привязывает вторую таблицу в опорной позиции: неверное значение сдвигает одно"
         " направление целиком."
     ),
-    "1851 of axis {address}, in detection units; where bit 4 of 1800 is 1, 1852 acts at"
-    " rapid traverse in its place.": (
+    "1851 of axis {address}, in detection units; where bit 4 of 1800 is 1, 1852 is active in"
+    " its place at rapid traverse.": (
         "1851 оси {address}, в единицах измерения; где бит 4 параметра 1800 равен 1, на быстром"
         " ходу вместо него действует 1852."
     ),
-    "With two tables (bit 0 of 3605) 1851 acts beside them and must be 0 where they hold the"
-    " reversal.": (
+    "With two tables (bit 0 of 3605) 1851 is active in addition to them, and must be 0 where"
+    " the tables hold the reversal.": (
         "С двумя таблицами (бит 0 параметра 3605) 1851 действует дополнительно и должен быть 0,"
         " где они содержат реверс."
     ),

@@ -145,8 +145,8 @@ TEXTS: Final[dict[str, str]] = {
     " number {address}.": (
         "kopf.achs_nr в списке и achs_kw_log_ax_nr[i] в списке запуска: логический номер {address}."
     ),
-    "kw.ssfk.bilateral: with 1 the column pos acts in + and neg in -, with 0 there is one"
-    " column.": (
+    "kw.ssfk.bilateral: with 1 the column pos is active in + and neg in -, with 0 there is"
+    " one column.": (
         "kw.ssfk.bilateral: при 1 столбец pos действует в +, а neg в -, при 0 столбец один."
     ),
     "getriebe[0].lose and lr_param.anwahl_losekomp of axis {address}: a table with two"

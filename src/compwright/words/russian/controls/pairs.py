@@ -247,8 +247,8 @@ TEXTS: Final[dict[str, str]] = {
         "MD32710 $MA_CEC_ENABLE[{address}] выходной оси и SD41300 $SN_CEC_TABLE_ENABLE обеих"
         " таблиц должны быть 1; MD32710 при загрузке должно было быть 0."
     ),
-    "The axis must be referenced, in measuring system {system}: before that nothing acts,"
-    " and a lost reference switches it off.": (
+    "The axis must be referenced, in measuring system {system}: before that no compensation"
+    " is active, and a lost reference switches it off.": (
         "Ось должна быть выведена в опорную позицию, в измерительной системе {system}: до этого"
         " ничего не действует, а потеря опорной позиции это выключает."
     ),
@@ -272,13 +272,13 @@ TEXTS: Final[dict[str, str]] = {
     "MD10240 and the line METRIC or INCH of the files: inch taken for mm is 25.4.": (
         "MD10240 и строка METRIC или INCH файлов: дюймы вместо мм — это 25.4."
     ),
-    "A second table on the axis: a CEC table of {address} over itself (MD32710, SD41300)"
-    " beside MD32700 acts on top of it.": (
+    "A second table on the axis: where MD32700 is 1, a CEC table of {address} over itself"
+    " (MD32710, SD41300) is active in addition.": (
         "Вторая таблица на оси: таблица CEC {address} по себе самой (MD32710, SD41300) рядом с"
         " MD32700 действует дополнительно."
     ),
-    "A second table on the axis: MD32700 must be 0 beside a pair of CEC tables, and SD41310"
-    " $SN_CEC_TABLE_WEIGHT of both 1.": (
+    "A second table on the axis: MD32700 must be 0 where a pair of CEC tables is used, and"
+    " SD41310 $SN_CEC_TABLE_WEIGHT of both 1.": (
         "Вторая таблица на оси: MD32700 рядом с парой таблиц CEC должно быть 0, а SD41310"
         " $SN_CEC_TABLE_WEIGHT обеих — 1."
     ),
@@ -320,8 +320,9 @@ TEXTS: Final[dict[str, str]] = {
         "$AN_CEC_INPUT_AXIS и $AN_CEC_OUTPUT_AXIS обеих таблиц должны быть ({address}); по"
         " MD10000 станочная ось может называться и X1."
     ),
-    "This table acts in both directions: what acts in one only is a CEC table of the axis"
-    " over itself ($AN_CEC_DIRECTION, SD41300 $SN_CEC_TABLE_ENABLE) or MD32450.": (
+    "This table is active in both directions. What is active in one direction only is a CEC"
+    " table of the axis over itself ($AN_CEC_DIRECTION, SD41300 $SN_CEC_TABLE_ENABLE) or"
+    " MD32450.": (
         "Эта таблица действует в обоих направлениях: только в одном действует таблица CEC оси"
         " по себе самой ($AN_CEC_DIRECTION, SD41300 $SN_CEC_TABLE_ENABLE) или MD32450."
     ),
@@ -331,11 +332,11 @@ TEXTS: Final[dict[str, str]] = {
         " — 1."
     ),
     "MD32450 $MA_BACKLASH[{index},{address}], times MD32452: positive where the axis loses"
-    " motion. It acts after NEW CONF, and once the axis is referenced.": (
+    " motion. It is active after NEW CONF, and once the axis is referenced.": (
         "MD32450 $MA_BACKLASH[{index},{address}], умноженное на MD32452: плюс, где ось теряет"
         " ход. Оно действует после NEW CONF и когда ось выведена в опорную позицию."
     ),
-    "MD32456 $MA_BACKLASH_DYN, which the PLC switches, acts beside it.": (
+    "MD32456 $MA_BACKLASH_DYN, which the PLC switches, is active in addition to it.": (
         "MD32456 $MA_BACKLASH_DYN, которое переключает PLC, действует дополнительно."
     ),
     "MD38000 $MA_MM_ENC_COMP_MAX_POINTS[{index},{address}] must be at least the number of"

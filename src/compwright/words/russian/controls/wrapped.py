@@ -26,12 +26,12 @@ TEXTS: Final[dict[str, str]] = {
         " задании и выполните расчёт снова."
     ),
     "Room for the tables": "Место для таблиц",
-    "Home all motors, then I51=0: no table acts from here on; I{address}86 still does."
+    "Home all motors, then I51=0: no table is active from here on; I{address}86 still is."
     " Delete from the lowest motor number up, every motor that has one: DELETE BLCOMP and"
     " DELETE COMP with this motor addressed; and what exists of GATHER, TBUF, ROTARY,"
-    " LOOKAHEAD and TCOMP. Anything left makes the card answer ERR003. Tables of other"
-    " motors that the script below does not hold are gone then: define them again from the"
-    " highest motor down, before the script where their number is higher.": (
+    " LOOKAHEAD and TCOMP. Anything left makes the card answer ERR003. Tables of other motors"
+    " that the script below does not hold are gone then: define them again from the highest"
+    " motor down, before the script where their number is higher.": (
         "Выведите все двигатели в опорную позицию, затем I51=0: с этого момента таблицы не"
         " действуют; I{address}86 ещё действует. Удалите, начиная с наименьшего номера"
         " двигателя, у каждого, где есть: DELETE BLCOMP и DELETE COMP при этом адресованном"
@@ -161,7 +161,7 @@ TEXTS: Final[dict[str, str]] = {
     "DEFINE COMP names the motors: #{address} by itself as source and as target.": (
         "DEFINE COMP называет двигатели: только #{address} как источник и как цель."
     ),
-    "COMP acts in both directions; BLCOMP and I{address}86 act only while the last command"
+    "COMP is active in both directions; BLCOMP and I{address}86 only while the last command"
     " went in the negative counting direction.": (
         "COMP действует в обоих направлениях; BLCOMP и I{address}86 действуют, только пока"
         " последняя команда шла в отрицательном направлении счёта."
