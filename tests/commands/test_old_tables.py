@@ -155,7 +155,7 @@ def test_no_total_is_made_from_what_did_not_act(
         "    before: [{files: on.csv, name: with}, {files: off.csv, name: without, measured_in: bare}]\n"
     )
     assert compwright(["run", str(tmp_path / "job.yaml")]) == 1
-    said = capsys.readouterr().out
+    said = " ".join(capsys.readouterr().out.split())
     assert "CW-P001" in said
     assert "was not active" in said
     assert "COMP_FILE of [JOINT_0]" in said

@@ -475,7 +475,7 @@ def test_a_drift_is_told_with_its_size_and_its_odds() -> None:
 def test_expansion_is_told_at_both_ends() -> None:
     drift = 6.0 * U * (np.arange(N) / (N - 1) - 0.5)
     told = message(posterior(white(6) + drift), "CW-E021")
-    low, high = map(float, re.findall(r"([+-][0-9.]+) µm at its", told))
+    low, high = map(float, re.findall(r"([+-][0-9.]+) µm at the (?:lower|upper) end", told))
     assert (low, high) == pytest.approx((-6.0, 6.0), abs=0.9)
 
 

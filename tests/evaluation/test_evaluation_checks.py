@@ -144,7 +144,7 @@ def test_the_other_test_of_a_long_axis_is_missed_only_where_it_is_missing() -> N
     assert "n = 5" in said(whole, whole)[0]
     assert "whole length" in said(part)[0]
     assert "whole length" in said(part, part)[0]
-    assert "Repeated approaches" in said(over_all, whole)[0]  # whatever there is beside it
+    assert "repeats its approaches" in said(over_all, whole)[0]  # whatever there is beside it
 
 
 def test_long_rotary_axes_by_edition() -> None:

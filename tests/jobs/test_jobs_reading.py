@@ -161,7 +161,7 @@ def test_complete_example_of_the_page_is_read_key_by_key() -> None:
         "positioning",
     )
     told = [
-        finding.message.split(" does nothing")[0]
+        finding.message.split(" has no effect")[0]
         for finding in read.findings
         if finding.code == "CW-J004"
     ]

@@ -137,7 +137,7 @@ def test_which_one_counts_is_said() -> None:
     for apply, word in ((ApplyRequest(), "laser"), (FROM_CIRCLE, "circle")):
         checks = checks_of({"X": work_of(LAGS)}, apply=apply)
         (finding,) = checks.findings([circle])
-        assert f"that of the {word} counts" in finding.message
+        assert f"value of the {word} is used" in finding.message
         assert "+5.0 ± 0.0 µm by the laser, +9.0 ± 1.0 µm by circle" in finding.message
 
 

@@ -134,9 +134,10 @@ def told(
 def test_a_gain_is_offered_in_both_predictions() -> None:
     words = told(2.0, 3.0)
     assert (
-        "stays, 3 points from 0 to 500 mm, every 250 mm, predicted A 10.00 µm (12.00 µm at" in words
+        "are kept, 3 points from 0 to 500 mm, every 250 mm: predicted A 10.00 µm (12.00 µm at"
+        in words
     )
-    assert "would give A 8.00 µm (9.00 µm): spacing: auto" in words
+    assert "would give A 8.00 µm (9.00 µm). To use them, set `spacing: auto`" in words
 
 
 def test_a_gain_at_new_targets_alone_is_one() -> None:
