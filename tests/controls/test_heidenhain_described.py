@@ -250,7 +250,7 @@ def test_where_the_table_has_no_place_the_sheet_comes_as_before(
     (folder / "Y.csv").write_text(PLAY.format("Y") + "linearCompValue,,0.0,mm/m\n")
     assert run(folder, NCK.id, states=states(folder, text).replace("]", ", Y.csv]")) == 0
     said = " ".join(capsys.readouterr().out.split())
-    assert f"({why}). Type it into" in said
+    assert f"({why}). Type them into" in said
     assert (folder / "job" / "card" / "cross_X_Y.csv").exists()
     assert not (folder / "job" / "tables").exists()
 

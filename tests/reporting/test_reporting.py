@@ -721,7 +721,7 @@ def test_the_card_as_text_says_the_same() -> None:
     assert any("instrument set to zero" in line for line in lines_) is False
     card["axes"][0]["quick_check"][0]["expected"] = 0.0
     assert (
-        "In this order, the instrument set to zero at the first row."
+        "Measure in this order, with the instrument set to zero at the first row."
         in card_markdown(card).splitlines()
     )
 

@@ -212,7 +212,7 @@ def test_a_fault_is_found_by_its_name(case: str) -> None:
         ("backlash turned", "the backlash value is wrong: with the wrong sign"),
         ("a part", "up to node 9 (200), nothing beyond"),
         # 16 intervals of 25 mm; the table holds 1.3 µm at node 9: from node 10 on looks alike.
-        ("the other part", "A part of the table is active: from node 9 on (200)"),
+        ("the other part", "Only a part of the table is active: from node 9 on (200)"),
         ("nothing", "The table is not active"),
         ("another axis", "that of axis Y"),
     ],

@@ -20,7 +20,7 @@ _VARIABLE = "_COMPWRIGHT_COMPLETE"
     page="docs/commands.md#completion",
 )
 @click.argument(
-    "shell", type=click.Choice(["bash", "zsh", "fish"]), help="The shell that will load it."
+    "shell", type=click.Choice(["bash", "zsh", "fish"]), help="The shell that will load the script."
 )
 @exiting
 def completion(shell: str) -> int:

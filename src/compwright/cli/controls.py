@@ -39,11 +39,11 @@ from compwright.cli.words import (
 )
 @format_option
 @control_options
-@click.option("--axis", metavar="ADDRESS", help="Only this axis, by the control's own name.")
+@click.option("--axis", metavar="ADDRESS", help="Show only this axis, named as in the control.")
 @click.option(
     "--at",
     metavar="LIST",
-    help="Positions: numbers and LO:HI:STEP, separated by commas; default: the nodes.",
+    help="Positions to show: numbers and LO:HI:STEP, with commas; default: the table points.",
 )
 @json_option
 @force_option
@@ -79,7 +79,10 @@ def decode(
     page="docs/commands.md#export",
 )
 @click.argument(
-    "plan", metavar="PLAN.json", type=PATH, help="The plan of a run, or the folder of its results."
+    "plan",
+    metavar="PLAN.json",
+    type=PATH,
+    help="plan.json of a run, or the result folder that holds it.",
 )
 @format_option
 @control_options
@@ -122,7 +125,10 @@ def export(
     page="docs/commands.md#compare",
 )
 @click.argument(
-    "plan", metavar="PLAN.json", type=PATH, help="The plan of a run, or the folder of its results."
+    "plan",
+    metavar="PLAN.json",
+    type=PATH,
+    help="plan.json of a run, or the result folder that holds it.",
 )
 @click.option(
     "--loaded",
@@ -130,7 +136,7 @@ def export(
     required=True,
     type=PATH,
     metavar="FILE...",
-    help="What was read back from the control; files or folders.",
+    help="Files that were read back from the control, or folders of them.",
 )
 @json_option
 @force_option

@@ -26,13 +26,17 @@ from compwright.cli.words import PATH, Invocation, compwright, exiting, force_op
     help="Result folders, or folders above them.",
 )
 @click.option("--plot", type=PATH, help="Plot to a file: .svg, .png or .pdf.")
-@click.option("--page", type=PATH, help="An HTML page: a row for each axis (extra `report`).")
-@click.option("--table", type=PATH, metavar="PATH.csv", help="Every test as a row of a CSV file.")
+@click.option(
+    "--page", type=PATH, help="Write an HTML page, a row for each axis (needs the extra `report`)."
+)
+@click.option(
+    "--table", type=PATH, metavar="PATH.csv", help="Write every test as a row of a CSV file."
+)
 @click.option(
     "--index",
     type=PATH,
     metavar="FILE.sqlite",
-    help="Keep what was read here: only folders that changed are read again.",
+    help="File that keeps what was read, so that only changed folders are read again.",
 )
 @json_option
 @force_option

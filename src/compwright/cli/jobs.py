@@ -40,7 +40,7 @@ from compwright.cli.words import (
     required=True,
     metavar="JOB.yaml|FILE...",
     type=PATH,
-    help="The job; or measurement files with --format, --axis, --travel and --state.",
+    help="The job file; or measurement files with --format, --axis, --travel and --state.",
 )
 @click.option(
     "--format",
@@ -53,7 +53,7 @@ from compwright.cli.words import (
 @click.option(
     "--travel",
     metavar="LO:HI",
-    help="Without a job file: its travel in machine coordinates, mm or deg.",
+    help="Without a job file: travel of the axis in machine coordinates, mm or deg.",
 )
 @state_option
 @control_options
@@ -196,7 +196,7 @@ def new(
     required=True,
     type=FILE_WORD,
     metavar="[TEST=]FILE...",
-    help="Tests made after loading.",
+    help="Measurement files from after loading; TEST: the test of the job that is repeated.",
 )
 @click.option(
     "--plan", type=PATH, help="Folder of the run, or its plan.json; default: where run puts it."
@@ -206,13 +206,13 @@ def new(
     multiple=True,
     type=PATH,
     metavar="FILE...",
-    help="What was read back from the control.",
+    help="Files that were read back from the control, or folders of them.",
 )
 @click.option("--out", type=PATH, help="Folder for the results; default: that of the run.")
 @click.option(
     "--update",
     is_flag=True,
-    help="Write the next round into next/ below the results; needs --loaded.",
+    help="Write tables of the next round into next/ in the results; needs --loaded.",
 )
 @profile_option
 @report_option

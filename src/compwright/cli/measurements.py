@@ -58,17 +58,17 @@ _STANDARDS = (
     "standards",
     multiple=True,
     metavar="ID...",
-    help=f"One per kind of test: {_STANDARDS}.",
+    help=f"Standard to evaluate to, one for each kind of test: {_STANDARDS}.",
 )
 @click.option(
     "--spread",
     type=click.Choice(["std", "range"]),
     default="std",
-    help="How s is estimated (range: 1988 and GOST only).",
+    help="How the standard deviation s is estimated (range: only 1988 and GOST).",
 )
 @profile_option
 @click.option("--plot", type=PATH, help="Plot to a file: .svg, .png or .pdf.")
-@click.option("--targets", is_flag=True, help="Show the values of every target too.")
+@click.option("--targets", is_flag=True, help="Also show the values at every target.")
 @click.option(
     "--table",
     type=PATH,
@@ -238,7 +238,10 @@ def profile(
     "--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Seed of the noise."
 )
 @click.option(
-    "--with-tables", "tables", type=PATH, help="Folder with the control's files that are loaded."
+    "--with-tables",
+    "tables",
+    type=PATH,
+    help="Folder of control files that the virtual machine has loaded.",
 )
 @force_option
 @exiting

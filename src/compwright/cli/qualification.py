@@ -20,7 +20,9 @@ from compwright.cli.words import PATH, Invocation, compwright, exiting, force_op
     page="docs/commands.md#selftest",
 )
 @click.option("--out", type=PATH, metavar="DIR", help="Folder for selftest.html and selftest.json.")
-@click.option("--report", type=PATH, metavar="PATH.html", help="Write the page to sign.")
+@click.option(
+    "--report", type=PATH, metavar="PATH.html", help="Write the page of results, to be signed."
+)
 @json_option
 @force_option
 @exiting

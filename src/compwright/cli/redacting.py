@@ -41,9 +41,9 @@ from compwright.cli.words import (
     "format_id",
     metavar="ID",
     shell_complete=complete_format,
-    help="The control that all the files are of; without it their content tells.",
+    help="The control that all the files belong to; default: found from their content.",
 )
-@click.option("--show", is_flag=True, help="Print the texts that were taken out too.")
+@click.option("--show", is_flag=True, help="Also print the texts that were removed.")
 @json_option
 @force_option
 @exiting

@@ -178,7 +178,7 @@ control_options = click.option(
     "options",
     multiple=True,
     metavar="K=V...",
-    help="An option of the control; see compwright formats show ID.",
+    help="An option of the control; `compwright formats show ID` lists them.",
 )
 
 
@@ -188,7 +188,7 @@ state_option = click.option(
     multiple=True,
     type=FILE_WORD,
     metavar="none|FILE...",
-    help="What is active in the control: none, or its files.",
+    help="What the control holds now: the word none, or the control's own files.",
 )
 
 
@@ -196,12 +196,15 @@ profile_option = click.option(
     "--profile",
     type=PATH,
     metavar="P.yaml",
-    help="Read tables of other programs by this mapping profile; see compwright profile.",
+    help="Mapping profile for tables of other programs; compwright profile proposes one.",
 )
 
 
 report_option = click.option(
-    "--report", type=PATH, metavar="PATH.pdf", help="Write the report as PDF too (extra pdf)."
+    "--report",
+    type=PATH,
+    metavar="PATH.pdf",
+    help="Also write the report as PDF (needs the extra `pdf`).",
 )
 
 

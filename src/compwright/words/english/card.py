@@ -19,8 +19,9 @@ SENTENCES: Final[dict[str, str]] = {
     "card.expected": "Expected deviation",
     "card.fixed": "Fixed positions that move",
     "card.how_to_check": (
-        "Every check of this card is made here: what the control adds, on its compensation display"
-        " where it has one, and after loading the quick check with the instrument."
+        "Make every check of this card at these positions. Read what the control adds on its"
+        " compensation display, if it has one. After loading, make the quick check with the"
+        " instrument."
     ),
     "card.inferred": "inferred",
     "card.limit": (
@@ -65,7 +66,7 @@ SENTENCES: Final[dict[str, str]] = {
     "card.values": "Values that change",
     "card.way_back": "Way back",
     "card.with_unit": "{text} ({unit})",
-    "card.zeroed": "In this order, the instrument set to zero at the first row.",
+    "card.zeroed": "Measure in this order, with the instrument set to zero at the first row.",
     "numbering.label": "numbers of the sections",
     "numbering.mark": "is the reference position",
     "numbering.number": "number",

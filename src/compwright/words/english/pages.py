@@ -16,9 +16,10 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "circle.compared": "Comparison",
     "circle.comparison": (
-        "Software of the instrument: agrees: within two standard errors of our value. Not valid, in"
-        " brackets: the software itself says so. Differs: its model is not published; ours fits"
-        " every cause at once, with step and spike of each reversal point of their own."
+        "Comparison with the software of the instrument. Agrees: within two standard errors of"
+        " our value. Differs: the model of that software is not published; our model fits all"
+        " causes at once, with a step and a spike of its own at each reversal point. Not valid,"
+        " in brackets: that software itself says so."
     ),
     "circle.detail": "– {part}",
     "circle.effect": "Effect on the radius",
@@ -37,8 +38,8 @@ SENTENCES: Final[dict[str, str]] = {
     "circle.no_table": "No table corrects these causes. Repeat the test after the work.",
     "circle.nominal": "nominal circle",
     "circle.open_causes": (
-        "No step for {causes}: the standard error is more than half of the value. Repeat the"
-        " circle, if possible at a lower feed; a cause that returns is real."
+        "No action is proposed for {causes}, because the standard error is more than half of the"
+        " value. Repeat the circle, if possible at a lower feed; a cause that returns is real."
     ),
     "circle.parameter": (
         "{name:choose|G=Circular deviation, minimum zone|G_lsc=by the least-squares"
@@ -83,7 +84,7 @@ SENTENCES: Final[dict[str, str]] = {
         " {centre:choose|G=least-squares circle|F=least-squares centre}|}"
     ),
     "circle.to_do": "{cause} ({share:.0f} % of all effects). {step}",
-    "circle.unexplained": "What the causes below leave unexplained: {rms} µm rms.",
+    "circle.unexplained": "The causes below leave {rms} µm rms unexplained.",
     "circle.value_error": "Value ± standard error",
     "circle.zone": (
         "minimum zone{sense:choose|both= of both|ccw=, ccw|cw=, cw}: G {G} µm{D:if|; D {D} µm|}"
@@ -145,9 +146,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "limits.left": "Left by the control",
     "limits.note": (
-        "Each bar: by how much {parameter} would be smaller without this cause alone, from the same"
-        " draws. The parts do not add up, because {parameter} is a range: what two causes do at"
-        " different places counts once."
+        "Each bar shows how much smaller {parameter} would be without this one cause, calculated"
+        " on the same simulated tests. The bars do not add up, because {parameter} is a range:"
+        " causes at different positions count only once."
     ),
     "limits.part": "Part of {parameter}",
     "limits.summary": (
@@ -157,8 +158,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "period.alike": "These targets cannot tell apart: {periods} {unit}.",
     "period.caption": (
-        "How much more likely the readings are with an error that repeats at each period than with"
-        " none, before it is counted how usual the period is. Dashed: periods that count."
+        "For each period: how much more likely the readings are with an error of this period than"
+        " without it. How usual such a period is on machines is not yet included. Dashed: periods"
+        " that are used in the estimate."
     ),
     "period.described": "odds of each period",
     "period.least": "smallest amplitude that this test shows, by period",
@@ -189,7 +191,8 @@ SENTENCES: Final[dict[str, str]] = {
     "report.conditions": "Conditions of the test, {standard}",
     "report.conform": "The machine conforms to every limit of the table above.",
     "report.conformity_open": (
-        "Conformity is not stated: at least one decision, or what it rests on, is open."
+        "Conformity is not stated, because at least one decision, or a doubt that it depends on,"
+        " is open."
     ),
     "report.customer": "Customer",
     "report.date": "Date of the test",
@@ -268,8 +271,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "run.estimate": "Axis {axis}: estimated error",
     "run.estimate_note": (
-        "What the table is meant to remove: the deviation over the travel in the state in which it"
-        " was measured, with its uncertainty."
+        "The error that the table has to remove: the deviation over the travel, in the state in"
+        " which it was measured, with its uncertainty."
     ),
     "run.files": "Files",
     "run.files_written": "Files written",
@@ -278,7 +281,7 @@ SENTENCES: Final[dict[str, str]] = {
         " refusals of a control's files are in English."
     ),
     "run.legend": (
-        "Grey: before. Blue: 5 to 95 % of fresh tests at the same targets, upright line: median."
+        "Grey: before. Blue: 5 to 95 % of new tests at the same targets; vertical line: median."
         " Dashed: limit."
     ),
     "run.limit_missed": "At least one limit is predicted to be missed",
@@ -308,12 +311,12 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "run.state_none": "None: nothing was active in the control when the axis was measured.",
     "run.state_not_given": (
-        "Not given. Without it no table is written: the new total has to hold what is active"
-        " already."
+        "Not given. Without it no table is written, because the new table has to include what is"
+        " already active."
     ),
     "run.table": (
-        "{count} nodes, as read back from the files.{wanted:if| Broad line: what was wanted before"
-        " rounding and limits.}"
+        "{count} table points, as read back from the files.{wanted:if| Broad line: the wanted"
+        " correction before rounding and limits.}"
     ),
     "run.worth": "Axis {axis}: what the points of the table are worth",
     "verify.comparison": "Before, predicted and after",

@@ -19,8 +19,9 @@ SENTENCES: Final[dict[str, str]] = {
     "doubts.acknowledged": "Acknowledged in the job: {reason}. {message}",
     "doubts.first": "Check first: the result depends on it",
     "doubts.step": (
-        "Nothing is decided until this is clear. Correct the test or the job and run again, or give"
-        " the reason why it is right in the job: acknowledged: {{{codes:join|: reason, }: reason}}"
+        "Nothing is decided until these doubts are cleared up. Correct the test or the job and"
+        " run again. If the measurement is right as it is, give the reason in the job:"
+        " acknowledged: {{{codes:join|: reason, }: reason}}"
     ),
     "in_direction": "{value} in {direction}",
     "increments": "{symmetric:if|±{largest}|{least} to {largest}}",
@@ -57,11 +58,13 @@ SENTENCES: Final[dict[str, str]] = {
     "undetermined.lobes": "lobes belong to a closed circle",
     "undetermined.no_reversal": "{axis} does not reverse inside the arc",
     "undetermined.of_circle": "{circle}: {reason}",
-    "undetermined.one_direction": "one direction cannot separate it from lag and lost motion",
+    "undetermined.one_direction": (
+        "one direction alone cannot separate this cause from lag and lost motion"
+    ),
     "undetermined.one_reversal": "the arc holds one reversal point of the axis only",
     "undetermined.prior": (
-        "{value:+3sig} ± {error:2sig} {unit} is not known well enough: the samples add little to"
-        " what machines have (±{width:g}, standard deviation)"
+        "{value:+3sig} ± {error:2sig} {unit} is too uncertain: the samples add little to the"
+        " range that is usual on machines (±{width:g}, standard deviation)"
     ),
     "undetermined.spike": (
         "the samples after the reversal are too few to tell a spike from lost motion: sample faster"

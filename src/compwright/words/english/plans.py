@@ -102,8 +102,8 @@ SENTENCES: Final[dict[str, str]] = {
         "{what} is corrected in the files by straightness compensation: {values}."
     ),
     "CW-P113.typed": (
-        "No file contains the correction of {what} ({why}). Type it into {where}, {rows}, as the"
-        " card and its sheet describe. The values are"
+        "{what} is corrected by values that no file contains ({why}). Type them into {where},"
+        " {rows}, as the card and its sheet describe. The values are"
         " {values:choose|correction=corrections|error=errors}; their sign is unconfirmed."
     ),
     "CW-P114": (

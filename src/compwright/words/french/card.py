@@ -19,9 +19,9 @@ SENTENCES: Final[dict[str, str]] = {
     "card.expected": "Écart attendu",
     "card.fixed": "Positions fixes qui se déplacent",
     "card.how_to_check": (
-        "Chaque vérification de cette fiche se fait ici : ce que la commande ajoute, sur son"
-        " affichage de compensation si elle en a un, et après le chargement la vérification rapide"
-        " avec l'instrument."
+        "Faire chaque vérification de cette fiche à ces positions. Lire ce que la commande ajoute"
+        " sur son affichage de compensation, si elle en a un. Après le chargement, faire la"
+        " vérification rapide avec l'instrument."
     ),
     "card.inferred": "déduit",
     "card.limit": (
@@ -67,7 +67,7 @@ SENTENCES: Final[dict[str, str]] = {
     "card.values": "Valeurs qui changent",
     "card.way_back": "Retour",
     "card.with_unit": "{text} ({unit})",
-    "card.zeroed": "Dans cet ordre, l'instrument mis à zéro à la première ligne.",
+    "card.zeroed": "Mesurer dans cet ordre, l'instrument mis à zéro à la première ligne.",
     "numbering.label": "numéros des segments",
     "numbering.mark": "est la position de référence",
     "numbering.number": "numéro",

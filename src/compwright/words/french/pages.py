@@ -16,10 +16,10 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "circle.compared": "Comparaison",
     "circle.comparison": (
-        "Logiciel de l'instrument : concorde : à moins de deux erreurs types de notre valeur. Non"
-        " valable, entre parenthèses : le logiciel le dit lui-même. Diffère : son modèle n'est pas"
-        " publié ; le nôtre ajuste toutes les causes à la fois, avec un saut et un pic propres à"
-        " chaque point d'inversion."
+        "Comparaison avec le logiciel de l'instrument. Concorde : à moins de deux erreurs types"
+        " de notre valeur. Diffère : le modèle de ce logiciel n'est pas publié ; le nôtre ajuste"
+        " toutes les causes à la fois, avec un saut et un pic propres à chaque point d'inversion."
+        " Non valable, entre parenthèses : ce logiciel le dit lui-même."
     ),
     "circle.detail": "– {part}",
     "circle.effect": "Effet sur le rayon",
@@ -39,8 +39,9 @@ SENTENCES: Final[dict[str, str]] = {
     "circle.no_table": "Aucune table ne corrige ces causes. Répéter l'essai après les travaux.",
     "circle.nominal": "trajectoire nominale",
     "circle.open_causes": (
-        "Aucune action pour {causes} : l'erreur type dépasse la moitié de la valeur. Répéter le"
-        " cercle, si possible à une avance plus faible ; une cause qui revient est réelle."
+        "Aucune action n'est proposée pour {causes}, car l'erreur type dépasse la moitié de la"
+        " valeur. Répéter le cercle, si possible à une avance plus faible ; une cause qui revient"
+        " est réelle."
     ),
     "circle.parameter": (
         "{name:choose|G=Écart circulaire, zone minimale|G_lsc=selon le cercle des moindres"
@@ -89,7 +90,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "circle.to_do": "{cause} ({share:.0f} % de tous les effets). {step}",
     "circle.unexplained": (
-        "Ce que les causes ci-dessous n'expliquent pas : {rms} µm (valeur efficace)."
+        "Les causes ci-dessous laissent {rms} µm (valeur efficace) sans explication."
     ),
     "circle.value_error": "Valeur ± erreur type",
     "circle.zone": (
@@ -161,9 +162,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "limits.left": "Reste dû à la commande",
     "limits.note": (
-        "Chaque barre : de combien {parameter} serait plus petit sans cette seule cause, d'après"
-        " les mêmes tirages. Les parts ne s'additionnent pas, car {parameter} est une étendue : ce"
-        " que deux causes font à des endroits différents compte une fois."
+        "Chaque barre montre de combien {parameter} serait plus petit sans cette seule cause,"
+        " calculé sur les mêmes essais simulés. Les barres ne s'additionnent pas, car {parameter}"
+        " est une étendue : des causes à des endroits différents ne comptent qu'une fois."
     ),
     "limits.part": "Part de {parameter}",
     "limits.summary": (
@@ -173,9 +174,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "period.alike": "Ces points visés ne distinguent pas : {periods} {unit}.",
     "period.caption": (
-        "Combien de fois les mesures sont plus vraisemblables avec une erreur qui se répète à"
-        " chaque période que sans, avant de compter si la période est courante. Tirets : périodes"
-        " qui comptent."
+        "Pour chaque période : combien de fois les mesures sont plus vraisemblables avec une"
+        " erreur de cette période que sans elle. La fréquence d'une telle période sur les"
+        " machines n'est pas encore comprise. Tirets : périodes utilisées dans l'estimation."
     ),
     "period.described": "rapport de vraisemblance de chaque période",
     "period.least": "plus petite amplitude que cet essai montre, par période",
@@ -207,7 +208,8 @@ SENTENCES: Final[dict[str, str]] = {
     "report.conditions": "Conditions d'essai, {standard}",
     "report.conform": "La machine respecte toutes les limites du tableau ci-dessus.",
     "report.conformity_open": (
-        "La conformité n'est pas déclarée : au moins une décision, ou sa base, est ouverte."
+        "La conformité n'est pas déclarée, car au moins une décision, ou un doute dont elle"
+        " dépend, est ouvert."
     ),
     "report.customer": "Client",
     "report.date": "Date de l'essai",
@@ -295,8 +297,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "run.estimate": "Axe {axis} : erreur estimée",
     "run.estimate_note": (
-        "Ce que la table doit enlever : l'écart sur la course dans l'état où il a été mesuré, avec"
-        " son incertitude."
+        "L'erreur que la table doit enlever : l'écart sur la course dans l'état où il a été"
+        " mesuré, avec son incertitude."
     ),
     "run.files": "Fichiers",
     "run.files_written": "Fichiers écrits",
@@ -306,8 +308,8 @@ SENTENCES: Final[dict[str, str]] = {
         " traduction n'a pas encore été relue par une personne de langue française."
     ),
     "run.legend": (
-        "Gris : avant. Bleu : 5 à 95 % de nouveaux essais aux mêmes points visés, trait vertical :"
-        " médiane. Tirets : limite."
+        "Gris : avant. Bleu : 5 à 95 % de nouveaux essais aux mêmes points visés, trait vertical"
+        " : médiane. Tirets : limite."
     ),
     "run.limit_missed": "D'après la prévision, au moins une limite ne sera pas respectée",
     "run.limit_open": "Pour au moins une limite, il est incertain qu'elle soit respectée",
@@ -337,12 +339,12 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "run.state_none": "Aucun : rien n'était actif dans la commande quand l'axe a été mesuré.",
     "run.state_not_given": (
-        "Non indiqué. Sans lui, aucune table n'est écrite : la nouvelle somme doit contenir ce qui"
-        " est déjà actif."
+        "Non indiqué. Sans lui, aucune table n'est écrite, car la nouvelle table doit contenir ce"
+        " qui est déjà actif."
     ),
     "run.table": (
-        "{count} nœuds, tels que relus dans les fichiers.{wanted:if| Trait large : le tracé voulu"
-        " avant arrondi et limites.}"
+        "{count} points de table, tels que relus dans les fichiers.{wanted:if| Trait large : la"
+        " correction voulue avant arrondi et limites.}"
     ),
     "run.worth": "Axe {axis} : utilité des points de la table",
     "verify.comparison": "Avant, prévu et après",

@@ -20,9 +20,9 @@ SENTENCES: Final[dict[str, str]] = {
     "doubts.acknowledged": "Confirmé dans le dossier de travail : {reason}. {message}",
     "doubts.first": "À vérifier d'abord : le résultat en dépend",
     "doubts.step": (
-        "Rien n'est décidé tant que ce n'est pas clair. Corriger l'essai ou le dossier de travail"
-        " et recommencer, ou y donner la raison pour laquelle c'est juste : acknowledged:"
-        " {{{codes:join|: raison, }: raison}}"
+        "Rien n'est décidé tant que ces doutes ne sont pas levés. Corriger l'essai ou le dossier"
+        " de travail et recommencer. Si la mesure est juste telle quelle, en donner la raison"
+        " dans le dossier de travail : acknowledged: {{{codes:join|: raison, }: raison}}"
     ),
     "in_direction": "{value} dans le sens {direction}",
     "increments": "{symmetric:if|±{largest}|{least} à {largest}}",
@@ -62,11 +62,11 @@ SENTENCES: Final[dict[str, str]] = {
     "undetermined.lobes": "les lobes appartiennent à un cercle fermé",
     "undetermined.no_reversal": "{axis} ne s'inverse pas dans l'arc",
     "undetermined.of_circle": "{circle} : {reason}",
-    "undetermined.one_direction": "un seul sens ne peut le séparer du retard et du jeu",
+    "undetermined.one_direction": "un seul sens ne peut séparer cette cause du retard et du jeu",
     "undetermined.one_reversal": "l'arc ne contient qu'un point d'inversion de l'axe",
     "undetermined.prior": (
-        "{value:+3sig} ± {error:2sig} {unit} n'est pas assez bien connu : les points de mesure"
-        " ajoutent peu à ce qu'ont les machines (±{width:g}, écart-type)"
+        "{value:+3sig} ± {error:2sig} {unit} est trop incertain : les points de mesure ajoutent"
+        " peu à la plage usuelle sur les machines (±{width:g}, écart-type)"
     ),
     "undetermined.spike": (
         "les points de mesure après l'inversion sont trop peu pour distinguer un pic d'un jeu :"

@@ -102,8 +102,8 @@ SENTENCES: Final[dict[str, str]] = {
         "{what} : corrigé dans les fichiers par compensation de rectitude : {values}."
     ),
     "CW-P113.typed": (
-        "Aucun fichier ne contient la correction : {what} ({why}). La saisir dans {where},"
-        " {rows}, comme le décrivent la fiche et sa feuille. Les valeurs sont des"
+        "{what} : corrigé par des valeurs qu'aucun fichier ne contient ({why}). Les saisir dans"
+        " {where}, {rows}, comme le décrivent la fiche et sa feuille. Les valeurs sont des"
         " {values:choose|correction=corrections|error=erreurs} ; leur signe n'est pas confirmé."
     ),
     "CW-P114": (

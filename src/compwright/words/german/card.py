@@ -19,9 +19,9 @@ SENTENCES: Final[dict[str, str]] = {
     "card.expected": "Erwartete Abweichung",
     "card.fixed": "Feste Positionen, die sich verschieben",
     "card.how_to_check": (
-        "Jede Prüfung dieser Karte findet hier statt: was die Steuerung addiert, an ihrer"
-        " Kompensationsanzeige, wo sie eine hat, und nach dem Laden die Schnellprüfung mit dem"
-        " Messgerät."
+        "Jede Prüfung dieser Karte an diesen Positionen machen. Was die Steuerung addiert, an"
+        " ihrer Kompensationsanzeige ablesen, wenn sie eine hat. Nach dem Laden die"
+        " Schnellprüfung mit dem Messgerät machen."
     ),
     "card.inferred": "geschlossen",
     "card.limit": (
@@ -66,7 +66,9 @@ SENTENCES: Final[dict[str, str]] = {
     "card.values": "Werte, die sich ändern",
     "card.way_back": "Weg zurück",
     "card.with_unit": "{text} ({unit})",
-    "card.zeroed": "In dieser Reihenfolge, das Messgerät in der ersten Zeile auf null gesetzt.",
+    "card.zeroed": (
+        "In dieser Reihenfolge messen, das Messgerät in der ersten Zeile auf null gesetzt."
+    ),
     "numbering.label": "Nummern der Abschnitte",
     "numbering.mark": "ist die Referenzposition",
     "numbering.number": "Nummer",

@@ -18,10 +18,10 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "circle.compared": "Vergleich",
     "circle.comparison": (
-        "Software des Messgeräts: stimmt überein: innerhalb von zwei Standardfehlern unseres Werts."
-        " Nicht gültig, in Klammern: Das sagt die Software selbst. Weicht ab: Ihr Modell ist nicht"
-        " veröffentlicht; unseres gleicht alle Ursachen zugleich aus, mit eigener Stufe und Spitze"
-        " an jedem Umkehrpunkt."
+        "Vergleich mit der Software des Messgeräts. Stimmt überein: innerhalb von zwei"
+        " Standardfehlern unseres Werts. Weicht ab: Das Modell dieser Software ist nicht"
+        " veröffentlicht; unseres gleicht alle Ursachen zugleich aus, mit eigener Stufe und"
+        " Spitze an jedem Umkehrpunkt. Nicht gültig, in Klammern: Das sagt diese Software selbst."
     ),
     "circle.detail": "– {part}",
     "circle.effect": "Wirkung auf den Radius",
@@ -42,8 +42,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "circle.nominal": "Sollbahn",
     "circle.open_causes": (
-        "Kein Schritt für {causes}: Der Standardfehler ist größer als der halbe Wert. Den Kreis"
-        " wiederholen, möglichst mit kleinerem Vorschub; was wiederkehrt, ist wirklich."
+        "Kein Schritt wird vorgeschlagen für {causes}, denn der Standardfehler ist größer als der"
+        " halbe Wert. Den Kreis wiederholen, möglichst mit kleinerem Vorschub; eine Ursache, die"
+        " wiederkehrt, ist wirklich."
     ),
     "circle.parameter": (
         "{name:choose|G=Kreisformabweichung, kleinste Ringzone|G_lsc=nach dem"
@@ -89,7 +90,7 @@ SENTENCES: Final[dict[str, str]] = {
         " {centre:choose|G=Ausgleichskreis|F=Ausgleichsmittelpunkt}|}"
     ),
     "circle.to_do": "{cause} ({share:.0f} % aller Wirkungen). {step}",
-    "circle.unexplained": "Was die Ursachen unten nicht erklären: {rms} µm (Effektivwert).",
+    "circle.unexplained": "Die Ursachen unten lassen {rms} µm (Effektivwert) unerklärt.",
     "circle.value_error": "Wert ± Standardfehler",
     "circle.zone": (
         "kleinste Ringzone{sense:choose|both= beider|ccw=, ↺|cw=, ↻}: G {G} µm{D:if|; D {D} µm|}"
@@ -154,9 +155,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "limits.left": "Rest der Steuerung",
     "limits.note": (
-        "Jeder Balken: um wie viel {parameter} ohne diese Ursache allein kleiner wäre, aus"
-        " denselben Ziehungen. Die Teile ergeben nicht die Summe, denn {parameter} ist eine Spanne:"
-        " Was zwei Ursachen an verschiedenen Stellen bewirken, zählt einmal."
+        "Jeder Balken zeigt, um wie viel {parameter} ohne diese eine Ursache kleiner wäre,"
+        " berechnet an denselben simulierten Prüfungen. Die Balken ergeben nicht die Summe, denn"
+        " {parameter} ist eine Spanne: Ursachen an verschiedenen Stellen zählen nur einmal."
     ),
     "limits.part": "Teil von {parameter}",
     "limits.summary": (
@@ -166,9 +167,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "period.alike": "Diese Zielpositionen unterscheiden nicht: {periods} {unit}.",
     "period.caption": (
-        "Wie viel wahrscheinlicher die Messwerte mit einem Fehler sind, der sich mit der jeweiligen"
-        " Periode wiederholt, als ohne; wie üblich die Periode ist, zählt hier noch nicht."
-        " Gestrichelt: Perioden, die zählen."
+        "Für jede Periode: wie viel wahrscheinlicher die Messwerte mit einem Fehler dieser"
+        " Periode sind als ohne ihn. Wie üblich die Periode an Maschinen ist, ist noch nicht"
+        " enthalten. Gestrichelt: Perioden, die in der Schätzung verwendet werden."
     ),
     "period.described": "Wahrscheinlichkeitsverhältnis jeder Periode",
     "period.least": "kleinste Amplitude, die diese Prüfung zeigt, je Periode",
@@ -198,8 +199,8 @@ SENTENCES: Final[dict[str, str]] = {
     "report.conditions": "Prüfbedingungen, {standard}",
     "report.conform": "Die Maschine hält alle Grenzwerte der obigen Tabelle ein.",
     "report.conformity_open": (
-        "Es wird keine Konformität erklärt: Mindestens eine Entscheidung oder ihre Grundlage ist"
-        " offen."
+        "Es wird keine Konformität erklärt, denn mindestens eine Entscheidung oder ein Zweifel,"
+        " von dem sie abhängt, ist offen."
     ),
     "report.customer": "Kunde",
     "report.date": "Prüfdatum",
@@ -288,8 +289,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "run.estimate": "Achse {axis}: geschätzter Fehler",
     "run.estimate_note": (
-        "Was die Tabelle beseitigen soll: die Abweichung über den Verfahrweg in dem Zustand, in dem"
-        " gemessen wurde, mit ihrer Unsicherheit."
+        "Der Fehler, den die Tabelle beseitigen soll: die Abweichung über den Verfahrweg in dem"
+        " Zustand, in dem gemessen wurde, mit ihrer Unsicherheit."
     ),
     "run.files": "Dateien",
     "run.files_written": "Geschriebene Dateien",
@@ -299,8 +300,8 @@ SENTENCES: Final[dict[str, str]] = {
         " noch kein Muttersprachler geprüft."
     ),
     "run.legend": (
-        "Grau: vorher. Blau: 5 bis 95 % neuer Prüfungen an den gleichen Zielpositionen, senkrechter"
-        " Strich: Median. Gestrichelt: Grenzwert."
+        "Grau: vorher. Blau: 5 bis 95 % neuer Prüfungen an den gleichen Zielpositionen,"
+        " senkrechter Strich: Median. Gestrichelt: Grenzwert."
     ),
     "run.limit_missed": "Nach der Vorhersage wird mindestens ein Grenzwert nicht eingehalten",
     "run.limit_open": "Bei mindestens einem Grenzwert ist offen, ob er eingehalten wird",
@@ -333,12 +334,12 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "run.state_none": "Keiner: In der Steuerung war nichts aktiv, als die Achse gemessen wurde.",
     "run.state_not_given": (
-        "Nicht angegeben. Ohne ihn wird keine Tabelle geschrieben: Die neue Summe muss enthalten,"
-        " was schon aktiv ist."
+        "Nicht angegeben. Ohne ihn wird keine Tabelle geschrieben, denn die neue Tabelle muss"
+        " enthalten, was schon aktiv ist."
     ),
     "run.table": (
-        "{count} Stützpunkte, wie aus den Dateien zurückgelesen.{wanted:if| Breite Linie: der"
-        " gewünschte Verlauf vor Rundung und Begrenzung.}"
+        "{count} Tabellenpunkte, wie aus den Dateien zurückgelesen.{wanted:if| Breite Linie: die"
+        " gewünschte Korrektur vor Rundung und Begrenzung.}"
     ),
     "run.worth": "Achse {axis}: Nutzen der Tabellenpunkte",
     "verify.comparison": "Vorher, Vorhersage und nachher",

@@ -20,9 +20,9 @@ SENTENCES: Final[dict[str, str]] = {
     "doubts.acknowledged": "Im Auftrag bestätigt: {reason}. {message}",
     "doubts.first": "Zuerst prüfen: Das Ergebnis hängt davon ab",
     "doubts.step": (
-        "Es wird nichts entschieden, bis das klar ist. Die Prüfung oder den Auftrag berichtigen und"
-        " neu rechnen, oder im Auftrag den Grund angeben, warum es so richtig ist: acknowledged:"
-        " {{{codes:join|: Grund, }: Grund}}"
+        "Es wird nichts entschieden, bis diese Zweifel geklärt sind. Die Prüfung oder den Auftrag"
+        " berichtigen und neu rechnen. Ist die Messung richtig, wie sie ist, im Auftrag den Grund"
+        " angeben: acknowledged: {{{codes:join|: Grund, }: Grund}}"
     ),
     "in_direction": "{value} in {direction}",
     "increments": "{symmetric:if|±{largest}|{least} bis {largest}}",
@@ -62,12 +62,12 @@ SENTENCES: Final[dict[str, str]] = {
     "undetermined.no_reversal": "{axis} kehrt im Bogen nicht um",
     "undetermined.of_circle": "{circle}: {reason}",
     "undetermined.one_direction": (
-        "eine Richtung trennt es nicht von Schleppabstand und Umkehrspiel"
+        "eine Richtung allein trennt diese Ursache nicht von Schleppabstand und Umkehrspiel"
     ),
     "undetermined.one_reversal": "der Bogen hat nur einen Umkehrpunkt der Achse",
     "undetermined.prior": (
-        "{value:+3sig} ± {error:2sig} {unit} ist nicht genau genug bekannt: Die Messpunkte sagen"
-        " wenig mehr als das Übliche (±{width:g}, Standardabweichung)"
+        "{value:+3sig} ± {error:2sig} {unit} ist zu unsicher: Die Messpunkte sagen wenig mehr als"
+        " der an Maschinen übliche Bereich (±{width:g}, Standardabweichung)"
     ),
     "undetermined.spike": (
         "die Messpunkte nach der Umkehr sind zu wenige, um eine Spitze von Umkehrspiel zu"

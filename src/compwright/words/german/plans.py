@@ -113,8 +113,8 @@ SENTENCES: Final[dict[str, str]] = {
         "{what} wird in den Dateien durch Geradheitskompensation korrigiert: {values}."
     ),
     "CW-P113.typed": (
-        "Keine Datei enthält die Korrektur: {what} ({why}). In {where} eintippen, {rows}, wie"
-        " Karte und Blatt beschreiben. Die Werte sind"
+        "{what} wird durch Werte korrigiert, die in keiner Datei sind ({why}). In {where}"
+        " eintippen, {rows}, wie Karte und Blatt beschreiben. Die Werte sind"
         " {values:choose|correction=Korrekturen|error=Fehler}; ihr Vorzeichen ist unbestätigt."
     ),
     "CW-P114": (
