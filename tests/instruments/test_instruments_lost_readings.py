@@ -200,7 +200,7 @@ def test_an_older_code_page_in_comments_and_names_is_read_and_said(code_page: st
     assert np.array_equal(test.negative, plain.negative)
     (said,) = set(test.findings) - set(plain.findings)
     assert (said.code, said.severity) == ("CW-R062", "info")
-    assert f"Line 1 says '# operator: {words}'" in said.message
+    assert f"Line 1 then reads '# operator: {words}'" in said.message
 
 
 def test_a_micro_sign_in_the_name_of_a_column_is_read() -> None:

@@ -176,7 +176,7 @@ def test_what_is_left_does_not_count_the_datum(datum: float) -> None:
     assert "differs by 0.00 µm rms from what the control showed before" in verdict.message
     verdict = judged(loaded[0] + datum, loaded[1] + datum, loaded)
     assert verdict.verdict == "loaded"
-    assert "lies within 0.00 µm rms of the prediction" in verdict.message
+    assert "differs by 0.00 µm rms from the prediction" in verdict.message
 
 
 # ---------------------------------------------------------------- what was read back
