@@ -288,7 +288,7 @@ def test_deviation_beyond_a_millimetre() -> None:
         " the unit."
     )
     assert "CW-R008" not in codes(read(LONG + "0.5,+,1,1000\n"))  # exactly 1 mm is not larger
-    assert "modulo 360" in message(
+    assert "after 360 deg" in message(
         read("target_deg,direction,run,measured_deg\n0.0,+,1,359.99\n90,+,1,90.01\n"), "CW-R008"
     )
 
