@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import Final
 
 import numpy as np
 
@@ -23,6 +24,8 @@ from compwright.records.estimate import ErrorEstimate, WantedCorrection
 from compwright.records.plan import Acted, PlannedTest
 from compwright.records.positioning import PositioningTest
 
+#: Largest ratio of the scatter of tests that were taken in the same way.
+_ANOTHER_DAY: Final = 5.0
 #: Points over the travel at which estimate and wanted correction are kept: at least, at most, and
 #: per period.
 DENSE_LEAST = 401
@@ -174,8 +177,12 @@ def measured_error(
 
 def _taken_alike(tests: Sequence[PlannedTest], observed: Sequence[ObservedTest]) -> tuple[int, ...]:
     """Return which tests count and were taken like the first: same motion, numbers of targets and
-    of readings, so that they lasted as long; with their noise known.
+    of readings, so that they lasted as long; with their noise known. Where the scatter differs by
+    more than `_ANOTHER_DAY`, it is not the day that differs.
     """
+    first = observed[0].noise
+    if first is None:
+        return ()
 
     def way(place: int) -> tuple[object, ...]:
         test = observed[place].test
@@ -184,7 +191,10 @@ def _taken_alike(tests: Sequence[PlannedTest], observed: Sequence[ObservedTest])
     return tuple(
         place
         for place, each in enumerate(observed)
-        if each.noise is not None and tests[place].acted is not None and way(place) == way(0)
+        if each.noise is not None
+        and tests[place].acted is not None
+        and way(place) == way(0)
+        and 1.0 / _ANOTHER_DAY < each.noise.sigma / max(first.sigma, 1e-12) < _ANOTHER_DAY
     )
 
 
