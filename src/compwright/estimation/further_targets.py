@@ -109,11 +109,11 @@ class _Design:
         shares: FloatArray,
     ) -> _Design:
         """Return the design before any further target."""
-        middles = bidirectional_means(posterior.cells, endless=False)
-        m, every = middles.targets.size, np.concatenate([middles.targets, places])
-        length = float(np.ptp(middles.targets))
+        bidirectional = bidirectional_means(posterior.cells, endless=False)
+        m, every = bidirectional.targets.size, np.concatenate([bidirectional.targets, places])
+        length = float(np.ptp(bidirectional.targets))
         smooth, local = _smooth_covariance(posterior, every)
-        variances = middles.variances + local
+        variances = bidirectional.variances + local
         known = np.array([one.period for one in posterior.periods if one.named])
         free = np.column_stack([np.ones_like(every), (every - every[0]) / length])
         free = np.hstack([free, _waves(every, known)])

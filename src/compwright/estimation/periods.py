@@ -66,7 +66,7 @@ LEFT: Final = 4
 
 
 def search_periods(
-    middles: BidirectionalMeans,
+    bidirectional: BidirectionalMeans,
     basis: Basis,
     kind: AxisKind,
     *,
@@ -81,11 +81,11 @@ def search_periods(
     too few targets for a search, only the model without a period. Prior and sources: module
     docstring.
     """
-    frequencies = search_frequencies(middles.targets, kind)
+    frequencies = search_frequencies(bidirectional.targets, kind)
     if not frequencies.size:
         return NO_SEARCH
     search = _PeriodSearch(
-        middles, basis, frequencies, usual_periods(kind, suggested), tuple(known)
+        bidirectional, basis, frequencies, usual_periods(kind, suggested), tuple(known)
     )
     done: list[PeriodSet] = []
     level = [PeriodSet((), 0.0)]
@@ -145,11 +145,11 @@ def wave_columns(targets: FloatArray, frequency: float) -> list[FloatArray]:
 
 @dataclass(frozen=True, slots=True)
 class _PeriodSearch:
-    """Data of a search: the ``middles``, the ``frequencies`` (f,), the ``usual`` periods, and the
+    """Data of a search: the ``bidirectional``, the ``frequencies`` (f,), the ``usual`` periods, and the
     ``known`` ones (mm or deg).
     """
 
-    middles: BidirectionalMeans
+    bidirectional: BidirectionalMeans
     basis: Basis
     frequencies: FloatArray
     usual: tuple[UsualPeriod, ...]
@@ -209,7 +209,7 @@ class _PeriodSearch:
         The less probable of two equal sets is dropped: its later periods were searched with an
         earlier one at a wrong place.
         """
-        near = PEAK / float(np.ptp(self.middles.targets))
+        near = PEAK / float(np.ptp(self.bidirectional.targets))
         kept: list[PeriodSet] = []
         for each in _descending(sets):
             if not any(each.same(other, near) for other in kept):
@@ -217,13 +217,13 @@ class _PeriodSearch:
         return _descending([*map(self.refined, kept[:_BEAM]), *kept[_BEAM:]])
 
     def _likelihood(self, members: Sequence[PeriodCandidate]) -> PeriodLikelihood | None:
-        targets = self.middles.targets
+        targets = self.bidirectional.targets
         periods = [*self.known, *(member.period for member in members)]
         waves = [wave for period in periods for wave in wave_columns(targets, 1.0 / period)]
-        columns = np.column_stack([self.middles.free, *waves])
+        columns = np.column_stack([self.bidirectional.free, *waves])
         if columns.shape[1] > targets.size - LEFT:
             return None
-        return PeriodLikelihood(replace(self.middles, free=columns), self.basis)
+        return PeriodLikelihood(replace(self.bidirectional, free=columns), self.basis)
 
     def _before(self, members: Sequence[PeriodCandidate]) -> PeriodOdds:
         return replace(FURTHER if self.known or members else FIRST, taken=_frequencies(members))
