@@ -226,8 +226,8 @@ def step_documents(
     loaded: DecodedState,
     between: Sequence[Mapping[str, Any]],
 ) -> list[Mapping[str, Any]]:
-    """Return the steps in the order of the definition, then those of tables ``between`` axes; what
-    is the same for all axes is there once.
+    """Return the steps of the card in the order of the definition, then those of tables
+    ``between`` axes. Steps that are the same for all axes appear once.
     """
     tells = any("{gantry}" in rule.text for rule in control.definition.card)
     steps = [

@@ -1,5 +1,5 @@
-"""Where the definition of a control comes from: what ships, by its id; a file of the user's own, by
-its path; a plan that carries one.
+"""Where the definition of a control comes from. From those that ship, by id; from a user's file, by
+path; or from a plan that contains one.
 """
 
 from __future__ import annotations

@@ -105,8 +105,8 @@ class Placed:
 
 @dataclass(frozen=True, slots=True)
 class CorrectionChange:
-    """Where the correction of an axis changed most: ``at`` which position (of the axis that moves),
-    arriving in which ``direction``; what it ``was`` and is ``now``, mm or deg.
+    """The largest change of the correction of an axis. ``at`` which position (of the axis that
+    moves), arriving in which ``direction``; what it ``was`` and is ``now``, mm or deg.
     """
 
     kind: AxisKind

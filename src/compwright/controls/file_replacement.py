@@ -64,8 +64,8 @@ def _sheet(file: ControlFile) -> EntrySheet | None:
 def contents_after_loading(
     before: Sequence[ControlFile], back: tuple[ControlFile, ...]
 ) -> tuple[ControlFile, ...]:
-    """Return what is in the control: what was read ``back``, over the archive of ``before`` into
-    which it was loaded where that was not read back again.
+    """Return what is in the control after loading. It is what was read ``back``; where an
+    archive was loaded and not read back, that of ``before`` with the new files over it.
     """
     if holds_archive(before) and not holds_archive(back):
         return merged_files(before, back)

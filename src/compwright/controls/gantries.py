@@ -44,8 +44,8 @@ _ANSWERS = (
 def partner_questions(
     job: Job, states: Mapping[str, DecodedState]
 ) -> tuple[list[Fault], list[Fault]]:
-    """Return where the job has to say what a synchronised axis with values of its own gets, and
-    where the states contradict each other about it.
+    """Return questions about gantry partners with different compensation, and contradictions
+    between states. The job has to answer what such a partner gets.
     """
     questions: list[Fault] = []
     faults: list[Fault] = []
@@ -95,8 +95,8 @@ def partner_questions(
 
 
 def differing(axis: Axis, state: ControlState) -> list[str]:
-    """Return what the synchronised axis of a gantry has of its own that differs from the leading
-    axis, in words; nothing where it has nothing of its own.
+    """Return in which words the partner axis of a gantry differs from the leading axis (table,
+    grid, backlash). Empty where the partner has no compensation.
     """
     leading, partner = _both(axis, state)
     facts, own_facts = (state.facts_of(address) for address in (axis.address, str(axis.gantry)))
@@ -181,7 +181,7 @@ def skew_findings(
     loaded: DecodedState | None,
     gains: Mapping[str, float],
 ) -> Iterator[Finding]:
-    """Yield by how much the tables of both axes of a gantry differ before and after loading, and
+    """Yield by how much the tables of both gantry axes differ before and after loading. Also
     where the same change moves them apart by more than rounding does.
 
     ``gains``: by how much the parameter that judges tables falls, mm or deg, by name of the axis.

@@ -203,8 +203,8 @@ def with_counted_turns(
 
 
 def unknown_zeros(job: Job, control: Control, state: ControlState | None) -> Iterator[Fault]:
-    """Yield the axes of fixed positions where only the control's homing tells at which place the
-    correction is zero, and neither files nor job say it.
+    """Yield the axes of fixed positions whose zero of the correction is unknown. Only the
+    control's homing sets it, and neither files nor job state it.
     """
     if "home_offset" not in control.definition.bindings:
         return
@@ -308,8 +308,8 @@ def other_joints(axis: Axis, facts: AxisFacts, state: str) -> Iterator[Fault]:
 
 
 def length_unit(definition: Definition) -> tuple[OptionRule, str] | None:
-    """Return the option that says the machine's unit of lengths, and the file that would say it
-    instead; None where the definition itself says the unit.
+    """Return the option that states the machine's unit of length, and the file that would state
+    it. None where the definition itself states the unit.
     """
     rules = definition.options.values()
     rule = next((rule for rule in rules if rule.settled_by == "length_unit"), None)

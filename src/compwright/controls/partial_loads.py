@@ -1,5 +1,5 @@
-"""Files of one set of tables of which only some were loaded: what that does to an axis, for the
-card; and how it shows in what was read back, for `compare`.
+"""Sets of tables of which only some files were loaded. What that does to an axis, for the card; and
+how it shows in the files read back, for `compare`.
 """
 
 from __future__ import annotations
@@ -40,8 +40,8 @@ def harmful_parts(
     tables: Sequence[ControlFile],
     works: Mapping[str, AxisWork],
 ) -> tuple[str, ...]:
-    """Return, in words, each part of the ``tables`` that makes an axis worse than it is now when
-    nothing else is loaded; ``own``: the control's files before.
+    """Return, in words, each part of the ``tables`` that makes an axis worse if it is loaded
+    alone. ``own``: the control's files before.
     """
     old = {file.name: file.content for file in own}
     changed = [file for file in tables if old.get(file.name) != file.content]

@@ -145,7 +145,7 @@ def wave_columns(targets: FloatArray, frequency: float) -> list[FloatArray]:
 
 @dataclass(frozen=True, slots=True)
 class _PeriodSearch:
-    """Data of a search: the ``bidirectional``, the ``frequencies`` (f,), the ``usual`` periods, and the
+    """Data of a search: means, the ``frequencies`` (f,), the ``usual`` periods, and the
     ``known`` ones (mm or deg).
     """
 

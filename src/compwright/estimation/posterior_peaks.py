@@ -132,8 +132,8 @@ def _spread(evidence: Evidence, peak: FloatArray) -> FloatArray:
 
 
 def _rounded_rows(root: FloatArray) -> FloatArray:
-    """Return a root (f, f), each row to about a thousandth of its diagonal entry, which is positive
-    and stays so.
+    """Return a square root (f, f) of a covariance with rounded rows. Each is rounded to about a
+    thousandth of its diagonal entry, which stays positive.
     """
     step = np.exp2(np.floor(np.log2(np.diag(root))) - 10.0)[:, np.newaxis]
     rounded: FloatArray = np.round(root / step) * step

@@ -104,7 +104,10 @@ class Evaluation(DocumentResult):
         targets = self._document.get("targets")
         if targets is None:
             raise UsageError(
-                Fault(message="a circular test has no targets", hint="use `to_dict()`")
+                Fault(
+                    message="a circular test has no target positions to list",
+                    hint="use `to_dict()`",
+                )
             )
         pandas = need("pandas", "pandas", "tables of a script")
         return pandas.DataFrame([dict(target) for target in targets])

@@ -97,7 +97,7 @@ class HypothesisBuilder:
         }
 
     def values(self, curves: Mapping[Direction, FloatArray]) -> Curve:
-        """Return what the table does with other values (k,) at its nodes."""
+        """Return the correction of the table with other values (k,) at its nodes."""
         return self.at(
             replace(
                 self.table,

@@ -55,7 +55,7 @@ class Question:
 
 @dataclass(frozen=True, slots=True)
 class Fork:
-    """The next lines, as bits: after a true condition, and after a false one."""
+    """The lines of a program that can follow, as bits: after a true and after a false condition."""
 
     question: Question
     true: int

@@ -30,8 +30,8 @@ class Activity:
     def was_active(
         self, label: str, switches: str, word: str | None, place: FoundValue | None, notes: Notes
     ) -> bool | None:
-        """Return whether a table that is not zero was active; None if neither the files nor the job
-        state it, and the answer is not required.
+        """Return whether a table that is not zero was active during the test. None if
+        neither the files nor the job state it, and the answer is not required.
 
         ``word``: the last value of ``switches`` in the files (``yes``, ``no``, None: not in them),
         at ``place``.

@@ -35,7 +35,7 @@ def holds_no_data(definition: Definition, file: ControlFile) -> bool:
 
 
 def _of_commands(kind: TextKind) -> bool:
-    """Return whether every line of a text may be a command: no word marks the relevant ones."""
+    """Return whether every line of a text can be a command, because no word marks commands."""
     return not (kind.other_lines_refused or kind.claims_at_start or kind.claims_anywhere)
 
 

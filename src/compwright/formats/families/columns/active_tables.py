@@ -16,8 +16,8 @@ from compwright.records.axis import Axis
 def activate(
     sources: Sources, tables: Sequence[UserTable], axes: Sequence[Axis], faults: list[Fault]
 ) -> None:
-    """Assign each table to the axis whose motion it is active for: by the active line of
-    assignments, or by the tables' names if there is no table of assignments.
+    """Assign each table to the axis whose motion it compensates. The active line of the .CMA
+    file states it, or the names of the tables if there is no such file.
     """
     values = [table for table in tables if table.kind == "values"]
     lines = [table for table in tables if table.kind == "assignments"]

@@ -1,5 +1,5 @@
-"""Curve of one axis -> entries as text -> its column of the user's table: cells of that column,
-rows in the table's own style, datum and spacing in its first line.
+"""Write the curve of one axis into its column of the user's table, as text. The rows keep the
+table's own style; datum and spacing are in its first line.
 """
 
 from __future__ import annotations

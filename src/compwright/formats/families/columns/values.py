@@ -98,8 +98,8 @@ class TableValues:
         if units and (known is not by_sheet or len({unit == "deg" for unit in units}) > 1):
             fault = Fault(
                 message=(
-                    f"axis {address}: the units of the entry sheet contradict the kind of the axis"
-                    " or each other"
+                    f"axis {address}: the units of the entry sheet contradict each other, or the"
+                    " kind (linear or rotary) of the axis"
                 ),
                 file=self.sources.sheets[address].name if address in self.sources.sheets else "",
                 expected=f"{known.unit if known else 'one kind of unit'}",

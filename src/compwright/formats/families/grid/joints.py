@@ -134,8 +134,8 @@ def _is_true(values: GridAxisValues, name: str, *, others: bool = False) -> bool
 
 
 def unapplied_steps(values: GridAxisValues, factor: float) -> tuple[float, float] | None:
-    """Return the range of steps of the correction that the control never applies, mm or deg: above
-    the first number, up to the second; None if the files do not state it.
+    """Return the range of steps of the correction that the control never applies, mm or deg.
+    Above the first number, up to the second; None if the files do not state it.
 
     From rest the ramp takes a step up to ``least`` at once; it starts for a step above ``most``
     (control.c, ``compute_screw_comp``).

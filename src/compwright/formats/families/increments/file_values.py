@@ -1,5 +1,5 @@
-"""Every line of a FANUC backup as single values: N03620Q1A1P40A2P140 is 40 of axis 1 and 140 of
-axis 2, N10044Q0P-3 a point of the array that all axes share.
+"""Read every line of a FANUC backup as single values. N03620Q1A1P40A2P140 is 40 of axis 1 and 140
+of axis 2; N10044Q0P-3 is a point of the array that all axes share.
 """
 
 from __future__ import annotations

@@ -1,5 +1,5 @@
-"""A grid that moves, and functions that depend on its numbers: the numbers move with it, or the new
-table is refused with the parameter's name.
+"""Move the point numbers of a table, with all functions that depend on them. If that is impossible,
+the new table is refused with the parameter's name.
 """
 
 from __future__ import annotations
@@ -24,8 +24,8 @@ _HELP = (
 def moved_numbers(
     axis: Axis, facts: IncrementFacts, place: NumberPlace, interval: float, magnification: int
 ) -> tuple[tuple[PointNumber, int], ...]:
-    """Return the numbers by which other functions mean the same positions under the new grid; empty
-    if the new grid is equal to the old one over the travel.
+    """Return the point numbers by which other functions mean the same positions under the new
+    grid. Empty if the new grid is equal to the old one over the travel.
 
     ``place``, ``interval`` (mm or deg), ``magnification``: those of the new table. Raises NotHeld
     with the first function that the new grid would change.

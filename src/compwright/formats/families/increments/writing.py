@@ -54,8 +54,8 @@ def write_increments(
 
 
 def _homeless(definition: Definition, left: Entries) -> Iterator[Fault]:
-    """Yield a fault for each value without a place in the control's own files, if nothing else
-    proves that the control has such a parameter.
+    """Yield a fault for each value that has no place in the control's own files. Only if
+    nothing else proves that the control has such a parameter.
     """
     numbers = [name_of(definition, name) for name in left.parameters]
     numbers += [f"N{POINTS_FROM + number}" for number in left.points]

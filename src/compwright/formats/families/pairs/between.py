@@ -201,7 +201,7 @@ def _unsound(entry: CrossCompensation) -> list[Fault]:
                 Fault(
                     message=f"{label}: {side} its end points the control keeps the table's end "
                     "value",
-                    expected="hold",
+                    expected="hold (the end value)",
                     found=beyond,
                     hint="make the table cover the whole travel, or leave this option out",
                 )

@@ -1,4 +1,4 @@
-"""Calls among the programs of a control's files: which calls are followed, which programs may never
+"""Calls among the programs of a control's files. Which calls are followed, which programs may never
 be called, and which assignment is the last one in the order of the calls.
 """
 

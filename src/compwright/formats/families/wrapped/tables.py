@@ -102,10 +102,9 @@ def motor_table(
         return None
     length = nodes.step * (nodes.high - nodes.low + 1) * abs(counts.per_unit)
     if abs(length - round(length)) > EXACTNESS:
-        message = "the length of the table is no whole number of counts; a spacing of whole counts"
         faults.append(
             Fault(
-                message=f"{label}: {message} would help",
+                message=f"{label}: the length of the table is no whole number of counts",
                 expected=f"a spacing that is a multiple of {counts.count:.9g} {axis.kind.unit}",
                 found=f"{nodes.step:.10g} {axis.kind.unit}, {length:.6f} counts",
                 hint="set `table: {spacing: ...}` to such a multiple",
