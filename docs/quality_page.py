@@ -97,7 +97,7 @@ Each virtual axis is measured and gets the tool's table and prediction; 8 fresh 
 
 ## Does the predicted band hold?
 
-A band of 5 to 95 % should hold 90 % of fresh values. All kinds: {whole["same"][0]:.0f} % at the same targets, {whole["new"][0]:.0f} % at new ones. **Below {HELD} %: {"; ".join(unheld) or "none"}.** A drift that is different in the fresh test is not in the band.
+A band of 5 to 95 % should hold 90 % of fresh values. All kinds: {whole["same"][0]:.0f} % at the same targets, {whole["new"][0]:.0f} % at new ones. **Below {HELD} %: {"; ".join(unheld) or "none"}.** A drift that is different in the fresh test is not in the band of a single test.
 
 ![How often the band holds, by kind of axis](quality-bands.svg)
 
