@@ -4,6 +4,7 @@ circular test (ISO 230-4 diagnosis), their bound, and the squareness that is rea
 
 from __future__ import annotations
 
+import re
 import sys
 from collections.abc import Callable
 from dataclasses import replace
@@ -17,8 +18,10 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "benchmarks"))
 from bench_circle import evaluated
 from examiner_circles import TURNS, Array, Circle, circle, quiet
 
+from compwright.foundations.own_faults import OWN_FAULT
 from compwright.foundations.session import Session
-from compwright.workflow.commands.evaluate import evaluate_files
+from compwright.workflow.commands.evaluate import evaluate_files, write_evaluation
+from compwright.workflow.inputs import circles
 
 R, V = 150.0, 1000.0 / 60.0  # mm, mm/s
 
@@ -127,6 +130,9 @@ def test_several_circles_show_one_machine(tmp_path: Path) -> None:
             found = machine["causes"][cause][name]
             assert abs(found["value"] - value) < max(3.0 * found["std_error"], 0.01 * value), cause
 
+    job = r"circles: \[\{file: [^{]*fast.csv[^{]*\{file: [^{]*slow.csv[^{]*\]"
+    assert len(re.findall(job, _page(tmp_path))) == 2  # on the page of each
+
     (tmp_path / "strange.csv").write_text(text, encoding="utf-8")
     (machine,) = evaluate_files(Session(), [tmp_path]).document["machines"]
     (contradiction,) = machine["contradictions"]
@@ -134,3 +140,39 @@ def test_several_circles_show_one_machine(tmp_path: Path) -> None:
     seen = {one["name"]: one["value"] for one in contradiction["circles"]}
     assert seen == pytest.approx({"slow": 25.0, "fast": 25.0, "strange": -80.0}, abs=1.0)
     assert "CW-P110" in {finding["code"] for finding in machine["findings"]}
+    page = _page(tmp_path)
+    each = machine["causes"]["squareness"]["XY"]
+    row = f'>Squareness XY</td><td class="n">{each["value"]:.1f} ± {each["std_error"]:.1f}</td>'
+    assert row in page.replace("−", "-")
+    assert "state no machine and no serial number" in page
+    assert "contradict each other" in page
+    assert "squareness: {" not in page  # no job corrects what the circles contradict each other in
+
+
+def _page(folder: Path) -> str:
+    """Return the report of the circles of a folder."""
+    document = evaluate_files(Session(), [folder]).document
+    (path,) = write_evaluation(Session(), document, report_path=folder / "r.html", force=True)
+    text = path.read_text(encoding="utf-8")
+    path.unlink()
+    return text
+
+
+def test_a_fault_of_several_circles_names_their_files(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The circles one by one are evaluated, and nothing ends in a traceback."""
+
+    def broken(_: object) -> None:
+        raise ZeroDivisionError
+
+    monkeypatch.setattr(circles, "solve_network", broken)
+    for name in ("a", "b"):
+        Circle(values=quiet(), samples=200).write(
+            tmp_path / f"{name}.csv", np.random.default_rng(1)
+        )
+    run = evaluate_files(Session(), [tmp_path])
+    assert run.exit_code == OWN_FAULT
+    assert len(run.document["results"]) == 2
+    (error,) = run.document["errors"]
+    assert {"a.csv", "b.csv"} <= set(re.findall(r"\w+\.csv", str(error)))

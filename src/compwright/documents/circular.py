@@ -80,15 +80,18 @@ def circular_document(result: CircularResult) -> dict[str, Any]:
 
 
 def machine_document(
+    stated: Mapping[str, str | None],
     circles: Sequence[str],
     values: Mapping[str, Mapping[str, tuple[float, float]]],
     contradictions: Sequence[tuple[str, Sequence[tuple[str, str, float, float]]]],
     findings: Iterable[Finding],
 ) -> dict[str, Any]:
     """Return what several circles show of one machine: ``values`` with standard error by cause and
-    axis or plane; ``contradictions``: of a cause the circles with their axes, value and error.
+    axis or plane; ``contradictions``: of a cause the circles with their axes, value and error;
+    ``stated``: ``machine`` and ``serial`` of their files.
     """
     return {
+        **stated,
         "circles": list(circles),
         "causes": {
             cause: {

@@ -15,6 +15,7 @@ the intervals.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cache
 from typing import Final
 
 import numpy as np
@@ -25,16 +26,16 @@ from compwright.records.axis import FloatArray
 
 IndexArray = NDArray[np.intp]
 
-#: Correlation lengths tried, and ratios of correlated to white density at frequency zero (0: white
-#: alone).
+#: Correlation lengths tried, and ratios of correlated to white density at frequency zero.
 _LENGTHS: Final = 10
-_RATIOS: Final = np.concatenate([[0.0], np.logspace(-1.0, 5.0, 19)])
+_RATIOS: Final = np.logspace(-1.0, 5.0, 19)
+#: The sum of two correlated noises is tried for each of so many lengths and ratios.
+_OF_TWO: Final = (2, 3)
 #: The longest correlation tried is so small a part of a run: the orders that would show a longer
 #: one are used up by the causes.
 _SHORTEST_WAVE: Final = 16.0
-#: White noise alone weighs beforehand so many times one ratio: as much as all correlated noise
-#: together.
-_WHITE: Final = 19.0
+#: Prior probabilities of white noise alone, of one correlated noise with it, and of two.
+_PRIORS: Final = (0.45, 0.45, 0.1)
 #: Ordinates of a spectrum are pooled above the first so many, in steps of a constant ratio.
 _SINGLE: Final = 32
 _POOLED: Final = 36
@@ -162,19 +163,39 @@ def estimate_spectrum(residual: FloatArray, leverage: FloatArray) -> ResidualSpe
     pooled_power, pooled_freedom = np.add.reduceat(power, pools), np.add.reduceat(freedom, pools)
     pooled_orders = np.add.reduceat(orders * freedom, pools) / pooled_freedom
     lengths = np.geomspace(1.0, max(size / _SHORTEST_WAVE, 2.0), _LENGTHS)
-    shapes = 1.0 + _RATIOS[:, np.newaxis, np.newaxis] * _correlated(pooled_orders / size, lengths)
+    ratios, log_prior = _mixtures()
+    shapes = 1.0 + ratios @ _correlated(pooled_orders / size, lengths)
     total = float(np.sum(pooled_freedom))
-    scale = np.sum(pooled_power / shapes, axis=-1)
-    log = -0.5 * np.sum(pooled_freedom * np.log(shapes), axis=-1) - 0.5 * total * np.log(
-        np.maximum(scale, 1e-300)
-    )
+    scale = (1.0 / shapes) @ pooled_power
+    log = log_prior - 0.5 * np.log(shapes) @ pooled_freedom
+    log -= 0.5 * total * np.log(np.maximum(scale, 1e-300))
     weights = np.exp(log - np.max(log))
-    weights[0] *= _WHITE
     level = weights / np.sum(weights) * scale / max(total - 2.0, 1.0)
-    density = np.sum(level) + (_RATIOS @ level) @ _correlated(orders / size, lengths)
+    density = np.sum(level) + (level @ ratios) @ _correlated(orders / size, lengths)
     # A tenth of a nanometre: data without any noise keep a finite weight.
     density = np.maximum(density, 1e-14)
     return ResidualSpectrum(density, float(density[0] / np.mean(density)))
+
+
+@cache
+def _mixtures() -> tuple[FloatArray, FloatArray]:
+    """Return the ratios (m, 2 l) of the noises of `_correlated` to the white one in each mixture
+    tried, and the logarithms (m,) of their prior probabilities.
+
+    Two noises: a part of the path that no cause explains has a spectrum of its own, and one noise
+    fitted to both would be too weak at the low orders, which the causes leave hardly any residual.
+    """
+    each = np.eye(2 * _LENGTHS)
+    one = np.concatenate([ratio * each for ratio in _RATIOS])
+    some = np.concatenate([ratio * each[:: _OF_TWO[0]] for ratio in _RATIOS[:: _OF_TWO[1]]])
+    first, second = np.triu_indices(some.shape[0], 1)
+    two = (some[first] + some[second])[np.sum(some[first] * some[second], axis=1) == 0.0]
+    parts = np.zeros((1, 2 * _LENGTHS)), one, two
+    log_priors = [
+        np.full(part.shape[0], np.log(prior / part.shape[0]))
+        for part, prior in zip(parts, _PRIORS, strict=True)
+    ]
+    return np.concatenate(parts), np.concatenate(log_priors)
 
 
 def _correlated(frequency: FloatArray, lengths: FloatArray) -> FloatArray:

@@ -24,7 +24,7 @@ _KINDS: Final = frozenset(
         "squareness", "scale_mismatch", "servo_mismatch", "radius_change", "backlash",
         "lateral_play", "reversal_spike", "cyclic", "straightness", "scale_error",
         "backlash_mismatch", "offset_change", "spiral", "master_slave", "vibration", "stick_slip",
-        "lobes_2", "lobes_3", "positional_tolerance",
+        "lobes_2", "lobes_3", "positional_tolerance", "position_loop",
     }
 )  # fmt: skip
 #: Values that sum up causes which are listed.
@@ -127,6 +127,12 @@ class CircleCause:
         if self.low is not None:
             ends[0] = self.low
         return max(0.0, scale * ends[0]), scale * ends[1]
+
+
+def machine_title(machine: Mapping[str, Any]) -> Sentence:
+    """Return the heading of what several circles show of one machine."""
+    named = " ".join(str(machine[key]) for key in ("machine", "serial") if machine[key])
+    return say("report.machine", name=named, circles=[str(name) for name in machine["circles"]])
 
 
 def ranked_causes(result: Mapping[str, Any]) -> list[CircleCause]:

@@ -9,8 +9,13 @@ from typing import Any, Final
 
 from compwright.reporting import paper, sections
 from compwright.reporting.axis_figures import residual_figure
-from compwright.reporting.causes import CircleCause, full_cause_words, ranked_causes
-from compwright.reporting.circle_steps import job_lines, steps_for
+from compwright.reporting.causes import (
+    CircleCause,
+    full_cause_words,
+    machine_title,
+    ranked_causes,
+)
+from compwright.reporting.circle_steps import job_lines, machine_job, steps_for
 from compwright.reporting.circles import CircleFigure
 from compwright.reporting.circular_parameters import (
     parameter_rows,
@@ -25,8 +30,10 @@ from compwright.words.sentences import NumberText, Sentence, say
 _AGREES: Final = 2.0
 
 
-def circle_page(result: Document, index: int) -> dict[str, Any]:
-    """Return the page of a circular result, the ``index``-th test of its report."""
+def circle_page(result: Document, index: int, job: Sequence[str] | None = None) -> dict[str, Any]:
+    """Return the page of a circular result, the ``index``-th test of its report; ``job``: lines for
+    all circles of its machine.
+    """
     name = plain(result.get("name") or "")
     causes = ranked_causes(result)
     axes = result.get("axes") or ("first", "second")
@@ -39,9 +46,38 @@ def circle_page(result: Document, index: int) -> dict[str, Any]:
         "causes": _causes(causes) if causes else None,
         "comparison": say("circle.comparison") if _any_printed(causes) else "",
         "steps": steps_for(causes, axes),
-        "job": job_lines([cause.name for cause in causes if cause.known and cause.shown], result),
+        "job": (
+            job_lines([cause.name for cause in causes if cause.known and cause.shown], result)
+            if job is None
+            else job
+        ),
         "reasons": _reasons(result),
         "sheet": paper.sheet(result, {}),
+    }
+
+
+def machine_block(machine: Document, results: Sequence[Document]) -> dict[str, Any]:
+    """Return what the circles ``results`` show together of one machine."""
+    rows = []
+    for kind, found in machine["causes"].items():
+        for of, each in found.items():
+            words = say("cause.kind", kind=kind, first=of, second="", axis=of)
+            cause = CircleCause(
+                name=kind,
+                words=words,
+                value=each["value"],
+                error=each["std_error"],
+                unit=each["unit"],
+                effect=0.0,
+                share=0.0,
+            )
+            rows.append([words, cause.value_text, cause.unit_text])
+    heads = sections.heads(say("head.cause"), (say("circle.value_error"), ""), say("head.unit"))
+    return {
+        "title": machine_title(machine),
+        "unnamed": machine["machine"] is None and machine["serial"] is None,
+        "table": {"heads": heads, "rows": rows},
+        "job": machine_job(machine, results),
     }
 
 

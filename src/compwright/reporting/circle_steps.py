@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
 from typing import Any, Final
 
 from compwright.reporting.causes import CircleCause
@@ -63,24 +63,56 @@ def next_step(cause: str, axes: Sequence[str]) -> Sentence | None:
     return None
 
 
-def job_lines(causes: Sequence[str], result: Mapping[str, Any]) -> list[str]:
-    """Return the lines of a job that corrects what a table can correct of the ``causes``; empty
-    where none of them is for a table. Scale is that of the positioning tests, which the circle
-    checks.
+def machine_job(machine: Mapping[str, Any], results: Sequence[Mapping[str, Any]]) -> list[str]:
+    """Return the lines of a job for the circles of one machine: what they show together and do not
+    contradict each other in.
     """
-    first, second = result.get("axes") or ("first", "second")
-    applied = []
-    if "squareness" in causes:
-        applied.append(f"squareness: {{{first}{second}: {second}}}")
-    if {"backlash_first", "backlash_second"} & set(causes):
-        applied.append("backlash_from: circle")
-    if not applied and "scale_mismatch" not in causes:
+    contradicted = {
+        (one["cause"], circle["of"])
+        for one in machine["contradictions"]
+        for circle in one["circles"]
+    }
+    known = {
+        cause: {
+            of
+            for of, each in found.items()
+            if abs(each["value"]) > 2.0 * each["std_error"] and (cause, of) not in contradicted
+        }
+        for cause, found in machine["causes"].items()
+    }
+    return _job(
+        results, known["squareness"], lost=bool(known["backlash"]), scale=bool(known["scale_error"])
+    )
+
+
+def job_lines(causes: Sequence[str], result: Mapping[str, Any]) -> list[str]:
+    """Return `_job` for one circle and its ``causes``."""
+    planes = {"".join(sorted(result["axes"]))} if "squareness" in causes else set()
+    lost = bool({"backlash_first", "backlash_second"} & set(causes))
+    return _job([result], planes, lost=lost, scale="scale_mismatch" in causes)
+
+
+def _job(
+    results: Sequence[Mapping[str, Any]], planes: Container[str], *, lost: bool, scale: bool
+) -> list[str]:
+    """Return the lines of a job that corrects what a table can correct: the squareness of
+    ``planes`` (axes in the order of the alphabet), ``lost`` motion, ``scale``; empty where there is
+    nothing. Scale is that of the positioning tests, which the circles check.
+    """
+    axes = {"".join(sorted(each)): each for each in (result["axes"] for result in results)}
+    bent = [f"{one}{two}: {two}" for plane, (one, two) in axes.items() if plane in planes]
+    applied = [f"squareness: {{{', '.join(bent)}}}"] if bent else []
+    applied += ["backlash_from: circle"] if lost else []
+    if not applied and not scale:
         return []
+    lines = [f"circles: [{', '.join(_circle_entry(result) for result in results)}]"]
+    return [*lines, f"apply: {{{', '.join(applied)}}}"] if applied else lines
+
+
+def _circle_entry(result: Mapping[str, Any]) -> str:
     files = [str(source.get("file")) for source in result.get("sources") or ()]
     # Which of several files holds which direction is not in the result.
-    named = f"file: {_yaml(files[0])}" if len(files) == 1 else "ccw: FILE, cw: FILE"
-    lines = [f"circles: [{{{named}}}]"]
-    return [*lines, f"apply: {{{', '.join(applied)}}}"] if applied else lines
+    return f"{{file: {_yaml(files[0])}}}" if len(files) == 1 else "{ccw: FILE, cw: FILE}"
 
 
 def _yaml(text: str) -> str:

@@ -15,12 +15,13 @@ from rich.console import Group, RenderableType
 from rich.rule import Rule
 from rich.table import Table
 
-from compwright.reporting.causes import CircleCause, cause_words, ranked_causes
+from compwright.reporting.causes import CircleCause, cause_words, machine_title, ranked_causes
 from compwright.reporting.circle_steps import steps_for
 from compwright.reporting.circular_parameters import parameter_rows, printed_parameters
 from compwright.reporting.numbers import MISSING, number, plain, standard_text
 from compwright.reporting.shown import Text
 from compwright.reporting.summaries import finding_lines
+from compwright.words.sentences import say
 
 
 def circular_tables(results: Sequence[Mapping[str, Any]]) -> list[RenderableType]:
@@ -32,10 +33,11 @@ def circular_tables(results: Sequence[Mapping[str, Any]]) -> list[RenderableType
 
 def machine_table(machine: Mapping[str, Any]) -> RenderableType:
     """Return the renderable of what several circles show of one machine."""
-    title = f"{len(machine['circles'])} circles together"
+    unnamed = machine["machine"] is None and machine["serial"] is None
     return Group(
-        Rule(Text(title, style="bold"), align="left", characters="─"),
+        Rule(Text(str(machine_title(machine)), style="bold"), align="left", characters="─"),
         *finding_lines(machine["findings"]),
+        *([Text(str(say("report.unnamed_machine")))] if unnamed else []),
         Text(),
     )
 

@@ -11,7 +11,7 @@ from typing import Any, Final
 
 from compwright.foundations.findings import DOUBTS
 from compwright.reporting import paper, sections
-from compwright.reporting.circle_report import circle_page
+from compwright.reporting.circle_report import circle_page, machine_block
 from compwright.reporting.circles import findings_in_words
 from compwright.reporting.circular_parameters import parameter_words
 from compwright.reporting.numbers import number, plain, standard_text, symbol, unit_text
@@ -33,7 +33,15 @@ def evaluation_report(view: Document) -> bytes:
     results = list(evaluation.get("results") or ())
     title = say("report.title", tests=len(results))
     positioning = [one for one in results if one.get("kind", "positioning") == "positioning"]
-    pages = [_page(one, index) for index, one in enumerate(results, 1)]
+    machines = [
+        (own, machine_block(machine, own))
+        for machine in evaluation.get("machines") or ()
+        if (own := [one for one in results if _of_machine(one, machine)])
+    ]
+    pages = []
+    for index, one in enumerate(results, 1):
+        job = next((block["job"] for own, block in machines if one in own), None)
+        pages.append(_page(one, index, job))
     return render_page(
         "evaluation.html",
         {
@@ -42,12 +50,13 @@ def evaluation_report(view: Document) -> bytes:
             **paper_content(view, results),
             "doubts": sections.doubts(
                 item
-                for result in results
+                for result in (*results, *(evaluation.get("machines") or ()))
                 for item in result.get("findings") or ()
                 if item.get("code") in DOUBTS and item.get("severity") != "info"
             ),
             "unread": sections.findings(sections.unreadable(evaluation)),
             "summaries": [_summary(one, index) for index, one in enumerate(results, 1)],
+            "machines": [block for _, block in machines],
             "statement": paper.NO_LIMITS,
             "pages": pages,
             "conditions": conditions(pages),
@@ -91,14 +100,23 @@ def _summary(result: Document, index: int) -> dict[str, Any]:
     }
 
 
-def _page(result: Document, index: int) -> dict[str, Any]:
+def _of_machine(result: Document, machine: Document) -> bool:
+    stated = result.get("header") or {}
+    return (
+        result.get("kind") == "circular"
+        and result.get("diagnosis") is not None
+        and all(stated.get(key) == machine[key] for key in ("machine", "serial"))
+    )
+
+
+def _page(result: Document, index: int, job: list[str] | None) -> dict[str, Any]:
     shared = {
         "name": _name(result),
         "anchor": anchor(index),
         "findings": sections.findings(findings_in_words(result)),
     }
     if result.get("kind") == "circular":
-        return {**shared, "circle": circle_page(result, index), "measured": None}
+        return {**shared, "circle": circle_page(result, index, job), "measured": None}
     return {
         **shared,
         "circle": None,

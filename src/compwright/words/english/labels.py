@@ -57,7 +57,8 @@ SENTENCES: Final[dict[str, str]] = {
         " {axis}|scale_error=Scale error {axis}|backlash_mismatch=Lost motion {first} −"
         " {second}|offset_change=Centre change {axis}, ccw − cw|spiral=Spiral (drift during a"
         " run)|master_slave=Master-slave changeover|vibration=Vibration|stick_slip=Stick-slip"
-        " {axis}|lobes_2=Two lobes|lobes_3=Three lobes|positional_tolerance=Positional tolerance}"
+        " {axis}|lobes_2=Two lobes|lobes_3=Three lobes|position_loop=Lag of the position loop"
+        " {axis}|positional_tolerance=Positional tolerance}"
     ),
     "cause.part": (
         "at {axis}{part:choose|at_positive=+|at_negative=−|at_positive_ccw=+ ccw|at_positive_cw=+"

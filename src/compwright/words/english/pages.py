@@ -206,6 +206,7 @@ SENTENCES: Final[dict[str, str]] = {
     "report.in_english": "Names and texts of the job and of the files are as they were given.",
     "report.in_file": "In the file: {name}",
     "report.logo": "Logo",
+    "report.machine": "{circles} as one machine{name:if|: {name}|}",
     "report.no_limits": (
         "No limit was given. This report states values; it does not state conformity."
     ),
@@ -238,6 +239,11 @@ SENTENCES: Final[dict[str, str]] = {
     "report.statistics": "Means, standard deviations and repeatability at {count} target positions",
     "report.test": "Test {name}",
     "report.title": "Test report{tests:plural|| of {tests} tests}",
+    "report.unnamed_machine": (
+        "The files of these circles state no machine and no serial number. They count as one"
+        " machine. Evaluate circles of different machines one by one, or add `# machine:` to the"
+        " files."
+    ),
     "report.unread": "Files that were not evaluated",
     "report.verification": "Verification of {axes}",
     "run.annex_c": "Annex C: compensation",

@@ -60,7 +60,8 @@ SENTENCES: Final[dict[str, str]] = {
         " d'échelle {axis}|backlash_mismatch=Jeu à l'inversion {first} −"
         " {second}|offset_change=Déplacement du centre {axis}, ↺ − ↻|spiral=Spirale (dérive pendant"
         " un tour)|master_slave=Changement d'axe maître|vibration=Vibration|stick_slip=Broutage"
-        " {axis}|lobes_2=Deux lobes|lobes_3=Trois lobes|positional_tolerance=Tolérance de position}"
+        " {axis}|lobes_2=Deux lobes|lobes_3=Trois lobes|position_loop=Retard de la boucle de"
+        " position {axis}|positional_tolerance=Tolérance de position}"
     ),
     "cause.part": (
         "en {axis}{part:choose|at_positive=+|at_negative=−|at_positive_ccw=+ ↺|at_positive_cw=+"

@@ -227,6 +227,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "report.in_file": "Dans le fichier : {name}",
     "report.logo": "Logo",
+    "report.machine": "{circles} comme une seule machine{name:if| : {name}|}",
     "report.no_limits": (
         "Aucune limite n'est indiquée. Ce rapport donne des valeurs ; il ne déclare pas la"
         " conformité."
@@ -263,6 +264,11 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "report.test": "Essai {name}",
     "report.title": "Rapport d'essai{tests:plural|| de {tests} essais}",
+    "report.unnamed_machine": (
+        "Les fichiers de ces cercles n'indiquent ni machine ni numéro de série. Ils comptent pour"
+        " une seule machine. Évaluer un à un les cercles de machines différentes, ou ajouter `#"
+        " machine:` aux fichiers."
+    ),
     "report.unread": "Fichiers non évalués",
     "report.verification": "Vérification de {axes}",
     "run.annex_c": "Annexe C : compensation",

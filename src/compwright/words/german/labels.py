@@ -62,7 +62,8 @@ SENTENCES: Final[dict[str, str]] = {
         " {second}|offset_change=Mittelpunktverschiebung {axis}, ↺ − ↻|spiral=Spirale (Drift"
         " während einer Runde)|master_slave=Wechsel der"
         " Führungsachse|vibration=Schwingung|stick_slip=Ruckgleiten {axis}|lobes_2=Zwei"
-        " Wellen|lobes_3=Drei Wellen|positional_tolerance=Positionstoleranz}"
+        " Wellen|lobes_3=Drei Wellen|position_loop=Nachlauf der Lageregelung"
+        " {axis}|positional_tolerance=Positionstoleranz}"
     ),
     "cause.part": (
         "bei {axis}{part:choose|at_positive=+|at_negative=−|at_positive_ccw=+ ↺|at_positive_cw=+"

@@ -217,6 +217,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "report.in_file": "In der Datei: {name}",
     "report.logo": "Logo",
+    "report.machine": "{circles} als eine Maschine{name:if|: {name}|}",
     "report.no_limits": (
         "Es ist kein Grenzwert angegeben. Dieser Bericht nennt Werte; er erklärt keine Konformität."
     ),
@@ -254,6 +255,11 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "report.test": "Prüfung {name}",
     "report.title": "Prüfbericht{tests:plural|| über {tests} Prüfungen}",
+    "report.unnamed_machine": (
+        "Die Dateien dieser Kreise nennen weder Maschine noch Seriennummer. Sie gelten als eine"
+        " Maschine. Kreise verschiedener Maschinen einzeln auswerten oder `# machine:` in die"
+        " Dateien schreiben."
+    ),
     "report.unread": "Nicht ausgewertete Dateien",
     "report.verification": "Nachprüfung von {axes}",
     "run.annex_c": "Anhang C: Kompensation",

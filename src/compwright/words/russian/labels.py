@@ -57,7 +57,8 @@ SENTENCES: Final[dict[str, str]] = {
         " {axis}|scale_error=Погрешность масштаба {axis}|backlash_mismatch=Мёртвый ход {first} −"
         " {second}|offset_change=Смещение центра {axis}, ↺ − ↻|spiral=Спираль (дрейф за"
         " проход)|master_slave=Смена ведущей оси|vibration=Вибрация|stick_slip=Скачкообразное"
-        " движение {axis}|lobes_2=Две волны|lobes_3=Три волны|positional_tolerance=Позиционный"
+        " движение {axis}|lobes_2=Две волны|lobes_3=Три волны|position_loop=Запаздывание контура"
+        " положения {axis}|positional_tolerance=Позиционный"
         " допуск}"
     ),
     "cause.part": (

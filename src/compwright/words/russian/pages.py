@@ -213,6 +213,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "report.in_file": "В файле: {name}",
     "report.logo": "Логотип",
+    "report.machine": "{circles} как один станок{name:if|: {name}|}",
     "report.no_limits": (
         "Допуски не заданы. Протокол приводит значения и не заявляет о соответствии."
     ),
@@ -249,6 +250,11 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "report.test": "Проверка {name}",
     "report.title": "Протокол испытаний{tests:plural||: {tests} проверки|: {tests} проверок}",
+    "report.unnamed_machine": (
+        "В файлах этих окружностей нет ни станка, ни серийного номера. Они считаются снятыми на"
+        " одном станке. Окружности разных станков оценивайте по одной или добавьте в файлы `#"
+        " machine:`."
+    ),
     "report.unread": "Необработанные файлы",
     "report.verification": "Проверка после загрузки: {axes}",
     "run.annex_c": "Приложение C: коррекция",

@@ -132,6 +132,13 @@ def evaluate_files(
     )
     tests, noted = _evaluated(session, files, request, crew, watch)
     why = _by_reason(noted)
+    machines: list[dict[str, Any]] = []
+    circles = [one.circle for one in tests if one.circle is not None]
+    if len(circles) > 1:
+        from compwright.workflow.inputs.circles import machines_of
+
+        machines, own = machines_of(circles)
+        why["own"].extend(own)
     faults += [*why["unread"], *why["refused"]]
     if why["unfit"] and not (tests or faults or why["own"]):
         raise UsageError(*why["unfit"])
@@ -139,11 +146,8 @@ def evaluate_files(
         **evaluation_document((), [*faults, *why["unfit"], *why["own"]]),
         "results": _with_repeats(tests),
     }
-    circles = [one.circle for one in tests if one.circle is not None]
     if len(circles) > 1:
-        from compwright.workflow.inputs.circles import machines_of
-
-        document["machines"] = machines_of(circles)
+        document["machines"] = machines
     if found.skipped:
         document["skipped"] = [shown_path(path) for path in found.skipped]
     if found.folders:

@@ -6,7 +6,7 @@ short.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, Final, TypeVar
 
@@ -14,6 +14,7 @@ from compwright.documents.circular import machine_document
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, InputError, collect, raise_all
 from compwright.foundations.input_sizes import MEASUREMENT
+from compwright.foundations.own_faults import own_fault
 from compwright.foundations.session import Session
 from compwright.foundations.utf8 import shown_path
 from compwright.instruments.circular_pairs import paired
@@ -28,6 +29,8 @@ from compwright.records.job import Job
 from compwright.workflow.inputs.measurement_files import measurement_files
 
 T = TypeVar("T")
+#: Keys of a header that name its machine.
+_STATED: Final = ("machine", "serial")
 #: Kinds of values of several circles, by their names in JSON.
 _CAUSES: Final = {
     "squareness": "squareness",
@@ -57,24 +60,35 @@ def pairs_joined(tests: Sequence[T | CircularTest]) -> list[T | CircularTest]:
     return list(kept.values())
 
 
-def machines_of(circles: Sequence[CircularResult]) -> list[dict[str, Any]]:
-    """Return what the circles of each machine show together, where there are two or more. Circles
-    are of one machine where their files state the same name and serial number, or none.
+def machines_of(circles: Sequence[CircularResult]) -> tuple[list[dict[str, Any]], list[Fault]]:
+    """Return what the circles of each machine show together, where there are two or more, and what
+    failed at it. Circles are of one machine where their files state the same name and serial
+    number, or none.
     """
     machines: dict[tuple[str | None, ...], list[CircularResult]] = {}
     for result in circles:
         if result.diagnosis is not None:
-            stated = tuple(result.test.header.get(key) for key in ("machine", "serial"))
+            stated = tuple(result.test.header.get(key) for key in _STATED)
             machines.setdefault(stated, []).append(result)
-    return [_machine(results) for results in machines.values() if len(results) > 1]
+    documents, faults = [], []
+    for stated, results in machines.items():
+        if len(results) < 2:
+            continue
+        try:
+            documents.append(_machine(dict(zip(_STATED, stated, strict=True)), results))
+        except Exception as error:  # noqa: BLE001 - the circles are evaluated one by one
+            files = (source.file for result in results for source in result.test.sources)
+            faults.append(own_fault(error, ", ".join(files)))
+    return documents, faults
 
 
-def _machine(results: Sequence[CircularResult]) -> dict[str, Any]:
+def _machine(stated: Mapping[str, str | None], results: Sequence[CircularResult]) -> dict[str, Any]:
     network = solve_network(results)
     values = {
         _CAUSES[kind]: network.values_of(kind) for kind in ("squareness", "scale", "lost motion")
     }
     return machine_document(
+        stated,
         network.circles,
         {
             cause: {name: (each.value, each.std_error) for name, each in found.items()}
