@@ -7,6 +7,19 @@ standard errors, per cent null, median of the stated error by the Cramér-Rao bo
 (where that is below the usual size of the cause). ``--bands``: so many machines through
 ``run`` without a table; share of fresh tests in the predicted 5 to 95 % of G, F and D.
 ``--list``: every value of a cause that is outside.
+
+The bound knows which causes a machine has, the shape of its spikes and the bandwidth of its
+instrument; a diagnosis knows none of them. What that alone costs (full circles, both directions):
+
+- Spiral and offset change: where each is an unknown next to the other, the bound itself is 2.5 and
+  1.2 to 1.4 times that of one alone (median of nine machines; 1.2 to 28).
+- Cyclic error: 4.3 where there is none, because the value of a search is zero, and its error is
+  half of the least amplitude that a search over all pitches finds: sqrt(2 log(4000 f)) / 2 = 2.7 of
+  the errors of one pitch, with f = 500 pitches. Where there is one: 1.7.
+- Vibration: 5 to 55 (four machines). A filter of 3 ms, which no circle shows, takes 6 % off 20 Hz
+  and 45 % off 80 Hz.
+- Spikes: 3.0 where there is none, because its decay is unknown; 4.1 where there is one. Decays cut
+  9 to 26 % off a spike with an edge, and a filter of 3 ms 3 % off a decay of 100 ms.
 """
 
 from __future__ import annotations

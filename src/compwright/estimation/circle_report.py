@@ -43,8 +43,9 @@ UNITS: Final = {
     "servo_mismatch": "ms",
 }
 _ONE_SIDED: Final = 1.645  # standard errors to the lower end of a one-sided 95 % interval
-#: A standard error above this share of the prior's standard deviation: the value is mostly prior.
-_MOSTLY_PRIOR: Final = 0.5
+#: A standard error above this share of the prior's standard deviation: the prior weighs more than
+#: the data.
+_MOSTLY_PRIOR: Final = np.sqrt(0.5)
 #: Standard deviation of the lost motion of one end about the mean of both, um.
 _ENDS_DIFFER: Final = 1.0
 #: Standard errors of a spike beyond its height and this, um, from which it is not given.
@@ -53,6 +54,9 @@ _NO_SPIKE: Final = 5.0
 _RESPONSE: Final = 0.003
 #: The same in samples: instruments filter at about the rate at which they sample.
 _FILTER: Final = 0.3
+#: Share of its height that a sum of two decays cuts off a spike with an edge, which an axis makes
+#: that stands still until its drive moves it (9 to 26 % by least squares).
+_EDGE: Final = 0.17
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -291,7 +295,7 @@ def _spikes(solution: Solution, axis: str) -> Iterator[_ReportedCause]:
     if not found:
         return
     ends = [_spike(solution, spike) for spike in found]
-    yield _ReportedCause(
+    mean = _ReportedCause(
         name=f"reversal_spike_{axis}",
         value=float(np.mean([end.value for end in ends])),
         drawn=np.mean([end.drawn for end in ends], axis=0),
@@ -299,9 +303,9 @@ def _spikes(solution: Solution, axis: str) -> Iterator[_ReportedCause]:
         positive=all(end.positive for end in ends),
         # Bandwidth and sampling do the same to both ends.
         variance=float(np.mean([np.sqrt(end.variance) for end in ends])) ** 2,
-        reason=next((end.reason for end in ends if end.reason), None)
-        or (None if len(ends) > 1 else by_full_circle(say("undetermined.one_reversal"))),
+        reason=None if len(ends) > 1 else by_full_circle(say("undetermined.one_reversal")),
     )
+    yield replace(mean, reason=mean.reason or _unseen_spike(mean.value, mean.std_error))
     for spike, end in zip(found, ends, strict=True):
         yield end
         if spike.unlike > 0.5:
@@ -333,7 +337,7 @@ def _spike(
     response = max(_RESPONSE * samples.speed, _FILTER * sample_spacing(samples))
     late = np.hypot(samples.lag_std * samples.radius, response) / decay
     variance = (
-        float(np.mean((heights * late) ** 2)) / 3.0
+        float(np.mean((heights * np.hypot(late, _EDGE)) ** 2)) / 3.0
         + float(np.mean((slow - heights) ** 2)) / 12.0
         + float(np.mean(unseen**2)) / 12.0
         + (1.0 - spike.there) * spike.least_error**2
@@ -358,8 +362,12 @@ def _spike(
         positive=value >= 0.0,
         variance=variance,
         more=more,
-        reason=(say("undetermined.spike") if error > max(_NO_SPIKE, abs(value)) else None),
+        reason=_unseen_spike(value, error),
     )
+
+
+def _unseen_spike(value: float, error: float) -> Sentence | None:
+    return say("undetermined.spike") if error > max(_NO_SPIKE, abs(value)) else None
 
 
 def _cyclic(solution: Solution, axis: str) -> Iterator[_ReportedCause]:

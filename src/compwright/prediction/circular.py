@@ -127,7 +127,8 @@ def predict_circle(
 
 
 def _quantiles(values: FloatArray) -> Quantiles:
-    p05, median, p95 = np.quantile(values, [0.05, 0.5, 0.95])
+    # The next of n + 1 tests is below the k-th of n with the probability k / (n + 1).
+    p05, median, p95 = np.quantile(values, [0.05, 0.5, 0.95], method="weibull")
     return Quantiles(
         median=rounded_number(median), p05=rounded_number(p05), p95=rounded_number(p95)
     )
