@@ -163,7 +163,7 @@ def estimate_spectrum(residual: FloatArray, leverage: FloatArray) -> ResidualSpe
     pooled_power, pooled_freedom = np.add.reduceat(power, pools), np.add.reduceat(freedom, pools)
     pooled_orders = np.add.reduceat(orders * freedom, pools) / pooled_freedom
     lengths = np.geomspace(1.0, max(size / _SHORTEST_WAVE, 2.0), _LENGTHS)
-    ratios, log_prior = _mixtures()
+    ratios, log_prior = _mixtures(_LENGTHS)
     shapes = 1.0 + ratios @ _correlated(pooled_orders / size, lengths)
     total = float(np.sum(pooled_freedom))
     scale = (1.0 / shapes) @ pooled_power
@@ -178,19 +178,19 @@ def estimate_spectrum(residual: FloatArray, leverage: FloatArray) -> ResidualSpe
 
 
 @cache
-def _mixtures() -> tuple[FloatArray, FloatArray]:
-    """Return the ratios (m, 2 l) of the noises of `_correlated` to the white one in each mixture
-    tried, and the logarithms (m,) of their prior probabilities.
+def _mixtures(lengths: int) -> tuple[FloatArray, FloatArray]:
+    """Return the ratios (m, 2 l) of the noises of `_correlated`, at ``lengths`` (l), to the white
+    one in each mixture tried, and the logarithms (m,) of their prior probabilities.
 
     Two noises: a part of the path that no cause explains has a spectrum of its own, and one noise
     fitted to both would be too weak at the low orders, which the causes leave hardly any residual.
     """
-    each = np.eye(2 * _LENGTHS)
+    each = np.eye(2 * lengths)
     one = np.concatenate([ratio * each for ratio in _RATIOS])
     some = np.concatenate([ratio * each[:: _OF_TWO[0]] for ratio in _RATIOS[:: _OF_TWO[1]]])
     first, second = np.triu_indices(some.shape[0], 1)
     two = (some[first] + some[second])[np.sum(some[first] * some[second], axis=1) == 0.0]
-    parts = np.zeros((1, 2 * _LENGTHS)), one, two
+    parts = np.zeros((1, 2 * lengths)), one, two
     log_priors = [
         np.full(part.shape[0], np.log(prior / part.shape[0]))
         for part, prior in zip(parts, _PRIORS, strict=True)
