@@ -336,8 +336,9 @@ def _spike(
     decay = np.where(spike.decay > 0.0, spike.decay, np.inf)
     response = max(_RESPONSE * samples.speed, _FILTER * sample_spacing(samples))
     late = np.hypot(samples.lag_std * samples.radius, response) / decay
+    edge = np.where(spike.rise > 0.0, _EDGE, 0.0)  # a decay without a rise has its edge
     variance = (
-        float(np.mean((heights * np.hypot(late, _EDGE)) ** 2)) / 3.0
+        float(np.mean((heights * np.hypot(late, edge)) ** 2)) / 3.0
         + float(np.mean((slow - heights) ** 2)) / 12.0
         + float(np.mean(unseen**2)) / 12.0
         + (1.0 - spike.there) * spike.least_error**2
