@@ -63,8 +63,6 @@ RARE: Final = {
     "spiral": 0.2,
     "_spiral_change": 0.1,
     "master_slave": 0.1,
-    "offset_change_first": 0.3,
-    "offset_change_second": 0.3,
     "_lost_profile_first": 0.3,
     "_lost_profile_second": 0.3,
     "_lateral_change_first": 0.3,
