@@ -24,7 +24,7 @@ _KINDS: Final = frozenset(
         "squareness", "scale_mismatch", "servo_mismatch", "radius_change", "backlash",
         "lateral_play", "reversal_spike", "cyclic", "straightness", "scale_error",
         "backlash_mismatch", "offset_change", "spiral", "master_slave", "vibration", "stick_slip",
-        "lobes_2", "lobes_3", "positional_tolerance", "position_loop",
+        "lobes_2", "lobes_3", "positional_tolerance",
     }
 )  # fmt: skip
 #: Values that sum up causes which are listed.
