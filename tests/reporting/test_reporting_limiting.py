@@ -69,7 +69,7 @@ def test_the_worth_of_points_is_drawn_to_scale() -> None:
     first, second, third = (x for x, _, _ in dots[:3])
     assert (third - second) / (second - first) == pytest.approx(1.0, abs=0.01)  # 2, 6, 18
     assert [fill == "#ffffff" for _, _, fill in dots] == [True, True, False, True]
-    assert "ring: the grid that is in the control" in str(block["caption"])
+    assert "the ring is the existing table of the control" in str(block["caption"])
     assert str(block["words"][2]) == "18 points, every 50 mm: A 4.89 µm (3.91 to 6.36)"
 
 

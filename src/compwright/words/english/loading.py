@@ -122,10 +122,11 @@ SENTENCES: Final[dict[str, str]] = {
     "loading.as_predicted": "The test differs by {left} from the prediction.",
     "loading.candidate": "{name} ({sure:if|more than 99|{percent:2sig}} %)",
     "loading.declared_slope": (
-        "Over the travel its deviations rise by {slope:+.2f} ± {error:.2f} µm/m more than"
-        " expected. Steel does that over {kelvin:+2sig} K, which is {within:if|within|beyond}"
-        " what the job declares for two tests (± {declared:.1f} µm/m, k = 2). The table is not at"
-        " fault, but the limits are decided with this slope in the readings."
+        "Over the travel the deviations of this test rise by {slope:+.2f} ± {error:.2f} µm/m more"
+        " than expected. Steel does that over {kelvin:+2sig} K, which is"
+        " {within:if|within|beyond} what the job declares for two tests (± {declared:.1f} µm/m, k"
+        " = 2). The table is not at fault, but the limits are decided with this slope in the"
+        " readings."
     ),
     "loading.effect": "{part:.2f} ± {error:.2f} of the planned effect",
     "loading.equivalent": (
@@ -168,11 +169,11 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "loading.rms": "{rms} rms",
     "loading.slope": (
-        "Over the travel its deviations rise by {slope:+.2f} ± {error:.2f} µm/m more than"
-        " expected. Steel does that over {kelvin:+2sig} K{declared:if| (declared for two tests: ±"
-        " {declared:.1f} µm/m, k = 2)}. Give the temperature of the scale in the files of both"
-        " tests (T_m) and its coefficient in the job (thermal). Or let machine and instrument"
-        " settle, check the instrument's temperature sensor, and measure again."
+        "Over the travel the deviations of this test rise by {slope:+.2f} ± {error:.2f} µm/m more"
+        " than expected. Steel does that over {kelvin:+2sig} K{declared:if| (declared for two"
+        " tests: ± {declared:.1f} µm/m, k = 2)}. Give the temperature of the scale in the files"
+        " of both tests (T_m) and its coefficient in the job (thermal). Or let machine and"
+        " instrument settle, check the instrument's temperature sensor, and measure again."
     ),
     "loading.straight_line": (
         "The test after loading shows the loaded table and an additional slope. {slope} The"
@@ -214,7 +215,7 @@ SENTENCES: Final[dict[str, str]] = {
     "next.between_kept": "the correction of {output} over {input} stays as it is in the control",
     "next.cannot_be_made": "the next round cannot be made: {reason}",
     "next.circles_only": (
-        "the table of this axis came from circles, which do not show its effect. The axis keeps"
+        "the table of this axis was calculated from circles, which do not show its effect. The axis keeps"
         " what is in the control"
     ),
     "next.differs": "what was read back differs from the plan: {why}{quantity:if| ({quantity})}",

@@ -165,10 +165,10 @@ SENTENCES: Final[dict[str, str]] = {
     "period.described": "odds of each period",
     "period.least": "smallest amplitude that this test shows, by period",
     "period.least_caption": (
-        "Smallest amplitude ({unit}) of a wave of each period that this test shows in 95 % of all"
-        " cases at three standard errors. Gaps: the test shows no wave below 10 {unit}. A period"
-        " that is not given is mostly found from about 1.5 times this amplitude. More targets, at"
-        " random offsets, show smaller waves."
+        "For each period: the smallest amplitude ({unit}) of a wave that this test shows in 95 %"
+        " of all cases, at three standard errors. In the gaps the test shows no wave below 10"
+        " {unit}. If the job does not give the period, a wave is mostly found from about 1.5"
+        " times this amplitude on. More targets, at random offsets, show smaller waves."
     ),
     "period.none": "None is known, and none was found.",
     "period.over": "period / {unit}",
@@ -311,7 +311,7 @@ SENTENCES: Final[dict[str, str]] = {
     "run.raw_readings": "Raw readings",
     "run.refusal": "Axis {axis}: {reason}.",
     "run.single": "One curve and one reversal value",
-    "run.state": "Axis {axis}: state of the control that was taken",
+    "run.state": "Axis {axis}: state of the control that was used",
     "run.state_files": (
         "As in {files}; the table is the total of what was there and what is to be added."
     ),
@@ -348,9 +348,9 @@ SENTENCES: Final[dict[str, str]] = {
     "verify.table_of": "table of axis",
     "verify.within": "within",
     "worth.caption": (
-        "Predicted {symbol} at new targets over the number of points, median and 5 to 95 %. Filled"
-        " dot: the table that is written{grid:if|, {grid:choose|ring=ring: the grid that is in the"
-        " control|on_it=on the grid that is in the control}|}."
+        "Predicted {symbol} at new targets for each number of table points: median and 5 to 95 %."
+        " The filled dot is the table that is written{grid:if|; {grid:choose|ring=the ring is the"
+        " existing table of the control|on_it=it keeps the points of the existing table}|}."
     ),
     "worth.described": "{quantity} over the number of points",
     "worth.over": "points of the table",

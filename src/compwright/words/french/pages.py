@@ -181,11 +181,11 @@ SENTENCES: Final[dict[str, str]] = {
     "period.described": "rapport de vraisemblance de chaque période",
     "period.least": "plus petite amplitude que cet essai montre, par période",
     "period.least_caption": (
-        "Plus petite amplitude ({unit}) d'une onde de chaque période que cet essai montre dans 95 %"
-        " des cas à trois incertitudes-types. Lacunes : l'essai ne montre aucune onde au-dessous de"
-        " 10 {unit}. Une période non donnée est le plus souvent trouvée à partir d'environ 1,5 fois"
-        " cette amplitude. Plus de positions cibles, décalées au hasard, montrent des ondes plus"
-        " petites."
+        "Pour chaque période : la plus petite amplitude ({unit}) d'une onde que cet essai montre"
+        " dans 95 % des cas, à trois erreurs types. Dans les lacunes, l'essai ne montre aucune"
+        " onde de moins de 10 {unit}. Si le dossier de travail ne donne pas la période, une onde"
+        " est le plus souvent trouvée à partir d'environ 1,5 fois cette amplitude. Plus de points"
+        " visés, à décalages aléatoires, montrent des ondes plus petites."
     ),
     "period.none": "Aucune n'est connue et aucune n'a été trouvée.",
     "period.over": "période / {unit}",
@@ -377,9 +377,10 @@ SENTENCES: Final[dict[str, str]] = {
     "verify.table_of": "table de l'axe",
     "verify.within": "dans",
     "worth.caption": (
-        "{symbol} prévu à de nouveaux points visés selon le nombre de points, médiane et 5 à 95 %."
-        " Point plein : la table écrite{grid:if|, {grid:choose|ring=anneau : la grille de la"
-        " commande|on_it=sur la grille de la commande}|}."
+        "{symbol} prévu à de nouveaux points visés pour chaque nombre de points de table :"
+        " médiane et 5 à 95 %. Le point plein est la table écrite{grid:if| ;"
+        " {grid:choose|ring=l'anneau est la table existante de la commande|on_it=elle garde les"
+        " points de la table existante}|}."
     ),
     "worth.described": "{quantity} selon le nombre de points",
     "worth.over": "points de la table",

@@ -174,10 +174,11 @@ SENTENCES: Final[dict[str, str]] = {
     "period.described": "Wahrscheinlichkeitsverhältnis jeder Periode",
     "period.least": "kleinste Amplitude, die diese Prüfung zeigt, je Periode",
     "period.least_caption": (
-        "Kleinste Amplitude ({unit}) einer Welle jeder Periode, die diese Prüfung in 95 % der Fälle"
-        " mit drei Standardunsicherheiten zeigt. Lücken: Unter 10 {unit} zeigt die Prüfung keine"
-        " Welle. Eine nicht angegebene Periode wird meist ab etwa dem 1,5-Fachen gefunden. Mehr"
-        " Zielpositionen mit zufälligem Versatz zeigen kleinere Wellen."
+        "Für jede Periode: die kleinste Amplitude ({unit}) einer Welle, die diese Prüfung in 95 %"
+        " aller Fälle zeigt, bei drei Standardfehlern. In den Lücken zeigt die Prüfung keine"
+        " Welle unter 10 {unit}. Nennt der Auftrag die Periode nicht, wird eine Welle meist ab"
+        " etwa dem 1,5-Fachen dieser Amplitude gefunden. Mehr Zielpositionen mit zufälligen"
+        " Versätzen zeigen kleinere Wellen."
     ),
     "period.none": "Keine ist bekannt, und keine wurde gefunden.",
     "period.over": "Periode / {unit}",
@@ -372,9 +373,10 @@ SENTENCES: Final[dict[str, str]] = {
     "verify.table_of": "Tabelle der Achse",
     "verify.within": "innerhalb",
     "worth.caption": (
-        "Vorhergesagtes {symbol} an neuen Zielpositionen über der Anzahl der Punkte, Median und 5"
-        " bis 95 %. Voller Punkt: die geschriebene Tabelle{grid:if|, {grid:choose|ring=Ring: das"
-        " Raster in der Steuerung|on_it=auf dem Raster in der Steuerung}|}."
+        "Vorhergesagtes {symbol} an neuen Zielpositionen für jede Zahl von Tabellenpunkten:"
+        " Median und 5 bis 95 %. Der gefüllte Punkt ist die Tabelle, die geschrieben"
+        " wird{grid:if|; {grid:choose|ring=der Ring ist die vorhandene Tabelle der"
+        " Steuerung|on_it=sie behält die Punkte der vorhandenen Tabelle}|}."
     ),
     "worth.described": "{quantity} über der Anzahl der Punkte",
     "worth.over": "Punkte der Tabelle",
