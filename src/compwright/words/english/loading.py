@@ -215,8 +215,8 @@ SENTENCES: Final[dict[str, str]] = {
     "next.between_kept": "the correction of {output} over {input} stays as it is in the control",
     "next.cannot_be_made": "the next round cannot be made: {reason}",
     "next.circles_only": (
-        "the table of this axis was calculated from circles, which do not show its effect. The axis keeps"
-        " what is in the control"
+        "the table of this axis was calculated from circles, which do not show its effect. The axis"
+        " keeps what is in the control"
     ),
     "next.differs": "what was read back differs from the plan: {why}{quantity:if| ({quantity})}",
     "next.doubted": "the test of this axis after loading is in doubt ({code}: {message})",
