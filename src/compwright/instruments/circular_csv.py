@@ -140,7 +140,7 @@ def _check_form(comments: Comments, lines: Sequence[tuple[int, str]], file: str)
         newer = "the file was written for a newer version of compwright"
         raise InputError(
             Fault(
-                message={newer if match else "the file is not a circular test"},
+                message=newer if match else "the file is not a circular test",
                 file=file,
                 place=comments.places["compwright"],
                 expected=f"circular {_NEWEST_FORM}{' or older' if match else ''}",
