@@ -496,13 +496,11 @@ def test_outliers_that_lie_together_are_told_by_what_they_have_in_common() -> No
     traverse, place = white(31), white(32)
     traverse[1, :9, 4] += 12.0
     place[:, 13] *= 15.0
-    told = [
-        next(found.message for found in posterior(each).findings if found.code == "CW-E024")
-        for each in (traverse, place)
-    ]
-    assert "all are in run 5 in −" in told[0]
-    assert "all are at 650 mm" in told[1]
-    assert "look at screw, guides and covers there" in told[1]
+    (finding,) = (one for one in posterior(traverse).findings if one.code == "CW-E024")
+    assert finding.values["cause"].name == "CW-E024.traverse"
+    (doubt,) = (one for one in posterior(place).findings if one.code == "CW-E032")
+    assert doubt.is_doubt
+    assert doubt.values["target"] == "650 mm"
 
 
 @pytest.mark.parametrize(

@@ -140,31 +140,31 @@ def _tails(
     if spoilt > student and cells.size:
         off = np.median([_errors(readings, draw) for draw in draws], axis=0)
         order = np.argsort(-np.round(np.abs(off[cells, runs]), 9), kind="stable")
-        yield Finding.of(
-            "CW-E024",
-            "warning",
-            outliers=cells.size,
-            readings=np.count_nonzero(readings.there),
-            where=[
+        m = test.targets.size
+        values = {
+            "outliers": cells.size,
+            "readings": np.count_nonzero(readings.there),
+            "where": [
                 _where(test, int(cells[k]), int(runs[k]), float(off[cells[k], runs[k]]))
                 for k in order[:_SHOWN]
             ],
-            more=max(0, cells.size - _SHOWN),
-            odds=_odds_text(odds),
-            cause=_cause(test, cells, runs),
-        )
+            "more": max(0, cells.size - _SHOWN),
+            "odds": _odds_text(odds),
+        }
+        if cells.size >= _TOGETHER and np.ptp(cells % m) == 0:
+            place = _position(float(test.targets[cells[0] % m]), test)
+            yield Finding.of("CW-E032", "warning", target=place, **values)
+        else:
+            yield Finding.of("CW-E024", "warning", cause=_cause(test, cells, runs), **values)
     else:
         yield Finding.of("CW-E025", "info", odds=_odds_text(odds))
 
 
 def _cause(test: PositioningTest, cells: IndexArray, runs: IndexArray) -> Sentence:
-    """Return a hint for the cause of outliers in ``cells`` and ``runs`` (k,). They may all lie
-    in one traverse or at one place.
+    """Return a hint for the cause of outliers in ``cells`` and ``runs`` (k,), which may all lie in
+    one traverse.
     """
     m = test.targets.size
-    if cells.size >= _TOGETHER and np.ptp(cells % m) == 0:
-        place = _position(float(test.targets[cells[0] % m]), test)
-        return say("CW-E024.target", target=place)
     if cells.size >= _TOGETHER and np.ptp(runs) == 0 and np.ptp(cells // m) == 0:
         traverse = _traverse(test, int(cells[0]), int(runs[0]))
         return say("CW-E024.traverse", traverse=traverse)

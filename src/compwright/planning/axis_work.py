@@ -142,7 +142,12 @@ class AxisWork:
 
 
 #: Checks of the readings that an estimate of the noise tells with its size and its odds.
-_REPORTED_BY: Final = {"CW-E020": "CW-T012", "CW-E021": "CW-T012", "CW-E024": "CW-T014"}
+_REPORTED_BY: Final = {
+    "CW-E020": "CW-T012",
+    "CW-E021": "CW-T012",
+    "CW-E024": "CW-T014",
+    "CW-E032": "CW-T014",
+}
 
 
 def evaluate_test(

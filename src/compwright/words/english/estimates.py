@@ -180,7 +180,6 @@ SENTENCES: Final[dict[str, str]] = {
         " the prediction expects as many in a repeated test. Next: {cause}, then measure again"
     ),
     "CW-E024.reading": "find their cause (beam, chips, clamping)",
-    "CW-E024.target": "all are at {target}, so look at screw, guides and covers there",
     "CW-E024.traverse": "all are in {traverse}, so find out what happened in this run",
     "CW-E025": (
         "Some readings lie further from the mean than normal scatter explains ({odds}). Such"
@@ -225,6 +224,12 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-E031": (
         "To save time, the noise is estimated from {used} of {runs} runs, evenly spaced over the"
         " test. The means use all runs"
+    ),
+    "CW-E032": (
+        "{outliers} of {readings} readings are outliers, and all of them are at {target}: {where}"
+        "{more:if| and {more} more} ({odds}). The true error of the axis at this target is"
+        " uncertain. Check the readings at this target (unit, beam, chips), look at screw, guides"
+        " and covers there, then measure again"
     ),
     "period.cause": (
         "{cause:choose|lead=a screw lead of {number:g} mm|inch_lead=a screw lead of {number:g}"

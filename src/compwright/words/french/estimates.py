@@ -188,7 +188,6 @@ SENTENCES: Final[dict[str, str]] = {
         " Ensuite : {cause}, puis mesurer de nouveau"
     ),
     "CW-E024.reading": "chercher leur cause (faisceau, copeaux, bridage)",
-    "CW-E024.target": "toutes sont à {target}, y regarder vis, guidages et protections",
     "CW-E024.traverse": "toutes sont dans {traverse}, chercher ce qui s'est passé dans ce parcours",
     "CW-E025": (
         "Quelques mesures sont plus loin de la moyenne que la dispersion normale ne l'explique"
@@ -234,6 +233,12 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-E031": (
         "Pour gagner du temps, le bruit est estimé d'après {used} des {runs} parcours,"
         " régulièrement répartis dans l'essai. Les moyennes utilisent tous les parcours"
+    ),
+    "CW-E032": (
+        "{outliers} des {readings} mesures sont aberrantes, et toutes sont à {target} : {where}"
+        "{more:if| et {more} autres} ({odds}). L'erreur vraie de l'axe à ce point visé est"
+        " incertaine. Vérifier les mesures à ce point visé (unité, faisceau, copeaux), y regarder"
+        " vis, guidages et protections, puis mesurer de nouveau"
     ),
     "period.cause": (
         "{cause:choose|lead=un pas de vis de {number:g} mm|inch_lead=un pas de vis de {number:g}"

@@ -189,7 +189,6 @@ SENTENCES: Final[dict[str, str]] = {
         " Schritt: {cause}, dann neu messen"
     ),
     "CW-E024.reading": "ihre Ursache suchen (Strahl, Späne, Klemmung)",
-    "CW-E024.target": "alle liegen bei {target}, dort Spindel, Führungen und Abdeckungen ansehen",
     "CW-E024.traverse": "alle liegen in {traverse}, klären, was in diesem Lauf geschah",
     "CW-E025": (
         "Einige Messwerte liegen weiter vom Mittel, als normale Streuung erklärt ({odds}). Solche"
@@ -235,6 +234,12 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-E031": (
         "Um Zeit zu sparen, wird das Rauschen aus {used} von {runs} Läufen geschätzt, gleichmäßig"
         " über die Prüfung verteilt. Die Mittelwerte verwenden alle Läufe"
+    ),
+    "CW-E032": (
+        "{outliers} von {readings} Messwerten sind Ausreißer, und alle liegen bei {target}: {where}"
+        "{more:if| und {more} weitere} ({odds}). Der wahre Fehler der Achse an dieser Zielposition"
+        " ist unsicher. Die Messwerte an dieser Zielposition prüfen (Einheit, Strahl, Späne), dort"
+        " Spindel, Führungen und Abdeckungen ansehen, dann neu messen"
     ),
     "period.cause": (
         "{cause:choose|lead=eine Spindelsteigung von {number:g} mm|inch_lead=eine Spindelsteigung"
