@@ -140,22 +140,35 @@ def _tails(
     if spoilt > student and cells.size:
         off = np.median([_errors(readings, draw) for draw in draws], axis=0)
         order = np.argsort(-np.round(np.abs(off[cells, runs]), 9), kind="stable")
-        m = test.targets.size
-        values = {
-            "outliers": cells.size,
-            "readings": np.count_nonzero(readings.there),
-            "where": [
-                _where(test, int(cells[k]), int(runs[k]), float(off[cells[k], runs[k]]))
-                for k in order[:_SHOWN]
-            ],
-            "more": max(0, cells.size - _SHOWN),
-            "odds": _odds_text(odds),
-        }
-        if cells.size >= _TOGETHER and np.ptp(cells % m) == 0:
-            place = _position(float(test.targets[cells[0] % m]), test)
-            yield Finding.of("CW-E032", "warning", target=place, **values)
+        count, more = cells.size, max(0, cells.size - _SHOWN)
+        there = np.count_nonzero(readings.there)
+        where = [
+            _where(test, int(cells[k]), int(runs[k]), float(off[cells[k], runs[k]]))
+            for k in order[:_SHOWN]
+        ]
+        place = cells % test.targets.size
+        if count >= _TOGETHER and np.ptp(place) == 0:
+            yield Finding.of(
+                "CW-E032",
+                "warning",
+                outliers=count,
+                readings=there,
+                where=where,
+                more=more,
+                odds=_odds_text(odds),
+                target=_position(float(test.targets[place[0]]), test),
+            )
         else:
-            yield Finding.of("CW-E024", "warning", cause=_cause(test, cells, runs), **values)
+            yield Finding.of(
+                "CW-E024",
+                "warning",
+                outliers=count,
+                readings=there,
+                where=where,
+                more=more,
+                odds=_odds_text(odds),
+                cause=_cause(test, cells, runs),
+            )
     else:
         yield Finding.of("CW-E025", "info", odds=_odds_text(odds))
 
