@@ -52,12 +52,15 @@ def test_the_fewest_points_within_a_tenth_are_typed(
     that are a quarter wider loses more.
     """
     few = outcome(test_file, format_id, tmp_path / "few", "table_values=error")
-    (told,) = (one["message"] for one in few["findings"] if one["code"] == "CW-P144")
+    (values,) = (one["values"] for one in few["findings"] if one["code"] == "CW-P144")
     positions = np.array(few["table"]["positions"])
     sheet = (tmp_path / "few" / "card" / "entry_X.csv").read_text().splitlines()
     typed = [line for line in sheet if line.split(",")[0].isdigit()]
-    assert len(typed) == positions.size
-    spacing = float(told.split("spacing: ")[1].split(" ")[0])
+    assert len(typed) == positions.size == values["few"]["points"]
+    mine = values["mine"]
+    assert (mine["name"], mine["unit"]) == ("A", "um")
+    np.testing.assert_allclose([mine["value"], mine["elsewhere"]], medians(few), atol=0.2)
+    spacing = values["spacing"]
     many = outcome(
         test_file, format_id, tmp_path / "many", "table_values=error", f"spacing={spacing:g}"
     )

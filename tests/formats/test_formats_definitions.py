@@ -257,6 +257,20 @@ def _without(data: Any, path: tuple[str, ...]) -> Any:
             "The HAL pin joint.{joint}",
             "has no field joint",
         ),
+        (
+            "an unknown field in the alternative to a table between axes",
+            "linuxcnc.yaml",
+            "add {squareness} to",
+            "add {angle} to",
+            "between_axes.instead: has no field angle",
+        ),
+        (
+            "an unknown field in a typed parameter",
+            "linuxcnc.yaml",
+            "BACKLASH of [JOINT_{address}]",
+            "BACKLASH of [JOINT_{joint}]",
+            "bindings.backlash.typed: has no field joint",
+        ),
         ("alias", "siemens-840d-sl.yaml", "proven: []", "proven: &a []\nagain: *a", "alias"),
     ],
 )

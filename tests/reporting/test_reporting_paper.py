@@ -356,9 +356,9 @@ def test_head_and_stated_items_are_those_of_the_job() -> None:
         report: {number: "2026-117", customer: "<Meier>", operator: N N, place: hall 3}
         """)
     stated = stated_of_axes(given)["X"]
-    assert stated["x"]["travel"] == "0 to 500 mm (job)"
-    assert stated["x"]["machine"] == "VMC 850, 4711 (job)"
-    assert stated["x"]["machine_type"] == "vertical spindle (job)"
+    assert str(stated["x"]["travel"]) == "0 to 500 mm (job)"
+    assert str(stated["x"]["machine"]) == "VMC 850, 4711 (job)"
+    assert str(stated["x"]["machine_type"]) == "vertical spindle (job)"
     assert str(stated["x"]["compensation"]).startswith("off: nothing was active")
     assert str(stated["y"]["compensation"]).startswith("off; the control held a.comp")
     assert str(stated["z"]["compensation"]).startswith("on, as stored in b.comp")

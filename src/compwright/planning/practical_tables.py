@@ -20,7 +20,7 @@ from compwright.records.capacity import Capacity
 from compwright.records.estimate import WantedCorrection
 from compwright.records.fitted import FittedTable, TableRequest
 from compwright.records.prediction import TestPrediction
-from compwright.words.sentences import SentenceText, say
+from compwright.words.sentences import say
 
 #: What a test like the first one shows with a table.
 Shown = Callable[[FittedTable], TestPrediction]
@@ -164,14 +164,12 @@ def _fewer_points(
     name, unit = judged_parameter(aim.before) or "", axis.kind.unit
     factor, small = outside_factor(unit), shown_unit(unit)
     mine, other = (
-        SentenceText(
-            say(
-                "grid.predicted",
-                name=name,
-                value=one.predicted[name].median * factor,
-                unit=small,
-                elsewhere=one.predicted_new_targets[name].median * factor,
-            )
+        say(
+            "grid.predicted",
+            name=name,
+            value=one.predicted[name].median * factor,
+            unit=small,
+            elsewhere=one.predicted_new_targets[name].median * factor,
         )
         for one in (found, aim)
     )

@@ -26,7 +26,7 @@ from compwright.records.capacity import Capacity
 from compwright.records.estimate import WantedCorrection
 from compwright.records.fitted import FittedTable, TableRequest
 from compwright.records.prediction import TestPrediction
-from compwright.words.sentences import Amount, SentenceText, say
+from compwright.words.sentences import Amount, Sentence, say
 
 #: The finding that a new grid is chosen.
 NEW_GRID: Final = "CW-P140"
@@ -147,28 +147,23 @@ def negligible_loss(kept: TestPrediction, best: TestPrediction) -> bool:
     )
 
 
-def grid_text(nodes: FloatArray, unit: str) -> str:
+def grid_text(nodes: FloatArray, unit: str) -> Sentence:
     """Return a grid as people read it: "25 points from 0 to 960 mm, every 40 mm"."""
     if nodes.size < 2:
-        return SentenceText(say("grid.few", points=nodes.size))
+        return say("grid.few", points=nodes.size)
     steps = np.diff(nodes)
     least, most = float(np.min(steps)), float(np.max(steps))
-    even = most - least <= 1e-6 * most
     start, end = nodes[0], nodes[-1]
-    if even:
-        return SentenceText(
-            say("grid.even", points=nodes.size, start=start, end=end, unit=unit, step=most)
-        )
-    return SentenceText(
-        say(
-            "grid.uneven",
-            points=nodes.size,
-            start=start,
-            end=end,
-            unit=unit,
-            least=least,
-            most=most,
-        )
+    if most - least <= 1e-6 * most:
+        return say("grid.even", points=nodes.size, start=start, end=end, unit=unit, step=most)
+    return say(
+        "grid.uneven",
+        points=nodes.size,
+        start=start,
+        end=end,
+        unit=unit,
+        least=least,
+        most=most,
     )
 
 

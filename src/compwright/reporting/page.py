@@ -22,6 +22,8 @@ from compwright.words.sentences import Language, Sentence, in_language, say
 #: Letters of the report number that fit in a footer.
 _MOST_IN_FOOTER: Final = 60
 _CODE: Final = re.compile(r"`([^`]+)`")
+#: A hyphen that is the sign of a number: not that of a range, a date or the name of a standard.
+_SIGN: Final = re.compile(r"(?<![^\s(\[/±])-(?=\d)")
 # What XML 1.0 does not allow in text; half surrogates cannot be written as UTF-8 either.
 _NOT_TEXT: Final = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
@@ -99,11 +101,17 @@ def inline_figure(svg: bytes, *, prefix: str, description: str) -> Any:
 
 
 def _clean(value: Any, language: Language) -> Any:
-    """Return sentences and numbers in the language. Show what no page may hold, in plain text only:
-    markup is ours and clean.
+    """Return sentences and numbers in the language, with minus signs outside of code. Show what no
+    page may hold, in plain text only: markup is ours and clean.
     """
     if isinstance(value, Sentence | str) and not hasattr(value, "__html__"):
+        worded = type(value) is not str
         value = in_language(value, language)
+        if worded:
+            value = "`".join(
+                text if code % 2 else _SIGN.sub("−", text)
+                for code, text in enumerate(value.split("`"))
+            )
     return visible_lines(value) if type(value) is str else value
 
 

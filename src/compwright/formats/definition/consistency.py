@@ -59,6 +59,10 @@ _NUMBERED = (
 _LOOK_FIELDS = frozenset(
     {"name", "address", "system", "index", "reference", "reference_return", "unit"}
 )
+#: What the backlash as the control's parameter may say, with the fields of the shape.
+_TYPED_FIELDS = _LOOK_FIELDS | {"backlash", "backlash_unit"}
+#: What the alternative to a table between axes may say.
+_INSTEAD_FIELDS = frozenset({"squareness", "input", "output", "shift"})
 _FILE_NAME = re.compile(r"[A-Za-z0-9_.{}-]+")
 _ID = re.compile(r"(?!(?:con|prn|aux|nul|com\d|lpt\d)$)[a-z0-9][a-z0-9_-]{0,63}", re.IGNORECASE)
 
@@ -199,6 +203,15 @@ def _between_axes(definition: Definition, rules: ShapeRules) -> Iterator[tuple[K
             ("between_axes", "instead"),
             "only where every table has columns for other axes nothing else is needed",
         )
+    instead = definition.between_axes.instead or ""
+    yield from _unknown_fields(("between_axes", "instead"), instead, _INSTEAD_FIELDS)
+
+
+def _unknown_fields(
+    path: KeyPath, text: str, known: frozenset[str]
+) -> Iterator[tuple[KeyPath, str]]:
+    for name in sorted({*field_names(text)} - known):
+        yield path, f"has no field {name}; known are {', '.join(sorted(known))}"
 
 
 def _bindings(definition: Definition, rules: ShapeRules) -> Iterator[tuple[KeyPath, str]]:
@@ -211,6 +224,8 @@ def _bindings(definition: Definition, rules: ShapeRules) -> Iterator[tuple[KeyPa
             yield (*path, "field"), f"the statement {statement.name} has no field {binding.field}"
         if isinstance(binding, Measure):
             yield from _measure(definition, rules, binding, path)
+            known = _TYPED_FIELDS | rules.typed
+            yield from _unknown_fields((*path, "typed"), binding.typed, known)
         if isinstance(binding, Choice):
             yield from _choice(definition, binding, path)
 
@@ -389,7 +404,5 @@ def _look_at(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
         if not rules:
             yield ("look_at", verdict), "says nothing: at least one sentence"
         for index, rule in enumerate(rules):
-            fields = {*field_names(rule.text), *field_names(rule.two_curves)}
-            for name in sorted(fields - _LOOK_FIELDS):
-                known = ", ".join(sorted(_LOOK_FIELDS))
-                yield ("look_at", verdict, index), f"has no field {name}; known are {known}"
+            texts = rule.text + rule.two_curves
+            yield from _unknown_fields(("look_at", verdict, index), texts, _LOOK_FIELDS)

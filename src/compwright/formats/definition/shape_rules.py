@@ -60,7 +60,7 @@ class ShapeRules:
     definition states. ``kept``: lines that `redact` may leave unchanged, in addition to the
     definition's statements. ``repeats_turns``: the table of a rotary axis over several turns
     repeats its turn. ``quantities``: those that only definitions of this shape bind, taken as
-    written.
+    written. ``typed``: fields of its own that the text of a typed parameter may have.
     """
 
     words: str
@@ -74,3 +74,4 @@ class ShapeRules:
     repeats_turns: bool = False
     quantities: tuple[str, ...] = ()
     parameters: frozenset[str] = frozenset()
+    typed: frozenset[str] = frozenset()

@@ -94,6 +94,7 @@ SENTENCES: Final[dict[str, str]] = {
     "given.at_end": "{text} {end:choose|_start=at the start|_end=at the end}",
     "given.axis": "{axis}, {kind}",
     "given.budget": "see the budget of the uncertainty",
+    "given.by_job": "{text} (job)",
     "given.centre": "centre at {places:join|; } mm",
     "given.coefficient": "{value} µm/(m K)",
     "given.compensation": (
@@ -123,6 +124,7 @@ SENTENCES: Final[dict[str, str]] = {
     "given.smoothing": "none by compwright: every sample counts",
     "given.statements": "{statements:join|; }",
     "given.targets": "{count} from {first} to {last} {unit}; listed in annex A",
+    "given.travel": "{low:g} to {high:g} {unit}",
     "limits.all": "all together",
     "limits.cause": (
         "{cause:choose|noise=readings scatter: the same position does not come back the same"

@@ -101,6 +101,7 @@ SENTENCES: Final[dict[str, str]] = {
     "given.at_end": "{text} {end:choose|_start=au début|_end=à la fin}",
     "given.axis": "{axis}, {kind:choose|linear=axe linéaire|rotary=axe rotatif}",
     "given.budget": "voir le bilan de l'incertitude",
+    "given.by_job": "{text} (dossier de travail)",
     "given.centre": "centre {places:join|; } mm",
     "given.coefficient": "{value} µm/(m K)",
     "given.compensation": (
@@ -137,6 +138,7 @@ SENTENCES: Final[dict[str, str]] = {
     "given.smoothing": "aucun par compwright : chaque point compte",
     "given.statements": "{statements:join| ; }",
     "given.targets": "{count} de {first} à {last} {unit} ; liste en annexe A",
+    "given.travel": "{low:g} à {high:g} {unit}",
     "limits.all": "toutes ensemble",
     "limits.cause": (
         "{cause:choose|noise=dispersion des mesures : la même position ne revient pas à"

@@ -100,6 +100,7 @@ SENTENCES: Final[dict[str, str]] = {
     "given.at_end": "{text} {end:choose|_start=zu Beginn|_end=am Ende}",
     "given.axis": "{axis}, {kind:choose|linear=Linearachse|rotary=Drehachse}",
     "given.budget": "siehe Budget der Messunsicherheit",
+    "given.by_job": "{text} (Auftrag)",
     "given.centre": "Mittelpunkt {places:join|; } mm",
     "given.coefficient": "{value} µm/(m K)",
     "given.compensation": (
@@ -131,6 +132,7 @@ SENTENCES: Final[dict[str, str]] = {
     "given.smoothing": "keine durch compwright: Jeder Messpunkt zählt",
     "given.statements": "{statements:join|; }",
     "given.targets": "{count} von {first} bis {last} {unit}; Liste in Anhang A",
+    "given.travel": "{low:g} bis {high:g} {unit}",
     "limits.all": "alle zusammen",
     "limits.cause": (
         "{cause:choose|noise=Messwerte streuen: Dieselbe Position kommt nicht gleich wieder"

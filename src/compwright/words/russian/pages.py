@@ -96,6 +96,7 @@ SENTENCES: Final[dict[str, str]] = {
     "given.at_end": "{text} {end:choose|_start=в начале|_end=в конце}",
     "given.axis": "{axis}, {kind:choose|linear=линейная ось|rotary=ось вращения}",
     "given.budget": "см. бюджет неопределенности",
+    "given.by_job": "{text} (задание)",
     "given.centre": "центр {places:join|; } мм",
     "given.coefficient": "{value} мкм/(м·К)",
     "given.compensation": (
@@ -127,6 +128,7 @@ SENTENCES: Final[dict[str, str]] = {
     "given.smoothing": "compwright не сглаживает: учтена каждая точка",
     "given.statements": "{statements:join|; }",
     "given.targets": "{count}, от {first} до {last} {unit}; перечень в приложении A",
+    "given.travel": "от {low:g} до {high:g} {unit}",
     "limits.all": "все вместе",
     "limits.cause": (
         "{cause:choose|noise=разброс отсчётов: та же позиция не повторяется"

@@ -71,7 +71,7 @@ def compensation_text(job: Job, state: str) -> str | Sentence:
     return say("given.compensation", how=how, files=list(files), state=state)
 
 
-def _of_job(job: Job) -> dict[str, str]:
+def _of_job(job: Job) -> dict[str, Sentence]:
     machine = job.machine
     named = [machine.get("name"), machine.get("serial")]
     stated = {
@@ -80,9 +80,13 @@ def _of_job(job: Job) -> dict[str, str]:
         "operator": job.report.operator or "",
         "place": job.report.place or "",
     }
-    return {key: f"{text} (job)" for key, text in stated.items() if text}
+    return {key: _by_job(text) for key, text in stated.items() if text}
 
 
-def _travel(axis: Axis) -> str:
+def _travel(axis: Axis) -> Sentence:
     low, high = axis.travel
-    return f"{low:g} to {high:g} {axis.kind.unit} (job)"
+    return _by_job(say("given.travel", low=low, high=high, unit=axis.kind.unit))
+
+
+def _by_job(text: str | Sentence) -> Sentence:
+    return say("given.by_job", text=text)

@@ -69,6 +69,7 @@ RULES = ShapeRules(
     grid=("node_position",),
     signs={"backlash": frozenset({"lost_motion"})},
     columns=True,
+    typed=frozenset({"bit"}),
 )
 
 

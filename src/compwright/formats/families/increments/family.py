@@ -45,6 +45,7 @@ RULES = ShapeRules(
     words="whole increments by section, numbered in one array for all axes",
     grid=("table_spacing",),
     parameters=frozenset(NAMES.values()),
+    typed=frozenset({"detection_unit"}),
     # that of increments is turned by the options pitch_sign and offset_sign
     signs={"value": frozenset({"correction"}), "backlash": frozenset({"lost_motion"})},
 )
