@@ -1,4 +1,4 @@
-"""A stand-still test in the answer of ``evaluate``."""
+"""Tests of two columns in the answer of ``evaluate``: stand-still tests, lost motion."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any
 from compwright.documents.findings import finding_documents
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, outside_unit
-from compwright.records.drift import DriftTest
+from compwright.records.drift import DriftTest, LostMotionTest
 
 
 def stand_still_document(
@@ -37,5 +37,38 @@ def stand_still_document(
             for minute, value in zip(drift.minutes, drift.deviations, strict=True)
         ],
         "header": dict(drift.header),
+        "findings": finding_documents(findings),
+    }
+
+
+def lost_motion_document(
+    test: LostMotionTest,
+    constant: float,
+    left: float,
+    *,
+    depends: bool,
+    findings: Iterable[Finding],
+) -> dict[str, Any]:
+    """Return the entry of a table of lost motion: the best ``constant`` and what it leaves at most
+    (``left``), µm; ``depends``: whether the lost motion is not one constant.
+    """
+    return {
+        "kind": "lost_motion",
+        "name": PurePath(test.source.file).stem,
+        "sources": [{"file": test.source.file, "sha256": test.source.sha256}],
+        "axis": test.header.get("axis", ""),
+        "axis_kind": "linear",
+        "standard": None,
+        "unit": "um",
+        "n_readings": int(test.moves.size),
+        "over": test.over,
+        "depends": depends,
+        "parameters": {"constant": round(constant, 9), "left": round(left, 9)},
+        "not_applicable": {},
+        "readings": [
+            {"move": float(move), "lost_motion": round(1000.0 * float(value), 9)}
+            for move, value in zip(test.moves, test.lost_motion, strict=True)
+        ],
+        "header": dict(test.header),
         "findings": finding_documents(findings),
     }

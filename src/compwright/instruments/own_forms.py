@@ -20,7 +20,7 @@ from compwright.instruments.csv_table import (
     split_lines,
     traverse_of,
 )
-from compwright.instruments.drift_csv import TIME
+from compwright.instruments.drift_csv import DISTANCE, LOST_MOTION, SPEED, TIME
 from compwright.instruments.fault_list import FaultList
 from compwright.instruments.other_files import refuse_other_files
 from compwright.instruments.parsed import Parsed
@@ -40,7 +40,7 @@ from compwright.instruments.target_data import spans_in as spans_in_target_data
 from compwright.words.sentences import SentenceText, say
 
 #: All columns that a plain CSV form reads, but for those of traverses.
-_COLUMNS = COLUMNS | {*CIRCULAR_COLUMNS, AXIS_COLUMN, TIME}
+_COLUMNS = COLUMNS | {*CIRCULAR_COLUMNS, AXIS_COLUMN, TIME, DISTANCE, SPEED, LOST_MOTION}
 #: What the name of a column is, by what its cells are, where it is no word of the form.
 _HEADS: Mapping[Meaning, Meaning] = {"other cell": "column"}
 

@@ -1,11 +1,13 @@
-"""A stand-still test: readings of the instrument over time while the axis does not move
-(environmental temperature variation error, ISO 230-3).
+"""Tests of two columns: a stand-still test, that is readings of the instrument over time while the
+axis does not move (environmental temperature variation error, ISO 230-3); lost motion over the
+distance or the speed of the move.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import Literal
 
 from compwright.foundations.provenance import Source
 from compwright.records.axis import AxisKind, FloatArray
@@ -20,6 +22,19 @@ class DriftTest:
     kind: AxisKind
     minutes: FloatArray
     deviations: FloatArray
+    source: Source
+    header: Mapping[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LostMotionTest:
+    """Lost motion (k,), mm, after ``moves`` (k,) ascending: their distance, mm, or speed, mm/min,
+    by ``over``; ``header``: what the file says about the test, as text.
+    """
+
+    over: Literal["distance", "speed"]
+    moves: FloatArray
+    lost_motion: FloatArray
     source: Source
     header: Mapping[str, str] = field(default_factory=dict)
 

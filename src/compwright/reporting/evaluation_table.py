@@ -88,6 +88,7 @@ def _tables(document: Mapping[str, Any]) -> list[tuple[str, Table]]:
         ("positioning", _positioning),
         ("circular", _circular),
         ("environment", _stand_still),
+        ("lost_motion", _lost_motion),
     ):
         results = [result for result in document["results"] if result["kind"] == kind]
         if results:
@@ -106,6 +107,22 @@ def _stand_still(results: Sequence[_Result]) -> Table:
             result["duration_min"],
             result["unit"],
             result["parameters"]["E_VE"],
+            *_last(result),
+        ]
+        for result in results
+    ]
+    return heads, rows
+
+
+def _lost_motion(results: Sequence[_Result]) -> Table:
+    heads = [*_FIRST, "axis", "over", "n_readings", "depends", "constant [um]", "left [um]", *_LAST]
+    rows = [
+        [
+            *_first(result),
+            *(_text(result[key]) for key in ("axis", "over")),
+            result["n_readings"],
+            _text(result["depends"]),
+            *(result["parameters"][key] for key in ("constant", "left")),
             *_last(result),
         ]
         for result in results

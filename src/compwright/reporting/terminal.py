@@ -68,6 +68,8 @@ def evaluation_tables(
         new = [entry for entry in result["findings"] if entry["message"] not in seen]
         if result["kind"] == "environment":
             shown.append(_stand_still(result, new))
+        elif result["kind"] == "lost_motion":
+            shown.append(_lost_motion(result, new))
         else:
             shown.append(_result(result, new, targets=targets))
         seen.update(entry["message"] for entry in result["findings"])
@@ -118,6 +120,20 @@ def _stand_still(
         ),
         Text(),
         Text(f"Environmental variation   E_VE   {value} {_UNITS[result['unit']]}"),
+        *_findings(findings),
+        Text(),
+    )
+
+
+def _lost_motion(
+    result: Mapping[str, Any], findings: Sequence[Mapping[str, str]]
+) -> RenderableType:
+    constant, left = (number(result["parameters"][key]) for key in ("constant", "left"))
+    return Group(
+        Rule(Text(_title(result), style="bold"), align="left", characters="─"),
+        Text(f"Lost motion over {result['over']}, {result['n_readings']} readings"),
+        Text(),
+        Text(f"Best constant   {constant} µm, leaves up to ±{left} µm"),
         *_findings(findings),
         Text(),
     )

@@ -15,7 +15,7 @@ from compwright.foundations.redaction import Cuts
 from compwright.foundations.utf8 import encoded
 from compwright.instruments.b5r_elements import ELEMENTS
 from compwright.instruments.circular_reading import circular_form, is_circular
-from compwright.instruments.drift_csv import is_drift
+from compwright.instruments.drift_csv import is_two_columns
 from compwright.instruments.fault_list import by_profile
 from compwright.instruments.forms import FORMS, PLAIN_CSV, form_of
 from compwright.instruments.own_forms import is_plain_csv
@@ -129,7 +129,7 @@ def is_measurement(content: bytes, file: str, profile: Profile | None = None) ->
         return True
     try:
         lines, _ = read_any_lines(content, file)
-        if form_of(lines, file) is not PLAIN_CSV or is_plain_csv(lines) or is_drift(lines):
+        if form_of(lines, file) is not PLAIN_CSV or is_plain_csv(lines) or is_two_columns(lines):
             return True
     except InputError:
         return False
@@ -171,7 +171,7 @@ def redacted_measurement(
 
 def _is_plain(lines: Sequence[str], profile: Profile | None) -> bool:
     if profile is None or profile.layout == "own":
-        return is_plain_csv(lines) or is_drift(lines)
+        return is_plain_csv(lines) or is_two_columns(lines)
     found = at_its_header(lines, profile)
     return is_plain_csv(lines) and not has_columns(lines, found)
 

@@ -330,6 +330,18 @@ SENTENCES: Final[dict[str, str]] = {
         " may be wrong by as much. Add a column `time` to the measurement file, or give only the"
         " part of the record that belongs to the test."
     ),
+    "CW-T040": (
+        "The lost motion of {file} is not one constant: it goes from {first} at {first_move} to"
+        " {last} at {last_move}. One value of backlash compensation, at best {constant}, leaves up"
+        " to ±{left}. Take the value at the {over:choose|distance=distance|speed=speed} that the"
+        " machine works with, and look for windup and friction."
+    ),
+    "CW-T041": (
+        "The lost motion of {file} shows no dependence on the"
+        " {over:choose|distance=distance|speed=speed} beyond its scatter: {constant} leaves up to"
+        " ±{left}.{few:if| So few readings cannot show one: measure at eight values or more, or"
+        " repeat each.|}"
+    ),
     "reason.cannot_be_formed": "cannot be calculated from these readings",
     "reason.no_common_angle": "the two directions have no angle in common",
     "reason.no_reading": "no reading in the {direction} direction at {position}",

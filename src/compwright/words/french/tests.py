@@ -345,6 +345,19 @@ SENTENCES: Final[dict[str, str]] = {
         " `time` au fichier de mesure, ou ne donner que la partie de l'enregistrement qui"
         " appartient à l'essai."
     ),
+    "CW-T040": (
+        "Le jeu à l'inversion de {file} n'est pas une constante : il va de {first} à {first_move}"
+        " jusqu'à {last} à {last_move}. Une seule valeur de compensation du jeu, au mieux"
+        " {constant}, laisse jusqu'à ±{left}. Prendre la valeur"
+        " {over:choose|distance=au déplacement|speed=à la vitesse} d'usinage, et chercher torsion"
+        " et frottement."
+    ),
+    "CW-T041": (
+        "Le jeu à l'inversion de {file} ne dépend pas visiblement"
+        " {over:choose|distance=du déplacement|speed=de la vitesse} : {constant} laisse jusqu'à"
+        " ±{left}.{few:if| Si peu de lectures ne peuvent pas le montrer : mesurer à huit valeurs ou"
+        " plus, ou répéter chacune.|}"
+    ),
     "reason.cannot_be_formed": "ne peut être calculé à partir de ces mesures",
     "reason.no_common_angle": "les deux sens n'ont aucun angle en commun",
     "reason.no_reading": "aucune mesure dans le sens {direction} à {position}",

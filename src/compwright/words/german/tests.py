@@ -343,6 +343,19 @@ SENTENCES: Final[dict[str, str]] = {
         " {length:.5g} mm, und um so viel können die Messwerte falsch sein. Der Messdatei eine"
         " Spalte `time` geben oder nur den Teil der Aufzeichnung angeben, der zur Prüfung gehört."
     ),
+    "CW-T040": (
+        "Das Umkehrspiel in {file} ist keine Konstante: Es geht von {first} bei {first_move} bis"
+        " {last} bei {last_move}. Ein einziger Wert der Losekompensation, am besten {constant},"
+        " lässt bis zu ±{left} übrig. Den Wert bei"
+        " {over:choose|distance=dem Weg|speed=der Geschwindigkeit} der Bearbeitung nehmen und nach"
+        " Verwindung und Reibung suchen."
+    ),
+    "CW-T041": (
+        "Das Umkehrspiel in {file} hängt nicht erkennbar"
+        " {over:choose|distance=vom Weg|speed=von der Geschwindigkeit} ab: {constant} lässt bis zu"
+        " ±{left} übrig.{few:if| So wenige Messwerte können das nicht zeigen: bei acht oder mehr"
+        " Werten messen oder jeden wiederholen.|}"
+    ),
     "reason.cannot_be_formed": "lässt sich aus diesen Messwerten nicht berechnen",
     "reason.no_common_angle": "die beiden Richtungen haben keinen gemeinsamen Winkel",
     "reason.no_reading": "kein Messwert in Richtung {direction} bei {position}",

@@ -242,12 +242,12 @@ def write_evaluation(
     require_report_form(report_path, ".html", ".pdf")
     files: dict[Path, bytes] = {}
     makers: tuple[tuple[str, Path | None, Callable[[Path], bytes]], ...] = (
-        ("--plot", plot_path, lambda path: _plot(_without_stand_still(document), path)),
+        ("--plot", plot_path, lambda path: _plot(_with_pages(document), path)),
         ("--table", table_path, lambda path: _table(document, path)),
         (
             "--report",
             report_path,
-            lambda path: _report(_without_stand_still(document), path, language, command),
+            lambda path: _report(_with_pages(document), path, language, command),
         ),
         ("--json", json_path, lambda path: encoded(to_json(document))),  # noqa: ARG005
     )
@@ -279,11 +279,15 @@ def write_evaluation(
     return storage.write_files(session, Path(), {}, elsewhere=files, force=force)
 
 
-def _without_stand_still(document: Mapping[str, Any]) -> Mapping[str, Any]:
-    """Return the document with the tests that have targets or a plane: a stand-still test is one
-    number, and has neither page nor picture.
+#: Kinds of tests with targets or a plane.
+_WITH_PAGES: Final = ("positioning", "circular")
+
+
+def _with_pages(document: Mapping[str, Any]) -> Mapping[str, Any]:
+    """Return the document with the tests that have targets or a plane: a stand-still test and lost
+    motion over distance or speed have neither page nor picture.
     """
-    tests = [result for result in document["results"] if result["kind"] != "environment"]
+    tests = [result for result in document["results"] if result["kind"] in _WITH_PAGES]
     if document["results"] and not tests:
         raise UsageError(
             Fault(

@@ -6,7 +6,7 @@ entry of the JSON document and the values by which the tests of a folder are com
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Literal, cast
 
@@ -21,6 +21,10 @@ from compwright.records.positioning import PositioningTest
 
 if TYPE_CHECKING:  # positioning tests, the common case, start without the circular records
     from compwright.records.circular import CircularResult, CircularTest
+
+
+#: The entry of a test in the document.
+Entry = dict[str, Any]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -92,34 +96,35 @@ class FilesEvaluator:
         try:
             tests = tests_in(given.content, given.file, self.request.profile)
         except Exception as error:  # noqa: BLE001 - the other files are evaluated all the same
-            if isinstance(error, InputError) and self._is_stand_still(given):
-                return self._stand_still(given)
-            return FileTests(noted=_noted(error, given.file, "unread"))
+            entry_of = self._two_columns(given) if isinstance(error, InputError) else None
+            if entry_of is None:
+                return FileTests(noted=_noted(error, given.file, "unread"))
+            return self._of_two_columns(given, entry_of)
         parts = [self._of(test) for test in tests]
         return FileTests(
             tuple(test for part in parts for test in part.tests),
             tuple(noted for part in parts for noted in part.noted),
         )
 
-    def _is_stand_still(self, given: FileToEvaluate) -> bool:
-        from compwright.instruments.drift_csv import is_drift
+    def _two_columns(self, given: FileToEvaluate) -> Callable[[FileToEvaluate], Entry] | None:
+        """Return what evaluates a stand-still test or a table of lost motion; None: it is none."""
+        from compwright.instruments.drift_csv import is_drift, is_lost_motion
 
         if self.request.profile is not None:
-            return False
+            return None
         try:
-            return is_drift(read_lines(given.content, given.file))
+            lines = read_lines(given.content, given.file)
         except InputError:
-            return False
+            return None
+        if is_drift(lines):
+            return _stand_still
+        return _lost_motion if is_lost_motion(lines) else None
 
-    def _stand_still(self, given: FileToEvaluate) -> FileTests:
-        """Return a stand-still test evaluated."""
-        from compwright.documents.stand_still import stand_still_document
-        from compwright.evaluation.environmental_variation import environmental_variation
-        from compwright.instruments.drift_csv import read_drift
-
+    def _of_two_columns(
+        self, given: FileToEvaluate, entry_of: Callable[[FileToEvaluate], Entry]
+    ) -> FileTests:
         try:
-            drift = read_drift(given.content, given.file)
-            entry = stand_still_document(drift, *environmental_variation(drift, None))
+            entry = entry_of(given)
         except Exception as error:  # noqa: BLE001 - the other files are evaluated all the same
             return FileTests(noted=_noted(error, given.file, "unread"))
         return FileTests((Evaluated(_kept(entry, self.request)),))
@@ -159,6 +164,27 @@ class CirclesEvaluator:
             diagnosis=None if causes is None else replace(causes, fitted=(), fresh=()),
         )
         return FileTests((Evaluated(_kept(entry, self.request), circle=bare),))
+
+
+def _stand_still(given: FileToEvaluate) -> Entry:
+    from compwright.documents.stand_still import stand_still_document
+    from compwright.evaluation.environmental_variation import environmental_variation
+    from compwright.instruments.drift_csv import read_drift
+
+    drift = read_drift(given.content, given.file)
+    return stand_still_document(drift, *environmental_variation(drift, None))
+
+
+def _lost_motion(given: FileToEvaluate) -> Entry:
+    from compwright.documents.stand_still import lost_motion_document
+    from compwright.evaluation.lost_motion import lost_motion_result
+    from compwright.instruments.drift_csv import read_lost_motion
+
+    test = read_lost_motion(given.content, given.file)
+    found = lost_motion_result(test)
+    return lost_motion_document(
+        test, found.constant, found.left, depends=found.depends, findings=found.findings
+    )
 
 
 def ready() -> None:

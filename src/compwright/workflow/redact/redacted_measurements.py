@@ -7,7 +7,12 @@ import numpy as np
 from compwright.foundations.errors import CompwrightError
 from compwright.foundations.redaction import Cuts, not_the_same, refuse_left_over
 from compwright.instruments.circular_reading import is_circular, read_circular
-from compwright.instruments.drift_csv import is_drift, read_drift
+from compwright.instruments.drift_csv import (
+    is_drift,
+    is_lost_motion,
+    read_drift,
+    read_lost_motion,
+)
 from compwright.instruments.profile import Profile
 from compwright.instruments.profile_reading import read_profile
 from compwright.instruments.reading import read_tests
@@ -65,6 +70,9 @@ def _read(content: bytes, file: str, profile: Profile | None) -> _Read:
             return _circle(content, file)
         if profile is None and is_drift(read_any_lines(content, file)[0]):
             return _drift(content, file)
+        if profile is None and is_lost_motion(read_any_lines(content, file)[0]):
+            lost = read_lost_motion(content, file)
+            return [(lost.over, lost.moves, lost.lost_motion)]
     return [
         (
             test.axis if is_axis(test.axis) else "",

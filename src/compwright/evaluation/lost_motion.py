@@ -1,0 +1,100 @@
+"""Is the lost motion one constant, as backlash compensation takes it, or does it depend on the
+distance or the speed of the move; and how much does the best constant leave?
+
+Where moves are repeated: between the groups against within them (F law). Else the rank test for a
+trend by Mann (Econometrica 13 (1945) 245) and Kendall (Rank Correlation Methods, 1975), with the
+variance for ties.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from itertools import combinations
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from compwright.evaluation.change_significance import CLEAR, score_of_ratio
+from compwright.foundations.findings import Finding
+from compwright.foundations.units import shown_unit
+from compwright.records.axis import FloatArray
+from compwright.records.drift import LostMotionTest
+from compwright.words.sentences import Amount
+
+#: Repeated readings, beyond one for each move, from which their scatter is used.
+_REPEATS: Final = 3
+#: Moves without repeats below which no order of the values is as rare as `CLEAR`.
+_FEWEST: Final = 8
+_UM: Final = shown_unit("mm")
+
+
+@dataclass(frozen=True, slots=True)
+class LostMotionResult:
+    """The best constant and what it leaves at most (µm); ``depends``: whether the lost motion is
+    not one constant.
+    """
+
+    constant: float
+    left: float
+    depends: bool
+    findings: tuple[Finding, ...]
+
+
+def lost_motion_result(test: LostMotionTest) -> LostMotionResult:
+    """Return the constant in the middle of the means of each move, and whether there is one.
+
+    CW-T040: it depends on the move; CW-T041: it does not, as far as the readings show.
+    """
+    moves, group = np.unique(test.moves, return_inverse=True)
+    values = 1000.0 * test.lost_motion
+    means = np.bincount(group, values) / np.bincount(group)
+    constant = float(means.max() + means.min()) / 2.0
+    left = float(np.ptp(means)) / 2.0
+    repeats = values.size - moves.size
+    repeated = repeats >= _REPEATS
+    score = _between(values, means, group) if repeated else _trend(means)
+    depends = score > CLEAR
+    low, high = sorted((int(np.argmin(means)), int(np.argmax(means))))
+    unit = "mm" if test.over == "distance" else "mm/min"
+    found = Finding.of(
+        "CW-T040" if depends else "CW-T041",
+        "warning" if depends else "info",
+        file=test.source.file,
+        over=test.over,
+        constant=Amount(constant, _UM, ".1f"),
+        left=Amount(left, _UM, ".1f"),
+        **(
+            {
+                "first": Amount(float(means[low]), _UM, ".1f"),
+                "last": Amount(float(means[high]), _UM, ".1f"),
+                "first_move": Amount(float(moves[low]), unit, ".4g"),
+                "last_move": Amount(float(moves[high]), unit, ".4g"),
+            }
+            if depends
+            else {"few": not repeated and moves.size < _FEWEST}
+        ),
+    )
+    return LostMotionResult(constant, left, depends, (found,))
+
+
+def _between(values: FloatArray, means: FloatArray, group: NDArray[np.intp]) -> float:
+    """Return the score of the variance between the means against that within the groups."""
+    dof, within = means.size - 1.0, float(values.size - means.size)
+    inner = float(np.sum((values - means[group]) ** 2)) / within
+    outer = float(np.sum((means[group] - values.mean()) ** 2)) / dof
+    if inner <= 0.0:
+        return math.inf if outer > 0.0 else 0.0
+    return score_of_ratio(outer / inner, dof, within)
+
+
+def _trend(means: FloatArray) -> float:
+    """Return the score of the order of the values."""
+    n = means.size
+    rise = float(sum(np.sign(later - earlier) for earlier, later in combinations(means, 2)))
+    ties = np.unique(means, return_counts=True)[1].astype(np.float64)
+    variance = n * (n - 1.0) * (2.0 * n + 5.0) - float(
+        np.sum(ties * (ties - 1.0) * (2.0 * ties + 5.0))
+    )
+    return max(abs(rise) - 1.0, 0.0) / math.sqrt(variance / 18.0) if variance > 0.0 else 0.0
