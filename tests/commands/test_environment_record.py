@@ -165,6 +165,7 @@ def test_refused_where_the_instrument_did_it(
         (RECORD.replace("09:00:01", "09:00:00"), "given twice"),
         (RECORD.replace("22.0", "71.6"), "material_c"),
         (RECORD.replace("2026-11-24T08:00:00", "early"), "is not a time"),
+        (RECORD.replace(",100,", ",0.55,"), "humidity_percent"),  # a fraction
         ("", "is empty"),
         ("# hall\n", "contains no rows"),
     ],

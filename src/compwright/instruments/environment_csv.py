@@ -22,12 +22,13 @@ from compwright.records.axis import FloatArray
 from compwright.records.conditions import PLAUSIBLE_TEMPERATURES
 from compwright.records.environment import AIR, MATERIAL, EnvironmentRecord
 
-#: What a hall has: a pressure in kPa, Pa or reduced to another unit, or a temperature in °F or K,
-#: lies outside.
+HUMIDITY: Final = AIR[2]
+#: What a hall has: a pressure in kPa, Pa or reduced to another unit, a temperature in °F or K, or a
+#: humidity as a fraction, lies outside.
 _PLAUSIBLE: Final = {
     "air_c": PLAUSIBLE_TEMPERATURES,
     "pressure_hpa": (500.0, 1100.0),
-    "humidity_percent": (0.0, 100.0),
+    HUMIDITY: (1.01, 100.0),  # or 0, dry air
     MATERIAL: PLAUSIBLE_TEMPERATURES,
 }
 
@@ -138,12 +139,13 @@ def joined(records: Sequence[EnvironmentRecord]) -> EnvironmentRecord:
 def _column(table: CsvTable, name: str, marks: DecimalMarks, faults: FaultList) -> FloatArray:
     numbers = marks.parse_all(table.of(name), table.lines, table.place(name), name)
     low, high = _PLAUSIBLE[name]
-    outside = np.flatnonzero((numbers < low) | (numbers > high))
+    dry = (name == HUMIDITY) & (numbers == 0.0)
+    outside = np.flatnonzero(((numbers < low) | (numbers > high)) & ~dry)
     if outside.size:
         faults.add(
             f"cannot be in the unit of {name}",
             place=table.place(name)(int(outside[0])),
-            expected=f"{low:g} to {high:g}",
+            expected=f"{low:g} to {high:g}{' (dry air: 0)' if name == HUMIDITY else ''}",
             found=(
                 f"{shown(table.of(name)[int(outside[0])])} ({outside.size} of {numbers.size} rows)"
             ),
