@@ -58,24 +58,30 @@ def lost_motion_result(test: LostMotionTest) -> LostMotionResult:
     depends = score > CLEAR
     low, high = sorted((int(np.argmin(means)), int(np.argmax(means))))
     unit = "mm" if test.over == "distance" else "mm/min"
-    found = Finding.of(
-        "CW-T040" if depends else "CW-T041",
-        "warning" if depends else "info",
-        file=test.source.file,
-        over=test.over,
-        constant=Amount(constant, _UM, ".1f"),
-        left=Amount(left, _UM, ".1f"),
-        **(
-            {
-                "first": Amount(float(means[low]), _UM, ".1f"),
-                "last": Amount(float(means[high]), _UM, ".1f"),
-                "first_move": Amount(float(moves[low]), unit, ".4g"),
-                "last_move": Amount(float(moves[high]), unit, ".4g"),
-            }
-            if depends
-            else {"few": not repeated and moves.size < _FEWEST}
-        ),
-    )
+    best, most = Amount(constant, _UM, ".1f"), Amount(left, _UM, ".1f")
+    if depends:
+        found = Finding.of(
+            "CW-T040",
+            "warning",
+            file=test.source.file,
+            over=test.over,
+            constant=best,
+            left=most,
+            first=Amount(float(means[low]), _UM, ".1f"),
+            last=Amount(float(means[high]), _UM, ".1f"),
+            first_move=Amount(float(moves[low]), unit, ".4g"),
+            last_move=Amount(float(moves[high]), unit, ".4g"),
+        )
+    else:
+        found = Finding.of(
+            "CW-T041",
+            "info",
+            file=test.source.file,
+            over=test.over,
+            constant=best,
+            left=most,
+            few=not repeated and moves.size < _FEWEST,
+        )
     return LostMotionResult(constant, left, depends, (found,))
 
 
