@@ -132,7 +132,7 @@ def test_the_scatter_of_many_tests_counts_more_than_what_is_stated_of_it(stated:
     ratios, held = [], 0
     for seed in range(40):
         values = 4.0 * years + np.random.default_rng(seed).normal(0.0, 2.0, years.size)
-        trend = trend_of(years, values, np.full(12, 0.2), np.full(12, stated), np.full(11, 0.02))
+        trend = trend_of(years, values, np.full(12, 0.2), np.full(12, stated), [0.02] * 11)
         assert trend is not None
         ratios.append(trend.std_error / textbook)
         held += abs(trend.rate - 4.0) < 1.96 * trend.std_error
@@ -142,9 +142,9 @@ def test_the_scatter_of_many_tests_counts_more_than_what_is_stated_of_it(stated:
 
 def test_three_tests_on_a_line_are_no_proof_where_the_temperature_may_have_made_it() -> None:
     years, values = np.array([0.0, 1.0, 2.0]), np.array([0.0, 8.0, 16.0])  # µm/m: 0.7 K each
-    trend = trend_of(years, values, np.full(3, 0.2), np.full(3, 11.5), np.full(2, 0.02))
+    trend = trend_of(years, values, np.full(3, 0.2), np.full(3, 11.5), [0.02] * 2)
     assert trend is not None
     assert not trend.clear
-    exact = trend_of(years, values, np.full(3, 0.2), np.zeros(3), np.full(2, 0.02))
+    exact = trend_of(years, values, np.full(3, 0.2), np.zeros(3), [0.02] * 2)
     assert exact is not None
     assert exact.clear
