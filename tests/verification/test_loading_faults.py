@@ -92,10 +92,11 @@ def judge(
     declared: float | None = 0.0,
     noise: float = NOISE,
     read_back: bool = False,
+    idle: bool = False,
 ) -> LoadingVerdict:
     """The axis has an error that ``new`` takes away but for 0.4 µm; ``acting`` (2, m) acts in the
     test after loading, whose readings scatter by ``noise`` and are multiplied by ``read``. ``old``
-    acted in the first test.
+    acted in the first test, but where it was ``idle``.
     """
     rng = np.random.default_rng([seed, 12])
     left = 0.4 * UM * np.stack([np.sin(TARGETS / 30.0), np.cos(TARGETS / 41.0)])
@@ -106,6 +107,7 @@ def judge(
         ]
     )
     was = shown(old.positive, old.negative, old.backlash) if old.positions.size else 0.0 * error
+    was = 0.0 * was if idle else was
     first = error + was + NOISE / math.sqrt(RUNS) * rng.standard_normal(error.shape)
     means = error + acting + 9 * UM
     readings = read * (means[..., None] + noise * rng.standard_normal((*means.shape, RUNS)))
@@ -113,7 +115,7 @@ def judge(
         readings = -readings
     after = means_of((readings[0], readings[1]), NOISE, math.inf, TARGETS)
     covariance = np.eye(2 * TARGETS.size) * NOISE**2 / RUNS
-    view = view_of(first, covariance, new, old, read_back=read_back)
+    view = view_of(first, covariance, new, old, NONE if idle else old, read_back=read_back)
     views = [view, *measurement_cases(view)]
     units = unit_cases(view, after.sigma / NOISE)
     if read != 1.0:
@@ -128,11 +130,12 @@ def view_of(
     covariance: FloatArray,
     new: AxisCompensation,
     old: AxisCompensation,
+    before: AxisCompensation,
     *,
     read_back: bool = False,
 ) -> MeasurementCase:
     others = {"Y": compensation(OTHER, address="Y")}
-    loading = Loading(new=new, old=old, active_before=old, others=others, read_back=read_back)
+    loading = Loading(new=new, old=old, active_before=before, others=others, read_back=read_back)
     return MeasurementCase(
         belief=known(first, covariance), hypotheses=loading_hypotheses(loading, TARGETS)
     )
@@ -273,6 +276,23 @@ def test_the_old_table_or_nothing() -> None:
     assert (lost.verdict, lost.detail) == ("backlash", "the old value instead of the new one")
 
 
+@pytest.mark.parametrize(
+    ("acting", "name", "detail"),
+    [
+        (shown(WAVES, WAVES, LOST), "loaded", ""),
+        (shown(WAVES + OLD, WAVES + OLD, LOST + UM), "on_top", ""),
+        (shown(WAVES - OLD, WAVES - OLD, LOST - UM), "increment", ""),
+        (shown(OLD, OLD, UM), "not_active", "what was in the control before is active"),
+        (shown(NOTHING, NOTHING), "not_active", "nothing at all is active"),
+    ],
+)
+def test_an_existing_table_that_was_idle_in_the_first_test(
+    acting: FloatArray, name: str, detail: str
+) -> None:
+    verdict = judge(acting, ONE_TABLE, compensation(OLD, backlash=1 * UM), idle=True)
+    assert (verdict.verdict, verdict.detail) == (name, detail), verdict.message
+
+
 @pytest.mark.parametrize("at", [70.0, 200.0, 330.0])
 def test_a_table_that_ends_between_two_nodes(at: float) -> None:
     acting = np.where(at > TARGETS, shown(WAVES, WAVES, LOST), 0.0)
@@ -409,9 +429,9 @@ def test_the_test_of_another_axis() -> None:
     """The file is one of Y, whose own table leaves 5 µm of a wave that X does not have."""
     rng = np.random.default_rng(4)
     covariance = np.eye(2 * TARGETS.size) * NOISE**2 / RUNS
-    mine = view_of(-shown(WAVES, WAVES, LOST), covariance, ONE_TABLE, NONE)
+    mine = view_of(-shown(WAVES, WAVES, LOST), covariance, ONE_TABLE, NONE, NONE)
     wave = 5 * UM * np.stack([np.sin(TARGETS / 19.0)] * 2)
-    theirs = view_of(wave - shown(OTHER, OTHER), covariance, compensation(OTHER), NONE)
+    theirs = view_of(wave - shown(OTHER, OTHER), covariance, compensation(OTHER), NONE, NONE)
     readings = wave[..., None] + NOISE * rng.standard_normal((2, TARGETS.size, RUNS))
     after = means_of((readings[0], readings[1]), NOISE, math.inf, TARGETS)
     verdict = judge_loading(

@@ -67,8 +67,9 @@ class Hypothesis:
 class Loading:
     """The planned table and the state of the control before.
 
-    ``new``: planned; ``old``: in the control before; ``active_before``: in the tests before, from
-    which the expected deviation comes; ``others``: tables planned for other axes, by name.
+    ``new``: planned; ``old``: in the control before, active or not; ``active_before``: in the
+    tests before, from which the expected deviation comes; ``others``: tables planned for other
+    axes, by name.
     ``always``: by direction, the correction that is active in the test in any case (m,).
     ``read_back``: the values read back from the control are the planned ones.
     """

@@ -189,6 +189,9 @@ def _verified(
     others, circle_files = split_after(session, plan, after)
     tests = after_tests(session, job, plan, others, profile) if others or not circle_files else []
     as_found = states.get(AS_FOUND) or decode(control, (), known)
+    stored = as_found
+    if plan.active.get(AS_FOUND) is False:  # what its tables do once they are switched on
+        stored = decode(control, plan.states[AS_FOUND], known, active=True)
     read_back = decode(control, read_files(session, loaded), known) if loaded else None
     ours = tuple(not_read_back(plan_file, loaded))
     twice = copied_tests(tests)
@@ -199,6 +202,7 @@ def _verified(
             plan.axes[test.axis],
             test,
             as_found,
+            stored.state,
             read_back,
             twice.get(test.axis),
             {name: axis for name, axis in plan.axes.items() if name != test.axis},

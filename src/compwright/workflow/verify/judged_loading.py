@@ -48,7 +48,7 @@ def judged_loading(
     place: int,
     observed: Sequence[ObservedTest],
     posterior: MeasuredError,
-    as_found: ControlState,
+    stored: ControlState,
     others: Mapping[str, PlannedAxis],
     *,
     read_back: bool,
@@ -56,9 +56,9 @@ def judged_loading(
     """Return the loading verdict from the ``test`` after loading, which repeats the one at
     ``place`` of the axis.
 
-    ``observed``, ``posterior``: the tests before and the error estimated from them; ``as_found``:
-    the contents of the control before; ``others``: the other axes of the plan; ``read_back``: the
-    table read back from the control is the plan's.
+    ``observed``, ``posterior``: the tests before and the error estimated from them; ``stored``: the
+    contents of the control before, its tables switched on; ``others``: the other axes of the plan;
+    ``read_back``: the table read back from the control is the plan's.
     """
     if planned.fitted is None:
         return LoadingVerdict(
@@ -67,7 +67,7 @@ def judged_loading(
             sentence=say("loading.no_table"),
         )
     error = _judged_against(planned, observed, posterior)
-    view, noise = _view(planned, test, place, error, as_found, others, read_back=read_back)
+    view, noise = _view(planned, test, place, error, stored, others, read_back=read_back)
     after = after_means(test, noise)
     slope = slope_after(job, planned.tests, test) if test.kind is AxisKind.LINEAR else None
     views = [
@@ -84,7 +84,7 @@ def judged_loading(
         return [
             *units,
             *(
-                other_axis_case(name, _view(other, test, 0, _error_of(other), as_found, {})[0])
+                other_axis_case(name, _view(other, test, 0, _error_of(other), stored, {})[0])
                 for name, other in others.items()
                 if other.tests and other.fitted is not None and other.axis.kind is test.kind
             ),
@@ -98,7 +98,7 @@ def _view(
     test: PositioningTest,
     place: int,
     error: MeasuredError,
-    as_found: ControlState,
+    stored: ControlState,
     others: Mapping[str, PlannedAxis],
     *,
     read_back: bool = False,
@@ -108,7 +108,7 @@ def _view(
     none = no_compensation(axis.address, axis.kind, axis.reference_return)
     loading = Loading(
         new=none if fitted is None else applied_compensation(fitted.compensation, axis),
-        old=axis_compensation(as_found, axis),
+        old=axis_compensation(stored, axis),
         active_before=none if planned.active is None else planned.active,
         others={
             name: other.fitted.compensation

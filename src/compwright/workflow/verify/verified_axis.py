@@ -28,7 +28,7 @@ from compwright.planning.wanted_correction import MeasuredError, measured_error,
 from compwright.prediction.active_corrections import Correction, difference, no_correction
 from compwright.prediction.dead_zone import applied_compensation
 from compwright.records.axis import Axis, Direction, partner_of
-from compwright.records.correction import AxisCompensation
+from compwright.records.correction import AxisCompensation, ControlState
 from compwright.records.fitted import FittedTable
 from compwright.records.job import Acknowledged, Job
 from compwright.records.plan import PlannedAxis, PlannedTest
@@ -48,6 +48,7 @@ def verified_axis(
     planned: PlannedAxis,
     after: AfterTest,
     as_found: DecodedState,
+    stored: ControlState,
     read_back: DecodedState | None,
     twice: NamedFault | None,
     others: Mapping[str, PlannedAxis],
@@ -56,9 +57,10 @@ def verified_axis(
 ) -> VerifiedAxis:
     """Compare the test after loading of an axis with the expectation.
 
-    ``as_found``: contents of the control before; ``read_back``: contents read back since, if any;
-    ``twice``: that the test is a copy of another one; ``others``: the other axes of the plan;
-    ``ours``: ``read_back`` is what `run` wrote, and no evidence about the control.
+    ``as_found``: contents of the control before; ``stored``: the same with its tables switched on;
+    ``read_back``: contents read back since, if any; ``twice``: that the test is a copy of another
+    one; ``others``: the other axes of the plan; ``ours``: ``read_back`` is what `run` wrote,
+    and no evidence about the control.
     """
     axis = planned.axis
     names = [entry.test.name for entry in planned.tests]
@@ -82,7 +84,7 @@ def verified_axis(
             place,
             observed,
             posterior,
-            as_found.state,
+            stored,
             others,
             read_back=as_planned,
         )
