@@ -117,9 +117,9 @@ def test_a_spike_inwards_is_negative_and_a_finding() -> None:
         assert effect.value == pytest.approx(-4.6, abs=0.3)
         assert abs(effect.value + 5.0) < 4.0 * effect.std_error
         assert effect.low is None
-    (message,) = [f.message for f in found.findings if f.code == "CW-D008"]
+    (doubt,) = [f for f in found.findings if f.code == "CW-D008"]
     # -5 exp(-s / 4 mm) half a sample (0.31 mm) after the reversal, or at the next one of the two.
-    assert float(message.split()[4]) == pytest.approx(4.6, abs=0.3)
+    assert doubt.values["inward"] == pytest.approx(4.6, abs=0.3)
 
 
 @pytest.mark.parametrize("axis", ["first", "second"])

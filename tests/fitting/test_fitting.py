@@ -700,7 +700,7 @@ def test_of_a_period_between_two_and_three_points_the_nodes_hold_their_part(
     assert causes(result)["spacing too wide for the period"] == pytest.approx(left, rel=0.02)
     (message,) = (each.message for each in result.findings if each.code == "CW-F002")
     assert "(41 %)" in message or "(42 %)" in message
-    assert "2.66 mm, 302 points" in message
+    assert "2.66 mm, which is 302 points" in message
     assert "has 256" in message
 
 
@@ -713,7 +713,7 @@ def test_a_period_below_two_points_is_left_out_and_the_finest_spacing_named() ->
     assert np.max(np.abs(result.compensation.positive)) < 0.05 * UM
     (message,) = (each.message for each in result.findings if each.code == "CW-F002")
     assert "finest spacing that this control allows here, 3.2 mm (251 points)" in message
-    assert "1.66 mm, 483 points" in message
+    assert "1.66 mm, which is 483 points" in message
 
 
 # --- what the control cannot do

@@ -122,7 +122,9 @@ def test_a_spacing_that_the_control_does_not_have_is_no_use() -> None:
 
 
 def test_what_only_the_format_knows_is_said() -> None:
-    assert "cannot serve: it repeats" in refused(replace(THERE, unfit="it repeats"))
+    assert "cannot keep the points of the existing one: it repeats" in refused(
+        replace(THERE, unfit="it repeats")
+    )
 
 
 def test_a_rule_for_the_least_spacing_is_told_and_the_grid_stays() -> None:

@@ -663,11 +663,11 @@ def test_nodes_hang_on_the_reference_and_cover_the_travel() -> None:
     [
         (
             {"start": -350.0, "spacing": 50.0},
-            r"table\.start.*starts at -393 or -343 mm, every 50 mm, found -350",
+            r"table\.start.*starts at -393 or -343 mm, where a point comes every 50 mm, found -350",
         ),
         (
             {"end": 450.0, "spacing": 50.0},
-            r"table\.end.*ends at 407 or 457 mm, every 50 mm, found 450",
+            r"table\.end.*ends at 407 or 457 mm, where a point comes every 50 mm, found 450",
         ),
         ({"start": 20.0}, r"table\.start.*reference.*7 mm or below, found 20"),
         ({"end": 0.0, "spacing": 50.0}, r"table\.end.*7 mm or above"),

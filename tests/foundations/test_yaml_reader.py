@@ -151,7 +151,7 @@ def test_faults_of_single_keys_leave_the_rest_readable() -> None:
         (b"a: !!int ''\n", "line 1: tags"),
         (b"a: !!set {b}\n", "line 1: tags"),
         (b"? [a, b]\n: 1\n", "single word"),
-        (b'a: "\\UFFFFFFFF"\n', "an escape that is not a character"),
+        (b'a: "\\UFFFFFFFF"\n', "an escape sequence that is not a character"),
         (b'a: "\\ud800"\n', "line 1, a: contains an escape that is not a character"),
         (b"a: " + b"9" * 5000, "line 1, a: cannot be read as a value"),
         (b"a: \x00", "is not valid YAML"),

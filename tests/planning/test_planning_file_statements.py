@@ -62,14 +62,14 @@ def test_it_is_a_doubt_and_the_difference_of_files_is_none() -> None:
 def test_on_in_the_file_and_nothing_in_the_state(tmp_path: Path) -> None:
     code, prediction = run(tmp_path, ["# compensation: on\n"])
     (message,) = doubts(prediction)
-    assert "states compensation on" in message
+    assert "compensation was on" in message
     assert "as_found" in message
     axes = prediction["axes"]
     assert isinstance(axes, dict)
     assert axes["X"]["accept"]["A"]["decision"] == "undecided"
     assert code == 1
     for page in ("report.html", "card/card.md"):
-        assert "states compensation on" in (tmp_path / "job" / page).read_text(encoding="utf-8")
+        assert "compensation was on" in (tmp_path / "job" / page).read_text(encoding="utf-8")
 
 
 def test_acknowledged_it_decides(tmp_path: Path) -> None:
@@ -87,7 +87,7 @@ def test_no_doubt_without_a_contradiction(tmp_path: Path, text: str) -> None:
 def test_off_in_the_file_and_an_active_backlash_in_the_state(tmp_path: Path) -> None:
     _, prediction = run(tmp_path, ["# compensation: off\n"], state="old")
     (message,) = doubts(prediction)
-    assert "states compensation off" in message
+    assert "compensation was off" in message
     assert "old" in message
     _, prediction = run(tmp_path, ["# compensation: on\n"], state="old")
     assert doubts(prediction) == []

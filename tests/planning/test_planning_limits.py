@@ -186,7 +186,7 @@ def test_what_to_give_for_a_guard(standard: str, kind: AxisKind, words: str) -> 
     (finding,) = lacking_guard(axis_of(kind=kind), standard, ["A", "E"])
     assert finding.code == "CW-P132"
     assert words in finding.message
-    assert "U of A, E is known" in finding.message
+    assert "the uncertainty U of A, E, which is unknown" in finding.message
     assert lacking_guard(axis_of(), standard, []) == ()
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 
 import numpy as np
@@ -188,12 +187,10 @@ def with_more(one: PlannedTest, slope: float, wave: float) -> PlannedTest:
 
 
 def slope_told(error: MeasuredError) -> tuple[float, float] | None:
-    """The difference of two slopes and its standard error, µm/m, as the finding says."""
+    """The difference of two slopes and its standard error, µm/m, by the values of the finding."""
     for finding in error.findings:
         if finding.code == "CW-E028":
-            size = re.search(r": ([+-][0-9.]+) ± ([0-9.]+) µm/m", finding.message)
-            assert size is not None
-            return float(size[1]), float(size[2])
+            return finding.values["difference"], finding.values["error"]
     return None
 
 

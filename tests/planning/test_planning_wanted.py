@@ -88,7 +88,7 @@ def test_half_of_the_travel_has_to_be_measured(targets: list[float], *, enough: 
     if enough:
         check_coverage("job.yaml", axis_of(), [bare(targets)])  # type: ignore[list-item]
         return
-    with pytest.raises(InputError, match="cover less than half of its travel"):
+    with pytest.raises(InputError, match="cover less than half of the travel"):
         check_coverage("job.yaml", axis_of(), [bare(targets)])  # type: ignore[list-item]
 
 

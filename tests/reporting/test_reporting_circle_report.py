@@ -101,7 +101,9 @@ def test_no_name_of_a_key_is_on_the_page() -> None:
     assert str(parameter_words("G_bidirectional_lsc")) == "G both, least-squares circle"
     assert str(parameter_words("F_max_cw_lsc")) == "F max cw, least-squares centre"
     message = say("CW-D001.cause", cause="scale_mismatch", factor=9, other="straightness_second")
-    assert str(named_in_words(message, AXES)) == "Scale mismatch Z − X (x 9, with Straightness X)"
+    assert str(named_in_words(message, AXES)) == (
+        "Scale mismatch Z − X (standard error times 9, not separable from Straightness X)"
+    )
     assert named_in_words("my_file.b5r", AXES) == "my_file.b5r"
 
 
@@ -232,5 +234,5 @@ def test_the_largest_causes_have_a_step_or_a_reason() -> None:
     assert len(steps) == 3
     assert "Reversal spike Z" in steps[0]
     assert "Straightness Z" in steps[1]
-    assert "No step for Lateral play X (30 % of all effects)" in steps[2]
+    assert "No action is proposed for Lateral play X (30 % of all effects)" in steps[2]
     assert "Spiral" not in steps[2]

@@ -4,7 +4,7 @@ A wave of a period p adds a cos + b sin to the deviations. All waves W at the ta
 information G = W' V^-1 W, with the covariance V of noise, local part, smooth part and straight line
 (Rasmussen and Williams, Gaussian Processes for Machine Learning, 2006, section 2.7). A target more
 adds u u' / v: its waves u and its variance v given the others (block inverse, eq. A.11). That a
-wave of p exists, and none of q, is told by I = G_pp - G_pq (G_qq + 1 / A²)^-1 G_qp, where A is the
+wave of p exists, and none of q, is shown by I = G_pp - G_pq (G_qq + 1 / A²)^-1 G_qp, where A is the
 standard deviation of cosine and sine before the data. With det(1 + A² I)^(-1/2) it is overlooked or
 taken for q (coefficient of Bhattacharyya, in the choice between models: Chaloner and Verdinelli,
 Bayesian experimental design, Statistical Science 10, 1995). Each time the target is taken that

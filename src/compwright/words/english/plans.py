@@ -336,7 +336,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P164": (
         "Axis {axis}: the error may repeat with a period that these targets cannot show"
-        " ({probability:.0%}; most likely {periods:3sig} {unit}). In the same test, measure at"
+        " (most likely {periods:3sig} {unit}). In the same test, measure at"
         " {targets:.7g} {unit} too. All targets together show such an error if its amplitude is"
         " at least {amplitude}."
     ),

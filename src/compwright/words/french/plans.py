@@ -345,7 +345,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P164": (
         "Axe {axis} : l'erreur peut se répéter avec une période que ces points visés ne montrent"
-        " pas ({probability:.0%} ; d'abord {periods:3sig} {unit}). Dans le même essai, mesurer"
+        " pas (d'abord {periods:3sig} {unit}). Dans le même essai, mesurer"
         " aussi à {targets:.7g} {unit}. Tous les points visés ensemble montrent une telle erreur"
         " à partir d'une amplitude de {amplitude}."
     ),

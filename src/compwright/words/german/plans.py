@@ -361,7 +361,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P164": (
         "Achse {axis}: Der Fehler kann sich mit einer Periode wiederholen, die diese"
-        " Zielpositionen nicht zeigen ({probability:.0%}; vor allem {periods:3sig} {unit}). In"
+        " Zielpositionen nicht zeigen (vor allem {periods:3sig} {unit}). In"
         " derselben Prüfung auch an {targets:.7g} {unit} messen. Alle Zielpositionen zusammen"
         " zeigen einen solchen Fehler ab einer Amplitude von {amplitude}."
     ),
