@@ -189,8 +189,8 @@ def print_functions(first: House, last: House) -> None:
                 room = rooms[module.split(".")[0]]
                 room[2 if name in other else column] += sign * statements(node)
     print(f"{'room':20}{'new':>8}{'gone':>8}{'in both':>8}")
-    for room, numbers in sorted(rooms.items()):
-        print(f"{room:20}" + "".join(f"{number:+8d}" for number in numbers))
+    for name, numbers in sorted(rooms.items()):
+        print(f"{name:20}" + "".join(f"{number:+8d}" for number in numbers))
     sums = map(sum, zip(*rooms.values(), strict=True))
     print("total".ljust(20) + "".join(f"{number:+8d}" for number in sums))
     for name, (module, node) in sorted(came, key=lambda one: -statements(one[1][1])):
@@ -203,8 +203,9 @@ def by_name(house: House) -> dict[str, list[tuple[str, ast.FunctionDef | ast.Asy
     found: dict[str, list[tuple[str, ast.FunctionDef | ast.AsyncFunctionDef]]] = defaultdict(list)
     for module, tree in house.modules.items():
         classes = [node for node in ast.walk(tree) if isinstance(node, ast.ClassDef)]
-        for holder in (tree, *classes):
-            for node in holder.body:
+        bodies = [tree.body, *(one.body for one in classes)]
+        for body in bodies:
+            for node in body:
                 if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
                     found[node.name].append((module, node))
     return found

@@ -53,7 +53,8 @@ def inform(machine: Machine, tests: Sequence[Floats]) -> Informed:
         precision, moment = precision + inverse, moment + inverse @ mean
     together = np.linalg.inv(precision)
     together = 0.5 * (together + together.T)
-    return Informed(machine, together @ moment, np.linalg.cholesky(together))
+    root = np.asarray(np.linalg.cholesky(together), dtype=np.float64)
+    return Informed(machine, together @ moment, root)
 
 
 def _from_one(machine: Machine, readings: Floats) -> tuple[Floats, Floats]:

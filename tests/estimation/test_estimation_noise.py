@@ -125,7 +125,7 @@ def test_two_days_hold_the_drift_and_the_scatter_of_a_third() -> None:
         day = np.arange(3) * (seed % 2)
         drifts = 4.0 * rng.standard_normal(3)[day]
         scatters = np.exp(0.4 * rng.standard_normal(3)[day])
-        noise = fresh(drifts[:2], scatters[:2], seed)
+        noise = fresh(list(drifts[:2]), list(scatters[:2]), seed)
         held.append(
             (inside(drifts[2], noise.drift, 0.05), inside(scatters[2], noise.sigma[:, 0], 0.05))
         )

@@ -161,6 +161,7 @@ def test_a_loss_is_never_offered() -> None:
 
 
 def test_grids_in_words() -> None:
-    assert grid_text(np.array([0.0, 40.0, 80.0]), "mm") == "3 points from 0 to 80 mm, every 40 mm"
+    even = grid_text(np.array([0.0, 40.0, 80.0]), "mm")
+    assert str(even) == "3 points from 0 to 80 mm, every 40 mm"
     uneven = grid_text(np.array([0.0, 40.0, 100.0]), "mm")
-    assert uneven == "3 points from 0 to 100 mm, 40 to 60 mm apart"
+    assert str(uneven) == "3 points from 0 to 100 mm, 40 to 60 mm apart"
