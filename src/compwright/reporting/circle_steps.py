@@ -13,8 +13,9 @@ from typing import Any, Final
 from compwright.reporting.causes import CircleCause
 from compwright.words.sentences import Sentence, say
 
-#: How many causes get a next step, the largest first.
+#: So many of the largest causes get a next step, and all with this share of the effects or more.
 _MOST: Final = 3
+_LARGE: Final = 0.1
 
 #: Cause (contract name without its axis) -> sentence; {axis} is the axis, {first} and {second} are
 #: those of the plane.
@@ -34,7 +35,10 @@ def steps_for(causes: Sequence[CircleCause], axes: Sequence[str]) -> list[Senten
     causes are not among them.
     """
     shown = [cause for cause in causes if cause.shown]
-    significant = [cause for cause in shown if cause.significant][:_MOST]
+    significant = [cause for cause in shown if cause.significant]
+    significant = significant[:_MOST] + [
+        cause for cause in significant[_MOST:] if cause.share >= _LARGE
+    ]
     last = shown.index(significant[-1]) if significant else _MOST
     open_causes = [
         say("circle.cause_share", cause=cause.words, share=100.0 * cause.share)

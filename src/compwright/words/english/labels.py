@@ -55,7 +55,7 @@ SENTENCES: Final[dict[str, str]] = {
         " − cw|backlash=Lost motion {axis}|lateral_play=Lateral play {axis}|reversal_spike=Reversal"
         " spike {axis}|cyclic=Cyclic error {axis}|straightness=Straightness"
         " {axis}|scale_error=Scale error {axis}|backlash_mismatch=Lost motion {first} −"
-        " {second}|offset_change=Centre change {axis}, ccw − cw|spiral=Spiral (drift during a"
+        " {second}|offset_change=Centre change {axis}, ccw − cw|spiral=Spiral (drift in one"
         " run)|master_slave=Master-slave changeover|vibration=Vibration|stick_slip=Stick-slip"
         " {axis}|lobes_2=Two lobes|lobes_3=Three lobes|position_loop=Lag of the position loop"
         " {axis}|positional_tolerance=Positional tolerance}"
