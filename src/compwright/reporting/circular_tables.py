@@ -35,7 +35,7 @@ def machine_table(machine: Mapping[str, Any]) -> RenderableType:
     """Return the renderable of what several circles show of one machine."""
     unnamed = machine["machine"] is None and machine["serial"] is None
     return Group(
-        Rule(Text(str(machine_title(machine)), style="bold"), align="left", characters="─"),
+        Text(str(machine_title(machine)), style="bold"),
         *finding_lines(machine["findings"]),
         *([Text(str(say("report.unnamed_machine")))] if unnamed else []),
         Text(),
