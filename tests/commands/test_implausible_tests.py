@@ -147,7 +147,15 @@ def test_one_measurement_given_twice_is_refused(
         "renamed": {"before": "[x.csv, copy.csv]"},
     }[how]
     assert run(tmp_path, **keys) == 3
-    assert "is the " in capsys.readouterr().err
+    refused = capsys.readouterr().err
+    assert "copy.csv: " in refused
+    if how == "one test":
+        assert "the same measurement as" in refused
+        assert "x.csv" in refused
+    else:
+        second_axis = "Y" if how == "two axes" else "X"
+        assert f"test x of axis X and test copy of axis {second_axis} come from" in refused
+        assert "the same readings twice" in refused
     if how == "two tests":
         words = [str(path), str(tmp_path / "copy.csv"), "--json", str(tmp_path / "e.json")]
         assert compwright(["evaluate", *words]) == 0

@@ -136,5 +136,5 @@ def test_a_workbook_of_several_axes(tmp_path: Path) -> None:
         "Y",
     ]
     assert read_measurement(Session(), path, axis="y").positive[1, 0] == pytest.approx(0.003)
-    with pytest.raises(InputError, match=r"contains 2 tests, none of axis Z.*found X, Y"):
+    with pytest.raises(InputError, match=r"contains 2 tests, none of them of axis Z.*found X, Y"):
         read_measurement(Session(), path, axis="Z")

@@ -87,7 +87,7 @@ def test_a_serial_number_that_is_a_parameter_too_is_refused_with_its_line(
     file.write_text("%\n(SERIAL 4711815)\nN03620Q1A1P40A2P0\nN13150Q1P4711815\n%\n")
     assert compwright(["redact", str(file), "--out", str(tmp_path / "out")]) == 3
     said = capsys.readouterr().err
-    assert "CNC-PARA.TXT: line 4: is not copied" in said
+    assert "CNC-PARA.TXT: line 4: the file was not copied" in said
     assert "4711815" not in said
     assert not (tmp_path / "out").exists()
 

@@ -847,7 +847,8 @@ def test_a_longer_test_that_is_not_fitted_stands_first(
     doubts = document(folder / "job" / "prediction.json")["doubts"]
     assert {doubt["code"] for doubt in doubts} == {"CW-E011", "CW-T036"}
     message = next(doubt["message"] for doubt in doubts if doubt["code"] == "CW-E011")
-    assert "covers 30 to 2000 mm; the test long measured 20 to 3480 mm" in message
+    assert "test x alone, which covers 30 to 2000 mm" in message
+    assert "Test long measured 20 to 3480 mm" in message
     said = capsys.readouterr().out
     assert said.index("CW-E011") < said.index("axis X")
 

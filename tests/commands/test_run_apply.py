@@ -263,7 +263,9 @@ def test_an_option_of_the_whole_control_is_none_of_one_axis(
         ("fanuc-30i", "straightness: available, detection_unit: 0.001"),
     ):
         assert run(folder, control, x=f"before: [x.csv], options: {{{option}}}") == 2
-        assert "holds for the whole control" in capsys.readouterr().err
+        refused = capsys.readouterr().err
+        assert f"axes.X.options.{option.partition(':')[0]}: " in refused
+        assert "applies to the whole control" in refused
 
 
 # --- HEIDENHAIN: a column acts where tables are selected, and the linear error only where they are

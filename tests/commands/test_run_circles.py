@@ -617,7 +617,9 @@ def test_a_file_after_loading_that_says_compensation_off_is_a_doubt(done: Path, 
     assert verify(path, *files) == 1
     answer = document(folder / "job" / "verification.json")
     assert answer["verdict"] == "undecided"
-    assert "states compensation off" in " ".join(one["message"] for one in answer["doubts"])
+    assert "states that compensation was off" in " ".join(
+        one["message"] for one in answer["doubts"]
+    )
     after.write_bytes(after.read_bytes().replace(b"compensation: off", b"compensation: on"))
     assert verify(path, *files) == 0
     after.write_bytes(after.read_bytes().replace(b"compensation: on", b"compensation: off"))

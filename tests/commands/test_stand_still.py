@@ -71,7 +71,7 @@ def test_what_is_said_of_a_series() -> None:
     assert codes(series(np.arange(0.0, 4.1, 0.1), np.zeros(41)), None) == ["CW-T026", "CW-T027"]
     assert codes(series([0.0, 15.0, 30.0], np.zeros(3)), 30.0) == ["CW-T026", "CW-T027"]
     (told, short) = environmental_variation(long, 45.0)[1]
-    assert "within 30 min" in told.message
+    assert "within any 30 min" in told.message
     assert "it lasts 30 min, and a positioning test of the job takes 45 min" in short.message
 
 
@@ -180,7 +180,7 @@ def test_the_run_says_which_range_it_took_and_carries_the_file(
     (tmp_path / "job.yaml").write_text(JOB.format(given="drift.csv"))
     assert compwright(["run", str(tmp_path / "job.yaml")]) == 0
     said = " ".join(capsys.readouterr().out.split())
-    assert "E_VE is 1.20 µm, the largest range of drift.csv" in said
+    assert "E_VE is 1.20 µm: the largest range of drift.csv" in said
     assert "it lasts 2 min" in said
     plan, evaluation = (
         json.loads((tmp_path / "job" / f"{name}.json").read_text(encoding="utf-8"))

@@ -52,7 +52,7 @@ def fault(content: bytes) -> str:
 def test_other_files(content: bytes, words: str) -> None:
     line = fault(content)
     assert words in line
-    assert "; expected " in line or "quote" in words
+    assert "; expected " in line or "quotation mark" in line
     assert MARK in line
 
 

@@ -553,7 +553,7 @@ def test_all_faults_at_once_in_the_order_of_the_lines() -> None:
 def test_many_faults_of_one_kind_are_counted() -> None:
     lines = faults(LONG + "0,+,1,a\n" * 40)
     assert len(lines) == 11
-    assert lines[-1] == "runs/x_before.csv: is not a number: 30 more"
+    assert lines[-1] == "runs/x_before.csv: is not a number: 30 more places with this fault"
 
 
 def test_readings_that_form_no_table_are_refused() -> None:

@@ -163,7 +163,7 @@ def test_one_direction_only() -> None:
     test = read(text)
     assert test.negative.shape == (2, 0)
     (doubt,) = (one for one in test.findings if one.code == "CW-R053")
-    assert "Only REF_DATA_FWD is there" in doubt.message
+    assert "only direction REF_DATA_FWD" in doubt.message
     assert "CW-R053" not in {one.code for one in read(COMPLETE).findings}
 
 
