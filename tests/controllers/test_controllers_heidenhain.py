@@ -746,7 +746,7 @@ class TestNck:
 
     def test_axis_keys_are_the_same_in_both_files(self) -> None:
         with pytest.raises(
-            InputError, match=r"axis that the \.CMA does not know; expected X or Z, found Y"
+            InputError, match=r"axis that the \.CMA file does not contain; expected X or Z, found Y"
         ):
             nck(
                 {"X.COM": NCK_COM, "config.cma": NCK_CMA.replace("Y", "Z")},
@@ -807,8 +807,11 @@ WRONG_ITNC = {
         "no line of column headings",
     ),
     "nck heading": (COM.replace("1=F()", "X    "), "column heading"),
-    "column twice": (COM.replace("2=F()", "1=F()"), "two columns of one name"),
-    "column twice in other words": (COM.replace("2=F()", "01=F()"), "two columns of one axis"),
+    "column twice": (COM.replace("2=F()", "1=F()"), "two columns have the same name"),
+    "column twice in other words": (
+        COM.replace("2=F()", "01=F()"),
+        "two columns belong to the same axis",
+    ),
     "no rows": (
         "\n".join(line for line in COM.split("\n") if line[:1] not in "012" or not line),
         "no rows",

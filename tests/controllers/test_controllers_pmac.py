@@ -300,7 +300,7 @@ class TestScript:
             ("I51=1", "$$$", "line 7: not a command that is known here"),
             ("I51=1", "COMPTABLE[0].NX[0]=4", "line 7: a script of a Power PMAC"),
             ("I51=1", "OPEN PROG 1 CLEAR\nI51=1\nCLOSE", "line 8: a program sets I51 when it runs"),
-            ("I51=1", "OPEN PLC 1\nP1=I51", "line 7: a program that does not end"),
+            ("I51=1", "OPEN PLC 1\nP1=I51", "line 7: a program in the script has no end"),
             ("I51=1", "#1 DEFINE COMP 2,400000\n1 0", "ERR003: DEFINE COMP of motor 1 is refused"),
             ("I51=1", "#1 DEFINE BLCOMP 1,4\n0", "expected DELETE BLCOMP before it"),
             ("I51=1", "#2 DEFINE BLCOMP 1,4\n0", "expected the highest motor first, found one of"),

@@ -122,7 +122,7 @@ class TestContainer:
     def test_the_same_member_twice_is_once_and_two_that_differ_are_refused(self) -> None:
         once = member("AX_EEC.INI", EEC)
         assert at(load(container(once, once)), "AX1", [-200], UP) == [-0.001]
-        with pytest.raises(InputError, match=r"two members AX_EEC\.INI that differ"):
+        with pytest.raises(InputError, match=r"two different members \(files\) AX_EEC\.INI"):
             load(container(once, member("AX_EEC.INI", EEC.replace("0.003", "0.004"))))
         # the same name in a folder of programs is another file
         other = member("AX_EEC.INI", EEC.replace("0.003", "0.004"), "\\WKS.DIR\\A.WPD\\")

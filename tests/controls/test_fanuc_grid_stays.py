@@ -160,7 +160,7 @@ def test_a_gain_is_offered_with_its_numbers(
     predicted = json.loads((tmp_path / "job" / "prediction.json").read_text())["axes"]["B"]
     assert float(same) == pytest.approx(predicted["predicted"]["A"]["median"], abs=0.006)
     assert float(new) == pytest.approx(predicted["predicted_new_targets"]["A"]["median"], abs=0.006)
-    assert "stays, 13 points from 0 to 360 deg, every 30 deg" in told
+    assert "are kept, 13 points from 0 to 360 deg, every 30 deg" in told
     # The offer is what auto gives.
     assert (
         bench.run("B", axes={"B": "table: {spacing: auto}"}, options="") == 5

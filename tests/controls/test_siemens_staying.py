@@ -117,7 +117,7 @@ def test_a_factor_of_a_table_that_stays_is_not_emptied() -> None:
         for file in given(FOREIGN)
     ]
     state = control_format(SIEMENS, options).read(on, [AXIS])
-    with pytest.raises(CapacityError, match=r"table 3 .*multiplied by table 4.*MULT_BY_TABLE"):
+    with pytest.raises(CapacityError, match=r"table 3 .*multiplies it by table 4 .*MULT_BY_TABLE"):
         control_format(SIEMENS, options, state).write([NEW], [AXIS], on)
 
 

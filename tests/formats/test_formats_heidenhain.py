@@ -581,7 +581,7 @@ def test_a_line_is_two_numbers_and_a_bit() -> None:
         (replace(line, slope=-70.4e-6), "not a multiple"),
         (replace(line, slope=1.2e-3), "outside"),
         (replace(line, origin=0.0), "zero at the reference"),
-        (table("X", [0, 1], [0, 0]), "exclude each other"),
+        (table("X", [0, 1], [0, 0]), "either the linear parameter or a table, not both"),
     ):
         with pytest.raises(CapacityError, match=says):
             control_format(ITNC, {"method": "line"}).write([wrong], [axis])

@@ -192,7 +192,7 @@ def test_a_table_is_found_by_the_key_or_by_its_name() -> None:
     assert job.axes["4"].positions.size == 3
     stray = read(x__comp=ACTUAL, other__comp=TRIM, m__ini=MACHINE)
     assert "CW-S012" in codes(stray)
-    with pytest.raises(InputError, match="holds no rows"):
+    with pytest.raises(InputError, match="the table file contains no rows"):
         read(joint_0__comp="", joint_1__comp=ACTUAL)
 
 
@@ -287,7 +287,7 @@ def test_the_capacity_is_that_of_the_control() -> None:
         ("one row", {"positions": [0.0], "positive": [0.0]}, "too few"),
         ("too many rows", {"positions": range(257), "positive": [0.0] * 257}, "at most 256"),
         ("backlash in addition to the table", {"backlash": 0.001}, "backlash"),
-        ("another end than the control's", {"below": "zero"}, "below the table"),
+        ("another end than the control's", {"below": "zero"}, "below its first point"),
         ("a value between the steps", {"positive": [0.00000005, 0.0]}, "multiple"),
         ("a node between the steps", {"positions": [0.0, 1.00000005]}, "multiple"),
         ("a value out of range", {"positive": [0.0, 10.1]}, "outside"),

@@ -227,7 +227,7 @@ def test_what_is_in_no_script_is_assumed_and_listed() -> None:
 
 
 def test_counts_are_asked_for_only_where_something_acts() -> None:
-    with pytest.raises(UsageError, match="counts of its motor"):
+    with pytest.raises(UsageError, match="counts per mm or deg of its motor"):
         control(None).read([script(EXAMPLE)])
     state = control(None).read([script("#1 DEFINE COMP 2,400000\n0 0\nI186=0\n")])
     assert at(state, "1", 70, MINUS) == 0
@@ -256,7 +256,7 @@ def test_a_table_between_motors_in_counts_of_both() -> None:
         ("4,#1D,400000", "4,#1D", "cannot be read"),
         ("4,#1D,400000", "1.2,#1,#2,#1,9,9", "over two motors"),
         ("I186=96", "", "which no script says"),
-        ("I185=32", "", "whether it is taken up"),
+        ("I185=32", "", "whether the control compensates it"),
         ("I186=96", "I186=-1", "out of its range"),
         ("I186=96", "I186=P1*2", "no whole number"),
         ("I51=1", "I51=2", "neither on nor off"),
@@ -271,7 +271,7 @@ def test_a_table_between_motors_in_counts_of_both() -> None:
         ("#1 DEFINE BL", "#2 DEFINE COMP 2,9\n0 0\n#1 DEFINE BL", "ERR003.*#1, a lower motor"),
         ("#1 DEFINE COMP", "DEFINE GATHER\n#1 DEFINE COMP", "ERR003.*GATHER"),
         ("I51=1", "I51=1 #1 DEFINE BLCOMP 1,9 0", "ERR003.*delete it first"),
-        ("I185=32", "#2 DEL COMP", "whether it is taken up"),
+        ("I185=32", "#2 DEL COMP", "whether the control compensates it"),
     ],
 )
 def test_refused_with_a_sentence(old: str, new: str, says: str) -> None:
@@ -286,7 +286,7 @@ def test_a_turn_that_the_length_does_not_divide() -> None:
     rotary = EXAMPLE.replace("400000", "360000")
     control().read([script(rotary)], [axis(modulo=360.0, travel=(0.0, 360.0))])
     says = refused(EXAMPLE, axis(modulo=360.0, travel=(0.0, 360.0)))
-    assert "whole multiple of the length" in says
+    assert "not a whole multiple of the table's length" in says
 
 
 def test_missing_is_not_zero() -> None:

@@ -238,7 +238,7 @@ def test_switched_on_without_the_table_is_contradictory() -> None:
         "reserved"),
         ("repeats with unequal ends", "IS_MODULO[0,AX1]=0", "IS_MODULO[0,AX1]=1",
         "two ends differ"),
-        ("no values at all", SAMPLE[: SAMPLE.index("$AA_ENC_COMP_STEP")], "", "no values"),
+        ("no values at all", SAMPLE[: SAMPLE.index("$AA_ENC_COMP_STEP")], "", "a grid without values"),
         ("backlash cannot be read", "M17", "$MA_BACKLASH[0,AX1]=x\nM17", "cannot be read"),
         ("the end of the file inside a number", "\nM17\n", "", "cut short"),
     ],
@@ -305,7 +305,7 @@ def test_the_kind_of_axis_from_the_machine_data() -> None:
     text = SAMPLE.replace("M17", "N30300 $MA_IS_ROT_AX[AX1]=1\nM17")
     assert siemens(text).axes["AX1"].kind is AxisKind.ROTARY
     assert siemens(text, axis_of("AX1", kind=AxisKind.ROTARY)).axes["AX1"].kind is AxisKind.ROTARY
-    with pytest.raises(InputError, match="disagree"):
+    with pytest.raises(InputError, match="linear in the job and rotary in the control"):
         siemens(text, axis_of("AX1"))
 
 
@@ -385,7 +385,7 @@ def test_the_capacity_is_what_the_manual_says() -> None:
         ("a value out of range", {"positive": [-0.003, -0.001, 0.0, 0.002, 10.5]}, {}, "outside"),
         ("backlash out of range", {"backlash": 11.0}, {}, "outside"),
         ("backlash between the steps", {"backlash": 0.0000015}, {}, "multiple"),
-        ("another end than the control's", {"below": "zero"}, {}, "below the table"),
+        ("another end than the control's", {"below": "zero"}, {}, "below its first point"),
         ("not finite", {"positive": [-0.003, float("nan"), 0.0, 0.002, 0.0045]}, {}, "finite"),
         ("not ascending", {"positions": [-100, -50, 0, 0, 100]}, {}, "ascend"),
         ("values missing", {"positive": [0.0] * 4}, {}, "lengths"),

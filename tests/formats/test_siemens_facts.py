@@ -317,7 +317,7 @@ def names(definition: Definition) -> None:
         ("$MN_SCALING_SYSTEM_IS_METRIC=FALSE", "one place says inch"),
         ("$MN_SCALING_SYSTEM_IS_METRIC=1\n$MN_SCALING_SYSTEM_IS_METRIC=0", "one place says inch"),
         ("INCH", "one place says inch"),
-        ("$MA_IS_ROT_AX[AX1]=1", "disagree about its kind"),
+        ("$MA_IS_ROT_AX[AX1]=1", "is linear in the job and rotary in the control's files"),
     ):
         assert why in refused(read, definition, text_of(BASE, line + "\n"), X), line
         first = line.splitlines()[-1]

@@ -109,7 +109,7 @@ def test_an_axis_is_one_by_its_place_and_by_its_name(address: str) -> None:
 
 
 def test_two_addresses_of_one_axis_are_refused() -> None:
-    with pytest.raises(UsageError, match="X1 and AX1 are one axis"):
+    with pytest.raises(UsageError, match="X1 and AX1 mean one and the same axis"):
         both_readers(NAMES + eec(), axis_of("X1"), axis_of("AX1"))
 
 

@@ -48,7 +48,7 @@ def test_within_a_file_the_first_or_the_last_counts_and_that_is_told(
     assert found.text == text
     assert read.notes.faults == []
     assert [note.code for note in read.notes.findings] == ["CW-S003"]
-    assert f"counts: {text} (a, line {text})" in read.notes.findings[0].message
+    assert f"The {rule} value is used: {text} (a, line {text})" in read.notes.findings[0].message
 
 
 def test_where_all_must_be_the_same_both_lines_that_differ_are_named() -> None:

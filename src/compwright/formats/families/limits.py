@@ -184,11 +184,12 @@ def ends(definition: Definition, compensation: AxisCompensation, label: str) -> 
         ("above", compensation.above, definition.layout.above, -1),
     ):
         values = (compensation.positive[node], compensation.negative[node])
+        end = "first" if side == "below" else "last"
         if meant != made and any(value != 0 for value in values):
             faults.append(
                 Fault(
                     message=(
-                        f"{label}: {side} its first or last point the control continues the "
+                        f"{label}: {side} its {end} point the control continues the "
                         "table differently from the plan"
                     ),
                     expected=made,
