@@ -53,7 +53,8 @@ def further_targets_finding(axis: Axis, posterior: AxisPosterior) -> Iterator[Fi
         periods=[period for period, _ in hidden.periods[:3]],
         targets=found.targets.tolist(),
         unit=axis.kind.unit,
-        amplitude=Amount(found.amplitude * factor, unit),
+        # five digits: the last bits of the fit differ between processors
+        amplitude=Amount(float(f"{found.amplitude * factor:.5g}"), unit),
     )
 
 
