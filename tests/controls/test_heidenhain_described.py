@@ -208,8 +208,7 @@ def test_squareness_goes_into_the_column_of_the_bent_axis(
     text = com(19, 50)
     assert run(folder, NCK.id, states=states(folder, text)) == 0
     said = " ".join(capsys.readouterr().out.split())
-    assert "is in X.COM, column Y, added to what was there" in said
-    assert "(values are errors)" in said
+    assert "in X.COM, column Y (the values there are errors)" in said
     loaded = folder / "job" / "tables" / NCK.id
     assert sorted(path.name for path in loaded.iterdir()) == ["CONFIG.CMA", "X.COM", "play.csv"]
     for name in ("CONFIG.CMA", "play.csv"):
@@ -274,8 +273,7 @@ def test_a_column_of_an_axis_whose_bit_is_0_is_not_filled(
     if bit == "0":
         assert "the bit of Y in MP730 is 0: no table is active on it" in said
         return
-    assert "is in X.COM, column 2=F(), added to what was there" in said
-    assert "(values are errors)" in said
+    assert "in X.COM, column 2=F() (the values there are errors)" in said
     last = (folder / "job" / "tables" / ITNC.id / "X.COM").read_text().splitlines()[-2].split()
     assert [float(word) for word in last] == [4, 0, pytest.approx(-0.032, abs=9e-4)]
 
