@@ -71,8 +71,7 @@ def further_targets(posterior: AxisPosterior) -> FurtherTargets | None:
         chosen.append(design.add_best())
     if not chosen or not np.isfinite(design.least()):
         return None
-    # Three digits: the last bits depend on the processor.
-    return FurtherTargets(np.sort(design.places[chosen]), float(f"{design.least():.3g}"))
+    return FurtherTargets(np.sort(design.places[chosen]), design.least())
 
 
 def _places(targets: FloatArray, periods: FloatArray) -> FloatArray:

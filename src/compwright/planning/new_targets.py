@@ -53,8 +53,8 @@ def further_targets_finding(axis: Axis, posterior: AxisPosterior) -> Iterator[Fi
         periods=[period for period, _ in hidden.periods[:3]],
         targets=found.targets.tolist(),
         unit=axis.kind.unit,
-        # five digits: the last bits of the fit differ between processors
-        amplitude=Amount(float(f"{found.amplitude * factor:.5g}"), unit),
+        # Three digits: the last bits of the fit differ between processors.
+        amplitude=Amount(float(f"{found.amplitude * factor:.3g}"), unit),
     )
 
 
