@@ -259,7 +259,7 @@ class _ExpectedPeriods:
     def _there(
         self, frequencies: FloatArray, targets: FloatArray
     ) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
-        """Return which of the ``frequencies`` (f,) are new to the estimate, and can be told
+        """Return which of the ``frequencies`` (f,) are new to the estimate, and differ enough
         from those taken at the ``targets`` (m,).
         """
         near = PEAK / float(np.ptp(targets))
