@@ -108,7 +108,7 @@ class _OwnFiles(Patches):
                         "read from the control"
                     ),
                     expected=expected,
-                    hint="add the control's own file that contains it to the state",
+                    hint="add the control's own file that contains it to `states` in the job",
                 )
             )
         for number, value in {**entry.points, **dict.fromkeys(entry.cleared, 0)}.items():

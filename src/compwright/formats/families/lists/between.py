@@ -100,7 +100,7 @@ def _write(
                 message=f"only one axis can correct axis {added.output} in this control",
                 expected="one axis",
                 found=", ".join(sorted(rivals)),
-                hint="remove the others from the lists, then run the job again",
+                hint="remove the other corrections from the control's lists and run again",
             )
         )
     if not np.allclose(added.positive, added.negative, rtol=0.0, atol=_STRAIGHT):
