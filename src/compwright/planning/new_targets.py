@@ -10,6 +10,7 @@ from typing import Final, Literal
 from compwright.estimation.axis import AxisPosterior
 from compwright.estimation.further_targets import further_targets
 from compwright.foundations.findings import Finding
+from compwright.foundations.numerals import significant
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.limit_decisions import accept_decisions, accepted_index, magnitude
 from compwright.records.axis import Axis
@@ -54,7 +55,7 @@ def further_targets_finding(axis: Axis, posterior: AxisPosterior) -> Iterator[Fi
         targets=found.targets.tolist(),
         unit=axis.kind.unit,
         # Three digits: the last bits of the fit differ between processors.
-        amplitude=Amount(float(f"{found.amplitude * factor:.3g}"), unit),
+        amplitude=Amount(float(significant(found.amplitude * factor, 3)), unit),
     )
 
 
