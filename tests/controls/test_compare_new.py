@@ -424,7 +424,10 @@ def test_a_shift_is_told_with_its_direction(nodes: int, own_zero: float) -> None
     nothing = correction(np.zeros(9), backlash=0.0)
     answer = judge_read_back(correction(), loaded, nothing, np.linspace(-400, 600, 201), 50.0)
     assert answer.verdict == "shifted"
-    assert f"sits {abs(nodes)} nodes too far to {'+' if nodes > 0 else '-'}" in answer.message
+    assert (
+        f"{abs(nodes)} point{'' if abs(nodes) == 1 else 's'} too far to {'+' if nodes > 0 else '-'}"
+        in answer.message
+    )
 
 
 # run on a backup

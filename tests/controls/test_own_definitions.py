@@ -289,8 +289,8 @@ def test_an_id_that_ships_cannot_be_taken(
     copied(tmp_path / "mine.yaml", "linuxcnc", taken)
     assert compwright(["run", str(job(tmp_path, "mine.yaml"))]) == 2
     (line,) = told(capsys)
-    assert "line 2, id: this is the id of" in line
-    assert "such as my-linuxcnc; or linuxcnc itself" in line
+    assert "line 2, id: this is the id of a control that ships" in line
+    assert "write `id: my-linuxcnc`, or use the control that ships by its name linuxcnc" in line
     assert not (tmp_path / "job").exists()
 
 
@@ -300,7 +300,7 @@ def test_the_check_refuses_what_no_command_would_take(
     mine = tmp_path / "mine.yaml"
     mine.write_bytes(CONTENT["linuxcnc.yaml"] + b"# mine\n")
     assert compwright(["formats", "check", str(mine)]) == 3
-    assert "id: this is the id of" in told(capsys)[0]
+    assert "id: this is the id of a control that ships" in told(capsys)[0]
     mine.write_bytes(CONTENT["linuxcnc.yaml"])  # the very one that ships
     assert compwright(["formats", "check", str(mine)]) == 0
     copied(mine, "linuxcnc", "mine")

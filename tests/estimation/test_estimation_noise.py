@@ -500,7 +500,7 @@ def test_outliers_that_lie_together_are_told_by_what_they_have_in_common() -> No
     assert finding.values["cause"].name == "CW-E024.traverse"
     (doubt,) = (one for one in posterior(place).findings if one.code == "CW-E032")
     assert doubt.is_doubt
-    assert doubt.values["target"].value == 650.0
+    assert dict(doubt.values["cause"].values)["target"].value == 650.0
 
 
 @pytest.mark.parametrize(

@@ -78,9 +78,9 @@ def name_conflicts(session: Session, definition: Definition) -> tuple[Fault, ...
         definition.text.fault(
             ("id",),
             "this is the id of a control that ships, which no other definition can have",
-            expected=f"an id of its own, such as my-{shipped}; or {shipped} itself in the"
-            " place of the file's name",
+            expected="an id of its own",
             found=definition.id,
+            hint=f"write `id: my-{shipped}`, or use the control that ships by its name {shipped}",
         ),
     )
 

@@ -140,44 +140,34 @@ def _tails(
     if spoilt > student and cells.size:
         off = np.median([_errors(readings, draw) for draw in draws], axis=0)
         order = np.argsort(-np.round(np.abs(off[cells, runs]), 9), kind="stable")
-        count, more = cells.size, max(0, cells.size - _SHOWN)
-        there = np.count_nonzero(readings.there)
-        where = [
-            _where(test, int(cells[k]), int(runs[k]), float(off[cells[k], runs[k]]))
-            for k in order[:_SHOWN]
-        ]
-        place = cells % test.targets.size
-        if count >= _TOGETHER and np.ptp(place) == 0:
-            yield Finding.of(
-                "CW-E032",
-                "warning",
-                outliers=count,
-                readings=there,
-                where=where,
-                more=more,
-                odds=_odds_text(odds),
-                target=_position(float(test.targets[place[0]]), test),
-            )
-        else:
-            yield Finding.of(
-                "CW-E024",
-                "warning",
-                outliers=count,
-                readings=there,
-                where=where,
-                more=more,
-                odds=_odds_text(odds),
-                cause=_cause(test, cells, runs),
-            )
+        yield Finding.of(
+            "CW-E032" if _at_one_place(test, cells) else "CW-E024",
+            "warning",
+            outliers=cells.size,
+            readings=np.count_nonzero(readings.there),
+            where=[
+                _where(test, int(cells[k]), int(runs[k]), float(off[cells[k], runs[k]]))
+                for k in order[:_SHOWN]
+            ],
+            more=max(0, cells.size - _SHOWN),
+            odds=_odds_text(odds),
+            cause=_cause(test, cells, runs),
+        )
     else:
         yield Finding.of("CW-E025", "info", odds=_odds_text(odds))
 
 
+def _at_one_place(test: PositioningTest, cells: IndexArray) -> bool:
+    return cells.size >= _TOGETHER and np.ptp(cells % test.targets.size) == 0
+
+
 def _cause(test: PositioningTest, cells: IndexArray, runs: IndexArray) -> Sentence:
-    """Return a hint for the cause of outliers in ``cells`` and ``runs`` (k,), which may all lie in
-    one traverse.
+    """Return a hint for the cause of outliers in ``cells`` and ``runs`` (k,). They may all lie
+    in one traverse or at one place.
     """
     m = test.targets.size
+    if _at_one_place(test, cells):
+        return say("CW-E032.target", target=_position(float(test.targets[cells[0] % m]), test))
     if cells.size >= _TOGETHER and np.ptp(runs) == 0 and np.ptp(cells // m) == 0:
         traverse = _traverse(test, int(cells[0]), int(runs[0]))
         return say("CW-E024.traverse", traverse=traverse)

@@ -122,7 +122,8 @@ def _causes(
             f"every value of the table, apart from the backlash, is {says}",
         )
     for nodes in (shift * sign for shift in range(1, _MOST_SHIFT + 1) for sign in (1, -1)):
-        sits = f"the table sits {abs(nodes)} nodes too far to {'+' if nodes > 0 else '-'}"
+        points = "1 point" if abs(nodes) == 1 else f"{abs(nodes)} points"
+        sits = f"the table sits {points} too far to {'+' if nodes > 0 else '-'}"
         yield _Mistake(
             "shifted",
             {side: _shifted(planned, where, side, nodes * spacing) for side in Direction},

@@ -235,10 +235,13 @@ SENTENCES: Final[dict[str, str]] = {
         " régulièrement répartis dans l'essai. Les moyennes utilisent tous les parcours"
     ),
     "CW-E032": (
-        "{outliers} des {readings} mesures sont aberrantes, et toutes sont à {target} : {where}"
-        "{more:if| et {more} autres} ({odds}). L'erreur vraie de l'axe à ce point visé est"
-        " incertaine. Vérifier les mesures à ce point visé (unité, faisceau, copeaux), y regarder"
-        " vis, guidages et protections, puis mesurer de nouveau"
+        "{outliers} des {readings} mesures sont aberrantes, toutes au même point visé : {where}"
+        "{more:if| et {more} autres} ({odds}). L'erreur vraie de l'axe y est incertaine. Étape"
+        " suivante : {cause}, puis mesurer de nouveau"
+    ),
+    "CW-E032.target": (
+        "vérifier les mesures à {target} (unité, faisceau, copeaux) et y regarder vis, guidages"
+        " et protections"
     ),
     "period.cause": (
         "{cause:choose|lead=un pas de vis de {number:g} mm|inch_lead=un pas de vis de {number:g}"

@@ -236,10 +236,13 @@ SENTENCES: Final[dict[str, str]] = {
         " über die Prüfung verteilt. Die Mittelwerte verwenden alle Läufe"
     ),
     "CW-E032": (
-        "{outliers} von {readings} Messwerten sind Ausreißer, und alle liegen bei {target}: {where}"
-        "{more:if| und {more} weitere} ({odds}). Der wahre Fehler der Achse an dieser Zielposition"
-        " ist unsicher. Die Messwerte an dieser Zielposition prüfen (Einheit, Strahl, Späne), dort"
-        " Spindel, Führungen und Abdeckungen ansehen, dann neu messen"
+        "{outliers} von {readings} Messwerten sind Ausreißer, alle an derselben Zielposition:"
+        " {where}{more:if| und {more} weitere} ({odds}). Der wahre Fehler der Achse dort ist"
+        " unsicher. Nächster Schritt: {cause}, dann neu messen"
+    ),
+    "CW-E032.target": (
+        "die Messwerte bei {target} prüfen (Einheit, Strahl, Späne) und dort Spindel, Führungen"
+        " und Abdeckungen ansehen"
     ),
     "period.cause": (
         "{cause:choose|lead=eine Spindelsteigung von {number:g} mm|inch_lead=eine Spindelsteigung"

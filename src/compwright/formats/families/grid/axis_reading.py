@@ -251,8 +251,8 @@ class GridAxisReader:
         word = self.values.stated_word("rotary")
         if word is not None and word != self.axis.kind:
             fault = Fault(
-                message=f"{self.label} is linear in the job and rotary in the control's files, "
-                "or the reverse",
+                message=f"{self.label} is {self.axis.kind} in the job and {word} in the control's "
+                "files",
                 expected=self.axis.kind,
                 found=word,
                 hint=(
