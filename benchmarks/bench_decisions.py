@@ -15,13 +15,13 @@ import argparse
 import json
 import tempfile
 from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
-import numpy as np
 from machine_kinds import KINDS, machine_of
 from machines import Machine, name_seed
-from table_quality import csv_of, job_of, measured
+from table_quality import csv_of, job_of, measured, test_files
 
 from compwright.foundations.errors import CompwrightError
 from compwright.foundations.session import Session
@@ -32,13 +32,14 @@ from compwright.workflow.run.pipeline import run_stages
 
 
 def prediction(
-    machine: Machine, text: str, limits: dict[str, float], folder: Path
+    machine: Machine, texts: Sequence[str], limits: dict[str, float], folder: Path
 ) -> tuple[Finished | None, str]:
     """Return a job of one axis worked through, less its pages; None and why where it fails."""
     job = json.loads(job_of(machine))
     if limits:
         job["axes"]["X"]["accept"] = limits
-    (folder / "x.csv").write_text(text, encoding="utf-8")
+    for file, text in zip(test_files(len(texts)), texts, strict=True):
+        (folder / file).write_text(text, encoding="utf-8")
     (folder / "job.yaml").write_text(json.dumps(job), encoding="utf-8")
     try:
         return run_stages(
@@ -71,9 +72,11 @@ def count(kind: str, number: int, folder: Path, counts: Counts, limits: int) -> 
     """Run one machine, and once more with a limit while fewer than ``limits`` were tried."""
     machine = machine_of(kind, number)
     rng = name_seed(kind, number, 1)
-    readings = measured(machine, rng, machine.temperature(rng))
-    text = csv_of(machine, machine.targets, np.asarray(readings))
-    found, why = prediction(machine, text, {}, folder)
+    texts = [
+        csv_of(machine, machine.targets, measured(machine, rng, machine.temperature(rng)))
+        for _ in range(machine.tests)
+    ]
+    found, why = prediction(machine, texts, {}, folder)
     if found is None:
         print(kind, number, why, flush=True)
         return
@@ -89,7 +92,7 @@ def count(kind: str, number: int, folder: Path, counts: Counts, limits: int) -> 
     counts.tried += 1
     factor = outside_factor(found.works["X"].planned.axis.kind.unit)
     limit = 1.3 * shown.predicted["A"].p95 * factor
-    decided, _ = prediction(machine, text, {"A": limit}, folder)
+    decided, _ = prediction(machine, texts, {"A": limit}, folder)
     decision = decided and decided.predicted.axes["X"].accept["A"].decision
     counts.accepted += decision == "accept"
     if decision != "accept":

@@ -291,7 +291,9 @@ def _with_pages(document: Mapping[str, Any]) -> Mapping[str, Any]:
     if document["results"] and not tests:
         raise UsageError(
             Fault(
-                message="a stand-still test is one number, so it has neither a page nor a picture",
+                message=(
+                    "a stand-still test or a table of lost motion has neither a page nor a picture"
+                ),
                 hint="give a positioning or circular test too, or leave this option out",
             )
         )
