@@ -133,6 +133,19 @@ def test_several_circles_show_one_machine(tmp_path: Path) -> None:
     job = r"circles: \[\{file: [^{]*fast.csv[^{]*\{file: [^{]*slow.csv[^{]*\]"
     assert len(re.findall(job, _page(tmp_path))) == 2  # on the page of each
 
+    copied = tmp_path / "copied.csv"
+    copied.write_bytes((tmp_path / "slow.csv").read_bytes())
+    document = evaluate_files(Session(), [tmp_path]).document
+    assert len(document["results"]) == 4
+    assert document["machines"][0]["causes"] == machine["causes"]  # a copy proves nothing more
+    repeated = {
+        result["name"]
+        for result in document["results"]
+        if "CW-T034" in {finding["code"] for finding in result["findings"]}
+    }
+    assert repeated == {"slow", "copied"}
+    copied.unlink()
+
     (tmp_path / "strange.csv").write_text(text, encoding="utf-8")
     (machine,) = evaluate_files(Session(), [tmp_path]).document["machines"]
     (contradiction,) = machine["contradictions"]
@@ -167,9 +180,9 @@ def test_a_fault_of_several_circles_names_their_files(
         raise ZeroDivisionError
 
     monkeypatch.setattr(circles, "solve_network", broken)
-    for name in ("a", "b"):
+    for seed, name in enumerate(("a", "b")):
         Circle(values=quiet(), samples=200).write(
-            tmp_path / f"{name}.csv", np.random.default_rng(1)
+            tmp_path / f"{name}.csv", np.random.default_rng(seed)
         )
     run = evaluate_files(Session(), [tmp_path])
     assert run.exit_code == OWN_FAULT

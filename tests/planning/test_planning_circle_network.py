@@ -137,6 +137,19 @@ def test_consistent_circles_rarely_contradict_each_other() -> None:
     assert len(named) <= 2  # of 240: four kinds, squareness by plane
 
 
+@pytest.mark.parametrize("feed", [500.0, 3e4, 1e6])
+def test_circles_without_noise_have_finite_values(
+    feed: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for kind in FIT:
+        monkeypatch.setitem(FIT, kind, 1e-12)
+    network = solved([circle(name, feed=feed) for name in ("one", "two", "three")])
+    values = network.values["squareness", "XY"], network.values["lost motion", "X"]
+    assert [each.value for each in values] == pytest.approx([SQUARENESS["XY"], LOST["X"]], rel=1e-4)
+    assert all(0.0 < each.std_error < 1e3 for each in network.values.values())
+    assert network.contradictions == {}
+
+
 def test_one_circle_or_other_states_are_no_network() -> None:
     assert list(network_findings(FEEDS[:1])) == []
     assert list(network_findings([])) == []

@@ -251,6 +251,26 @@ def _top(above: list[int], index: int) -> int:
     return index
 
 
+def repeated_files(tests: Sequence[Sequence[Source]]) -> list[Finding | None]:
+    """Return for each test, given by its files, the finding that it has a file of another test
+    (CW-T034). None for the others.
+    """
+    having: dict[str, list[int]] = {}
+    for index, sources in enumerate(tests):
+        for source in sources:
+            having.setdefault(source.sha256, []).append(index)
+    others = (
+        dict.fromkeys(
+            tests[other][0].file
+            for source in sources
+            for other in having[source.sha256][: _NAMED + 2]
+            if other != index
+        )
+        for index, sources in enumerate(tests)
+    )
+    return [_repeated(list(names)) if names else None for names in others]
+
+
 def _repeated(names: Sequence[str]) -> Finding:
     return Finding.of("CW-T034", "warning", tests=names[:_NAMED], others=len(names) > _NAMED)
 

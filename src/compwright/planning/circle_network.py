@@ -28,6 +28,8 @@ _PPM: Final = 1e6
 _MOST_SHRINKING: Final = _PPM / (2.0 * SOFTEST_LOOP**2)
 #: Least error of a scale by the fit, um/m.
 _LEAST: Final = 0.05
+#: Least error of an observation, as a share of what its unknowns may do to it.
+_ROUNDING: Final = 1e-5
 #: Mean and standard deviation of the prior of each unknown (um/m, um, ms); the shrinking is uniform
 #: up to the softest loop.
 _PRIOR: Final[Mapping[str, tuple[float, float]]] = {
@@ -103,13 +105,16 @@ def solve_network(circles: Sequence[CircularResult]) -> CircleNetwork:
     matrix = np.array([[each.parts.get(name, 0.0) for name in unknowns] for each in seen])
     matrix = matrix.reshape(len(seen), len(unknowns))
     target = np.array([each.found.value for each in seen])
-    error = np.array([each.found.std_error for each in seen])
     centre, width = np.array([_PRIOR[kind] for kind, _ in unknowns]).reshape(-1, 2).T
-    weighted = matrix / error[:, np.newaxis]
-    precision = weighted.T @ weighted + np.diag(width**-2.0)
-    covariance = np.linalg.inv(precision)
-    solution = covariance @ (weighted.T @ (target / error) + centre / width**2)
-    rest = (target - matrix @ solution) / error
+    scaled = matrix * width  # unknowns in standard deviations of their priors
+    error = np.maximum(
+        [each.found.std_error for each in seen], _ROUNDING * np.linalg.norm(scaled, axis=1)
+    )
+    weighted = scaled / error[:, np.newaxis]
+    covariance = np.linalg.inv(weighted.T @ weighted + np.eye(len(unknowns)))
+    off = (target - matrix @ centre) / error
+    solution = covariance @ (weighted.T @ off)
+    rest = off - weighted @ solution
     # Each observation takes its share of the unknowns: the rest are degrees of freedom.
     leverage = np.einsum("ij,jk,ik->i", weighted, covariance, weighted)
     contradictions, worse = {}, np.ones(len(unknowns))
@@ -124,10 +129,10 @@ def solve_network(circles: Sequence[CircularResult]) -> CircleNetwork:
         worse[touched] = np.maximum(worse[touched], np.sqrt(scatter / free))
         if contradictory(scatter, free):
             contradictions[group] = tuple(each for each in seen if each.group == group)
-    errors = worse * np.sqrt(np.diag(covariance))
+    errors = worse * width * np.sqrt(np.diag(covariance))
     values = {
         name: ValueWithError(float(value), float(each))
-        for name, value, each in zip(unknowns, solution, errors, strict=True)
+        for name, value, each in zip(unknowns, centre + width * solution, errors, strict=True)
     }
     return CircleNetwork(tuple(result.test.name for result in circles), values, contradictions)
 

@@ -463,16 +463,21 @@ def _with_circles(
 
 
 def _with_repeats(tests: Sequence[Evaluated]) -> list[dict[str, Any]]:
-    """Return the entries of the tests, of positioning tests that repeat another one's measurement
-    with a finding.
+    """Return the entries of the tests. Those that repeat the measurement of another test have a
+    finding.
     """
     readings = [one.test for one in tests if one.test is not None]
-    if len(readings) < 2:
+    circles = [one.circle.test for one in tests if one.circle is not None]
+    if max(len(readings), len(circles)) < 2:
         return [one.entry for one in tests]
-    from compwright.evaluation.duplicate_measurements import repeat_findings
+    from compwright.evaluation.duplicate_measurements import repeat_findings, repeated_files
 
     repeated = iter(repeat_findings(readings))
+    copied = iter(repeated_files([test.sources for test in circles]))
     for one in tests:
-        if one.test is not None and (finding := next(repeated)) is not None:
+        if one.test is None and one.circle is None:
+            continue
+        finding = next(repeated if one.circle is None else copied)
+        if finding is not None:
             one.entry["findings"] += finding_documents([finding])
     return [one.entry for one in tests]

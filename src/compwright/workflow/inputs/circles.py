@@ -63,11 +63,15 @@ def pairs_joined(tests: Sequence[T | CircularTest]) -> list[T | CircularTest]:
 def machines_of(circles: Sequence[CircularResult]) -> tuple[list[dict[str, Any]], list[Fault]]:
     """Return what the circles of each machine show together, where there are two or more, and what
     failed at it. Circles are of one machine where their files state the same name and serial
-    number, or none.
+    number, or none. Of circles from the same file one counts.
     """
     machines: dict[tuple[str | None, ...], list[CircularResult]] = {}
+    files: set[str] = set()
     for result in circles:
-        if result.diagnosis is not None:
+        own = {source.sha256 for source in result.test.sources}
+        copied = not files.isdisjoint(own)
+        files |= own
+        if result.diagnosis is not None and not copied:
             stated = tuple(result.test.header.get(key) for key in _STATED)
             machines.setdefault(stated, []).append(result)
     documents, faults = [], []
