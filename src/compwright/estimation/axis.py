@@ -1,4 +1,4 @@
-"""The error of an axis as its positioning tests tell it, with its uncertainty.
+"""Estimate the position error of an axis, with its uncertainty, from its positioning tests.
 
 Model (units mm or deg, deviation = measured minus target, d = +1 or -1 the approach direction):
 
@@ -57,8 +57,8 @@ _DRAWS: Final = 48  # distinct hyperparameters kept for summaries and prediction
 
 @dataclass(frozen=True, slots=True)
 class Draws:
-    """Joint draws of the deviation and the noise of a test. ``positive``, ``negative`` (count,
-    k), mm or deg.
+    """Random draws of the deviation of an axis and of the noise of a test. ``positive`` and
+    ``negative`` have the shape (count, k), in mm or deg.
     """
 
     positive: FloatArray
@@ -68,7 +68,8 @@ class Draws:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class AxisPosterior:
-    """What is known of an axis after its tests, mm or deg, machine coordinates.
+    """The probability distribution of the error of an axis after its tests, mm or deg, machine
+    coordinates.
 
     ``parts``: the models that count, all draws equally likely. ``noise``: standard deviation of one
     reading of the first test with ``noise_dof`` degrees of freedom. ``reversal_log_odds``: natural
@@ -89,7 +90,9 @@ class AxisPosterior:
 
     @property
     def hidden(self) -> HiddenPeriods:
-        """The periods that the readings leave open: worked out once, when they are needed."""
+        """The periods that may exist although the readings do not show them. They are computed on
+        first use.
+        """
         return _hidden_in(self)
 
     def summary(self, positions: FloatArray) -> ErrorEstimate:
@@ -130,7 +133,7 @@ class AxisPosterior:
 
     @property
     def _held(self) -> NDArray[np.bool_]:
-        """Which draws (n,) have no more periods than half of all."""
+        """Return which draws (n,) contain at most the median number of periods."""
         periods = np.repeat(
             [len(part.basis.periods) for part in self.parts],
             [part.draws.size for part in self.parts],
@@ -138,8 +141,8 @@ class AxisPosterior:
         return np.asarray(periods <= np.sort(periods)[(periods.size - 1) // 2])
 
     def _moments(self, where: FloatArray) -> tuple[list[FloatArray], list[FloatArray]]:
-        """Return by direction the means (draws, g) and the mean of the variances (g,), in units of
-        the scale.
+        """Return the means (draws, g) and the average variances (g,) of the error in each
+        direction, in units of the scale.
         """
         count = sum(part.draws.size for part in self.parts)
         means: list[list[FloatArray]] = [[], []]
@@ -163,10 +166,12 @@ class AxisPosterior:
     def draw(
         self, positions: FloatArray, count: int, rng: np.random.Generator, test: int = 0
     ) -> Draws:
-        """Return ``count`` joint draws over positions and directions, mm or deg. ``positions``:
-        (k,), or (count, k) with places of their own. A draw is mean + root z of the weights, z
-        standard normal (Rasmussen and Williams 2006, appendix A.2). The noise is that of the
-        ``test`` (its place among those of the estimate).
+        """Return ``count`` random draws of the error at ``positions`` in both directions, mm or
+        deg.
+
+        ``positions``: (k,), or (count, k) with places of their own. A draw is mean + root z of the
+        weights, z standard normal (Rasmussen and Williams 2006, appendix A.2). The noise is that of
+        the ``test`` (its place among those of the estimate).
 
         At the targets of the tests the local part is what the readings say; anywhere else it is
         drawn afresh.
@@ -213,9 +218,11 @@ class AxisPosterior:
         values: FloatArray,
         rng: np.random.Generator,
     ) -> FloatArray:
-        """Return draws (count, m) of the local part at the targets, given the weights ``values``
-        (count, j): a normal mean with normal prior and known variance (Gelman et al. 2013, section
-        2.5).
+        """Return random draws (count, m) of the part of the error that differs freely from target
+        to target.
+
+        The weights ``values`` (count, j) are given: a normal mean with normal prior and known
+        variance (Gelman et al. 2013, section 2.5).
         """
         data = self.cells.data
         known = data.precision[weights.draw]
@@ -231,9 +238,9 @@ class AxisPosterior:
         return drawn
 
     def _noise(self, variances: FloatArray, owner: NDArray[np.intp], test: int) -> NoiseDraws:
-        """Return the noise of a fresh ``test`` (count,): what its own readings tell, else what was
-        inferred with the error (``variances``, count), moved between traverses as in the test that
-        tells it.
+        """Return the noise of a new ``test``, one value per draw (count,). It comes from the
+        readings of that test if they repeat, else from the ``variances`` (count,) inferred with the
+        error.
         """
         draw_index = np.concatenate([part.draws for part in self.parts])[owner]
         own = self.cells.noises[test]
@@ -273,7 +280,8 @@ def estimate_axis(
     nodes: Sequence[float] = (),
     turn: float | None = None,
 ) -> AxisPosterior:
-    """Return the posterior of the error of an axis from its tests in machine coordinates.
+    """Return the probability distribution of the error of an axis, from its tests in machine
+    coordinates.
 
     ``travel`` (low, high), mm or deg. ``periods``: known periods of the error (screw pitch, scale
     period), mm or deg; ``suggested``: periods that are more probable than others if none is known.
@@ -334,8 +342,8 @@ def estimate_axis(
 
 
 def _cycle_draws(draw_index: NDArray[np.intp], each: int) -> NDArray[np.intp]:
-    """Return for ``draw_index`` (count,) which of the ``each`` members of its draw each entry
-    takes, in turn.
+    """Return which of the ``each`` members of a draw each of the (count,) entries uses. Equal
+    entries of ``draw_index`` take the members in turn.
     """
     order = np.argsort(draw_index, kind="stable")
     ordered = draw_index[order]
@@ -346,7 +354,9 @@ def _cycle_draws(draw_index: NDArray[np.intp], each: int) -> NDArray[np.intp]:
 
 
 def _nine_digits(value: float) -> float:
-    """Return a size, which may be far below what instruments tell, to nine digits."""
+    """Return a size rounded to nine significant digits. The size may be far smaller than the
+    resolution of instruments.
+    """
     return float(f"{value:.8e}")
 
 
@@ -394,7 +404,7 @@ def _refuse_misuse(
 
 
 def _equivalent_dof(log_noise: FloatArray, readings: int) -> float:
-    """Return the degrees of freedom that correspond to the scatter of log s. var(log s) = 1 /
-    (2 dof) (JCGM 100:2008, eq. G.3).
+    """Return the degrees of freedom that belong to the scatter of log s, s a standard deviation.
+    var(log s) = 1 / (2 dof) (JCGM 100:2008, eq. G.3).
     """
     return float(np.clip(0.5 / max(float(np.var(log_noise)), 1e-12), 1.0, max(1.0, readings - 1.0)))

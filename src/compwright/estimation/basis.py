@@ -26,7 +26,9 @@ HARMONICS = (1, 2)
 
 @dataclass(frozen=True, slots=True)
 class Basis:
-    """Columns: offset, slope, sines, then per period cosine and sine of each harmonic; then the
+    """The functions of position whose weighted sum is the error of an axis.
+
+    Columns: offset, slope, sines, then per period cosine and sine of each harmonic; then the
     reversal's offset, slope, sines.
 
     ``centre`` and ``half`` (mm or deg) give the normalised position u = (x - centre) / half. The
@@ -47,17 +49,19 @@ class Basis:
 
     @property
     def harmonics(self) -> tuple[tuple[int, ...], ...]:
-        """The harmonics of each period; all of them where ``kept`` does not say."""
+        """The numbers of the harmonics of each period; all harmonics where ``kept`` is not
+        given.
+        """
         return self.kept or tuple(HARMONICS for _ in self.periods)
 
     @property
     def mean_size(self) -> int:
-        """Number of columns of the mean of both directions."""
+        """The number of functions for the mean of both directions."""
         return 2 + self.sines + 2 * sum(map(len, self.harmonics))
 
     @property
     def size(self) -> int:
-        """Number of columns altogether."""
+        """The total number of functions."""
         return self.mean_size + (2 + self.reversal_sines if self.bidirectional else 0)
 
     @property
@@ -81,9 +85,10 @@ class Basis:
         return np.hstack([mean, half_reversal]), np.hstack([mean, -half_reversal])
 
     def halves(self, positions: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return the functions of the error in two parts at ``positions`` (k,), mm or deg.
-        One is common to both directions, (k, mean_size); the other, (k, size - mean_size),
-        is added in + and subtracted in -.
+        """Return the functions of position in two groups at ``positions`` (k,), mm or deg.
+
+        One is common to both directions, (k, mean_size); the other, (k, size - mean_size), is added
+        in + and subtracted in -.
         """
         u = (positions - self.centre) / self.half
         slope = u if self.turn is None else np.zeros_like(u)
@@ -106,9 +111,8 @@ class Basis:
         return harmonics * (2.0 * np.pi * self.half / self.turn)
 
     def _waves(self, u: FloatArray, count: int) -> FloatArray:
-        """Return the smooth functions (count, k): sines of the range, or with a turn (``count``
-        even) its harmonics, the Fourier series of a periodic process, whose coefficients are
-        samples of the spectral density.
+        """Return the smooth functions (count, k) at ``positions`` (k,). They are sines of the
+        range, or for an endless axis the harmonics of a turn.
         """
         if self.turn is None:
             return _sines(u, count)
@@ -128,8 +132,10 @@ def _frequencies(count: int) -> FloatArray:
 
 
 def _sines(u: FloatArray, count: int) -> FloatArray:
-    """Return the eigenfunctions (count, k) of the Laplacian on [-BOUNDARY, BOUNDARY], sin(w (u +
-    BOUNDARY)) / sqrt(BOUNDARY) (Solin and Särkkä 2020); zero outside, continuously.
+    """Return sine functions (count, k) that vanish at both ends of the range and outside it.
+
+    They are the eigenfunctions of the Laplacian on [-BOUNDARY, BOUNDARY], sin(w (u + BOUNDARY)) /
+    sqrt(BOUNDARY) (Solin and Särkkä 2020).
     """
     inside = np.clip(u, -BOUNDARY, BOUNDARY)
     waves: FloatArray = np.sin(np.outer(_frequencies(count), inside + BOUNDARY)) / np.sqrt(BOUNDARY)
@@ -137,8 +143,8 @@ def _sines(u: FloatArray, count: int) -> FloatArray:
 
 
 def log_density(frequencies: FloatArray, log_length: float) -> tuple[FloatArray, FloatArray]:
-    """Return log spectral density of a Matérn 5/2 process of unit variance, and its derivative by
-    ``log_length``.
+    """Return the log spectral density of a random curve of unit variance, and its derivative by
+    ``log_length``. The curve is a Matérn 5/2 process.
 
     S(w) = (16/3) a^5 / (a^2 + w^2)^3 with a = sqrt(5) / length (Rasmussen and Williams, Gaussian
     Processes for Machine Learning, eq. 4.15, one dimension, nu = 5/2).
@@ -156,9 +162,11 @@ LEAST_SMOOTHNESS = 1.5
 def smooth_density(
     frequencies: FloatArray, log_length: float, log_excess: float
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Return log spectral density of a Matérn process of unit variance and smoothness nu =
-    `LEAST_SMOOTHNESS` + exp(``log_excess``), and its derivatives by ``log_length`` and
-    ``log_excess``.
+    """Return the log spectral density of a random curve of unit variance and adjustable smoothness,
+    and its two derivatives.
+
+    It is a Matérn process of smoothness nu = `LEAST_SMOOTHNESS` + exp(``log_excess``); the
+    derivatives are by ``log_length`` and ``log_excess``.
 
     S(w) = 2 sqrt(pi) gamma(nu + 1/2) / gamma(nu) l / sqrt(2 nu) (1 + l² w² / (2 nu))^-(nu + 1/2)
     (Rasmussen and Williams, Gaussian Processes for Machine Learning, eq. 4.15, one dimension); for
@@ -189,8 +197,8 @@ _WINDOW = 200_000
 
 
 def alias_wavelength(targets: FloatArray, wavelength: float) -> float | None:
-    """Return the longer wavelength that a wave shows at these targets, mm or deg (inf for a
-    constant). None where the targets show the wave itself.
+    """Return the wavelength of the slower wave that has the same values at the targets, mm or deg.
+    inf: a constant; None: the targets show the wave itself.
 
     Targets a mean interval d apart show waves longer than 2 d as what they are. A shorter one folds
     where for some frequency g within 1 / (2 d) the mean of exp(2 pi i (1 / wavelength - g) x) over
@@ -203,8 +211,8 @@ def alias_wavelength(targets: FloatArray, wavelength: float) -> float | None:
 
 @functools.lru_cache(maxsize=64)
 def _alias_wavelength(places: bytes, wavelength: float) -> float | None:
-    """Return what `alias_wavelength` does, of targets (m,) as bytes: it is asked of the same ones
-    by every part of an estimate, and takes m² steps.
+    """Return the result of `alias_wavelength` from the cache. ``targets`` are bytes, because the
+    same targets are used many times and each computation takes m² steps.
     """
     targets = np.frombuffer(places)
     length = float(np.ptp(targets))
@@ -227,9 +235,8 @@ def _alias_wavelength(places: bytes, wavelength: float) -> float | None:
 
 
 def _window(frequencies: FloatArray, targets: FloatArray) -> FloatArray:
-    """Return how similar a wave is at all ``targets`` (m,), the spectral window (f,) at
-    ``frequencies`` (f,). It is 1 where the wave has the same value at all of them (Deeming
-    1975).
+    """Return how similar the values of a wave are at all ``targets`` (m,), for each of the
+    ``frequencies`` (f,). 1: the same value at every target (spectral window: Deeming 1975).
     """
     turns = np.outer(frequencies, targets - targets[0])
     sizes: FloatArray = np.abs(np.mean(np.exp(2j * np.pi * turns), axis=1))
@@ -237,8 +244,8 @@ def _window(frequencies: FloatArray, targets: FloatArray) -> FloatArray:
 
 
 def hidden_share(targets: FloatArray, period: float) -> float:
-    """Return how much of the first harmonic of ``period`` the targets cannot show: 0 nothing, 1 all
-    of it.
+    """Return the share of a wave of this ``period`` that the targets cannot show. 0: they show all
+    of it; 1: they show nothing.
 
     Offset and slope are taken from cosine and sine at the targets (orthogonal projection; Björck,
     Numerical Methods for Least Squares Problems, 1996, chapter 1); what is left of the worse phase,

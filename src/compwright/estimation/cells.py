@@ -1,5 +1,7 @@
-"""The readings of an axis before any model is fitted. Means and counts per target and direction
-(ISO 230-2:1997, 2.10), pooled spread (JCGM 100:2008, 4.2.4), straight line by least squares.
+"""The mean readings of an axis at each target and direction, before any model is fitted.
+
+Means and counts per target and direction (ISO 230-2:1997, 2.10), pooled spread (JCGM 100:2008,
+4.2.4), straight line by least squares.
 """
 
 from __future__ import annotations
@@ -41,8 +43,9 @@ _SEED: Final = 202  # by it the noise of one test is paired with that of another
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Cells:
-    """Targets (m,) with readings in any test, and first guesses of the spread. ``data``: the
-    readings minus ``offset + slope x + d reversal/2``.
+    """The targets (m,) of an axis with their mean readings, and first estimates of the scatter.
+
+    ``data``: the readings minus ``offset + slope x + d reversal/2``.
 
     ``spread`` and ``roughness`` are in units of ``data.scale``: noise of one reading as guessed,
     scatter about the straight line. ``noises``: by test, the noise of a fresh one like it, as much
@@ -70,9 +73,11 @@ class Cells:
     rough_reversal: float = 0.0
 
     def line_at(self, positions: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return what was taken out (k,) at ``positions`` for the two directions, mm or deg. That
-        is the line of the first test, jumps, and +- half the mean reversal mean(+) - mean(-) (ISO
-        230-2:1997, 2.14).
+        """Return the straight line, jumps and mean reversal that were subtracted before the fit.
+        (k,) at ``positions`` for both directions, mm or deg.
+
+        That is the line of the first test, jumps, and +- half the mean reversal mean(+) - mean(-)
+        (ISO 230-2:1997, 2.14).
         """
         line = self.offset + self.slope * (positions - self.targets[0])
         for jump in self.jumps:
@@ -80,7 +85,7 @@ class Cells:
         return line + 0.5 * self.reversal, line - 0.5 * self.reversal
 
     def target_index(self, positions: FloatArray) -> NDArray[np.intp]:
-        """Return for each position (k,) the index of the target that it is, -1 for none."""
+        """Return the index of the target at each position (k,), -1 where there is no target."""
         right = np.clip(np.searchsorted(self.targets, positions), 0, self.targets.size - 1)
         left = np.maximum(right - 1, 0)
         nearest = np.where(
@@ -93,14 +98,14 @@ class Cells:
 
 
 def _target_tolerance(positions: FloatArray) -> float:
-    """Return up to which distance two positions are one target, mm or deg."""
+    """Return the distance below which two positions count as the same target, mm or deg."""
     return 1e-9 * max(1.0, float(np.max(np.abs(positions), initial=0.0)))
 
 
 def build_cells(
     tests: Sequence[ObservedTest], *, turn: float | None = None, stepped: bool = True
 ) -> Cells:
-    """Return means, counts and spread of the tests of an axis. An endless axis has no slope,
+    """Return means, counts and scatter of the readings of an axis. An endless axis has no slope,
     because its error repeats with its ``turn`` (deg).
 
     Means as in ISO 230-2:1997, 2.10; the spread pools the squares about the means of all targets
@@ -142,13 +147,15 @@ def build_cells(
 
 
 def _fresh_noise(noise: NoisePosterior, order: NDArray[np.intp]) -> NoiseDraws:
-    """Return what fresh tests have of the noise, for its draws in ``order`` (n,)."""
+    """Return the noise of new tests, one value for each entry of ``order`` (n,), which is a list of
+    draws.
+    """
     each = noise.fresh.count // noise.draws.count
     return noise.fresh.taken((order[:, np.newaxis] * each + np.arange(each)).ravel())
 
 
 def _distinct(positions: FloatArray) -> FloatArray:
-    """Return the different positions (m,), ascending."""
+    """Return the positions (m,) without duplicates, ascending."""
     ordered = np.sort(positions)
     kept = np.diff(ordered, prepend=-np.inf) > _target_tolerance(ordered)
     distinct: FloatArray = ordered[kept]
@@ -157,8 +164,8 @@ def _distinct(positions: FloatArray) -> FloatArray:
 
 @dataclass(frozen=True, slots=True)
 class _CommonLine:
-    """Straight line of all tests: a datum each, one slope, one mean reversal; mm or deg; and the
-    ``jumps``.
+    """One straight line for all tests of an axis: a common slope and reversal error, and an offset
+    for each test. mm or deg.
     """
 
     offsets: FloatArray
@@ -184,7 +191,7 @@ def _refit_without_jumps(
     least: float,
     turn: float | None,
 ) -> _CommonLine:
-    """Return the line fitted again after the jumps between the means of the targets are taken out.
+    """Return the straight line fitted again without the jumps between neighbouring targets.
 
     ``least``: smallest noise that is assumed, mm or deg; ``turn``: of an endless axis, deg.
     """
@@ -255,7 +262,8 @@ def _reversals(part: ObservedCells) -> FloatArray:
 
 
 def _rough_reversal(part: ObservedCells) -> float:
-    """Return by how much the mean of a cell (variance, mm² or deg²) differs from a smooth reversal.
+    """Return how much the reversal error changes irregularly between targets, as a variance per
+    mean reading, mm² or deg².
 
     Differences from target to target that noise does not explain (median of the second differences;
     Gasser, Sroka and Jennen-Steinmetz, Biometrika 73, 1986) would make the smooth reversal of the
@@ -271,7 +279,7 @@ def _rough_reversal(part: ObservedCells) -> float:
 
 @dataclass(frozen=True, slots=True)
 class _Sizes:
-    """Sizes of the deviations from the line, mm or deg.
+    """The standard deviations of the readings about the straight line, by cause, mm or deg.
 
     ``roughness``: their rms; ``spread``: standard deviation of the readings, with its degrees of
     freedom; ``floor``: lower bound of both.
@@ -284,7 +292,8 @@ class _Sizes:
 
 
 def _sizes(parts: Sequence[ObservedCells], left: Sequence[FloatArray], least: float) -> _Sizes:
-    """Return the sizes of ``left``, the means of the targets minus the line.
+    """Return the standard deviations by cause. ``left``: the means of the targets minus the
+    straight line.
 
     ``least``: noise that every instrument has, mm or deg.
     """
@@ -308,7 +317,9 @@ def _stack_cells(
     noises: tuple[NoiseDraws | None, ...],
     other_noise: NoiseDraws | None,
 ) -> Cells:
-    """Return the cells of all tests in the order of their targets, in units of one scale."""
+    """Return the mean readings of all tests in one array, in the order of their targets and in
+    units of one scale.
+    """
     lines = [line.at(part, index, float(targets[0])) for index, part in enumerate(parts)]
     left = [part.means - taken for part, taken in zip(parts, lines, strict=True)]
     sizes = _sizes(parts, left, LEAST_NOISE[tests[0].test.kind])
@@ -371,7 +382,9 @@ def _stack_cells(
 
 
 def _blocks(columns: Sequence[FloatArray]) -> FloatArray:
-    """Return columns (n, c, q) of single tests side by side: what moves one leaves the others."""
+    """Return the columns (n, c, q) of several tests as one block matrix. A column of one test is
+    zero for all other tests.
+    """
     draws = columns[0].shape[0]
     together = np.zeros(
         (draws, sum(each.shape[1] for each in columns), sum(each.shape[2] for each in columns))
@@ -384,8 +397,8 @@ def _blocks(columns: Sequence[FloatArray]) -> FloatArray:
 
 
 def _neighbour_spread(parts: Sequence[ObservedCells], left: Sequence[FloatArray]) -> float:
-    """Return the scatter that second differences of neighbouring targets show. It is all that
-    single readings can show (Gasser, Sroka and Jennen-Steinmetz, Biometrika 73, 1986).
+    """Return the scatter estimated from second differences of neighbouring targets. Single readings
+    show no other scatter (Gasser, Sroka and Jennen-Steinmetz, Biometrika 73, 1986).
     """
     rows = [
         np.diff(row[part.signs == sign], 2)
@@ -412,8 +425,8 @@ def visible_periods(targets: FloatArray, periods: Sequence[float]) -> tuple[floa
 
 
 def visible_harmonics(targets: FloatArray, period: float) -> tuple[int, ...]:
-    """Return the harmonics of a visible period that these ``targets`` (m,), mm or deg, show as what
-    they are.
+    """Return the harmonics of a visible period that the ``targets`` (m,) do not confuse with a
+    longer wave, mm or deg.
     """
     return tuple(
         harmonic for harmonic in HARMONICS if alias_wavelength(targets, period / harmonic) is None
@@ -427,8 +440,8 @@ def estimate_findings(
     shown: Sequence[float],
     kind: AxisKind,
 ) -> tuple[Finding, ...]:
-    """Return what the user should know about the estimate; ``travel`` None: an endless axis, whose
-    error repeats.
+    """Return the findings about the estimate of an axis' error. ``travel`` None: an endless axis,
+    whose error repeats.
     """
     unit = kind.unit
     found: list[Finding] = []

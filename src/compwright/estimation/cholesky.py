@@ -1,5 +1,5 @@
-"""Cholesky factors of symmetric matrices with numpy alone. It has no triangular solver and computes
-a general inverse, although half of it is zero.
+"""Cholesky factors of symmetric matrices, computed with numpy alone. numpy has no solver for
+triangular matrices.
 """
 
 from __future__ import annotations
@@ -15,8 +15,9 @@ _SMALL: Final = 48
 
 
 def cholesky_factor(matrix: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return a symmetric ``matrix`` (n, n) and its lower Cholesky factor (n, n). Where rounding has
-    left it indefinite (readings without any scatter), a jitter as large as is
+    """Return a symmetric ``matrix`` (n, n) and its lower Cholesky factor (n, n).
+
+    Where rounding has left it indefinite (readings without any scatter), a jitter as large as is
     needed is added to its diagonal first (Rasmussen and Williams, Gaussian Processes for Machine
     Learning, 2006, section 3.4.3: numerical stability).
 
@@ -56,9 +57,11 @@ def factor_and_solve(
 
 
 def inverse_triangle(factor: FloatArray) -> FloatArray:
-    """Return the inverse (n, n) of a lower triangle ``factor`` (n, n): of its halves, and of what
-    couples them -inverse(second) coupling inverse(first) (Golub and Van Loan, Matrix Computations,
-    4th ed. 2013, section 3.1). Raises LinAlgError for a zero on the diagonal.
+    """Return the inverse (n, n) of a lower triangular matrix ``factor`` (n, n). Raises LinAlgError
+    for a zero on the diagonal.
+
+    The halves are inverted, and what couples them is -inverse(second) coupling inverse(first)
+    (Golub and Van Loan, Matrix Computations, 4th ed. 2013, section 3.1).
     """
     size = factor.shape[0]
     if size <= _SMALL:

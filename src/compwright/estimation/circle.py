@@ -1,5 +1,4 @@
-"""Why a circular test is not round: every cause from one fit over both directions, each with its
-standard error.
+"""Find the causes of the deviations of a circular test, each with its standard error.
 
 Squareness and scale do not depend on the direction, lost motion and lag change sign with it, and
 the harmonics of lost motion are those of squareness. The causes are separated by fitting all of
@@ -71,9 +70,10 @@ _NOISE_STEADY: Final = 0.25
 
 
 def diagnose(test: CircularTest, *, periods: Mapping[str, float] | None = None) -> Diagnosis:
-    """Return the causes of the deviations of a circular test (ISO 230-4:1996, annex B). With
-    standard errors, correlation, and findings on what is not separable. Runs with more than
-    `MOST_SAMPLES` samples are averaged over neighbours first.
+    """Return the causes of the deviations of a circular test (ISO 230-4:1996, annex B), with
+    standard errors. Findings name the causes that cannot be separated.
+
+    Runs with more than `MOST_SAMPLES` samples are averaged over neighbours first.
 
     ``periods``: pitch of a cyclic error, mm, by axis name; axes without one are searched. The same
     test gives the same answer. Raises InputError for a test too short or with too few samples;
@@ -108,9 +108,11 @@ def diagnose(test: CircularTest, *, periods: Mapping[str, float] | None = None) 
 
 
 def _fresh_runs(test: CircularTest, solution: Solution) -> tuple[FreshRun, ...]:
-    """Return what a fresh test shows, by run. Samples exactly at a reversal point have no model and
-    are put between their neighbours. The noise has the spectra of the residuals: normal ordinates,
-    and in both directions the sum and the difference of the halves.
+    """Return what a new circular test would show, for each run.
+
+    Samples exactly at a reversal point have no model and are put between their neighbours. The
+    noise has the spectra of the residuals: normal ordinates, and in both directions the sum and the
+    difference of the halves.
     """
     problem = solution.problem
     readings = problem.samples.deviations - problem.target + solution.draws.paths
@@ -152,7 +154,9 @@ def _fresh_runs(test: CircularTest, solution: Solution) -> tuple[FreshRun, ...]:
 def _fitted_runs(
     test: CircularTest, measured: CircleSamples, residual: FloatArray
 ) -> Iterator[FittedRun]:
-    """Yield the fit of each run; ``measured``: the samples at the angles of their commands."""
+    """Yield the fitted deviations of each run. ``measured``: the samples at the commanded
+    angles.
+    """
     for index, run in enumerate(test.runs):
         (mine,) = np.nonzero(measured.run == index)
         mine = mine[:: -(-mine.size // _MOST_FITTED)]
@@ -269,8 +273,8 @@ def _refuse_few(test: CircularTest, samples: CircleSamples) -> None:
 def _visible_periods(
     test: CircularTest, samples: CircleSamples, periods: Mapping[str, float]
 ) -> tuple[dict[str, float], list[Finding]]:
-    """Return the frequencies, 1/mm, by ``first`` and ``second``, of those given periods that the
-    test can show.
+    """Return the given frequencies of cyclic errors, 1/mm, that the test can show, for the
+    ``first`` and the ``second`` axis.
     """
     frequencies, findings = {}, []
     least, most = shortest_pitch(samples), longest_pitch(samples)
@@ -292,7 +296,9 @@ def _lag_finding(samples: CircleSamples, lag: Lag) -> Finding:
 
 @dataclass(frozen=True, slots=True)
 class _CircleStart:
-    """A problem with the likeliest shapes of its reversals and their fit."""
+    """The equations of a circular test with the most probable shapes of the reversal spikes, and
+    their solution.
+    """
 
     problem: CircleProblem
     shapes: SpikeShapes
@@ -300,7 +306,8 @@ class _CircleStart:
 
 
 def _start_fit(samples: CircleSamples, grid: AngleGrid) -> tuple[_CircleStart, Lag | None]:
-    """Return the start of the fit, and the common lag if it explains the samples better than none.
+    """Return the first fit of a circular test. It includes a common lag of both axes if a lag
+    explains the samples better.
 
     Lost motion that is taken up while an axis stands still looks like a lag next to the reversal
     points: the evidence of the whole model decides.
@@ -326,8 +333,8 @@ def _start_fit(samples: CircleSamples, grid: AngleGrid) -> tuple[_CircleStart, L
 
 
 def _solution(start: _CircleStart, given: dict[str, float]) -> Solution:
-    """Return the solution after everything was sought: noise, shapes of the reversals, cyclic
-    errors, vibration, and the noise again.
+    """Return the solution after all searches: noise, reversal spikes, cyclic errors and
+    vibration.
     """
     frequencies = dict(given)
     problem, shapes, fitted = start.problem, start.shapes, start.fitted
@@ -362,8 +369,9 @@ def _solution(start: _CircleStart, given: dict[str, float]) -> Solution:
 def _fit_with_noise(
     problem: CircleProblem, shapes: SpikeShapes, spectra: tuple[ResidualSpectrum, ...]
 ) -> CircleFit:
-    """Return the fit after its weights agree with the noise that it leaves (iterated two-stage
-    least squares; Seber and Wild, Nonlinear Regression, 1989, chapter 6).
+    """Return the fit whose weights agree with the noise of its residuals.
+
+    Iterated two-stage least squares (Seber and Wild, Nonlinear Regression, 1989, chapter 6).
     """
     shapes.adopt(problem)
     for _ in range(_NOISE_ROUNDS):
@@ -389,9 +397,10 @@ def _fit_cyclic(
     *,
     known: bool = False,
 ) -> tuple[CircleProblem, float]:
-    """Return the problem with a cyclic error of an axis, and its ``frequency``, 1/mm, fitted unless
-    it is ``known``, together with how late the axis is (Gauss-Newton: Seber and Wild 1989,
-    chapter 2).
+    """Return the problem with a cyclic error of an axis added. Its ``frequency``, 1/mm, is fitted
+    unless it is ``known``.
+
+    It is fitted together with the delay of the axis (Gauss-Newton: Seber and Wild 1989, chapter 2).
     """
     samples, amplitudes, late = problem.samples, (0.0, 0.0), 0.0
     without = f"_frequency_{axis}" if known else ""
@@ -415,7 +424,9 @@ def _fit_cyclic(
 def _add_vibration(
     problem: CircleProblem, shapes: SpikeShapes, fitted: CircleFit
 ) -> tuple[CircleProblem, CircleFit, Vibration]:
-    """Return problem and fit with the clearest vibration, if one was found."""
+    """Return the equations and their solution with the strongest vibration added, if one was
+    found.
+    """
     rest = problem.target - fitted_path(problem, fitted.active, fitted.values)
     found = search_vibration(problem, rest)
     if found.frequency is not None:

@@ -1,5 +1,4 @@
-"""The centre of a circular test, geometrically: where the bar's ball stood, not just the first
-harmonic of the trace.
+"""The position of the ball at the centre of a circular test, from the geometry of the path.
 
 The angle of a circular test is the commanded one, so that with the ball off the centre of the path
 the distance is r(θ) = |(R + m) u(θ) + c| with u = (cosθ, sinθ): c is the centre of the path seen
@@ -24,9 +23,10 @@ ROUNDS: Final = 3
 def recentre(
     theta: FloatArray, deviations: FloatArray, radius: float
 ) -> tuple[float, float, float]:
-    """Return (c_x, c_y, m), mm: centre of the path from the ball and the mean deviation of the
-    radius, by least squares (Gauss-Newton: Nocedal and Wright, Numerical Optimization, 2nd ed.
-    2006, section 10.3).
+    """Return (c_x, c_y, m), mm: the centre of the path and the mean deviation of its radius.
+
+    By least squares (Gauss-Newton: Nocedal and Wright, Numerical Optimization, 2nd ed. 2006,
+    section 10.3).
 
     ``theta`` (n,) rad, commanded; ``deviations`` (n,) mm, measured distance minus ``radius`` mm. On
     an arc without curvature enough to tell the three apart the smallest of the equally good answers
@@ -47,8 +47,10 @@ def recentre(
 
 
 def second_order(theta: FloatArray, centre: tuple[float, float], radius: float) -> FloatArray:
-    """Return what a centre adds to the distance beyond its first harmonic, mm (n,): |R u + c| - R -
-    c.u, by the cosine rule exactly; ``theta`` (n,) rad, ``centre`` and ``radius`` mm.
+    """Return the second-order effect of an offset centre on the measured distance, mm (n,).
+
+    |R u + c| - R - c.u, by the cosine rule exactly; ``theta`` (n,) rad, ``centre`` and ``radius``
+    mm.
     """
     cos, sin = np.cos(theta), np.sin(theta)
     x, y = centre

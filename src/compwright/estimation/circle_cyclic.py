@@ -1,4 +1,4 @@
-"""Search for a cyclic error of unknown pitch in what a fit of a circular test has left over.
+"""Search for a cyclic error of unknown pitch in the residuals of a fitted circular test.
 
 A cyclic error of an axis (ISO 230-4:1996, B.2.3) repeats with its position x = R cosθ, not with the
 angle: its frequency along the trace changes, so that it is sought as a chirp. All frequencies at
@@ -34,8 +34,8 @@ _OVERSAMPLING: Final = 8.0  # search steps within one period over the radius
 
 @dataclass(frozen=True, slots=True)
 class CyclicSearch:
-    """The result of the search for cyclic errors. The frequency, 1/mm, of the clearest one of
-    each axis, and the amplitude (µm) that may have been missed, by axis.
+    """The result of the search for cyclic errors, by axis. The frequency, 1/mm, of the strongest
+    error, and the amplitude (µm) of errors that may be undetected.
     """
 
     found: Mapping[str, float]
@@ -43,8 +43,8 @@ class CyclicSearch:
 
 
 def search_cyclic(problem: CircleProblem, fitted: CircleFit, axes: Sequence[str]) -> CyclicSearch:
-    """Return the clearest cyclic error of ``axes`` if the residuals of ``fitted`` show it beyond
-    doubt.
+    """Return the strongest cyclic error of the two ``axes``, if the residuals of ``fitted`` show
+    one clearly.
 
     One at a time, because a strong one of one axis has side lobes among the frequencies of the
     other. The threshold is the gain in weighted squares, a chi-square of two degrees of freedom,
@@ -73,8 +73,10 @@ def search_cyclic(problem: CircleProblem, fitted: CircleFit, axes: Sequence[str]
 
 
 def shortest_pitch(samples: CircleSamples) -> float:
-    """Return the shortest pitch, mm, that the samples of a run can show: `_STEEPEST` half turns of
-    phase per sample where the axis moves along the path (1 would be Nyquist's limit).
+    """Return the shortest pitch, mm, of a cyclic error that the samples of a run can show.
+
+    `_STEEPEST` half turns of phase per sample where the axis moves along the path (1 would be
+    Nyquist's limit).
     """
     per_run = samples.theta.size / max(np.unique(samples.run).size, 1)
     return float(2.0 * samples.radius * samples.arc[1] / per_run / _STEEPEST)
@@ -88,8 +90,8 @@ def longest_pitch(samples: CircleSamples) -> float:
 def _screen(
     problem: CircleProblem, fitted: CircleFit, axis: str
 ) -> tuple[FloatArray, FloatArray, float]:
-    """Return frequencies (f,), about how much each would lower the weighted squares, and the least
-    weight of one, 1/µm².
+    """Return candidate frequencies (f,) with their approximate gains in the fit, and the smallest
+    weight of a frequency, 1/µm².
     """
     samples, grid = problem.samples, problem.grid
     shared = fitted.rest[0] / fitted.spectra[0].density
@@ -138,8 +140,10 @@ def _peaks(gains: FloatArray) -> FloatArray:
 
 
 def _gain(problem: CircleProblem, fitted: CircleFit, axis: str, frequency: float) -> float:
-    """Return how much a cyclic error of this frequency, 1/mm, lowers the weighted sum of squares: a
-    column added to a least-squares fit (Seber and Lee, Linear Regression Analysis, 2nd ed. 2003,
+    """Return the reduction of the weighted sum of squares by a cyclic error of this frequency,
+    1/mm.
+
+    A column added to a least-squares fit (Seber and Lee, Linear Regression Analysis, 2nd ed. 2003,
     section 3.7).
     """
     right, left = _weighed(problem, fitted, axis, frequency)
@@ -149,8 +153,8 @@ def _gain(problem: CircleProblem, fitted: CircleFit, axis: str, frequency: float
 def _weighed(
     problem: CircleProblem, fitted: CircleFit, axis: str, frequency: float
 ) -> tuple[FloatArray, FloatArray]:
-    """Return right side (2,) and normal matrix (2, 2), 1/µm², of cosine and sine with all other
-    columns refitted.
+    """Return the normal equations for the cosine and sine of a cyclic error, with all other causes
+    fitted again. Right side (2,) and matrix (2, 2), 1/µm².
     """
     samples = problem.samples
     columns = cyclic_columns(samples, axis, frequency, (0.0, 0.0))[:2]

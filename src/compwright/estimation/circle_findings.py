@@ -1,4 +1,6 @@
-"""Findings of the diagnosis of a circular test: what it cannot tell apart, and what was found."""
+"""Findings about the causes of a circular test: detected causes, and causes that cannot be
+separated.
+"""
 
 from __future__ import annotations
 
@@ -28,7 +30,9 @@ def diagnosis_findings(
     effects: Mapping[str, CircularEffect],
     correlation: FloatArray,
 ) -> tuple[Finding, ...]:
-    """Return the findings about effects and their ``correlation`` (in the order of the effects)."""
+    """Return the findings about the ``effects`` of the causes. ``correlation`` has the order of the
+    effects.
+    """
     return (
         *_separation(test, solution, effects, correlation),
         *_scale_findings(test, solution, effects),

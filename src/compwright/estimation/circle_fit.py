@@ -1,6 +1,7 @@
-"""The linear model of a circular test: every cause as a column seen by the bar, weighted by the
-spectrum of the residuals, with a normal prior for each cause (Tarantola, Inverse Problem Theory,
-2005, chapter 3).
+"""The linear model of a circular test, in which each cause is one column.
+
+Each column is weighted by the spectrum of the residuals, with a normal prior for each cause
+(Tarantola, Inverse Problem Theory, 2005, chapter 3).
 
 The distance is exact at the centre and the causes of a first least-squares fit; what a second one
 would change is below a nanometre.
@@ -68,7 +69,7 @@ class Reversal:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CircleProblem:
-    """Columns and readings of one test, transformed and split into halves (`circle_noise`).
+    """The equations of one circular test, transformed and split into two halves (`circle_noise`).
 
     ``slopes`` (n, p) mm per unit by sample of the ``names`` (p,) that are always in the model;
     ``widths`` (k,): priors of all columns, the spikes of the ``reversals`` after the first p.
@@ -90,12 +91,12 @@ class CircleProblem:
     spikes: FloatArray
 
     def seen(self, columns: Sequence[CauseColumn]) -> FloatArray:
-        """Return columns as the bar sees them, mm per unit (n, columns)."""
+        """Return the change of the bar's length by one unit of each cause, mm (n, columns)."""
         return np.column_stack([c.x * self.towards_x + c.y * self.towards_y for c in columns])
 
     def with_columns(self, columns: Sequence[CauseColumn]) -> CircleProblem:
-        """Return the problem with more columns that are always in the model, or with new ones in
-        the place of those of the same name.
+        """Return the equations with further columns that are always in the model. A new column
+        replaces one of the same name.
         """
         fresh = self.seen(columns)
         replaced = {c.name for c in columns}
@@ -120,7 +121,7 @@ class CircleProblem:
 
 
 def circle_problem(samples: CircleSamples, grid: AngleGrid) -> CircleProblem:
-    """Return the problem of these samples without cyclic errors and vibration."""
+    """Return the equations for these samples, without cyclic errors and vibration."""
     fixed = list(fixed_columns(samples))
     towards, target, known = _linear(samples, fixed)
     if samples.lag_std > 0.0:
@@ -160,8 +161,8 @@ def circle_problem(samples: CircleSamples, grid: AngleGrid) -> CircleProblem:
 def _linear(
     samples: CircleSamples, fixed: Sequence[CauseColumn]
 ) -> tuple[tuple[FloatArray, FloatArray], FloatArray, dict[str, float]]:
-    """Return the direction of the bar, the readings made linear about a first fit of the columns
-    (n,) mm, and the values of that fit.
+    """Return the linear equations of the readings about a first fit. Direction of the bar, readings
+    (n,) mm, and values of that fit.
     """
     x, y = (np.column_stack([getattr(c, side) for c in fixed]) for side in ("x", "y"))
     cos, sin = np.cos(samples.theta), np.sin(samples.theta)
@@ -236,13 +237,14 @@ def _take_ups(radius: float, spacing: float) -> list[TakeUp]:
 
 
 def sample_spacing(samples: CircleSamples) -> float:
-    """Return the arc from one sample of a run to the next, mm."""
+    """Return the length of arc between neighbouring samples of a run, mm."""
     runs = np.unique(samples.run).size
     return float(samples.radius * samples.arc[1] * runs / samples.theta.size)
 
 
 class WeightedProblem:
-    """The problem weighted by spectra: its normal equations, mm and the columns' units.
+    """The normal equations of a circular test weighted by the spectra of the noise; mm and the
+    columns' units.
 
     ``gram`` (k, k) without priors, ``right`` (k,).
     """
@@ -266,8 +268,8 @@ class WeightedProblem:
         self.gram[np.ix_(chosen, chosen)] = block
 
     def without(self, always: IndexArray) -> MarginalEquations:
-        """Return the normal equations with the columns ``always`` integrated under their priors
-        (Schur complement).
+        """Return the normal equations without the columns ``always``, which are integrated under
+        their priors (Schur complement).
         """
         prior = self.problem.widths[always] ** -2.0
         normal = self.gram[np.ix_(always, always)] + np.diag(prior)
@@ -278,8 +280,8 @@ class WeightedProblem:
         )
 
     def posterior(self, active: IndexArray, precision: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return mean (a,) and covariance (a, a) of the ``active`` columns, the others being 0.
-        ``precision`` (k,): of the priors of all columns.
+        """Return mean (a,) and covariance (a, a) of the sizes of the ``active`` causes; all others
+        are 0. ``precision`` (k,): of the priors of all columns.
         """
         normal = self.gram[np.ix_(active, active)] + np.diag(precision[active])
         covariance = scaled_inverse(normal)
@@ -296,9 +298,12 @@ class MarginalEquations:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CircleFit:
-    """The solution for one choice of shapes: ``values`` (k,) of the ``active`` columns with
-    ``covariance`` (k, k), and what is left: ``rows`` (size, k) and ``rest`` (size,) by half, mm,
-    with the ``spectra`` of the weights. ``information`` (k,): what each column weighs on its own.
+    """The solution of a circular test for one choice of spike shapes: values, covariance,
+    residuals.
+
+    ``values`` (k,) of the ``active`` columns with ``covariance`` (k, k), and what is left: ``rows``
+    (size, k) and ``rest`` (size,) by half, mm, with the ``spectra`` of the weights. ``information``
+    (k,): what each column weighs on its own.
     """
 
     active: IndexArray
@@ -311,7 +316,9 @@ class CircleFit:
 
 
 def fit_causes(weighted: WeightedProblem, active: IndexArray, precision: FloatArray) -> CircleFit:
-    """Return the fit of the ``active`` columns; ``precision`` (k,) of the priors of all."""
+    """Return the least-squares solution for the ``active`` columns. ``precision`` (k,): of the
+    priors of all columns.
+    """
     values, covariance = weighted.posterior(active, precision)
     problem = weighted.problem
     rows = tuple(half[:, active] for half in problem.rows)
@@ -327,9 +334,11 @@ def fit_causes(weighted: WeightedProblem, active: IndexArray, precision: FloatAr
 
 
 def fit_evidence(found: CircleFit, precision: FloatArray) -> float:
-    """Return the logarithm of the probability of the readings with the values of a fit integrated
-    under their priors of ``precision`` (k,), and its noise as it is (Whittle 1953; MacKay, Neural
-    Computation 4, 1992).
+    """Return the log probability of the readings under a fit, averaged over the possible sizes of
+    the causes.
+
+    The values are integrated under their priors of ``precision`` (k,), the noise is as it is
+    (Whittle 1953; MacKay, Neural Computation 4, 1992).
     """
     prior = precision[found.active]
     unit = np.sqrt(prior)
@@ -342,15 +351,17 @@ def fit_evidence(found: CircleFit, precision: FloatArray) -> float:
 
 
 def white_spectra(problem: CircleProblem) -> tuple[ResidualSpectrum, ...]:
-    """Return spectra of samples that are independent and alike (1 µm each), to begin with."""
+    """Return start spectra: the noise of all samples is independent and equal (1 µm each)."""
     return tuple(
         ResidualSpectrum(np.full(problem.grid.size, 1e-6), 1.0) for _ in problem.grid.index
     )
 
 
 def residual_spectra(found: CircleFit) -> tuple[ResidualSpectrum, ...]:
-    """Return the spectra of the residuals of a fit; the leverage of an ordinate is its diagonal of
-    the hat matrix (Belsley, Kuh and Welsch, Regression Diagnostics, 1980, chapter 2).
+    """Return the noise spectra from the residuals of a fit.
+
+    The leverage of an ordinate is its diagonal of the hat matrix (Belsley, Kuh and Welsch,
+    Regression Diagnostics, 1980, chapter 2).
     """
     spectra = []
     for rows, rest, spectrum in zip(found.rows, found.rest, found.spectra, strict=True):
@@ -360,8 +371,8 @@ def residual_spectra(found: CircleFit) -> tuple[ResidualSpectrum, ...]:
 
 
 def fitted_path(problem: CircleProblem, active: IndexArray, values: FloatArray) -> FloatArray:
-    """Return the readings, made linear, that ``values`` (a,) of the ``active`` columns give, mm
-    (n,).
+    """Return the deviations of the samples by the sizes ``values`` (a,) of the ``active`` causes,
+    mm (n,).
     """
     every = np.zeros(problem.widths.size)
     every[active] = values
@@ -375,8 +386,9 @@ def fitted_path(problem: CircleProblem, active: IndexArray, values: FloatArray) 
 
 
 def scaled_inverse(normal: FloatArray) -> FloatArray:
-    """Return the inverse of a normal matrix (k, k), scaled to a unit diagonal on the way, which is
-    nearly the best scaling (van der Sluis, Numerische Mathematik 14, 1969).
+    """Return the inverse of a normal matrix (k, k), scaled to a unit diagonal for accuracy.
+
+    Nearly the best scaling (van der Sluis, Numerische Mathematik 14, 1969).
     """
     unit = 1.0 / np.sqrt(np.diag(normal))
     scale = np.outer(unit, unit)

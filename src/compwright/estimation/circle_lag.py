@@ -1,5 +1,5 @@
-"""The lag with which both axes reverse. It is found from the angles at which lost motion and spikes
-really begin.
+"""The delay with which both axes reverse, found from the angles at which lost motion and spikes
+begin.
 
 The angles of a test are commanded ones, and axes that follow their commands T late reverse at v T /
 R after the commanded reversal point: 0.8° at 2 000 mm/min on R = 150 mm with a loop of Kv = 16.7/s.
@@ -35,8 +35,8 @@ _FLOOR: Final = 2e-5
 
 @dataclass(frozen=True, slots=True)
 class Lag:
-    """The common lag of both axes. ``angle``: how late both directions reverse, rad; ``doubt``:
-    its standard uncertainty, rad, of a uniform range of equally good values.
+    """The common delay of both axes at their reversals. ``angle``: the delay, rad; ``doubt``: its
+    standard uncertainty, rad.
     """
 
     angle: float
@@ -44,8 +44,8 @@ class Lag:
 
 
 def common_lag(samples: CircleSamples) -> Lag | None:
-    """Return the common lag, rad, if the samples next to the reversal points show one clearly, else
-    None.
+    """Return the common delay of both axes, rad, if the samples near the reversal points show one
+    clearly, else None.
 
     Angles whose weighted squares differ by less than 9 (three standard errors) count as equal
     (Seber and Wild 1989, chapter 9).
@@ -80,7 +80,7 @@ def at_actual_angles(samples: CircleSamples, lag: Lag) -> CircleSamples:
 
 
 def with_undetected_lag(samples: CircleSamples) -> CircleSamples:
-    """Return the samples with the latest possible reversal of the axes although no lag was found.
+    """Return the samples with the largest delay of the axes that the search could have missed.
 
     That is the largest angle that explains the samples next to the reversal points as well as none,
     and at least half the distance of two samples, within which a step looks the same.
@@ -97,9 +97,8 @@ def with_undetected_lag(samples: CircleSamples) -> CircleSamples:
 
 
 def _profile(samples: CircleSamples) -> tuple[float, FloatArray, FloatArray, int]:
-    """Return what is needed to compare lags. The angle between two samples, the windows at the
-    reversal points, the possible angles of the reversals, rad (a,), and the index of zero among
-    them.
+    """Return the inputs for comparing delays: step between samples, windows at the reversal points,
+    possible angles (a,) in rad. Also the index of the angle zero.
     """
     per_run = samples.theta.size / np.unique(samples.run).size
     spacing = samples.arc[1] / per_run
@@ -110,8 +109,8 @@ def _profile(samples: CircleSamples) -> tuple[float, FloatArray, FloatArray, int
 
 
 def _windows(samples: CircleSamples, half: int) -> FloatArray:
-    """Return the samples around each reversal point of each run, (w, 2, 2 half). Angle since
-    the reversal point, rad, and deviation, mm, on both sides.
+    """Return the samples near each reversal point of each run, (w, 2, 2 half): angle from the
+    reversal point, rad, and deviation, mm.
     """
     found = []
     for number in np.unique(samples.run):
@@ -130,8 +129,8 @@ def _windows(samples: CircleSamples, half: int) -> FloatArray:
 
 
 def _squares(windows: FloatArray, angles: FloatArray) -> tuple[FloatArray, float]:
-    """Return the residual sum of squares (a,) over all windows, with the reversal placed at each of
-    ``angles`` (a,), and the degrees of freedom.
+    """Return the residual sum of squares (a,) for each assumed angle of the reversal, and its
+    degrees of freedom.
 
     In each window: a parabola, and from the reversal on a step, a bend and two decays.
     """

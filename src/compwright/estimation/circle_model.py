@@ -1,4 +1,4 @@
-"""What each cause moves, as displacements of the tool over a commanded circle.
+"""How each cause of a circular test moves the tool along the commanded circle.
 
 Displacements, not radial deviations, because the bar measures |R u(θ) + displacement - ball|: with
 the ball 0.5 mm off the centre a displacement across the radius counts too. Each column is the
@@ -78,10 +78,13 @@ _AT_REVERSAL: Final = 1e-6
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CircleSamples:
-    """All samples of a test. ``theta`` (n,) rad, commanded; ``sense`` (n,) +1 ccw, -1 cw;
-    ``deviations`` (n,) mm; ``run`` (n,) index of the traverse. ``radius`` mm, ``speed`` mm/s,
-    ``arc`` start and extent in rad. ``lag`` rad: common lag already taken off ``theta``, 0 where
-    none was found; ``lag_std`` how far it may be wrong."""
+    """All samples of a circular test, in mm and rad.
+
+    ``theta`` (n,) rad, commanded; ``sense`` (n,) +1 ccw, -1 cw; ``deviations`` (n,) mm; ``run``
+    (n,) index of the traverse. ``radius`` mm, ``speed`` mm/s, ``arc`` start and extent in rad.
+    ``lag`` rad: common lag already taken off ``theta``, 0 where none was found; ``lag_std`` how far
+    it may be wrong.
+    """
 
     theta: FloatArray
     sense: FloatArray
@@ -99,7 +102,7 @@ class CircleSamples:
         return bool(np.any(self.sense > 0) and np.any(self.sense < 0))
 
     def reversals(self, axis: str) -> tuple[bool, bool]:
-        """Return whether the arc holds the reversal points of an axis at its positive and its
+        """Return whether the arc contains the reversal points of an axis at its positive and its
         negative end.
         """
         at = (0.0, np.pi) if axis == "first" else (0.5 * np.pi, 1.5 * np.pi)
@@ -114,8 +117,8 @@ class CircleSamples:
 
 @dataclass(frozen=True, slots=True)
 class CauseColumn:
-    """One cause: displacement ``x``, ``y`` (n,) in mm per unit, and the ``width`` beyond which no
-    machine is expected.
+    """One cause of deviations: displacement ``x``, ``y`` (n,) of the tool in mm per unit.
+    ``width``: the largest size expected of a machine.
     """
 
     name: str
@@ -158,8 +161,10 @@ def since_reversal(samples: CircleSamples, axis: str) -> FloatArray:
 
 
 def fixed_columns(samples: CircleSamples) -> tuple[CauseColumn, ...]:
-    """Return every column without a free shape, each with the standard deviation of its prior
-    in its own unit. They are the causes, and auxiliary unknowns (names starting with ``_``).
+    """Return a column for every cause that has no free shape, each with the standard deviation of
+    its prior.
+
+    Auxiliary unknowns have names starting with ``_``.
     """
     return tuple(
         CauseColumn(name, x, y, prior_width(name, samples.radius))
@@ -177,7 +182,7 @@ _Named = tuple[str, FloatArray, FloatArray]
 
 
 def prior_width(name: str, radius: float) -> float:
-    """Return the standard deviation of the prior of a cause, in its unit: what machine tools have
+    """Return the standard deviation of the size of a cause on typical machine tools, in its unit
     (`PRIORS`). Scale mismatch: 100 um/m over the diameter of 2 ``radius`` (mm).
     """
     if name == "scale_mismatch":
@@ -203,7 +208,7 @@ def _set_up(samples: CircleSamples) -> Iterator[_Named]:
 
 
 def travelled_share(samples: CircleSamples) -> FloatArray:
-    """Return the share of its run that lies behind each sample, less a half (n,): -0.5 to 0.5."""
+    """Return the completed share of the run at each sample, minus a half (n,): -0.5 to 0.5."""
     share = np.empty_like(samples.theta)
     for number in np.unique(samples.run):
         mine = samples.run == number
@@ -228,7 +233,8 @@ def _odd(samples: CircleSamples) -> Iterator[_Named]:
 
 
 def _lost_motion(samples: CircleSamples, axis: str) -> Iterator[_Named]:
-    """Yield one column per reversal point where the arc has both, else one column.
+    """Yield a column for the lost motion at each reversal point. If the arc has only one of them,
+    there is one column.
 
     Each end's value holds over its half of the travel, so that the deviation stays continuous where
     the axis is fastest. A nuisance allows for a change in proportion to the position instead.
@@ -250,8 +256,8 @@ def _lost_motion(samples: CircleSamples, axis: str) -> Iterator[_Named]:
 
 
 def _lateral_play(samples: CircleSamples, axis: str) -> Iterator[_Named]:
-    """Yield the mean play and, where both reversal points are seen, how it changes along the axis
-    (a nuisance).
+    """Yield columns for the mean lateral play and, with both reversal points, for its change along
+    the axis.
     """
     cos, sin, zero = np.cos(samples.theta), np.sin(samples.theta), np.zeros_like(samples.theta)
     if axis == "first":
@@ -266,16 +272,17 @@ def _lateral_play(samples: CircleSamples, axis: str) -> Iterator[_Named]:
 
 @dataclass(frozen=True, slots=True)
 class SpikeShape:
-    """A deviation after a reversal that decays over ``length`` mm of arc. It decays at once,
-    exp(-s), or is ``rising`` to a peak at that length, s exp(1 - s), with s = arc / length. Its
-    peak is 1.
+    """A deviation after a reversal that decays over ``length`` mm of arc. It decays at once or is
+    ``rising`` to a peak of 1 at that length.
+
+    exp(-s), or s exp(1 - s), with s = arc / length.
     """
 
     length: float
     rising: bool
 
     def __call__(self, arc: FloatArray) -> FloatArray:
-        """Return the deviation after ``arc`` mm (n,)."""
+        """Return the deviation of the spike after ``arc`` mm (n,) from the reversal."""
         share = arc / self.length
         shape: FloatArray = share * np.exp(1.0 - share) if self.rising else np.exp(-share)
         return shape
@@ -283,14 +290,18 @@ class SpikeShape:
 
 @dataclass(frozen=True, slots=True)
 class TakeUp:
-    """Lost motion while the axis takes it up after a reversal, over ``length`` mm of arc. The
-    axis stands still until the command has passed it, travelled = arc² / 2R. 1 at the reversal.
+    """Lost motion that the axis takes up gradually after a reversal, over ``length`` mm of arc. Its
+    value is 1 at the reversal.
+
+    The axis stands still until the command has passed it, travelled = arc² / 2R.
     """
 
     length: float
 
     def __call__(self, arc: FloatArray) -> FloatArray:
-        """Return the share not yet taken up after ``arc`` mm (n,)."""
+        """Return the share of the lost motion that remains after ``arc`` mm (n,) from the
+        reversal.
+        """
         left: FloatArray = np.maximum(1.0 - (arc / self.length) ** 2, 0.0)
         return left
 
@@ -298,8 +309,8 @@ class TakeUp:
 def spike_column(
     samples: CircleSamples, axis: str, end: str, shape: SpikeShape | TakeUp
 ) -> CauseColumn:
-    """Return 1 um outward after the reversals of an axis at one ``end``, in both directions (ISO
-    230-4:1996, B.3.1).
+    """Return the column of an outward spike of 1 um after the reversals of an axis at one ``end``,
+    in both directions (ISO 230-4:1996, B.3.1).
     """
     arc = since_reversal(samples, axis)
     zero = np.zeros_like(arc)
@@ -312,12 +323,13 @@ def spike_column(
 
 
 def lag_column(samples: CircleSamples, known: Mapping[str, float]) -> CauseColumn:
-    """Return the effect of an error of the lag by its standard uncertainty ``lag_std``, mm. It
-    is the slope of the ``known`` smooth causes, against the motion (the derivatives by θ of the
+    """Return the effect of the uncertainty ``lag_std`` of the common delay on the deviations, mm.
+
+    It is the slope of the ``known`` smooth causes, against the motion (the derivatives by θ of the
     module's table; ISO 230-4:1996, annex B), without the effect on the centre. A sagging axis
-    counts by its third harmonic: k cos²θ sinθ = k/4 (sinθ + sin3θ), and the first belongs to
-    the centre. A servo mismatch, at a high feed the largest, turns into scale mismatch: 4 v τ
-    for each radian.
+    counts by its third harmonic: k cos²θ sinθ = k/4 (sinθ + sin3θ), and the first belongs to the
+    centre. A servo mismatch, at a high feed the largest, turns into scale mismatch: 4 v τ for each
+    radian.
     """
     double, triple = 2.0 * samples.theta, 3.0 * samples.theta
     slope = (
@@ -340,8 +352,10 @@ def cyclic_columns(
     amplitudes: tuple[float, float],
     late: float = 0.0,
 ) -> tuple[CauseColumn, ...]:
-    """Return cosine and sine of a cyclic error (ISO 230-4:1996, B.2.3) of ``frequency`` 1/mm along
-    an axis, and what changes it at ``amplitudes`` (a, b) µm: a cos(2πfx) - b sin(2πfx).
+    """Return the cosine and sine columns of a cyclic error of ``frequency`` 1/mm along an axis (ISO
+    230-4:1996, B.2.3). Also the column for a small change of its frequency.
+
+    At ``amplitudes`` (a, b) µm: a cos(2πfx) - b sin(2πfx).
 
     The changes: frequency, per 1/mm; the axis ``late`` by so many mm where it moves along the path,
     per mm; and the share that an instrument of limited bandwidth loses there. A first-order filter

@@ -1,5 +1,5 @@
-"""What the residuals of a circular test allow the causes to wander: their spectrum, and samples
-made independent by it.
+"""The noise spectrum of a circular test, from the residuals of the fit. It makes the samples
+statistically independent.
 
 Neighbouring samples are correlated, and what the model leaves out comes back in every run at the
 same angle: there are neither n independent samples nor two independent runs. The samples are
@@ -43,7 +43,7 @@ _POOLED: Final = 36
 
 @dataclass(frozen=True, slots=True)
 class AngleGrid:
-    """The samples of each direction at the same ``size`` angles: indices (runs, size) per
+    """The samples of both directions at the same ``size`` angles: indices (runs, size) per
     direction.
     """
 
@@ -53,8 +53,8 @@ class AngleGrid:
 
 @dataclass(frozen=True, slots=True)
 class ResidualSpectrum:
-    """Variance density (size,) of one half of the samples, mm², over the orders of the cosine
-    transform.
+    """The noise variance (size,) for each order of the cosine transform, mm². It belongs to one
+    half of the samples.
 
     ``length``: correlation length in samples: density at order zero over the mean density.
     """
@@ -87,7 +87,7 @@ def angle_grid(samples: CircleSamples) -> AngleGrid:
 
 
 def _nearest(angles: FloatArray, where: FloatArray, run: IndexArray) -> IndexArray:
-    """Return for each angle ``where`` the sample of the run that is nearest to it."""
+    """Return the index of the sample nearest to each angle ``where``."""
     order = np.argsort(angles, kind="stable")
     ordered = angles[order]
     right = np.clip(np.searchsorted(ordered, where), 1, ordered.size - 1)
@@ -97,8 +97,7 @@ def _nearest(angles: FloatArray, where: FloatArray, run: IndexArray) -> IndexArr
 
 
 def sum_and_difference(grid: AngleGrid, values: FloatArray) -> tuple[FloatArray, ...]:
-    """Return the cosine transforms (size, ...) of what both directions share and of what changes
-    sign between them.
+    """Return the cosine transforms (size, ...) of the sum and of the difference of both directions.
 
     ``values`` (n, ...) by sample: residuals or rows of the model. Runs of one direction are
     averaged and count by their number; one direction alone gives one half.
@@ -150,8 +149,10 @@ def inverse_cosine_transform(transformed: FloatArray) -> FloatArray:
 
 
 def estimate_spectrum(residual: FloatArray, leverage: FloatArray) -> ResidualSpectrum:
-    """Return the spectrum of one half from its transformed residuals (size,), mm. It averages
-    the spectra of all lengths and ratios tried, weighted by their likelihood (Whittle 1953).
+    """Return the noise spectrum from the transformed residuals (size,), mm.
+
+    It averages the spectra of all lengths and ratios tried, weighted by their likelihood (Whittle
+    1953).
 
     ``leverage`` (size,): share of each ordinate that the fit has used up; the rest is what it
     carries of a degree of freedom.
@@ -179,8 +180,8 @@ def estimate_spectrum(residual: FloatArray, leverage: FloatArray) -> ResidualSpe
 
 @cache
 def _mixtures(lengths: int) -> tuple[FloatArray, FloatArray]:
-    """Return the ratios (m, 2 l) of the noises of `_correlated`, at ``lengths`` (l), to the white
-    one in each mixture tried, and the logarithms (m,) of their prior probabilities.
+    """Return the noise mixtures to try: ratios (m, 2 l) of correlated to white noise. Also the
+    logarithms (m,) of their prior probabilities.
 
     Two noises: a part of the path that no cause explains has a spectrum of its own, and one noise
     fitted to both would be too weak at the low orders, which the causes leave hardly any residual.
@@ -199,9 +200,10 @@ def _mixtures(lengths: int) -> tuple[FloatArray, FloatArray]:
 
 
 def _correlated(frequency: FloatArray, lengths: FloatArray) -> FloatArray:
-    """Return densities (2 l, f), 1 at zero, of autoregressive noise of first order, proportional to
-    1 / (1 - 2 ρ cos w + ρ²) (Box and Jenkins, Time Series Analysis, 1970, chapter 3), and of the
-    same passed through once more.
+    """Return the spectral densities (2 l, f) of correlated noise, 1 at zero frequency.
+
+    Autoregressive noise of first order, proportional to 1 / (1 - 2 ρ cos w + ρ²) (Box and Jenkins,
+    Time Series Analysis, 1970, chapter 3), and the same passed through once more.
 
     ``lengths`` in samples to 1/e; ``frequency`` 1 is half a turn per sample.
     """
@@ -211,8 +213,8 @@ def _correlated(frequency: FloatArray, lengths: FloatArray) -> FloatArray:
 
 
 def _pools(size: int) -> IndexArray:
-    """Return where the pools of ``size`` ordinates start: single ones first, then wider and
-    wider.
+    """Return the first index of each group of neighbouring orders. The groups begin with single
+    orders and become wider.
     """
     if size <= _SINGLE + 1:
         return np.arange(size)

@@ -1,4 +1,4 @@
-"""Causes that the path of a circular test cannot separate, whatever its noise."""
+"""Causes of a circular test that cannot be separated on its path, whatever the noise is."""
 
 from __future__ import annotations
 
@@ -41,5 +41,5 @@ def undetermined_causes(test: CircularTest, samples: CircleSamples) -> dict[str,
 
 
 def by_full_circle(*reasons: Sentence) -> Sentence:
-    """Return the reasons with their remedy."""
+    """Return the reasons with the next step: measure a full circle."""
     return say("undetermined.full_circle", reasons=reasons)

@@ -1,4 +1,5 @@
-"""The plain regression of other software for a circular test, for comparison with the full model.
+"""A simple regression of a circular test, as other software does it, for comparison with the full
+model.
 
 Harmonics and reversal terms of ISO 230-4:1996, annex B, at the centre, by ordinary least squares.
 """
@@ -14,8 +15,8 @@ from compwright.records.axis import FloatArray
 
 
 def harmonic_regression(samples: CircleSamples) -> dict[str, float]:
-    """Return the causes, in the contract's units, by harmonics and reversal terms, unweighted,
-    after recentring.
+    """Return the causes of a circular test from a simple regression of harmonics and reversal
+    terms, in the units of the JSON.
 
     On a full circle in both directions: squareness, scale mismatch, servo mismatch, radius change,
     and for each axis lost motion (mean and both ends), lateral play and straightness. On an arc

@@ -1,5 +1,5 @@
-"""The causes of a circular test in the names and units of the documented JSON. Each has a standard
-error that includes the choice of the shapes (`circle_reversal`), or the reason where there is none.
+"""The causes of a circular test under the names and units of the JSON. Each has a standard error or
+the reason why it is missing.
 """
 
 from __future__ import annotations
@@ -61,8 +61,10 @@ _EDGE: Final = 0.17
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _ReportedCause:
-    """One reported value: ``drawn`` (d,) what the data leave open of it, ``curve`` (n,) its radial
-    deviation, mm. ``variance``: beyond that of the draws. ``reason``: why it is not given.
+    """One cause as reported: its value, its curve and its draws.
+
+    ``drawn`` (d,) what the data leave open of it, ``curve`` (n,) its radial deviation, mm.
+    ``variance``: beyond that of the draws. ``reason``: why it is not given.
     """
 
     name: str
@@ -83,8 +85,8 @@ class _ReportedCause:
 def report_effects(
     test: CircularTest, solution: Solution, undetermined: Mapping[str, Sentence]
 ) -> tuple[dict[str, CircularEffect], FloatArray, dict[str, Sentence], tuple[Finding, ...]]:
-    """Return effects by name, their correlation in that order, the reasons of effects that are not
-    given, and findings.
+    """Return the effects by name and their correlation, the reasons of missing effects, and
+    findings.
 
     Details (each end of a lost motion or spike, scale errors in addition to the mismatch, lobes)
     are parts of causes that count already. Shares are over the sum of the causes, each counted
@@ -129,9 +131,10 @@ def report_effects(
 
 
 def shrink_uncertainty(samples: CircleSamples) -> float:
-    """Return the standard uncertainty, mm, of the radius by an equal lag of both axes: uniform up
-    to the softest loop's v² / (2 Kv² R) (the circle shrinks with the acceleration: ISO 230-4:1996,
-    B.3.2), taken as a of the range ±a: a / sqrt(3) (JCGM 100:2008, eq. 7).
+    """Return the standard uncertainty, mm, of the radius by an unknown equal lag of both axes.
+
+    Uniform up to the softest loop's v² / (2 Kv² R) (the circle shrinks with the acceleration: ISO
+    230-4:1996, B.3.2), taken as a of the range ±a: a / sqrt(3) (JCGM 100:2008, eq. 7).
     """
     most = samples.speed**2 / (2.0 * SOFTEST_LOOP**2 * samples.radius)
     return float(most / np.sqrt(3.0))
@@ -203,7 +206,7 @@ def _causes(test: CircularTest, solution: Solution) -> Iterator[_ReportedCause]:
 def _linear(
     solution: Solution, name: str, parts: Mapping[str, float], *, detail: bool = False
 ) -> _ReportedCause:
-    """Return the weighted sum of columns; its curve is what those columns do together."""
+    """Return a reported cause that is a weighted sum of columns of the fit."""
     gradient = np.zeros(len(solution.problem.names))
     for part, weight in parts.items():
         gradient[solution.problem.names.index(part)] = weight
@@ -222,8 +225,8 @@ def _linear(
 
 
 def _unseen_end(samples: CircleSamples, axis: str) -> float:
-    """Return the variance, um², of the mean lost motion of both ends if the arc contains only
-    one end. 0 where it contains both.
+    """Return the extra variance, um², of the mean lost motion if the arc contains only one reversal
+    point. 0 with both.
     """
     return 0.0 if all(samples.reversals(axis)) else _ENDS_DIFFER**2
 
@@ -236,11 +239,13 @@ def _lost_motion_parts(solution: Solution, axis: str) -> dict[str, float]:
 
 
 def _scale_mismatch(solution: Solution) -> _ReportedCause:
-    """Return the scale mismatch without what unequal lags do to it: a first-order lag T shrinks its
-    axis by (ωT)² / 2, so that a mean lag of angle a and a servo mismatch τ leave -2 a v τ over the
-    diameter; a dead time leaves nothing. A loop is one or the other, so that half of it is taken
-    off and the other half is a standard uncertainty: two values of equal probability (JCGM
-    100:2008, 4.3.1), whose ends a uniform range of the same width would hold at 1.7 of its own.
+    """Return the scale mismatch after the effect of unequal servo lags is subtracted.
+
+    A first-order lag T shrinks its axis by (ωT)² / 2, so that a mean lag of angle a and a servo
+    mismatch τ leave -2 a v τ over the diameter; a dead time leaves nothing. A loop is one or the
+    other, so that half of it is taken off and the other half is a standard uncertainty: two values
+    of equal probability (JCGM 100:2008, 4.3.1), whose ends a uniform range of the same width would
+    hold at 1.7 of its own.
 
     ``lag_taken_off`` and ``lag_error``, um: both, for circles at several feeds, which tell more.
     """
@@ -262,8 +267,9 @@ def _scale_mismatch(solution: Solution) -> _ReportedCause:
 
 
 def _scale_errors(solution: Solution, mismatch: _ReportedCause) -> Iterator[_ReportedCause]:
-    """Yield e_x and e_y, um/m: the mean radius deviation over R plus and minus a quarter of the
-    mismatch over R.
+    """Yield the scale errors of both axes, um/m.
+
+    They are the mean radius deviation over R, plus and minus a quarter of the mismatch over R.
     """
     samples = solution.problem.samples
     radius = _linear(solution, "_radius", {"_radius": 1e6 / samples.radius})
@@ -288,8 +294,8 @@ def _scale_errors(solution: Solution, mismatch: _ReportedCause) -> Iterator[_Rep
 
 
 def _spikes(solution: Solution, axis: str) -> Iterator[_ReportedCause]:
-    """Yield the spike of an axis (the mean of its ends), then that of each end. Where both
-    directions are likely to differ, also that of each direction.
+    """Yield the reversal spike of an axis (mean of its ends), then the spike of each end. If the
+    directions probably differ, each direction follows.
     """
     found = [spike for spike in solution.draws.spikes if spike.reversal.axis == axis]
     if not found:
@@ -316,8 +322,8 @@ def _spikes(solution: Solution, axis: str) -> Iterator[_ReportedCause]:
 def _spike(
     solution: Solution, spike: SpikeDraws, index: int | None = None, suffix: str = ""
 ) -> _ReportedCause:
-    """Return the spike of one reversal point, in both directions or the one of ``index``: outward
-    positive, negative where the axis is inside after its reversal.
+    """Return the spike at one reversal point, positive outward. ``index``: one direction only, else
+    both.
 
     Its variance holds what the samples cannot tell: how far before the first sample the axis
     reversed (lag), whether the rise belongs to the spike or to the bandwidth of the instrument, and
@@ -372,9 +378,11 @@ def _unseen_spike(value: float, error: float) -> Sentence | None:
 
 
 def _cyclic(solution: Solution, axis: str) -> Iterator[_ReportedCause]:
-    """Yield the amplitude of a cyclic error, sqrt(a² + b² - σ²), because the root of two squares is
-    too large by the noise in them (Gudbjartsson and Patz, Magnetic Resonance in Medicine 34, 1995);
-    where none was found 0 ± half of what may be hidden.
+    """Yield the amplitude of the cyclic error of an axis. Without one: 0 with half of the amplitude
+    that may be undetected.
+
+    The amplitude is sqrt(a² + b² - σ²), because the root of two squares is too large by the noise
+    in them (Gudbjartsson and Patz, Magnetic Resonance in Medicine 34, 1995).
     """
     count = solution.draws.values.shape[0]
     name = f"cyclic_{axis}"
@@ -402,8 +410,8 @@ def _cyclic(solution: Solution, axis: str) -> Iterator[_ReportedCause]:
 def _amplitude(
     solution: Solution, parts: list[str], runs: int
 ) -> tuple[float, FloatArray, FloatArray]:
-    """Return the root of the sum of squares of ``parts`` over ``runs``, less their variances, its
-    draws and its curve.
+    """Return an amplitude as the root of the sum of squares of its ``parts``, less their variances.
+    With its draws and its curve.
     """
     index = np.array([solution.problem.names.index(part) for part in parts])
     mean = np.mean(solution.draws.values, axis=0)[index]
@@ -452,15 +460,17 @@ def _symptoms(test: CircularTest, solution: Solution) -> Iterator[_ReportedCause
 
 
 def _faded(samples: CircleSamples, frequency: float) -> float:
-    """Return the share of an amplitude that instrument and drive lose at ``frequency`` Hz. Both
-    act as the slowest possible first-order filter.
+    """Return the share of a vibration at ``frequency`` Hz that instrument and drive suppress. Both
+    count as the slowest possible first-order filter.
     """
     slow = max(_RESPONSE, _FILTER * sample_spacing(samples) / samples.speed)
     return float(1.0 - 1.0 / np.hypot(1.0, 2.0 * np.pi * frequency * slow))
 
 
 def _vibration(solution: Solution) -> _ReportedCause:
-    """Return the amplitude of the vibration, or 0 ± half of what may be hidden."""
+    """Return the amplitude of the vibration. Without one: 0 with half of the amplitude that may be
+    undetected.
+    """
     samples, found = solution.problem.samples, solution.vibration
     if found.frequency is None:
         known = np.isfinite(found.hidden)

@@ -1,5 +1,5 @@
-"""Shape of the deviation after each reversal point: which decays it is made of, averaged over all
-that fit.
+"""The shapes of the spikes after the reversals of a circular test. Several possible decays are
+averaged by their probability.
 
 After a reversal the axis is off by its lost motion and by a spike of unknown height, rise and decay
 (ISO 230-4:1996, B.3.1). The spike is a sum of up to `SLOTS` decays from a dictionary: one decay is
@@ -59,8 +59,8 @@ _PAIRS: Final = 6
 
 
 class SpikeShapes:
-    """The decay lengths of the spikes in the model. For each reversal point and slot the index
-    of its length, or -1, and whether the directions differ.
+    """The chosen decay lengths of the reversal spikes. For each reversal point: the indices of its
+    lengths, -1 for none, and whether the directions differ.
     """
 
     def __init__(self, problem: CircleProblem) -> None:
@@ -71,7 +71,7 @@ class SpikeShapes:
         self.adopt(problem)
 
     def adopt(self, problem: CircleProblem) -> None:
-        """Keep the shapes for a problem with other columns."""
+        """Use the same spike shapes for equations with other columns."""
         self.reversals = problem.reversals
         self._kinds = [_kinds_of(reversal) for reversal in problem.reversals]
         self.precision = problem.widths**-2.0
@@ -82,7 +82,7 @@ class SpikeShapes:
         self.rare = {n: i for i, n in enumerate(problem.names) if n in RARE}
 
     def columns(self, reversal: int, slot: int) -> list[int]:
-        """Return the columns of one slot."""
+        """Return the columns for one place of a reversal point."""
         place, here = self.place[reversal, slot], self.reversals[reversal]
         if place < 0:
             return []
@@ -90,7 +90,7 @@ class SpikeShapes:
         return [*own, int(here.unlike[place])] if self.unlike[reversal, slot] else own
 
     def chosen(self, but: tuple[int, int] | str | None = None) -> IndexArray:
-        """Return the spikes and rare causes in the model, less those of one slot or name."""
+        """Return the spikes and rare causes in the model, without those of one place or name."""
         rare = [column for name, column in self.rare.items() if self.present[name] and name != but]
         found = [
             column
@@ -106,12 +106,12 @@ class SpikeShapes:
         return np.concatenate([self.always, self.chosen()])
 
     def options(self, reversal: int, slot: int) -> IndexArray:
-        """Return which shapes of a reversal point a slot may have."""
+        """Return which spike shapes are possible at one place of a reversal point."""
         return self._kinds[reversal][slot >= _DECAYS]
 
     @property
     def log_prior(self) -> float:
-        """The logarithm of the prior probability of the shapes and rare causes in the model."""
+        """The logarithm of the prior probability of the spikes and rare causes in the model."""
         total = 0.0
         for reversal, slot in self.slots():
             count = self.options(reversal, slot).size * _SIZES.size
@@ -127,20 +127,22 @@ class SpikeShapes:
         return total
 
     def slots(self) -> Iterator[tuple[int, int]]:
-        """Yield every reversal point and slot."""
+        """Yield each reversal point with each of its places for a spike."""
         for slot in range(SLOTS):
             for reversal in range(len(self.reversals)):
                 yield reversal, slot
 
 
 def _kinds_of(reversal: Reversal) -> tuple[IndexArray, IndexArray]:
-    """Return which shapes of a reversal point are decays, and which are take-ups."""
+    """Return which shapes of a reversal point are decaying spikes, and which are lost motion taken
+    up gradually.
+    """
     take_up = np.array([isinstance(shape, TakeUp) for shape in reversal.shapes], dtype=bool)
     return np.flatnonzero(~take_up), np.flatnonzero(take_up)
 
 
 def choose_shapes(weighted: WeightedProblem, shapes: SpikeShapes) -> None:
-    """Change the shapes, one at a time, to the likeliest ones until none changes."""
+    """Change the spike shapes one at a time until no change makes the fit more probable."""
     marginal = weighted.without(shapes.always)
     for _ in range(_CLIMBS):
         before = shapes.place.copy(), shapes.unlike.copy(), dict(shapes.present)
@@ -156,7 +158,7 @@ def choose_shapes(weighted: WeightedProblem, shapes: SpikeShapes) -> None:
 
 
 def _set(shapes: SpikeShapes, reversal: int, slot: int, option: int) -> None:
-    """Give a slot one of the options of `_evidence`."""
+    """Give one place of a reversal point one of the shapes that `_evidence` compares."""
     options = shapes.options(reversal, slot)
     if option == 0:
         shapes.place[reversal, slot] = -1
@@ -170,8 +172,10 @@ def _set(shapes: SpikeShapes, reversal: int, slot: int, option: int) -> None:
 def _added(
     marginal: MarginalEquations, shapes: SpikeShapes, chosen: IndexArray, tried: IndexArray
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Return the evidence left for the columns ``tried`` (t,), given the ``chosen`` ones: right
-    side (t,), weight (t,) without their priors, and the inner products (c, t) with the chosen ones.
+    """Return what the columns ``tried`` (t,) add to a fit with the ``chosen`` columns.
+
+    Right side (t,), weight (t,) without their priors, and the inner products (c, t) with the chosen
+    ones.
 
     Columns added to a regression with normal priors: Seber and Lee, Linear Regression Analysis, 2nd
     ed. 2003, section 3.7.
@@ -196,8 +200,8 @@ def _added(
 
 
 def _odds(marginal: MarginalEquations, shapes: SpikeShapes, name: str) -> tuple[float, float]:
-    """Return the logarithm of the odds that a rare cause exists, and its standard error in its
-    unit if it does.
+    """Return the log odds that a rare cause exists. Also its standard error in its unit if it
+    exists.
     """
     column = shapes.rare[name]
     rest, found, _ = _added(marginal, shapes, shapes.chosen(name), np.array([column]))
@@ -210,9 +214,11 @@ def _odds(marginal: MarginalEquations, shapes: SpikeShapes, name: str) -> tuple[
 def _evidence(
     marginal: MarginalEquations, shapes: SpikeShapes, reversal: int, slot: int
 ) -> FloatArray:
-    """Return the logarithm of prior times evidence of every option of a slot: nothing, each size
-    and shape alike in both directions, each with a difference (1 + 2 s m,); with one direction
-    (1 + s m,).
+    """Return the log probability of every shape for one place of a reversal point: none, equal in
+    both directions, or different.
+
+    Nothing, each size and shape alike in both directions, each with a difference (1 + 2 s m,); with
+    one direction (1 + s m,).
     """
     here, options = shapes.reversals[reversal], shapes.options(reversal, slot)
     if not options.size:
@@ -245,7 +251,8 @@ def _evidence(
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CircleDraws:
-    """Causes and spikes drawn from what the data leave open.
+    """Random draws of the causes and the spikes of a circular test from their probability
+    distribution.
 
     ``values`` (d, p): the columns without decays. ``spikes``: one for each reversal point.
     ``paths`` (s, n): readings, made linear, mm, one for each choice of the shapes.
@@ -260,14 +267,15 @@ class CircleDraws:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SpikeDraws:
-    """Drawn spikes of one reversal point: ``heights`` (d, s), outward peak above the lost motion,
-    µm, for both directions (s = 2: ccw, cw) or the one; ``depths`` (d, s), how far samples go
-    inward; ``extrapolated`` (d, s): the slowest decay at the reversal; ``unseen`` (d, s): range of
-    the heights that no sample decides; ``deeper`` (d, s): by how much more they go inward while the
-    lost motion is taken up; ``decay`` (from the peak, of the depth where it is an `INWARD` spike,
-    to 1/e of it) and ``rise`` (to the peak) (d,) mm, 0 without; ``there`` and ``unlike``:
-    probability of a spike, and of different directions; ``curve``: mean amplitude µm of each shape
-    by direction (s, m).
+    """Random draws (d,) of the spikes at one reversal point: heights, depths and lengths.
+
+    ``heights`` (d, s), outward peak above the lost motion, µm, for both directions (s = 2: ccw, cw)
+    or the one; ``depths`` (d, s), how far samples go inward; ``extrapolated`` (d, s): the slowest
+    decay at the reversal; ``unseen`` (d, s): range of the heights that no sample decides;
+    ``deeper`` (d, s): by how much more they go inward while the lost motion is taken up; ``decay``
+    (from the peak, of the depth where it is an `INWARD` spike, to 1/e of it) and ``rise`` (to the
+    peak) (d,) mm, 0 without; ``there`` and ``unlike``: probability of a spike, and of different
+    directions; ``curve``: mean amplitude µm of each shape by direction (s, m).
     """
 
     reversal: Reversal
@@ -287,8 +295,10 @@ class SpikeDraws:
 def draw_shapes(
     weighted: WeightedProblem, shapes: SpikeShapes, rng: np.random.Generator
 ) -> CircleDraws:
-    """Return draws of the shapes, from ``shapes``, and of the causes under each of them. They
-    come in pairs about their mean (antithetic variates: Hammersley and Morton, 1956).
+    """Return random draws of the spike shapes, beginning with ``shapes``, and of the causes for
+    each choice.
+
+    They come in pairs about their mean (antithetic variates: Hammersley and Morton, 1956).
     """
     marginal = weighted.without(shapes.always)
     paths: list[FloatArray] = []
@@ -342,9 +352,11 @@ def _coefficients(
 def _least_error(
     weighted: WeightedProblem, marginal: MarginalEquations, reversal: Reversal
 ) -> float:
-    """Return the standard error, um, of a single spike that dies out within one of the times of
-    `_USUAL`, all alike: what may be hidden where none was found. A spike that is over before the
-    next sample hides up to its prior.
+    """Return the standard error, um, of the smallest spike that the test can show, where no spike
+    was found.
+
+    A single spike that dies out within one of the times of `_USUAL`, all alike. A spike that is
+    over before the next sample hides up to its prior.
     """
     samples = weighted.problem.samples
     sharp = [
@@ -363,7 +375,7 @@ def _least_error(
 
 
 class _Recorder:
-    """Spikes of one reversal point, collected draw by draw."""
+    """Collects the drawn spikes of one reversal point."""
 
     def __init__(self, problem: CircleProblem, reversal: Reversal) -> None:
         self.reversal = reversal
@@ -432,7 +444,7 @@ class _Recorder:
         self.unlike += bool(np.any(turned))
 
     def _died(self, curve: FloatArray, peak: int) -> float:
-        """Return the arc, mm, from the peak of a curve to where 1/e of it is left."""
+        """Return the arc, mm, in which a curve falls from its peak to 1/e of it."""
         level = curve[peak] / np.e
         below = np.flatnonzero(curve[peak:] <= level)
         if not below.size or level <= 0.0:

@@ -1,4 +1,4 @@
-"""What the fit of a circular test found, before it is put into the contract's names."""
+"""The solution of a circular test: estimated causes, spikes and residuals."""
 
 from __future__ import annotations
 
@@ -15,7 +15,8 @@ from compwright.records.axis import FloatArray
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Solution:
-    """``fitted``: the likeliest shapes; ``draws``: causes and spikes over all shapes.
+    """The solution of a circular test. ``fitted``: for the most probable spike shapes; ``draws``:
+    over all shapes.
 
     ``frequencies`` 1/mm of cyclic errors by axis, ``given`` those that were not sought, ``hidden``
     um that may have been missed, by axis.
@@ -37,7 +38,7 @@ class Solution:
 
     @property
     def spikes(self) -> FloatArray:
-        """Return what the mean spikes do to every sample, mm (n,)."""
+        """Return the deviation of every sample that the mean spikes explain, mm (n,)."""
         samples, shapes = self.problem.samples, self.problem.spikes
         total = np.zeros(samples.theta.size)
         first = len(self.problem.names)
@@ -50,12 +51,12 @@ class Solution:
 
     @property
     def smooth(self) -> FloatArray:
-        """Return the deviations without spikes, as the mean of the model has them, mm (n,)."""
+        """Return the fitted deviation of every sample without spikes, mm (n,)."""
         fitted: FloatArray = self.problem.slopes @ np.mean(self.draws.values, axis=0)
         return fitted
 
     @property
     def residual(self) -> FloatArray:
-        """Return what the model leaves of every sample, mm (n,)."""
+        """Return the residual of every sample, mm (n,)."""
         rest: FloatArray = self.problem.target - self.smooth - self.spikes
         return rest

@@ -1,5 +1,5 @@
-"""Symptoms of a circular test that follow from the fit or its residuals: raw peaks, stick-slip,
-lobes and positional tolerance.
+"""Effects in a circular test that are read from its fit or its residuals: highest readings,
+stick-slip, lobes, positional tolerance.
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ _MOST_DRAWS: Final = 64
 
 
 def raw_peak(solution: Solution, axis: str, end: str) -> float | None:
-    """Return the highest reading after the reversals of an axis at one end, above the path
-    without spikes, um. It is the mean of the runs; None where no sample is near.
+    """Return the highest reading after the reversals of an axis at one end, above the path without
+    spikes, um. The mean of the runs; None without a sample nearby.
     """
     samples = solution.problem.samples
     start = (0.0 if axis == "first" else 0.5 * np.pi) + (0.0 if end == "positive" else np.pi)
@@ -38,10 +38,11 @@ def raw_peak(solution: Solution, axis: str, end: str) -> float | None:
 
 
 def stick_slip(solution: Solution, axis: str) -> tuple[float, float] | None:
-    """Return the amplitude of irregular motion, um, where an axis is slow, and its standard
-    error. Slow: within 12° of its reversals. The amplitude is the root of twice the variance of
-    the residuals there less that of the other samples. None where the arc has no reversal of
-    the axis.
+    """Return the amplitude of irregular motion of an axis near its reversals, um, and its standard
+    error. None where the arc has no reversal of the axis.
+
+    Near: within 12° of its reversals. The amplitude is the root of twice the variance of the
+    residuals there less that of the other samples.
 
     Standard errors by the chi-square law of a variance, with as many independent samples as the
     squared correlations of the residuals leave, whose sum is n Σ f² / (Σ f)² of their spectrum f
@@ -71,11 +72,13 @@ def stick_slip(solution: Solution, axis: str) -> tuple[float, float] | None:
 
 
 def lobes(solution: Solution, order: int) -> tuple[float, float]:
-    """Return the amplitude of ``order`` lobes in the mean of both directions, um, and its
-    standard error. It is sqrt(a² + b² - σ²) of the harmonic a cos nθ + b sin nθ of the readings
-    (Gudbjartsson and Patz, Magnetic Resonance in Medicine 34, 1995), σ from the spectrum of the
-    residuals at that order. Lobes of order 2: scale and squareness, of order 3: straightness
-    (ISO 230-4:1996, annex B).
+    """Return the amplitude of ``order`` lobes in the mean of both directions, um, and its standard
+    error.
+
+    It is sqrt(a² + b² - σ²) of the harmonic a cos nθ + b sin nθ of the readings (Gudbjartsson and
+    Patz, Magnetic Resonance in Medicine 34, 1995), σ from the spectrum of the residuals at that
+    order. Lobes of order 2: scale and squareness, of order 3: straightness (ISO 230-4:1996, annex
+    B).
     """
     problem = solution.problem
     samples = problem.samples
@@ -93,10 +96,12 @@ def lobes(solution: Solution, order: int) -> tuple[float, float]:
 
 
 def positional_tolerance(solution: Solution, *, calibrated: bool) -> tuple[float, float]:
-    """Return the largest difference between the errors of two points of the square around the
-    circle, um, with its standard error. It contains errors that do not depend on the feed
-    (scale, squareness, straightness, lost motion, lateral play, cyclic errors). Points:
-    corners, centres of the sides and of the square, approached from either side by both axes.
+    """Return the positional tolerance of the square around the circle, um, with its standard error.
+    It is the largest difference between the errors of two points.
+
+    It contains errors that do not depend on the feed (scale, squareness, straightness, lost motion,
+    lateral play, cyclic errors). Points: corners, centres of the sides and of the square,
+    approached from either side by both axes.
 
     With a bar of unknown length only the mismatch of the scales counts. A definition of this
     project: the formula of instrument makers is not published.

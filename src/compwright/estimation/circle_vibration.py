@@ -1,4 +1,4 @@
-"""Search for a vibration of constant frequency, and how rough the path is where an axis is slow.
+"""Search for a vibration of constant frequency in a circular test.
 
 A vibration repeats in time, a cyclic error with the position of an axis: the feed along the path
 turns the commanded angles into time, and each run is searched by its periodogram (Scargle,
@@ -31,9 +31,10 @@ _WIDTH: Final = 5.0
 
 @dataclass(frozen=True, slots=True)
 class Vibration:
-    """The clearest vibration in a circular test. ``frequency`` Hz, None where none is clear;
-    ``hidden``: amplitude, um, that may have been missed; ``least``: sum of squares, in standard
-    errors, that the amplitudes of one must have.
+    """The strongest vibration in a circular test. ``frequency`` Hz, None for no clear vibration;
+    ``hidden``: the amplitude, um, that may be undetected.
+
+    ``least``: sum of squares, in standard errors, that the amplitudes of one must have.
     """
 
     frequency: float | None
@@ -42,13 +43,13 @@ class Vibration:
 
 
 def times(samples: CircleSamples) -> FloatArray:
-    """Return the time of each sample since the middle of its run, s (n,)."""
+    """Return the time of each sample from the middle of its run, s (n,)."""
     seconds: FloatArray = travelled_share(samples) * samples.arc[1] * samples.radius / samples.speed
     return seconds
 
 
 def search_vibration(problem: CircleProblem, residual: FloatArray) -> Vibration:
-    """Return the clearest vibration in the residuals (n,), mm, of a fit.
+    """Return the strongest vibration in the residuals (n,), mm, of a fit.
 
     The threshold is the power that independent ordinates of an exponential distribution exceed once
     in a thousand searches (Scargle 1982); of several runs the powers are added.
@@ -93,9 +94,10 @@ def search_vibration(problem: CircleProblem, residual: FloatArray) -> Vibration:
 
 
 def _threshold(count: float, runs: int) -> float:
-    """Return the power (in units of its mean) that noise alone exceeds with the probability
-    `_FALSE_ALARM`. Noise: ``count`` sums of ``runs`` exponentials (Erlang distribution, solved
-    by iteration).
+    """Return the power that noise alone exceeds with the probability `_FALSE_ALARM`, in units of
+    the mean power.
+
+    Noise: ``count`` sums of ``runs`` exponentials (Erlang distribution, solved by iteration).
     """
     chance = np.log(count / _FALSE_ALARM)
     value = chance
@@ -115,7 +117,9 @@ def _peak(frequencies: FloatArray, power: FloatArray, best: int) -> float:
 
 
 def vibration_columns(samples: CircleSamples, frequency: float) -> list[CauseColumn]:
-    """Return cosine and sine of a vibration of ``frequency`` Hz, radial, um, for every run."""
+    """Return the cosine and sine columns of a radial vibration of ``frequency`` Hz, um, for every
+    run.
+    """
     phase = 2.0 * np.pi * frequency * times(samples)
     cos, sin = np.cos(samples.theta), np.sin(samples.theta)
     found = []

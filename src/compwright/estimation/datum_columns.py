@@ -1,6 +1,8 @@
-"""Columns for what is different in each test of an axis. A datum each, and a slope where the
-temperature is uncertain: columns of a linear model with normal priors (Rasmussen and Williams,
-Gaussian Processes for Machine Learning, 2006, section 2.7).
+"""Columns for properties that differ from test to test: the zero of the instrument, and a slope by
+the temperature.
+
+Columns of a linear model with normal priors (Rasmussen and Williams, Gaussian Processes for Machine
+Learning, 2006, section 2.7).
 """
 
 from __future__ import annotations
@@ -17,9 +19,10 @@ from compwright.records.axis import FloatArray
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DatumColumns:
-    """The columns of single tests: ``columns`` (c, e) over the cells of all tests. ``stds`` (e,):
-    the standard deviations of their weights, in units of the scale. ``slopes``: by test, the column
-    of its own slope, None where it has none.
+    """The columns ``columns`` (c, e) of properties that only one test has.
+
+    ``stds`` (e,): the standard deviations of their weights, in units of the scale. ``slopes``: by
+    test, the column of its own slope, None where it has none.
     """
 
     columns: FloatArray
@@ -33,9 +36,12 @@ def datum_columns(
     targets: FloatArray,
     scale: float,
 ) -> DatumColumns:
-    """Return the columns that single tests have of their own. Each test but the first has a datum;
-    the first one's is that of the error. Each test whose slope is uncertain has a slope about the
-    middle of the ``targets`` (m,) of all, 1 at their ends. ``scale``: mm or deg.
+    """Return the columns of properties that only one test has: an offset, and a slope where it is
+    uncertain.
+
+    Each test but the first has a datum; the first one's is that of the error. Each test whose slope
+    is uncertain has a slope about the middle of the ``targets`` (m,) of all, 1 at their ends.
+    ``scale``: mm or deg.
     """
     middle, half = 0.5 * (targets[0] + targets[-1]), 0.5 * float(np.ptp(targets))
     columns: list[FloatArray] = []

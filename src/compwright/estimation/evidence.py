@@ -1,5 +1,5 @@
-"""Marginal likelihood of the hyperparameters, its gradient, and the weights given the
-hyperparameters.
+"""The probability of the readings for given model parameters (marginal likelihood), with its
+gradient.
 
 Everything here is in units of ``CellData.scale``. The hyperparameters are logarithms, in this
 order: noise of a reading (of tests whose repetition does not tell it), local (target to target)
@@ -40,8 +40,7 @@ _CONDITION: Final = 1e10
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CellData:
-    """Mean readings of the c cells that have any, without their straight line, in units of
-    ``scale`` (mm or deg).
+    """The c mean readings of an axis minus their straight line, in units of ``scale`` (mm or deg).
 
     A cell is a target and direction of one test. Cells are sorted by target: ``target_index``
     (c,) is the index of each cell's target, ``starts`` (m,) the first cell of each target,
@@ -72,11 +71,13 @@ class CellData:
 
     @property
     def draws(self) -> int:
-        """Number of draws of the noise."""
+        """The number of draws of the noise."""
         return len(self.values)
 
     def typical(self) -> int:
-        """Return the draw of the noise whose mean log variance of a cell is the median of all."""
+        """Return the index of the typical draw of the noise. The average log variance of its mean
+        readings is the median of all draws.
+        """
         known = self.counts == 0
         if not np.any(known):
             return 0
@@ -87,8 +88,8 @@ class CellData:
 
 @dataclass(frozen=True, slots=True)
 class Prior:
-    """Normal priors of the hyperparameters (h,): ``centre`` and ``width``. A fixed hyperparameter
-    has ``free`` False.
+    """Normal priors of the model's parameters (h,): ``centre`` and ``width``. A parameter with
+    ``free`` False is fixed.
     """
 
     centre: FloatArray
@@ -96,8 +97,9 @@ class Prior:
     free: tuple[bool, ...]
 
     def log(self, values: FloatArray) -> float:
-        """Return the logarithm of the prior density over the free hyperparameters: independent
-        normal ones (Rasmussen and Williams 2006, eq. A.5). ``values`` (h,).
+        """Return the log prior density of the free parameters at ``values`` (h,).
+
+        Independent normal priors (Rasmussen and Williams 2006, eq. A.5).
         """
         free = np.array(self.free)
         z = ((values - self.centre) / self.width)[free]
@@ -106,7 +108,7 @@ class Prior:
         ) - _HARD * float(np.sum(self._beyond(values) ** 2))
 
     def gradient(self, values: FloatArray) -> FloatArray:
-        """Return the derivative (h,) of the logarithm at ``values`` (h,)."""
+        """Return the gradient (h,) of the log prior density at ``values`` (h,)."""
         gradient: FloatArray = (self.centre - values) / self.width**2
         gradient[PERIODIC:] -= 2.0 * _HARD * self._beyond(values) / self.width[PERIODIC:]
         return gradient
@@ -118,9 +120,10 @@ class Prior:
 
 @dataclass(frozen=True, slots=True)
 class WeightPosterior:
-    """Posterior of the weights. ``mean`` (j,), ``root`` (j, j) with covariance root @ root.T, those
-    of the basis first; variances ``noise`` (of a reading, where it is inferred) and ``local``;
-    ``draw`` of the noise.
+    """The probability distribution of the weights of the functions, given the readings.
+
+    ``mean`` (j,), ``root`` (j, j) with covariance root @ root.T, those of the basis first;
+    variances ``noise`` (of a reading, where it is inferred) and ``local``; ``draw`` of the noise.
     """
 
     mean: FloatArray
@@ -139,7 +142,8 @@ def _own_rows(basis: Basis, targets: FloatArray, data: CellData) -> FloatArray:
 
 
 class Evidence:
-    """The marginal likelihood of the tests of an axis under one basis.
+    """Computes the probability of an axis' readings under one set of functions (marginal
+    likelihood).
 
     ``values`` (c,): the means under the typical noise. Where a method takes a ``draw`` of the noise
     and is given none, it is the typical one.
@@ -165,16 +169,17 @@ class Evidence:
         self.slopes[REVERSAL, self.waves.stop + 1 :] = 2.0
 
     def rows_under(self, draw: int) -> FloatArray:
-        """Return the columns (c, j) of all weights at the cells, under one draw of the
-        noise. They belong to the basis, to single tests, and to what the means have in
-        common.
+        """Return the columns (c, j) of all weights for the mean readings, under one draw of the
+        noise.
         """
         return np.hstack([self.rows, self.data.columns[draw]])
 
     def log_variances(self, h: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return log prior variances (j,) of the weights and their derivatives (hyperparameters,
-        j). A variance is the spectral density at each sine (Solin and Särkkä, Statistics and
-        Computing 30, 2020), and 1 / harmonic^2 for those of a period.
+        """Return the log prior variances (j,) of the weights and their derivatives by the
+        parameters.
+
+        A variance is the spectral density at each sine (Solin and Särkkä, Statistics and Computing
+        30, 2020), and 1 / harmonic^2 for those of a period.
         """
         smooth, varying = self.smooth, self.varying
         slopes = self.slopes.copy()
@@ -193,14 +198,14 @@ class Evidence:
         return logs, slopes
 
     def variances(self, h: FloatArray) -> tuple[float, float]:
-        """Return the variance of one reading, where it is inferred, and of the local part, in units
-        of the scale squared.
+        """Return two variances: of one reading where it is inferred, and of the error that differs
+        from target to target. In units of the scale squared.
         """
         return float(np.exp(2.0 * h[NOISE]) + self.data.floor**2), float(np.exp(2.0 * h[LOCAL]))
 
     def weights(self, h: FloatArray, draw: int | None = None) -> WeightPosterior:
-        """Return the posterior of the weights given the hyperparameters ``h`` and a draw of the
-        noise (Rasmussen and Williams 2006, eq. 2.8).
+        """Return the probability distribution of the weights, given the parameters ``h`` and a draw
+        of the noise. Source: Rasmussen and Williams 2006, eq. 2.8.
         """
         scaled = self._scaled(h, draw)
         matrix, moment = _normal(scaled, scaled.removed(scaled.rows))
@@ -214,15 +219,16 @@ class Evidence:
         )
 
     def log_posterior(self, h: FloatArray, draw: int | None = None) -> float:
-        """Return log marginal likelihood plus log prior of the hyperparameters (Rasmussen
-        and Williams 2006, eq. 5.8). A constant is left out that depends on neither them nor
-        the noise.
+        """Return the log posterior density of the model's parameters, up to a constant.
+
+        Log marginal likelihood plus log prior (Rasmussen and Williams 2006, eq. 5.8). The constant
+        depends on neither them nor the noise.
         """
         return self._marginal(h, draw, derivatives=False)[1].log + self.prior.log(h)
 
     def with_gradient(self, h: FloatArray) -> tuple[float, FloatArray]:
-        """Return the log posterior and its gradient (h,) under the typical noise; that of a fixed
-        hyperparameter is 0.
+        """Return the log posterior density and its gradient (h,) under the typical noise. The
+        gradient of a fixed parameter is 0.
 
         For V' the derivative of the covariance V of the means, half of y' P V' P y - tr(P V') with
         P the inverse of V (Rasmussen and Williams 2006, eq. 5.9).
@@ -266,8 +272,8 @@ class Evidence:
     def _marginal(
         self, h: FloatArray, draw: int | None, *, derivatives: bool
     ) -> tuple[_Scaled, _Marginal]:
-        """Return the likelihood of the means, worked out among the cells or among the weights,
-        whichever are fewer; among the weights where the noise is very small.
+        """Return the log density of the mean readings, computed by the smaller of two matrices.
+        Very small noise needs the matrix of the weights.
         """
         scaled = self._scaled(h, draw)
         cells, weights = scaled.rows.shape
@@ -280,9 +286,10 @@ class Evidence:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Scaled:
-    """The model at given hyperparameters: variances, precision per cell, values of the cells, and
-    the ``rows`` (c, j) of weights of unit variance; ``together``: which cells share a target, as
-    places in a matrix (c, c).
+    """The linear model of the mean readings for given parameters.
+
+    Variances, precision per cell, values of the cells, and the ``rows`` (c, j) of weights of unit
+    variance; ``together``: which cells share a target, as places in a matrix (c, c).
     """
 
     noise: float
@@ -297,13 +304,15 @@ class _Scaled:
 
     @property
     def total(self) -> FloatArray:
-        """Precision of each target (m,), all its cells together."""
+        """The total precision (1 / variance) of the mean readings at each target (m,)."""
         return np.add.reduceat(self.precision, self.data.starts)
 
     def removed(self, columns: FloatArray) -> FloatArray:
-        """Return the inverse of noise + local part times ``columns`` (c,) or (c, k): cells of one
-        target share the local part. By the formula of Sherman and Morrison (Rasmussen and Williams
-        2006, eq. A.9).
+        """Return the product of ``columns`` (c,) or (c, k) and the inverse of the covariance (noise
+        + local part).
+
+        Cells of one target share the local part. By the formula of Sherman and Morrison (Rasmussen
+        and Williams 2006, eq. A.9).
         """
         gain = self.local / (1.0 + self.local * self.total)
         precision = self.precision
@@ -317,10 +326,12 @@ class _Scaled:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Marginal:
-    """The means y under their covariance V, P its inverse: log density; and where derivatives are
-    asked for ``residual`` (c,) P y, ``by_weight`` (j,) of weights of unit variance: (r' P y)² - r'
-    P r with r their rows; ``by_target`` (m,) and ``by_cell`` (c,): P summed over a target's cells,
-    and its diagonal.
+    """The log density of the mean readings y under their covariance V, with its derivatives where
+    needed.
+
+    P the inverse of V; ``residual`` (c,) P y, ``by_weight`` (j,) of weights of unit variance: (r' P
+    y)² - r' P r with r their rows; ``by_target`` (m,) and ``by_cell`` (c,): P summed over a
+    target's cells, and its diagonal.
     """
 
     log: float
@@ -334,7 +345,7 @@ _NONE: Final = np.zeros(0)
 
 
 def _by_cells(scaled: _Scaled, *, derivatives: bool) -> _Marginal:
-    """Return the density by the covariance of the cells itself (c, c)."""
+    """Return the log density, computed from the covariance (c, c) of the mean readings."""
     data, y = scaled.data, scaled.values
     covariance = scaled.rows @ scaled.rows.T
     covariance[scaled.together] += scaled.local
@@ -357,8 +368,10 @@ def _by_cells(scaled: _Scaled, *, derivatives: bool) -> _Marginal:
 
 
 def _by_weights(scaled: _Scaled, *, derivatives: bool) -> _Marginal:
-    """Return the density by the weights (j, j): the covariance of the cells is noise, local part
-    and a sum of low rank (Rasmussen and Williams 2006, eq. A.9 and A.10).
+    """Return the log density, computed from the covariance (j, j) of the weights.
+
+    The covariance of the cells is noise, local part and a sum of low rank (Rasmussen and Williams
+    2006, eq. A.9 and A.10).
     """
     data, y = scaled.data, scaled.values
     weighted = scaled.removed(scaled.rows)
@@ -389,8 +402,9 @@ def _by_weights(scaled: _Scaled, *, derivatives: bool) -> _Marginal:
 
 
 def _normal(scaled: _Scaled, weighted: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return the normal equations of weights of unit variance: posterior precision (j, j) and what
-    the values say of each (j,); ``weighted``: the rows times the inverse of noise + local part.
+    """Return the normal equations of the weights: precision matrix (j, j) and right side (j,).
+
+    Weights of unit variance; ``weighted``: the rows times the inverse of noise + local part.
     """
     matrix = scaled.rows.T @ weighted
     matrix.flat[:: matrix.shape[0] + 1] += 1.0

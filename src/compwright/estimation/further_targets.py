@@ -1,4 +1,4 @@
-"""The few targets that show, in addition to those of the tests, which possible period exists.
+"""Choose the fewest further targets that show whether a possible period of the error exists.
 
 A wave of a period p adds a cos + b sin to the deviations. All waves W at the targets have the
 information G = W' V^-1 W, with the covariance V of noise, local part, smooth part and straight line
@@ -46,8 +46,8 @@ _ROUNDED: Final = 0.05
 
 @dataclass(frozen=True, slots=True)
 class FurtherTargets:
-    """``targets`` (k,) to add, ascending, and the least ``amplitude`` of a possible period that all
-    together show; mm or deg.
+    """Proposed further targets (k,), ascending, with the smallest ``amplitude`` of a period that
+    all targets together show; mm or deg.
     """
 
     targets: FloatArray
@@ -55,9 +55,10 @@ class FurtherTargets:
 
 
 def further_targets(posterior: AxisPosterior) -> FurtherTargets | None:
-    """Return the fewest further targets that show the `hidden` periods of the ``posterior`` where
-    their amplitude is as large as that of their prior, or as many as are added at most; None where
-    no targets help or none are needed.
+    """Return the fewest further targets that show the ``hidden`` periods of an axis. None where no
+    targets help or none are needed.
+
+    Their amplitude is as large as that of their prior; at most as many as may be added.
     """
     found = posterior.hidden.periods[:_PERIODS]
     targets = posterior.cells.targets
@@ -75,7 +76,9 @@ def further_targets(posterior: AxisPosterior) -> FurtherTargets | None:
 
 
 def _places(targets: FloatArray, periods: FloatArray) -> FloatArray:
-    """Return places between the ``targets`` (m,), rounded as far as the ``periods`` allow."""
+    """Return candidate places between the ``targets`` (m,), rounded as far as the ``periods``
+    allow.
+    """
     parts = np.mod(_STEP * np.arange(1, _PLACES + 1), 1.0)
     digits = int(np.ceil(-np.log10(_ROUNDED * float(np.min(periods)))))
     places = np.unique(np.round(targets[0] + parts * np.ptp(targets), max(digits, 0)))
@@ -85,11 +88,12 @@ def _places(targets: FloatArray, periods: FloatArray) -> FloatArray:
 
 @dataclass(slots=True)
 class _Design:
-    """What the targets and further ``places`` (c,) tell: ``covariance`` (c, c) of the error there
-    and ``waves`` (c, 2 p) given the targets so far, ``gram`` (2 p, 2 p) of the waves: all cosines,
-    then all sines. ``noise``: variance of a mean at a place; ``size``: standard deviation of an
-    amplitude; ``pairs`` (p, p + 1): weight of each period against each other and against none. mm
-    or deg.
+    """The information of targets about each possible period, mm or deg.
+
+    What the targets and further ``places`` (c,) tell: ``covariance`` (c, c) of the error there and
+    ``waves`` (c, 2 p) given the targets so far, ``gram`` (2 p, 2 p) of the waves: all cosines, then
+    all sines. ``noise``: variance of a mean at a place; ``size``: standard deviation of an
+    amplitude; ``pairs`` (p, p + 1): weight of each period against each other and against none.
     """
 
     places: FloatArray
@@ -108,7 +112,7 @@ class _Design:
         periods: FloatArray,
         shares: FloatArray,
     ) -> _Design:
-        """Return the design before any further target."""
+        """Return the information of the present targets, before any target is added."""
         bidirectional = bidirectional_means(posterior.cells, endless=False)
         m, every = bidirectional.targets.size, np.concatenate([bidirectional.targets, places])
         length = float(np.ptp(bidirectional.targets))
@@ -135,8 +139,10 @@ class _Design:
         )
 
     def least(self) -> float:
-        """Return the least amplitude that the targets so far show, for most of the periods and
-        whatever its phase, as none of the other periods would.
+        """Return the smallest amplitude of a period that the targets so far distinguish from the
+        other periods.
+
+        For most of the periods and whatever its phase.
         """
         one, across, two = self._information(self.gram)
         smallest = 0.5 * (one + two - np.hypot(one - two, 2.0 * across))
@@ -148,7 +154,7 @@ class _Design:
         return SEEN / float(np.sqrt(found)) if found * self.size**2 > _UNSEEN else float(np.inf)
 
     def add_best(self) -> int:
-        """Take the place in that leaves least open; return its index."""
+        """Add the place that decides most about the periods; return its index."""
         variances = np.diag(self.covariance) + self.noise
         scaled = self.waves / np.sqrt(variances)[:, np.newaxis]
         grams = self.gram + scaled[:, :, np.newaxis] * scaled[:, np.newaxis]
@@ -163,8 +169,10 @@ class _Design:
         return best
 
     def _information(self, gram: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return the information (..., p, p + 1) of a ``gram`` (..., 2 p, 2 p) about each period
-        (cosine, both, sine) where each other one, or none, is possible.
+        """Return how well a test separates each period from each other period and from none (...,
+        p, p + 1).
+
+        ``gram`` (..., 2 p, 2 p) about each period (cosine, both, sine).
         """
         p = len(self.pairs)
         (cc, cs), (sc, ss) = (
@@ -196,8 +204,8 @@ def _waves(places: FloatArray, periods: FloatArray) -> FloatArray:
 
 
 def _smooth_covariance(posterior: AxisPosterior, places: FloatArray) -> tuple[FloatArray, float]:
-    """Return the covariance (k, k) of the smooth part and the variance of the local part before
-    the readings, averaged over the draws, mm or deg squared.
+    """Return two average variances of the error before the readings count. Covariance (k, k) of the
+    smooth part, variance of the local part, mm² or deg².
     """
     part = posterior.parts[0]
     sines = slice(2, 2 + part.basis.sines)

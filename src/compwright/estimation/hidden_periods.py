@@ -71,8 +71,8 @@ _LEAST: Final = 0.01
 
 @dataclass(frozen=True, slots=True)
 class CurveColumns:
-    """The columns of offset, slope, ``known`` periods (mm or deg) and smooth part (``basis``) of an
-    axis measured at ``targets`` (m,), mm or deg.
+    """The functions of an axis measured at ``targets`` (m,): offset, slope, ``known`` periods and
+    smooth part ``basis``; mm or deg.
     """
 
     basis: Basis
@@ -80,7 +80,7 @@ class CurveColumns:
     known: tuple[float, ...]
 
     def columns(self, positions: FloatArray) -> FloatArray:
-        """Return the columns (k, j) at ``positions`` (k,), mm or deg."""
+        """Return the functions of the error (k, j) at ``positions`` (k,), mm or deg."""
         first, span = self.targets[0], float(np.ptp(self.targets))
         line = [np.ones_like(positions)]
         if self.basis.turn is None:
@@ -100,8 +100,9 @@ class CurveColumns:
 
 @dataclass(frozen=True, slots=True)
 class WaveDraw:
-    """One draw of a hypothesis: cosine and sine of a wave, mm or deg. They are normal with
-    ``mean`` (2,) and covariance ``root`` ``root``' (2, 2).
+    """One random draw of a possible wave: its cosine and sine parts, mm or deg.
+
+    They are normal with ``mean`` (2,) and covariance ``root`` ``root``' (2, 2).
 
     A ``share`` of it, plus an independent part of standard deviation ``apart``, is a wave of
     ``period`` (mm or deg). The rest is the long wave of frequency ``long`` (1 / mm or 1 / deg,
@@ -122,8 +123,8 @@ class WaveDraw:
 
 @dataclass(frozen=True, slots=True)
 class WaveHypotheses:
-    """The hypothesis that one of the ``waves`` (equally likely) exists, with its ``probability``;
-    without it the ``curve`` holds.
+    """The assumption, with its ``probability``, that one of the equally likely ``waves`` exists.
+    Otherwise the error is the ``curve``.
     """
 
     probability: float
@@ -131,8 +132,8 @@ class WaveHypotheses:
     curve: CurveColumns
 
     def drawn(self, targets: FloatArray, count: int, rng: np.random.Generator) -> FloatArray:
-        """Return draws (count, m) of the hidden waves at ``targets`` (m,) or (count, m); zero in
-        draws without a wave.
+        """Return random draws (count, m) of the possible waves at ``targets`` (m,) or (count, m).
+        Zero in draws without a wave.
         """
         unique, back = np.unique(targets, return_inverse=True)
         places = np.broadcast_to(back.reshape(targets.shape), (count, targets.shape[-1]))
@@ -155,15 +156,15 @@ class WaveHypotheses:
 
 @dataclass(frozen=True, slots=True)
 class HiddenPeriods:
-    """The ``hypotheses`` of hidden periods, for an estimate that has the known and the found
-    periods already.
+    """The possible periods that the readings of an axis cannot show. Known and found periods are
+    excluded.
     """
 
     hypotheses: tuple[WaveHypotheses, ...]
 
     @property
     def probability(self) -> float:
-        """Probability that any of them is true."""
+        """The probability that one of these assumptions is true."""
         return sum(each.probability for each in self.hypotheses)
 
     @property
@@ -177,8 +178,8 @@ class HiddenPeriods:
         return tuple(sorted(found.items(), key=lambda pair: (-round(pair[1], 9), pair[0])))
 
     def waves(self, targets: FloatArray, count: int, rng: np.random.Generator) -> FloatArray:
-        """Return draws (count, m) of what they add to the deviation at ``targets`` (m,), or (count,
-        m) with targets of their own, mm or deg.
+        """Return random draws (count, m) of the deviation by possible periods at ``targets`` (m,),
+        mm or deg. (count, m): each draw has its own targets.
         """
         added = np.zeros((count, targets.shape[-1]))
         for each in self.hypotheses:
@@ -194,7 +195,7 @@ def hidden_periods(
     known: Sequence[float],
     suggested: Sequence[float] = (),
 ) -> HiddenPeriods:
-    """Return the periods that may exist although neither the job nor the ``search`` names them.
+    """Return possible periods that neither the job nor the ``search`` has found.
 
     ``bidirectional``: means of both directions by target; ``basis``: functions of the smooth part;
     ``known``: periods (mm or deg) that are in the estimate; ``suggested``: known periods that are
@@ -218,8 +219,9 @@ def hidden_periods(
 
 @dataclass(frozen=True, slots=True)
 class _ExpectedPeriods:
-    """The periods that are expected of an axis of a ``kind`` before the data, mm or deg. Usual
-    and ``suggested`` periods, and any other; ``taken``: those already in the estimate.
+    """The periods that an axis of a ``kind`` may have before any reading, mm or deg.
+
+    Usual and ``suggested`` periods, and any other; ``taken``: those already in the estimate.
     """
 
     kind: AxisKind
@@ -229,8 +231,10 @@ class _ExpectedPeriods:
     def periods(
         self, likelihood: PeriodLikelihood, odds: PeriodOdds
     ) -> tuple[FloatArray, FloatArray]:
-        """Return periods (p,), mm or deg, and the logarithms (p,) of the odds of each against none:
-        the usual ones, and some that stand for all others, drawn where the readings speak for a
+        """Return possible periods (p,), mm or deg, with the log odds (p,) of each against no
+        period.
+
+        The usual ones, and some that stand for all others, drawn where the readings speak for a
         wave and anywhere (defensive importance sampling: Hesterberg, Technometrics 37, 1995).
         """
         usual = usual_periods(self.kind, self.suggested)
@@ -259,8 +263,8 @@ class _ExpectedPeriods:
     def _there(
         self, frequencies: FloatArray, targets: FloatArray
     ) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
-        """Return which of the ``frequencies`` (f,) are new to the estimate, and differ enough
-        from those taken at the ``targets`` (m,).
+        """Return which of the ``frequencies`` (f,) are new and can be distinguished at the
+        ``targets`` (m,) from those found before.
         """
         near = PEAK / float(np.ptp(targets))
         free = np.ones(frequencies.size, dtype=np.bool_)
@@ -279,8 +283,10 @@ def _hypotheses(
     present: tuple[float, ...],
     expected: _ExpectedPeriods,
 ) -> WaveHypotheses:
-    """Return the ``expected`` periods as hypotheses, given a model with the periods ``present`` (mm
-    or deg), whose probability is ``part``.
+    """Return the assumptions that one of the ``expected`` periods exists in addition to the periods
+    ``present``, mm or deg.
+
+    ``part``: the probability of the model.
     """
     room = bidirectional.targets.size - LEFT - bidirectional.free.shape[1]
     curve = CurveColumns(basis, bidirectional.targets, present[: max(room // 4, 0)])
@@ -328,9 +334,10 @@ def _hypotheses(
 
 
 def _long_waves(frequencies: FloatArray, targets: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return frequencies (f,), 1 / mm or 1 / deg, and phases (f,) of the long waves that the
-    targets show instead of short ones. The short waves have ``frequencies`` (f,), the
-    ``targets`` are (m,); nan where they do not look like a longer wave.
+    """Return the long waves that the targets show instead of waves of the ``frequencies`` (f,).
+    Their frequencies (f,), 1 / mm or 1 / deg, and phases (f,).
+
+    The ``targets`` are (m,); nan where they do not look like a longer wave.
     """
     length = float(np.ptp(targets))
     window = SpectralWindow(targets, float(np.max(frequencies)) + LEAST_REPEATS / length)
@@ -342,7 +349,9 @@ def _long_waves(frequencies: FloatArray, targets: FloatArray) -> tuple[FloatArra
 
 @dataclass(frozen=True, slots=True)
 class _SmoothFit:
-    """The smooth part that follows values at the targets, by node of the ``likelihood``."""
+    """The smooth part of the error fitted to values at the targets, for each node of the
+    ``likelihood``.
+    """
 
     likelihood: PeriodLikelihood
     bidirectional: BidirectionalMeans
@@ -350,8 +359,8 @@ class _SmoothFit:
     curve: CurveColumns
 
     def followed(self, node: int, period: float | None = None) -> tuple[FloatArray, FloatArray]:
-        """Return the coefficients of the curve (j,), mm or deg, that follow from the values, and
-        their change (j, 2) by cosine and sine of a wave.
+        """Return the coefficients of the curve (j,), mm or deg, and their change (j, 2) per cosine
+        and sine of a wave.
         """
         likelihood, basis = self.likelihood, self.curve.basis
         place = node
@@ -384,7 +393,7 @@ class _SmoothFit:
 
 
 def _evenly(shares: FloatArray, count: int) -> np.ndarray[tuple[int], np.dtype[np.intp]]:
-    """Return ``count`` places drawn systematically from their ``shares`` (n,)."""
+    """Return ``count`` indices in proportion to their ``shares`` (n,), drawn at equal steps."""
     ends = np.round(np.cumsum(shares), 9)
     points = (np.arange(count) + 0.5) / count * ends[-1]
     return np.asarray(np.searchsorted(ends, points), dtype=np.intp)

@@ -1,4 +1,5 @@
-"""Posterior of the hyperparameters: draws about its peaks, corrected by their true density.
+"""Draw the parameters of the error model from their probability distribution (posterior) around its
+peaks.
 
 Laplace's approximation (MacKay, Information Theory, Inference, and Learning Algorithms, 2003,
 chapter 27) alone is lopsided where the data say little (a length scale, the variance of a reversal
@@ -29,7 +30,9 @@ _SEED: Final = 231  # by it draws of the noise are paired with hyperparameters
 
 @dataclass(frozen=True, slots=True)
 class HyperparameterDraws:
-    """``values`` (d, h) equally likely draws, and the natural logarithm of the model's evidence."""
+    """Equally likely draws ``values`` (d, h) of the model's parameters, and the natural logarithm
+    of the model's evidence.
+    """
 
     values: FloatArray
     log_evidence: float
@@ -43,9 +46,11 @@ def draw_hyperparameters(
     draws: int,
     rng: np.random.Generator,
 ) -> HyperparameterDraws:
-    """Return ``draws`` equally likely hyperparameters (draws, h), and the evidence. Both come from
-    importance sampling (Geweke, Econometrica 57, 1989): ``proposals`` points where the posterior
-    has one peak, half as many again for every other. ``starts``: those of `find_peaks`.
+    """Return equally likely draws (draws, h) of the model's parameters, and the model's evidence.
+
+    Both come from importance sampling (Geweke, Econometrica 57, 1989): ``proposals`` points where
+    the posterior has one peak, half as many again for every other. ``starts``: those of
+    `find_peaks`.
 
     Equally likely: taken where the cumulative weights cross evenly spaced steps (Kitagawa, J.
     Comput. Graph. Stat. 5, 1996). The draws of the noise are averaged over.
@@ -68,9 +73,11 @@ def draw_hyperparameters(
 
 
 def _points(peak: Peak, free: NDArray[np.intp], count: int, rng: np.random.Generator) -> FloatArray:
-    """Return points (count, h) about a peak by Student's distribution, in mirrored pairs
-    (antithetic variates: Hammersley and Handscomb, Monte Carlo Methods, 1964, section 5.6): what is
-    odd about the peak cancels, and the evidence scatters less.
+    """Return random points (count, h) about a peak, in mirrored pairs so that the result scatters
+    less.
+
+    By Student's distribution (antithetic variates: Hammersley and Handscomb, Monte Carlo Methods,
+    1964, section 5.6): what is odd about the peak cancels.
     """
     normal = rng.standard_normal((count, free.size))
     normal[count // 2 :] = -normal[: count - count // 2]
@@ -82,14 +89,17 @@ def _points(peak: Peak, free: NDArray[np.intp], count: int, rng: np.random.Gener
 
 
 def _log_density(peak: Peak, away: FloatArray) -> FloatArray:
-    """Return the log density (n,) of the points about a peak, ``away`` (n, f) from it."""
+    """Return the log density (n,) of random points whose offsets from a peak are ``away`` (n,
+    f).
+    """
     scaled = np.asarray(np.linalg.solve(peak.root, away.T).T, dtype=np.float64)
     density: FloatArray = _log_student(scaled) - np.linalg.slogdet(peak.root)[1]
     return density
 
 
 def _log_posteriors(evidence: Evidence, peaks: Sequence[Peak], points: FloatArray) -> FloatArray:
-    """Return the log posterior (n,) at ``points`` (n, h), equally many about each of the ``peaks``.
+    """Return the log posterior density (n,) at ``points`` (n, h). Each of the ``peaks`` has the
+    same number of points.
 
     Each point is evaluated under one draw of the noise. How much more likely that draw makes the
     means at the peaks than the average draw does is subtracted: the means do not change the
@@ -116,7 +126,9 @@ def _log_posteriors(evidence: Evidence, peaks: Sequence[Peak], points: FloatArra
 
 
 def _level(evidence: Evidence, peaks: Sequence[Peak], draw: int) -> float:
-    """Return how likely a draw of the noise makes the means, by all peaks as wide as they are."""
+    """Return the log probability of the mean readings under one draw of the noise, over all
+    peaks.
+    """
     heights = [
         evidence.log_posterior(peak.place, draw) + np.linalg.slogdet(peak.root)[1] for peak in peaks
     ]

@@ -1,5 +1,7 @@
-"""Jumps of the error between two targets. Causes: a damaged scale, a joint of two scales, a wrong
-number of encoder lines. A smooth model would spread them over a length and overshoot on both sides.
+"""Find jumps of the error between two targets. Causes: a damaged scale, a joint of two scales, a
+wrong number of encoder lines.
+
+A smooth model would spread them over a length and overshoot on both sides.
 
 Sets of jumps and outliers are compared by the evidence of the means (`step_evidence`; Kass and
 Raftery, Bayes Factors, J. Am. Stat. Assoc. 90, 1995). Between its
@@ -38,10 +40,12 @@ _LEVEL: Final = 0.05
 
 @dataclass(frozen=True, slots=True)
 class Jump:
-    """A step of the error by ``size``, with standard deviation ``std``, between the targets
-    ``low`` and ``high``, mm or deg. ``odds`` for it. With a ``turn`` (deg) the error returns
-    evenly over the rest of it, and ``high`` may lie in the next one. ``end``: only the last
-    target lies behind the step, so it may be an outlier instead.
+    """A jump of the error by ``size``, standard deviation ``std``, between the targets ``low`` and
+    ``high``, mm or deg.
+
+    ``odds`` for it. With a ``turn`` (deg) the error returns evenly over the rest of it, and
+    ``high`` may lie in the next one. ``end``: only the last target lies behind the step, so it may
+    be an outlier instead.
     """
 
     low: float
@@ -53,18 +57,22 @@ class Jump:
     end: float | None = None
 
     def ramp(self, positions: FloatArray) -> FloatArray:
-        """Return what tables hold of the step (k,): no place in the gap is known."""
+        """Return the average of the jump over its possible places (k,): a straight rise between the
+        two targets.
+        """
         return np.asarray(self.size * (self._level(positions) - self._back(positions)))
 
     def variance(self, positions: FloatArray) -> FloatArray:
-        """Return the mean square (k,) of the step about `ramp`: it is there already, or not yet."""
+        """Return the mean square (k,) of the jump about its average `ramp`, because its exact place
+        is unknown.
+        """
         share = self._share(positions)
         square = share * (1.0 - share) + (share - self._level(positions)) ** 2
         return np.asarray(self.size**2 * self.probability * square)
 
     def drawn(self, positions: FloatArray, count: int, rng: np.random.Generator) -> FloatArray:
-        """Return drawn steps (count, k) at drawn places, less `ramp`, at ``positions`` (k,)
-        or (count, k). Draws without a step have zeros.
+        """Return random draws (count, k) of the jump at random places, minus `ramp`, at
+        ``positions`` (k,) or (count, k). Draws without a jump are zero.
         """
         places, there = rng.random((count, 1)), rng.random((count, 1)) < self.probability
         step = (self._share(positions) > places) - self._level(positions)
@@ -72,7 +80,7 @@ class Jump:
 
     @property
     def probability(self) -> float:
-        """How probable it is."""
+        """The probability that the jump exists."""
         return self.odds / (1.0 + self.odds)
 
     def _behind(self, positions: FloatArray) -> FloatArray:
@@ -90,7 +98,7 @@ class Jump:
 
     @property
     def named(self) -> bool:
-        """Whether the user hears of it."""
+        """Whether the jump is reported to the user."""
         return self.odds >= _NAMED or self.end is not None
 
     def finding(self, kind: AxisKind) -> Finding:
@@ -116,7 +124,9 @@ class Jump:
 def find_jumps(
     targets: FloatArray, means: FloatArray, stds: FloatArray, turn: float | None = None
 ) -> tuple[Jump, ...]:
-    """Return the jumps that the ``means`` of the ``targets`` (m,) show, mm or deg, ascending.
+    """Return the jumps of the error that the ``means`` of the ``targets`` (m,) show, mm or deg,
+    ascending.
+
     ``stds`` (m,): standard deviations of their noise. The odds of each are those against the best
     explanation without it. ``turn`` (deg): of an endless axis, whose targets lie within one; the
     gap between the last and the first is one too.
@@ -142,8 +152,8 @@ def find_jumps(
 
 
 def _windows(m: int, *, endless: bool) -> list[tuple[int, int, range]]:
-    """Return windows of targets that are examined together: the first target, how many, and the
-    gaps in the middle that they decide. Gaps are numbered by the target before them.
+    """Return groups of neighbouring targets that are examined together for jumps. With the gaps
+    that each group decides; a gap has the index of the target before it.
     """
     count = min(2 * _HALF, m) if not endless else 2 * min(_HALF, m // 2)
     gaps = m if endless else m - 1
@@ -159,7 +169,9 @@ def _windows(m: int, *, endless: bool) -> list[tuple[int, int, range]]:
 
 
 def _jump(step: FoundStep, low: float, high: float, turn: float | None, end: float | None) -> Jump:
-    """Return a step as a jump; behind the last gap it may as well be the target at the ``end``."""
+    """Return a step as a jump. After the last gap, an outlier of the last target is an equal
+    explanation.
+    """
     size, std, odds = round(step.size, 9), round(step.std, 9), step.odds
     if end is None:
         return Jump(low, high, size, std, odds, turn)

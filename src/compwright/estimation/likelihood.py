@@ -1,4 +1,4 @@
-"""How likely the mean readings of one test are, whatever the error of the axis.
+"""The probability of the mean readings of one test, averaged over all possible errors of the axis.
 
 Compares the readings as stated with the same readings under another assumption (sign reversed,
 directions exchanged, another table active). Marginal likelihood of the means under the model of
@@ -26,9 +26,10 @@ _FREE_LINES: Final = 3  # offset, slope, mean reversal
 
 @dataclass(frozen=True, slots=True)
 class ScaledCurve:
-    """A curve that the error may contain, times an uncertain factor. ``positive``,
-    ``negative``: (m,) mm or deg at the targets of a test; the factor has mean 0 and standard
-    deviation ``std``.
+    """A possible part of the error: a curve times an unknown factor.
+
+    ``positive``, ``negative``: (m,) mm or deg at the targets of a test; the factor has mean 0 and
+    standard deviation ``std``.
     """
 
     positive: FloatArray
@@ -42,9 +43,10 @@ def log_likelihood(
     periods: Sequence[float],
     shape: ScaledCurve | None = None,
 ) -> float:
-    """Return the natural logarithm of the density of the means of a test (mm or deg). A
-    constant that depends only on targets and counts is left out. Raises InputError for readings
-    at fewer than two targets.
+    """Return the log likelihood of the mean readings of a test (mm or deg), up to a constant.
+    Raises InputError for readings at fewer than two targets.
+
+    The constant depends only on targets and counts.
     """
     # Jumps stay in: a table that is taken the wrong way tears an error where there is no jump.
     cells = build_cells([observed], turn=travel.turn, stepped=False)
@@ -56,8 +58,8 @@ def log_likelihood(
 
 
 def smooth_part(observed: ObservedTest, travel: Travel) -> tuple[FloatArray, FloatArray]:
-    """Return the smooth part of the means of a test at its targets (m,), in + and in -. It has
-    no noise and no part that changes from target to target.
+    """Return the smooth part of the mean readings of a test at its targets (m,), in + and in -.
+    Noise and irregular parts are removed.
     """
     cells = build_cells([observed], turn=travel.turn)
     part = _fitted(cells, travel, ()).part(np.array([cells.data.typical()]))

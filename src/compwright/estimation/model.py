@@ -57,8 +57,8 @@ class Travel:
 
 @dataclass(frozen=True, slots=True)
 class Periods:
-    """Known or supposed ``periods`` of the error, mm or deg, with the ``harmonics`` of each that
-    count.
+    """Known or possible ``periods`` of the error, mm or deg, with the ``harmonics`` in use for
+    each.
     """
 
     periods: tuple[float, ...] = ()
@@ -66,20 +66,23 @@ class Periods:
 
     @classmethod
     def of(cls, cells: Cells, periods: tuple[float, ...]) -> Periods:
-        """Return the periods with the harmonics that the targets show as what they are."""
+        """Return the periods with those harmonics that the targets do not confuse with longer
+        waves.
+        """
         return cls(periods, tuple(visible_harmonics(cells.targets, each) for each in periods))
 
     def with_periods(
         self, periods: tuple[float, ...], harmonics: tuple[tuple[int, ...], ...]
     ) -> Periods:
-        """Return these and others."""
+        """Return these periods together with further ones."""
         return Periods((*self.periods, *periods), (*self.harmonics, *harmonics))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class MixturePart:
-    """One model of the mixture. Equally likely draws of the weights of its `basis`, one for each of
-    the hyperparameters ``values`` (n, h), with a draw of the noise (``draws``, n).
+    """One model of the mixture, with equally likely draws of the weights of its functions.
+
+    One for each of the hyperparameters ``values`` (n, h), with a draw of the noise (``draws``, n).
     """
 
     evidence: Evidence
@@ -88,17 +91,21 @@ class MixturePart:
 
     @property
     def basis(self) -> Basis:
-        """The functions of the model."""
+        """The functions of position in the model."""
         return self.evidence.basis
 
     @property
     def noises(self) -> FloatArray:
-        """Variance (n,) of a reading, where it is inferred, in units of the scale squared."""
+        """The variances (n,) of a reading where they are inferred, in units of the scale
+        squared.
+        """
         return np.array([self.evidence.variances(h)[0] for h in self.values])
 
     @property
     def weights(self) -> tuple[WeightPosterior, ...]:
-        """The draws (n). They are large: made when asked for, and kept for the last few parts."""
+        """The probability distributions of the weights, one per draw (n). Large, so only the last
+        few models keep them.
+        """
         return _weights_of(self)
 
 
@@ -111,14 +118,16 @@ def _weights_of(part: MixturePart) -> tuple[WeightPosterior, ...]:
 
 @dataclass(frozen=True, slots=True)
 class FittedModel:
-    """One model fitted to the cells of an axis, with its draws and its evidence."""
+    """One model of the error fitted to the mean readings of an axis, with its draws and its
+    evidence.
+    """
 
     evidence: Evidence
     drawn: HyperparameterDraws
 
     def part(self, noise: NDArray[np.intp]) -> MixturePart:
-        """Return the model's part in a mixture: one draw of the weights for each of the given draws
-        of the noise (n,), its hyperparameters evenly spread over those drawn.
+        """Return the model as one part of a mixture, with one draw of the weights for each draw of
+        the noise (n,).
         """
         pick = np.linspace(0, self.drawn.values.shape[0] - 1, noise.size).round().astype(int)
         return MixturePart(self.evidence, self.drawn.values[pick], noise)
@@ -127,8 +136,10 @@ class FittedModel:
 def fit_model(
     cells: Cells, travel: Travel, periods: Periods, *, varying: bool, draws: int
 ) -> FittedModel:
-    """Return the model with these periods, fitted to the cells. Its reversal varies with
-    position or is constant; ``draws`` equally likely hyperparameters.
+    """Return the model with these periods, fitted to the mean readings. Its reversal varies with
+    position or is constant.
+
+    ``draws`` equally likely hyperparameters.
     """
     evidence = model_evidence(cells, travel, periods, varying=varying)
     # Many targets leave little room for the hyperparameters.
@@ -146,8 +157,9 @@ def fit_model(
 
 
 def _starts(cells: Cells, prior: Prior) -> list[FloatArray]:
-    """Return the points (k, h) from which the posterior of the hyperparameters is climbed. They
-    are the middle of the prior, and points that explain roughness by a short length, by the
+    """Return the start points (k, h) for maximising the probability of the model's parameters.
+
+    They are the middle of the prior, and points that explain roughness by a short length, by the
     local part, or by periods.
     """
     rough = float(np.log(cells.roughness))
@@ -169,7 +181,9 @@ def _starts(cells: Cells, prior: Prior) -> list[FloatArray]:
 
 
 def with_other_periods(fit: FittedModel, cells: Cells, periods: Periods) -> FittedModel:
-    """Return a fitted model with as many other periods; the draws of its hyperparameters stay."""
+    """Return a fitted model with other periods of the same number. The draws of its parameters
+    stay.
+    """
     evidence = fit.evidence
     if periods.periods == evidence.basis.periods:
         return fit
@@ -178,8 +192,9 @@ def with_other_periods(fit: FittedModel, cells: Cells, periods: Periods) -> Fitt
 
 
 def model_evidence(cells: Cells, travel: Travel, periods: Periods, *, varying: bool) -> Evidence:
-    """Return the marginal likelihood of the cells under one model (Rasmussen and Williams, Gaussian
-    Processes for Machine Learning, 2006, section 5.2). Arguments as those of `fit_model`.
+    """Return the log probability of the mean readings under one model (marginal likelihood).
+    Arguments as those of `fit_model`. Source: Rasmussen and Williams, Gaussian Processes for
+    Machine Learning, 2006, section 5.2.
     """
     basis = model_basis(cells, travel, periods, varying=varying)
     return Evidence(basis, cells.targets, cells.data, _prior_for(cells, basis, varying=varying))
@@ -213,9 +228,10 @@ def model_basis(cells: Cells, travel: Travel, periods: Periods, *, varying: bool
 
 
 def _prior_for(cells: Cells, basis: Basis, *, varying: bool) -> Prior:
-    """Weak priors around what the spread of the readings suggests; a width of 1.5 is a factor 4.5
-    either way. The noise of a test without repetition is, where another test of the axis has some,
-    about as large as there.
+    """Return weak priors around the sizes that the scatter of the readings suggests.
+
+    A width of 1.5 is a factor 4.5 either way. The noise of a test without repetition is, where
+    another test of the axis has some, about as large as there.
     """
     spread, roughness = cells.spread, cells.roughness
     centre = [
@@ -241,5 +257,7 @@ def _prior_for(cells: Cells, basis: Basis, *, varying: bool) -> Prior:
 
 
 def _borrowed_noise(noise: NoiseDraws, scale: float) -> float:
-    """Return the logarithm of the noise of a reading of another test, in units of ``scale``."""
+    """Return the log noise of a reading, taken from another test of the axis, in units of
+    ``scale``.
+    """
     return float(np.mean(np.log(np.maximum(noise.sigma, 1e-12) / scale)))

@@ -39,8 +39,8 @@ class ModelMixture:
 def average_models(
     cells: Cells, travel: Travel, known: Periods, models: Sequence[PeriodModel], draws: int
 ) -> ModelMixture:
-    """Return the mixture of the period ``models`` (most probable first), each with the ``known``
-    periods added.
+    """Return the mixture of the ``models``, most probable first. Each model also contains the
+    ``known`` periods.
 
     Constant and varying reversal have equal prior probability: the share of the varying one is odds
     / (1 + odds) (Kass and Raftery, J. Am. Stat. Assoc. 90, 1995). Reversal is the difference of the
@@ -74,7 +74,9 @@ def average_models(
 def _varying_and_constant_reversal(
     cells: Cells, travel: Travel, known: Periods, model: PeriodModel, draws: int
 ) -> tuple[dict[bool, FittedModel], float]:
-    """Return the model with varying and with constant reversal, and the log odds for the first."""
+    """Return the model with varying reversal, the model with constant reversal, and the log odds
+    for the first.
+    """
     periods = known.with_periods(model.periods, model.harmonics)
     both = {
         varying: fit_model(cells, travel, periods, varying=varying, draws=draws)
@@ -86,8 +88,10 @@ def _varying_and_constant_reversal(
 
 
 def _apportion(weights: Sequence[float], draws: int) -> list[int]:
-    """Return how many of ``draws`` each weight gets. Whole numbers by the largest remainders,
-    which sum to ``draws`` (Balinski and Young, Fair Representation, 1982).
+    """Return how many of the ``draws`` belong to each weight, as whole numbers with the sum
+    ``draws``.
+
+    By the largest remainders (Balinski and Young, Fair Representation, 1982).
     """
     exact = draws * np.round(np.array(weights) / sum(weights), 9)
     counts = np.floor(exact).astype(int)

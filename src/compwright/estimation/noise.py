@@ -1,4 +1,4 @@
-"""The noise of a test, from what its readings scatter about the means of their cells.
+"""Infer the noise of a test from the scatter of its repeated readings.
 
     reading = mean of its cell + offset and tilt of its traverse + drift with the runs + error
 
@@ -40,8 +40,8 @@ _DRAWS: Final = 48  # kept, of twice as many sweeps
 
 
 def infer_noise(test: PositioningTest) -> NoisePosterior | None:
-    """Return the posterior of the noise of ``test``; None where it has fewer than `LEAST_DOF`
-    contrasts.
+    """Return the probability distribution of the noise of ``test``. None where fewer than
+    `LEAST_DOF` degrees of freedom exist.
 
     The same test gives the same posterior. Model and sources: module docstring.
     """
@@ -120,15 +120,15 @@ def _thinning(test: PositioningTest, readings: CellReadings) -> Iterator[Finding
 
 
 def _as_shown(sigma: FloatArray, step: float) -> FloatArray:
-    """Return scales of readings (count,) as the instrument shows them, which rounds to ``step``."""
+    """Return the scales (count,) of readings after the instrument has rounded them to ``step``."""
     return rounded_stds(sigma, step) if step else sigma
 
 
 def _repeated(
     draws: Sequence[NoiseState], readings: CellReadings, every: CellReadings
 ) -> FloatArray:
-    """Return offset and tilt (count, 2) of repeated tests; a walk has its steps between ``every``
-    run.
+    """Return the offset and tilt (count, 2) of the traverses of repeated tests. A random walk makes
+    its steps between ``every`` run.
     """
     sizes = np.array([draw.again for draw in draws])
     sizes[[draw.pattern == WALK for draw in draws]] *= np.sqrt(readings.runs / every.runs)
@@ -142,8 +142,10 @@ def _noise(
     sigma: FloatArray,
     sizes: FloatArray,
 ) -> NoiseDraws:
-    """Return the noise of the ``draws`` with errors of the scales ``sigma`` (count,), which follow
-    the ``members`` (count,) of `TAILS`, and traverses moved by ``sizes`` (count, 2).
+    """Return the noise as a record, from the ``draws`` of the sampler.
+
+    Errors of the scales ``sigma`` (count,), which follow the ``members`` (count,) of `TAILS`, and
+    traverses moved by ``sizes`` (count, 2).
     """
     tails = [TAILS[member] for member in members]
     spread = np.array([draw.spread for draw in draws])

@@ -1,5 +1,5 @@
-"""What the readings of a test show about its cells, given the noise. Means, precisions, and the
-errors that whole traverses give to several means.
+"""Mean readings with their precision, for given noise of a test. Offsets of whole traverses are
+errors that several means share.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ _AT_ONCE: Final = 500_000
 
 @dataclass(frozen=True, slots=True)
 class CellMeans:
-    """Means and precisions (c,) of the cells, 0 where there is no reading. ``columns`` (c, q):
+    """Mean readings and their precisions (c,), 0 where there is no reading. ``columns`` (c, q):
     errors of unit variance that several means share.
     """
 
@@ -41,10 +41,12 @@ class CellMeans:
 def cell_means(
     draw: NoiseState, readings: CellReadings, shapes: FloatArray, step: float
 ) -> CellMeans:
-    """Return what the ``readings`` say of the cells under one draw of the noise: a flat prior on
-    the means, normal effects of the traverses (Searle, Casella and McCulloch, Variance Components,
-    1992, section 7.4); heavy tails and outliers integrated out, whichever readings the sampler took
-    for such (Rao-Blackwell: Gelfand and Smith, J. Am. Stat. Assoc. 85, 1990).
+    """Return the mean readings and their precisions under one draw of the noise.
+
+    A flat prior on the means, normal effects of the traverses (Searle, Casella and McCulloch,
+    Variance Components, 1992, section 7.4); heavy tails and outliers integrated out, whichever
+    readings the sampler took for such (Rao-Blackwell: Gelfand and Smith, J. Am. Stat. Assoc. 85,
+    1990).
 
     ``shapes``: of the spread. ``step``: to which a coarse instrument rounds, mm or deg; 0 where
     that is no matter. What rounding does to all readings of a cell alike no repetition takes out.
@@ -77,9 +79,11 @@ def means_of_all_runs(
     readings: CellReadings,
     every: CellReadings,
 ) -> CellMeans:
-    """Return what ``every`` reading says of the cells under a draw of the noise that comes from
-    some of the runs (``readings``): the means of all, known better by as much as they are more.
-    What moves the other traverses is not known one by one and stays common to the means.
+    """Return the means of ``every`` reading under a noise that was drawn from only some of the runs
+    (``readings``).
+
+    The means of all, known better by as much as they are more. What moves the other traverses is
+    not known one by one and stays common to the means.
     """
     there = np.any(every.there, axis=1)
     count = np.maximum(np.sum(every.there, axis=1), 1)
@@ -100,7 +104,9 @@ def means_of_all_runs(
 def cell_locations(
     tail: Tail, values: FloatArray, there: NDArray[np.bool_], scale: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Return mean and variance (c,) as `_located` does, of a few cells at a time."""
+    """Return the mean and variance (c,) of each target's value, in blocks of a few targets
+    (`_located`).
+    """
     at_once = max(1, _AT_ONCE // (min(_ABOUT, values.shape[1]) * _AWAY.size * values.shape[1]))
     parts = [
         _located(tail, values[part], there[part], scale[part])
@@ -112,8 +118,10 @@ def cell_locations(
 def _located(
     tail: Tail, values: FloatArray, there: NDArray[np.bool_], scale: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Return mean and variance (c,) of the place of each cell, given its readings ``values`` (c, n)
-    where they are ``there``, each off by an error that follows ``tail`` times ``scale`` (c,): a
+    """Return the mean and variance (c,) of each target's value from its scattering readings
+    ``values`` (c, n).
+
+    Where they are ``there``, each is off by an error that follows ``tail`` times ``scale`` (c,): a
     flat prior, by the trapezoidal rule over places about the readings.
     """
     known = np.sort(np.where(there, values, np.inf), axis=1)
@@ -137,8 +145,10 @@ def _located(
 
 
 def _columns(draw: NoiseState) -> tuple[FloatArray, FloatArray]:
-    """Return columns (c, q), and what they leave of the variances (c,) that the effects give to the
-    means: partial Cholesky factor at fixed cells of each direction (Golub and Van Loan, Matrix
+    """Return a few columns (c, q) that reproduce the covariance of the mean readings, and the
+    remaining variances (c,).
+
+    Partial Cholesky factor at fixed cells of each direction (Golub and Van Loan, Matrix
     Computations, 4th ed. 2013, section 4.2.8).
     """
     shares, there = draw.data.shares, draw.data.weights > 0.0

@@ -1,5 +1,5 @@
-"""The Gibbs sampler of the noise: one part after the other, each from its exact distribution given
-the others (Geman and Geman, IEEE Trans. Pattern Anal. 6, 1984).
+"""Random sampling of the noise: each part is drawn in turn, given all others (Gibbs sampler).
+Source: Geman and Geman, IEEE Trans. Pattern Anal. 6, 1984.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ WAYS: Final = 4
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class NoiseState:
-    """One state of the sampler, mm or deg.
+    """One state of the random sampler of the noise, mm or deg.
 
     ``sigma``: scale of a reading before it is rounded; ``spread``: how its logarithm follows
     direction and waves; ``tail``: place in `TAILS`; ``size`` (4,), ``pattern``, ``pace``, ``moved``
@@ -120,8 +120,8 @@ class GibbsChain:
         self._take_tail(residuals / self.sigma)
 
     def _start(self) -> tuple[float, FloatArray]:
-        """Return a robust scale of a reading, and the readings without the medians of their
-        cells and traverses (Tukey, Exploratory Data Analysis, 1977, chapter 11).
+        """Return a robust scale of a reading, and the readings minus the medians of targets and
+        traverses. Source: Tukey, Exploratory Data Analysis, 1977, chapter 11.
         """
         left = np.where(self.readings.there, self.values, np.nan)
         half = left.shape[0] // 2
@@ -136,7 +136,9 @@ class GibbsChain:
         return max(scale, 0.3 * spread, self.floor), rest
 
     def sweep(self) -> NoiseState:
-        """Draw everything anew once; returns the state in which the cells were weighed."""
+        """Draw every part of the noise once. Returns the state in which the mean readings were
+        weighted.
+        """
         rng, there = self.rng, self.readings.there
         scale = np.exp(self.spread @ self.shapes)[:, np.newaxis]
         weights = there * self.latent.weights / scale**2
@@ -182,7 +184,9 @@ class GibbsChain:
         return draw
 
     def _share(self) -> float:
-        """Draw the share of offsets (steps) that are there; 1 where there are none, or a wave."""
+        """Draw the share of traverses that are shifted. 1 where offsets are absent or follow a
+        wave.
+        """
         if self.sizes.size[OFFSET] == 0.0 or self.sizes.pattern == WAVE:
             return 1.0
         return draw_share(self.sizes.moved, self.rng)
@@ -190,8 +194,10 @@ class GibbsChain:
     def _as_read(
         self, data: ReducedReadings, weights: FloatArray, shift: FloatArray
     ) -> ReducedReadings:
-        """Return ``data`` with the means of the readings as they were read, less the ``shift`` (c,
-        n) of outliers: a drawn place between two numbers would stand for the mean of its cell.
+        """Return ``data`` with the means of the readings as displayed, minus the ``shift`` (c, n)
+        of outliers.
+
+        A drawn place between two numbers would stand for the mean of its cell.
         """
         if self.values is self.readings.values:
             return data
@@ -199,8 +205,8 @@ class GibbsChain:
         return replace(data, means=np.sum(weights * (self.readings.values - shift), axis=1) / total)
 
     def _traverses(self, values: FloatArray, weights: FloatArray) -> ReducedTraverses:
-        """Return what ``values`` with ``weights`` (c, n) say of the traverses; reduced anew only
-        where they changed.
+        """Return the information of ``values`` (c, n) with ``weights`` about the traverses. It is
+        computed again only where they changed.
         """
         if not (
             self.reduced is not None
@@ -213,7 +219,8 @@ class GibbsChain:
         return self.reduced[2]
 
     def _draw_readings(self, values: FloatArray, moved: FloatArray) -> None:
-        """Draw where the readings scatter more, their scale, means, tails and latent weights.
+        """Draw scale, means, tails and weights of the readings, and where they scatter more.
+
         ``values`` (c, n) are without the shift of outliers, ``moved`` is what traverses do.
         """
         squares = self._about_means(values - moved)[1]
@@ -232,8 +239,10 @@ class GibbsChain:
             self.values = draw_unrounded(self.readings, self.step, middle + shift, reach, self.rng)
 
     def _draw_means(self, left: FloatArray, scale: FloatArray) -> FloatArray:
-        """Draw the scale of a reading, then the means (c, 1) of the cells from readings ``left``
-        (c, n) that scatter by ``scale`` (c, 1) times as much.
+        """Draw the scale of a reading, then the means (c, 1) of targets and directions from the
+        readings ``left`` (c, n).
+
+        They scatter by ``scale`` (c, 1) times as much.
         """
         means, squares, total = self._about_means(left)
         square = float((squares / scale[:, 0] ** 2).sum())
@@ -243,8 +252,8 @@ class GibbsChain:
         return drawn[:, np.newaxis]
 
     def _about_means(self, left: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return weighted means (c,) of the readings ``left`` (c, n), sums of squares about them
-        and total weights.
+        """Return the weighted means (c,) of the readings ``left`` (c, n), their sums of squares and
+        total weights.
         """
         weights = self.readings.there * self.latent.weights
         total = np.maximum(weights.sum(axis=1), 1e-300)
@@ -253,8 +262,10 @@ class GibbsChain:
         return means, squares + self.floor**2 / squares.size, total
 
     def _take_tail(self, z: FloatArray) -> None:
-        """Draw the tail weight and the scale of the errors together, from errors (c, n) in units of
-        the present scale; then the latent weight of each reading.
+        """Draw the type of the error distribution and its scale together, then a weight for each
+        reading.
+
+        From errors (c, n) in units of the present scale.
 
         Offsets of traverses keep their size in mm or deg. Alternatives drawn from the same
         distribution, evenly over it (systematic sampling: Cochran, Sampling Techniques, 3rd ed.
@@ -275,7 +286,9 @@ class GibbsChain:
 
 
 def _medians(values: FloatArray) -> FloatArray:
-    """Return the medians (m, 1) of the rows, of the readings there are; 0 without one."""
+    """Return the median (m, 1) of the existing readings of each row, 0 for a row without
+    readings.
+    """
     found = [
         np.median(row[np.isfinite(row)]) if np.any(np.isfinite(row)) else 0.0 for row in values
     ]

@@ -1,4 +1,4 @@
-"""What a fresh test adds to the error of an axis, by several tests that were taken in the same way.
+"""The noise of a new test, from several tests that were taken in the same way on different days.
 
 One test shows its own drift and its own scatter, not whether they come again. Several show how they
 differ from day to day:
@@ -39,8 +39,8 @@ _TINY: Final = 1e-12
 def over_days(
     noise: NoiseDraws, tests: Sequence[NoiseDraws], own: int, rng: np.random.Generator
 ) -> NoiseDraws:
-    """Return the ``noise`` of a fresh test like the one in place ``own`` of the ``tests``, which
-    were taken in the same way, with drift and scatter as far as they differ between these.
+    """Return the ``noise`` of a new test like the one with the index ``own``. Its drift and scatter
+    vary as they do between the ``tests``.
     """
     drifts = np.array([(np.mean(each.drift), np.mean(each.drift_tilt)) for each in tests]).T
     stds = np.array([(np.std(each.drift), np.std(each.drift_tilt)) for each in tests]).T
@@ -62,8 +62,10 @@ def over_days(
 
 
 def _drawn_sizes(drifts: FloatArray, stds: FloatArray) -> tuple[float, FloatArray, FloatArray]:
-    """Return the log odds that the ``drifts`` (k,), standard errors ``stds`` (k,), were drawn for
-    each test, over one drift of all, and the possible sizes (s,) with their probabilities.
+    """Return the log odds that each test drifts by its own size instead of a common one. Also
+    possible sizes (s,) with their probabilities.
+
+    ``drifts`` (k,), standard errors ``stds`` (k,).
     """
     size = float(np.sqrt(np.mean(drifts**2)))
     if size == 0.0:
@@ -89,8 +91,8 @@ def _log_normal(values: FloatArray, covariance: FloatArray) -> float:
 def _log_change(
     tests: Sequence[NoiseDraws], own: int, count: int, rng: np.random.Generator
 ) -> FloatArray:
-    """Return draws (count,) of the logarithm of the scatter of a fresh test over that of the test
-    in place ``own``.
+    """Return random draws (count,) of the log ratio between the scatter of a new test and that of
+    the test ``own``.
     """
     logs = [np.mean(np.log(np.maximum(each.sigma, _TINY)), axis=1) for each in tests]
     means = np.array([np.mean(each) for each in logs])

@@ -119,7 +119,7 @@ def _traverses(test: PositioningTest, draws: Sequence[NoiseState]) -> Iterator[F
 
 
 def _moved(test: PositioningTest, draws: Sequence[NoiseState]) -> list[Sentence]:
-    """Return which traverses are moved in most of the draws."""
+    """Return which traverses are shifted in most of the draws."""
     m, runs = test.targets.size, draws[0].moved.size // 2
     moved = np.flatnonzero(np.mean([draw.moved for draw in draws], axis=0) > 0.5)
     return [_traverse(test, m * int(k // runs), int(k % runs)) for k in moved]
@@ -204,7 +204,9 @@ def _places(
 
 
 def _errors(readings: CellReadings, draw: NoiseState) -> FloatArray:
-    """Return the readings (c, n) less the means of their cells and what traverses and drift do."""
+    """Return the readings (c, n) minus the means of their targets, the shifts of traverses and the
+    drift.
+    """
     moved = traverse_effects(readings, draw.effects)
     means = draw.data.means - draw.data.shares @ draw.effects
     return np.where(readings.there, readings.values - moved - means[:, np.newaxis], 0.0)

@@ -1,4 +1,4 @@
-"""Which traverses, runs or steps are moved at all: every one, or only some of them.
+"""Decide which traverses, runs or steps are shifted: all of them or only some.
 
 A mounting that creeps moves every traverse; a knock, a chip or a reference run that missed its mark
 moves one now and then. Moves that are there are normal, the others nothing (Mitchell and Beauchamp,
@@ -26,8 +26,10 @@ _HALF: Final = 0.5
 
 @dataclass(slots=True)
 class ScoreEvidence:
-    """Evidence in ``scores`` (r,) about their covariance ``matrix`` (r, r), for an unknown variance
-    with ``dof`` degrees of freedom and residual sum of squares ``rest``.
+    """The evidence of ``scores`` (r,) about their covariance ``matrix`` (r, r). The variance is
+    unknown.
+
+    ``dof`` degrees of freedom and residual sum of squares ``rest``.
     """
 
     matrix: FloatArray
@@ -37,13 +39,13 @@ class ScoreEvidence:
 
 
 def drawn_from_prior(count: int, rng: np.random.Generator) -> BoolArray:
-    """Return which of ``count`` moves there might be when no reading tells."""
+    """Return at random which of ``count`` shifts exist, if no reading decides."""
     every, share, chances = rng.random() < _ALL, rng.beta(_HALF, _HALF), rng.random(count)
     return np.ones(count, dtype=np.bool_) if every else chances < share
 
 
 def draw_share(moved: BoolArray, rng: np.random.Generator) -> float:
-    """Draw the share of moves that are there, given which of them were (count,)."""
+    """Draw the share of existing shifts, given which of them (count,) exist."""
     there, count = int(np.count_nonzero(moved)), moved.size
     some = (1.0 - _ALL) * exp(_log_chance(there, count))
     every = _ALL if there == count else 0.0
@@ -54,9 +56,10 @@ def draw_share(moved: BoolArray, rng: np.random.Generator) -> float:
 def draw_moved(
     moved: BoolArray, moves: FloatArray, evidence: ScoreEvidence, rng: np.random.Generator
 ) -> BoolArray:
-    """Draw which of ``moves`` (q, r), standard deviations in the scores, are there, one after the
-    other given the others (George and McCulloch, J. Am. Stat. Assoc. 88, 1993), ``moved`` (q,)
-    being so now; the variance of a reading is integrated out.
+    """Draw which of the ``moves`` (q, r) exist, one after the other, each given the others.
+
+    Standard deviations in the scores (George and McCulloch, J. Am. Stat. Assoc. 88, 1993),
+    ``moved`` (q,) being so now; the variance of a reading is integrated out.
     """
     drawn = moved.copy()
     there = moves[moved]
@@ -83,11 +86,16 @@ def draw_moved(
 
 @cache
 def _log_priors(count: int) -> tuple[float, ...]:
-    """Return the log prior probability that just the first k of ``count`` moves are there, by k."""
+    """Return the log prior probabilities that exactly the first k of ``count`` shifts exist, for
+    each k.
+    """
     some = [log(1.0 - _ALL) + _log_chance(there, count) for there in range(count)]
     return *some, log(_ALL + (1.0 - _ALL) * exp(_log_chance(count, count)))
 
 
 def _log_chance(there: int, count: int) -> float:
-    """Return log B(k + 1/2, n - k + 1/2) - log B(1/2, 1/2): k of n under Jeffreys' prior."""
+    """Return the log probability of k hits among n under Jeffreys' prior.
+
+    log B(k + 1/2, n - k + 1/2) - log B(1/2, 1/2).
+    """
     return lgamma(there + _HALF) + lgamma(count - there + _HALF) - lgamma(count + 1.0) - log(pi)

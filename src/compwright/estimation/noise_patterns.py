@@ -1,4 +1,4 @@
-"""How traverses may move: patterns of their offsets and tilts, and of what drifts with the runs.
+"""Patterns in which traverses of a test may shift: offsets, tilts, and drift over the runs.
 
 Effects of the traverses are normal with a covariance that is a sum of known patterns with unknown
 sizes (linear mixed model: Searle, Casella and McCulloch, Variance Components, 1992, chapter 6).
@@ -40,10 +40,12 @@ PACE_SHARES: Final = np.array([0.6, 0.2, 0.2])
 
 @dataclass(slots=True)
 class Sizes:
-    """Present state of the sampler: ``size`` (4,) of offset, tilt, drift, drift of the tilt, in
-    standard deviations of a reading; ``form``: place in `FORM_SHARES`; ``moved`` (q,): which of
-    the moves of `Patterns` are there; ``rate``: place in `RATES`; ``absent`` (4,): how probable it
-    was, when last drawn, that there is none.
+    """The present state of the sampler for the shifts of traverses.
+
+    ``size`` (4,) of offset, tilt, drift, drift of the tilt, in standard deviations of a reading;
+    ``form``: place in `FORM_SHARES`; ``moved`` (q,): which of the moves of `Patterns` are there;
+    ``rate``: place in `RATES`; ``absent`` (4,): how probable it was, when last drawn, that there is
+    none.
     """
 
     moved: BoolArray
@@ -54,21 +56,22 @@ class Sizes:
 
     @property
     def pattern(self) -> int:
-        """Pattern as in the record of the noise."""
+        """The pattern of the offsets, as named in the record of the noise."""
         return min(self.form, WAVE)
 
     @property
     def pace(self) -> float:
-        """Correlation time of the wave, in parts of the test; 1 where it is none."""
+        """The correlation time of the wave, as a share of the test; 1 for any other pattern."""
         return float(PACES[self.form - WAVE]) if self.form >= WAVE else 1.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Patterns:
-    """What effects (k,) of unit size are made of: ``moves`` (3, q, k), one row for what moves a
-    traverse, a run, or all from one traverse on; ``waves`` (paces, k, k), ``tilt`` (forms, k, k)
-    covariances; the two drifts as columns ``drift``, ``drift_tilt`` (rates, k). ``walks``: time
-    passes from run to run.
+    """The possible patterns of shifts between the traverses of a test, each of unit size.
+
+    ``moves`` (3, q, k), one row for what moves a traverse, a run, or all from one traverse on;
+    ``waves`` (paces, k, k), ``tilt`` (forms, k, k) covariances; the two drifts as columns
+    ``drift``, ``drift_tilt`` (rates, k). ``walks``: time passes from run to run.
     """
 
     moves: FloatArray
@@ -80,11 +83,13 @@ class Patterns:
 
     @property
     def known(self) -> int:
-        """Number of forms that there can be."""
+        """The number of possible patterns of offsets."""
         return len(FORM_SHARES) if self.walks else WALK
 
     def covariance(self, sizes: Sizes) -> FloatArray:
-        """Return that of offsets and tilts (k, k), in variances of a reading."""
+        """Return the covariance (k, k) of offsets and tilts, in units of the variance of a
+        reading.
+        """
         offset = self.offset_of(sizes.form, sizes.moved)
         total: FloatArray = (
             sizes.size[OFFSET] ** 2 * offset + sizes.size[TILT] ** 2 * self.tilt[sizes.form]
@@ -92,8 +97,8 @@ class Patterns:
         return total
 
     def offset_of(self, form: int, moved: BoolArray) -> FloatArray:
-        """Return the covariance (k, k) of offsets of unit size, of which ``moved`` (q,) are there
-        where they are no wave.
+        """Return the covariance (k, k) of offsets of unit size. Only the traverses marked in
+        ``moved`` (q,) shift, unless the offsets follow a wave.
         """
         if form >= WAVE:
             return np.asarray(self.waves[form - WAVE])
@@ -103,10 +108,11 @@ class Patterns:
     def at_least(
         self, sizes: Sizes, effects: FloatArray, variance: float, share: float, made: BoolArray
     ) -> FloatArray:
-        """Return offset and tilt (2,) in the unit of the readings, whose squares of unit weight are
-        worth ``variance``: those of ``sizes``, or what the ``effects`` (k,) of the traverses that
-        were ``made`` (2, n) show about their mean by direction, whichever is larger; 0 where there
-        is none. ``share`` of the offsets are there.
+        """Return the size of offset and tilt (2,) of the traverses, in the unit of the readings.
+
+        Whose squares of unit weight are worth ``variance``: those of ``sizes``, or what the
+        ``effects`` (k,) of the traverses that were ``made`` (2, n) show about their mean by
+        direction, whichever is larger; 0 where there is none. ``share`` of the offsets are there.
         """
         found: FloatArray = sizes.size[:DRIFT] * np.sqrt(variance)
         forms = self.offset_of(sizes.form, np.ones_like(sizes.moved)), self.tilt[sizes.form]
@@ -127,12 +133,14 @@ class Patterns:
         return found
 
     def columns(self, rate: int) -> FloatArray:
-        """Return what the two drifts do to the effects (k, 2), from the first run to the last."""
+        """Return the effect of the two drifts on the traverses (k, 2), from the first run to the
+        last.
+        """
         return np.column_stack([self.drift[rate], self.drift_tilt[rate]])
 
 
 def build_patterns(readings: CellReadings, cycle: Cycle, runs: tuple[int, int]) -> Patterns:
-    """Return the patterns of a test with ``runs`` in + and in -.
+    """Return the possible patterns of shifts for a test with this number of ``runs`` in + and in -.
 
     In a step cycle the approaches to a target follow each other at once: there is nothing that
     drifts from run to run, no walk and no wave.
@@ -164,9 +172,10 @@ def build_patterns(readings: CellReadings, cycle: Cycle, runs: tuple[int, int]) 
 
 
 def _moves(order: FloatArray, middle: int) -> FloatArray:
-    """Return what each move of unit size does to the traverses, whose places in time are ``order``
-    (2, n): (3, 2n, 2n) by pattern. A random walk is nothing at the ``middle`` of the test, as the
-    record has it.
+    """Return the effect of each unit shift on the traverses, (3, 2n, 2n) by pattern.
+
+    Places in time are ``order`` (2, n). A random walk is nothing at the ``middle`` of the test, as
+    the record has it.
     """
     n = order.shape[1]
     runs = np.zeros((2 * n, 2 * n))
@@ -178,7 +187,7 @@ def _moves(order: FloatArray, middle: int) -> FloatArray:
 
 
 def _drifts(runs: int, *, returns: bool) -> tuple[FloatArray, FloatArray]:
-    """Return what drift and drift of the tilt do to the effects, (rates, 4 runs) each."""
+    """Return the effect of drift and of a drifting tilt on the traverses, (rates, 4 runs) each."""
     way = progress(runs, RATES)
     way = way - way.mean(axis=1, keepdims=True)
     ends = slackening(runs, RATES, np.array([-1.0, 1.0]), returns=returns)

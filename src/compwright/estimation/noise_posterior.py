@@ -1,5 +1,4 @@
-"""The noise of a test and what it leaves to infer about the error, from repeated readings: equally
-likely draws.
+"""The noise of a test as equally likely random draws, from its repeated readings.
 
 A reading is the error of its cell (a target approached in one direction) plus noise. Given the
 noise, the likelihood of the readings as a function of the errors of the cells is a normal density

@@ -1,5 +1,4 @@
-"""Readings of a test as residuals from the means of their cells. They are reduced to what they show
-about the traverses.
+"""The readings of a test minus their means, reduced to their information about whole traverses.
 
 A cell is a target approached in one direction. Its mean carries the error of the axis and is left
 free (flat prior), so that nothing here depends on the error curve; what remains are the contrasts
@@ -24,8 +23,11 @@ _RANK: float = 1e-9
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CellReadings:
-    """``values`` (c, n), mm or deg: cells all + then all - (c = 2 m), one column per run; 0 where
-    ``there`` (c, n) is False. ``u`` (c,): position from -1 to 1 over the targets.
+    """The readings ``values`` (c, n) of a test by target and direction, one column per run, mm or
+    deg.
+
+    Cells all + then all - (c = 2 m); 0 where ``there`` (c, n) is False. ``u`` (c,): position from
+    -1 to 1 over the targets.
     """
 
     values: FloatArray
@@ -41,25 +43,28 @@ class CellReadings:
 
     @property
     def dof(self) -> int:
-        """Readings beyond the first of each cell (JCGM 100:2008, 4.2.4)."""
+        """The degrees of freedom: the number of readings minus one for each target and direction
+        (JCGM 100:2008, 4.2.4).
+        """
         return int(np.sum(self.there) - np.count_nonzero(np.any(self.there, axis=1)))
 
     @property
     def farthest(self) -> float:
-        """The largest distance of a reading from the median of its cell."""
+        """The largest distance of a reading from the median at its target and direction."""
         values = np.where(self.there, self.values, np.nan)[np.any(self.there, axis=1)]
         middle = np.nanmedian(values, axis=1, keepdims=True)
         return float(np.nanmax(np.abs(values - middle), initial=0.0))
 
     @property
     def powers(self) -> FloatArray:
-        """Shape over the travel (2, c) of offset and tilt of a traverse: 1 and u."""
+        """The shape (2, c) of offset and tilt of a traverse over the travel: 1 and u."""
         return np.stack([np.ones_like(self.u), self.u])
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ReducedReadings:
-    """What weighted contrasts say of the effects (k,) of the traverses, per unit of variance.
+    """The information of weighted readings about the shifts (k,) of the traverses, per unit of
+    variance.
 
     ``root`` (k, r), root @ root.T the information; ``scores`` (r,) = root.T @ effects + unit noise;
     ``rest``: sum of squares that no effect explains; ``means``, ``weights`` (c,): weighted mean
@@ -75,7 +80,7 @@ class ReducedReadings:
 
 
 def cell_readings(test: PositioningTest) -> CellReadings:
-    """Return the readings of ``test`` by cell and run."""
+    """Return the readings of ``test`` as an array by target, direction and run."""
     m = test.targets.size
     runs = max(test.positive.shape[1], test.negative.shape[1])
     values = np.full((2 * m, runs), np.nan)
@@ -94,8 +99,9 @@ def cell_readings(test: PositioningTest) -> CellReadings:
 
 
 def traverse_effects(readings: CellReadings, effects: FloatArray) -> FloatArray:
-    """Return what ``effects`` (4 n,), by direction, offset before tilt, run, do to the readings
-    (c, n).
+    """Return the change of the readings (c, n) by the ``effects`` (4 n,) of the traverses.
+
+    By direction, offset before tilt, run.
     """
     parts = effects.reshape(2, 2, readings.runs)
     m = readings.u.size // 2
@@ -106,9 +112,11 @@ def traverse_effects(readings: CellReadings, effects: FloatArray) -> FloatArray:
 def reduce_readings(
     readings: CellReadings, values: FloatArray, weights: FloatArray
 ) -> ReducedReadings:
-    """Return what ``values`` (c, n) with ``weights`` (c, n), 0 where there is none, say of the
-    effects once the cells' means are eliminated (Harville 1974; normal equations by blocks:
-    Björck, Numerical Methods for Least Squares Problems, 1996, section 6.3).
+    """Return the information of ``values`` (c, n) about the traverses, after the means of the
+    targets are eliminated.
+
+    ``weights`` (c, n), 0 where there is none (Harville 1974; normal equations by blocks: Björck,
+    Numerical Methods for Least Squares Problems, 1996, section 6.3).
     """
     n, m = readings.runs, readings.u.size // 2
     total = weights.sum(axis=1)

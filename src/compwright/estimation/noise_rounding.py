@@ -1,6 +1,4 @@
-"""Readings of a coarse instrument: the step between its numbers, and where the true values may
-lie.
-"""
+"""The rounding of readings by a coarse instrument: its step, and where the exact values may be."""
 
 from __future__ import annotations
 
@@ -44,10 +42,11 @@ _ORDERS: Final = 100
 def reading_step(
     readings: CellReadings, residuals: FloatArray, scatter: float, coarsest: float
 ) -> float:
-    """Return the step of the readings, mm or deg, where it is coarse relative to their
-    ``scatter``. 0 where it is not, or where it is larger than ``coarsest``. All readings are
-    multiples of it; if those of different cells are not (a table was taken out of them), the
-    differences within the cells are.
+    """Return the resolution step of the readings, mm or deg. 0 where it is fine relative to their
+    ``scatter`` or larger than ``coarsest``.
+
+    All readings are multiples of it; if those of different cells are not (a table was taken out of
+    them), the differences within the cells are.
 
     Traverses that are shifted as a whole, so that ``residuals`` (c, n) without cells and traverses
     are nothing, show no step by their shifts: the readings along them have to.
@@ -68,15 +67,15 @@ def reading_step(
 
 
 def _distinct(values: FloatArray) -> FloatArray:
-    """Return the different ones of ``values`` (n,), ascending."""
+    """Return ``values`` (n,) without duplicates, ascending."""
     ordered = np.sort(values)
     distinct: FloatArray = ordered[np.diff(ordered, prepend=-np.inf) > SAME_READING]
     return distinct
 
 
 def _common_step(gaps: FloatArray, least: float) -> float:
-    """Return the largest step of which all ``gaps`` (n,) are multiples, by Euclid's algorithm; 0
-    where it is not above ``least`` or there are no gaps.
+    """Return the largest step that divides all ``gaps`` (n,), by Euclid's algorithm. 0 without gaps
+    or where it is not above ``least``.
     """
     step = float(np.min(gaps, initial=np.inf)) if gaps.size else 0.0
     while step > least:
@@ -91,10 +90,12 @@ def _common_step(gaps: FloatArray, least: float) -> float:
 def with_least_scatter(
     readings: CellReadings, residuals: FloatArray, least: float, rng: np.random.Generator
 ) -> FloatArray:
-    """Return the values (c, n) with normal scatter added in each direction whose ``residuals``
-    (c, n), the readings less cells and traverses, show less than can be believed: ``least`` (mm or
-    deg), `_LEAST_SHARE` of what the traverses differ, `_LEAST_SIDE` of the scatter in the other
-    direction. The values themselves, where both directions show as much.
+    """Return the values (c, n) with random scatter added in each direction that scatters
+    implausibly little.
+
+    Whose ``residuals`` (c, n), the readings less cells and traverses, show less than can be
+    believed: ``least`` (mm or deg), `_LEAST_SHARE` of what the traverses differ, `_LEAST_SIDE` of
+    the scatter in the other direction. The values themselves, where both directions show as much.
 
     All sizes of the noise are in units of this scatter: without any they would have no unit.
     """
@@ -121,9 +122,10 @@ def _rms(values: FloatArray) -> float:
 
 
 def rounded_std(sigma: float, step: float) -> float:
-    """Return the standard deviation of readings of one cell that scatter by ``sigma`` and are
-    rounded to ``step``. Their variance is averaged over all places of the mean between two
-    steps.
+    """Return the standard deviation of readings that scatter by ``sigma`` and are then rounded to
+    ``step``.
+
+    Their variance is averaged over all places of the mean between two steps.
 
     From sigma² + step²/12 for wide scatter (JCGM 100:2008, F.2.2.1) down to less than sigma² where
     most readings of a cell are the same number.
@@ -141,7 +143,7 @@ def rounded_std(sigma: float, step: float) -> float:
 
 
 def rounded_stds(sigmas: FloatArray, step: float) -> FloatArray:
-    """Return `rounded_std` of each of the ``sigmas`` (n,), to a thousandth."""
+    """Return `rounded_std` for each of the ``sigmas`` (n,), accurate to a thousandth."""
     logs = np.log(sigmas)
     low, high = float(np.min(logs)), float(np.max(logs))
     places = np.linspace(low, high, int(np.ceil((high - low) / _APART)) + 2)
@@ -152,8 +154,8 @@ def rounded_stds(sigmas: FloatArray, step: float) -> FloatArray:
 
 
 def common_std(sigma: float, step: float) -> float:
-    """Return the standard deviation of the rounding error that all readings of a cell have in
-    common.
+    """Return the standard deviation of the rounding error that is common to all readings at one
+    target and direction.
 
     The readings scatter by ``sigma`` and are then rounded to ``step``, in the same unit. The mean
     of rounded readings differs from the true mean by a Fourier series in the position of the true
@@ -168,8 +170,9 @@ def common_std(sigma: float, step: float) -> float:
 def initial_unrounded(
     readings: CellReadings, step: float, seen: float, rng: np.random.Generator
 ) -> FloatArray:
-    """Return values (c, n) as they may have been before rounding to ``step``, to begin with: those
-    of a cell scatter as much as makes the scatter ``seen`` once they are rounded.
+    """Return a first guess of the readings (c, n) before the instrument rounded them to ``step``.
+
+    Those of a cell scatter as much as makes the scatter ``seen`` once they are rounded.
     """
     sizes = step * np.geomspace(_QUIET, 1.0, _TRIED)
     scatter = np.array([rounded_std(float(size), step) for size in sizes])
@@ -195,8 +198,10 @@ def draw_unrounded(
     scale: FloatArray,
     rng: np.random.Generator,
 ) -> FloatArray:
-    """Draw the values (c, n) before rounding to ``step``: normal about ``middle`` with ``scale``
-    (c, n), within half a step of what was read (Heitjan and Rubin, J. Am. Stat. Assoc. 85, 1990).
+    """Draw the readings (c, n) before they were rounded to ``step``, each within half a step of its
+    displayed value.
+
+    Normal about ``middle`` with ``scale`` (c, n) (Heitjan and Rubin, J. Am. Stat. Assoc. 85, 1990).
     """
     wide = np.minimum(step, 2.0 * _REACH * scale)
     low = np.clip(

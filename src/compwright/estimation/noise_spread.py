@@ -1,4 +1,4 @@
-"""Where readings scatter more: in one direction, or in places along the travel."""
+"""Scatter that differs between the directions or along the travel."""
 
 from __future__ import annotations
 
@@ -22,16 +22,18 @@ _ZERO: Final = int(np.argmin(_THERE))
 
 
 def spread_shapes(readings: CellReadings) -> FloatArray:
-    """Return by how much the logarithm of the scale in each cell (parts, c) follows the direction
-    (half of +1 or -1) and each of the waves along the travel.
+    """Return the patterns in which the log scale of the readings may vary (parts, c): by direction,
+    or as waves along the travel.
+
+    Half of +1 or -1.
     """
     m = readings.u.size // 2
     return np.vstack([np.repeat([0.5, -0.5], m), waves(readings.u, _WAVES)])
 
 
 def precision_powers(shapes: FloatArray) -> FloatArray:
-    """Return by how much the precision of each cell follows each of ``shapes`` (parts, c), for
-    every value of the grid that sizes are drawn from (parts, values, c).
+    """Return the factor on the precision of each mean reading for every pattern and size (parts,
+    values, c).
     """
     powers: FloatArray = np.exp(-2.0 * _GRID[:, np.newaxis] * shapes[:, np.newaxis])
     return powers
@@ -45,9 +47,11 @@ def draw_spread(
     dof: FloatArray,
     rng: np.random.Generator,
 ) -> FloatArray:
-    """Draw ``spread`` (parts,) anew, each part given the others, from ``squares`` (c,) of the
-    readings about their cells' means with ``dof`` (c,); ``powers`` of the ``shapes``
-    (`precision_powers`). Returns how probable each is nothing.
+    """Draw the sizes ``spread`` (parts,) of the variation of the scatter. Also returns the
+    probability that each is zero.
+
+    Each part given the others, from ``squares`` (c,) of the readings about their cells' means with
+    ``dof`` (c,); ``powers`` of the ``shapes`` (`precision_powers`).
 
     The common scale is integrated out under its prior 1/sigma (Gelman et al., Bayesian Data
     Analysis, 3rd ed. 2013, section 3.2). Exact conditional draws from a grid: Ritter and Tanner, J.

@@ -1,4 +1,4 @@
-"""How far single readings reach: normal, Student's, or normal with outliers.
+"""The distribution of single readings: normal, Student's, or normal with outliers.
 
 Standardised residuals are counted into bins; the probability of the counts under every member of a
 list of distributions gives the member, and the member gives a weight to every reading (Student's
@@ -44,8 +44,10 @@ _MIDDLES: Final = 0.5 * (_EDGES[1:] + _EDGES[:-1])
 
 @dataclass(frozen=True, slots=True)
 class Tail:
-    """One distribution of unit scale: ``dof`` (inf: normal), outliers by ``share`` and ``size``,
-    ``fixed``: on either side at that size.
+    """One possible error distribution of unit scale.
+
+    ``dof`` (inf: normal), outliers by ``share`` and ``size``, ``fixed``: on either side at that
+    size.
     """
 
     prior: float
@@ -55,7 +57,7 @@ class Tail:
     fixed: bool = False
 
     def log_density(self, z: FloatArray) -> FloatArray:
-        """Return the logarithm of the density at ``z``."""
+        """Return the log density of the distribution at ``z``."""
         if np.isfinite(self.dof):
             constant = lgamma(0.5 * (self.dof + 1.0)) - lgamma(0.5 * self.dof)
             heavy: FloatArray = (
@@ -72,7 +74,7 @@ class Tail:
         return together
 
     def log_outlier(self, z: FloatArray) -> FloatArray:
-        """Return log share and density of an outlier at ``z`` (...) on the lower and on the upper
+        """Return the log probability that ``z`` (...) is an outlier on the lower and on the upper
         side (2, ...).
         """
         side = np.array([-1.0, 1.0]).reshape(2, *np.ones(z.ndim, dtype=int))
@@ -83,19 +85,21 @@ class Tail:
 
     @property
     def reach(self) -> float:
-        """Root mean square of the errors, without what lies further out than 99 % of them."""
+        """The root mean square of the errors within the central 99 % of the distribution."""
         density = np.exp(self.log_density(_MIDDLES)) * np.diff(_EDGES)
         inner = np.cumsum(density) <= 0.99 * np.sum(density)
         return float(np.sqrt(np.sum((density * _MIDDLES**2)[inner]) / np.sum(density[inner])))
 
     @property
     def scale(self) -> float:
-        """Scale of an outlier about where it lies."""
+        """The scale of an outlier about its centre."""
         return float(np.hypot(1.0, _FIXED_SPREAD * self.size)) if self.fixed else self.size
 
 
 def _outliers(kind: float, sizes: tuple[float, ...], *, fixed: bool) -> Iterator[Tail]:
-    """Yield outliers of prior probability ``kind`` together: all shares alike, sizes log-normal."""
+    """Yield distributions with outliers of several shares and sizes. Their prior probabilities have
+    the sum ``kind``.
+    """
     usual = np.exp(-0.5 * (np.log(np.array(sizes) / _USUAL_SIZE) / _SIZE_WIDTH) ** 2)
     usual *= kind / (len(_SHARES) * np.sum(usual))
     for share in _SHARES:
@@ -131,8 +135,10 @@ KINDS: Final = np.array(
 
 @dataclass(frozen=True, slots=True)
 class Latent:
-    """``weights`` (c, n): by how much a reading counts; ``shift`` (c, n): by how many scales it is
-    put off; ``outlier`` (c, n): taken for one.
+    """The state of each reading in the sampler: its ``weights`` (c, n), and whether it is an
+    ``outlier`` (c, n).
+
+    ``shift`` (c, n): by how many scales it is put off.
     """
 
     weights: FloatArray
@@ -141,9 +147,11 @@ class Latent:
 
 
 def tail_probabilities(z: FloatArray, factors: FloatArray) -> FloatArray:
-    """Return the posterior probability (tails, f) of every member of `TAILS` with every factor on
-    the scale, for errors ``z`` (k,) divided by the present one (prior 1/sigma: Gelman et al. 2013,
-    section 3.2).
+    """Return the posterior probability (tails, f) of each error distribution with each factor on
+    the scale.
+
+    For errors ``z`` (k,) divided by the present one (prior 1/sigma: Gelman et al. 2013, section
+    3.2).
     """
     ordered = np.minimum(np.abs(z), _MIDDLES[-1] * float(factors.min()))
     ordered.sort()
@@ -158,7 +166,9 @@ def tail_probabilities(z: FloatArray, factors: FloatArray) -> FloatArray:
 
 
 def draw_latent(tail: Tail, z: FloatArray, rng: np.random.Generator) -> Latent:
-    """Draw what kind of reading each of ``z`` (c, n) was (Gelman et al. 2013, section 17.2)."""
+    """Draw for each reading ``z`` (c, n) whether it is an outlier, and its weight. Source: Gelman
+    et al. 2013, section 17.2.
+    """
     nothing = np.zeros(z.shape)
     never = np.zeros(z.shape, dtype=np.bool_)
     if np.isfinite(tail.dof):

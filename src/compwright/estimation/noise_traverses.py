@@ -1,4 +1,4 @@
-"""How whole traverses move: offsets and tilts by pattern, and what drifts with the runs.
+"""The shifts of whole traverses: offsets, tilts, and drift over the runs.
 
 Effects of the traverses, given the variance of a reading, are normal with a covariance that is a
 sum of known patterns with unknown sizes. Sizes are drawn on a grid by their exact conditional
@@ -43,7 +43,10 @@ _CLEARLY: Final = 7.0
 
 @dataclass(frozen=True, slots=True)
 class _Spectrum:
-    """Scores along the axes of one covariance of unit size in the metric of all others: ``base``
+    """Eigenvalues and eigenvectors of one pattern's covariance, relative to all others (generalised
+    eigenvalue problem).
+
+    Scores along the axes of one covariance of unit size in the metric of all others: ``base``
     (forms,), the log determinant of those; ``stretch``, ``along`` (forms, r).
     """
 
@@ -53,8 +56,8 @@ class _Spectrum:
 
 
 class ReducedTraverses:
-    """What reduced readings with ``dof`` contrasts say of the sizes; all draws are from exact
-    conditional distributions.
+    """Draws the sizes of the shifts of traverses from readings with ``dof`` degrees of freedom. All
+    draws are from exact conditional distributions.
     """
 
     def __init__(self, patterns: Patterns, data: ReducedReadings, dof: int, floor: float) -> None:
@@ -72,8 +75,8 @@ class ReducedTraverses:
         self.offset: tuple[bytes, FloatArray] | None = None
 
     def begin(self, sizes: Sizes) -> None:
-        """Set ``sizes`` (all zero) to those of a drift or tilt where the readings clearly favour it
-        over independent offsets of the traverses.
+        """Set the start values ``sizes`` of the sampler. Drift or tilt gets a size where the
+        readings clearly favour it over independent offsets.
 
         Needed because the sampler changes one size at a time: it seldom leaves large offsets that
         imitate a drift.
@@ -89,7 +92,7 @@ class ReducedTraverses:
             sizes.size, sizes.form, sizes.rate = drifting.size, drifting.form, drifting.rate
 
     def draw_sizes(self, sizes: Sizes, rng: np.random.Generator) -> None:
-        """Draw every size of ``sizes`` anew, each given the others; pattern and rate with them."""
+        """Draw each of the ``sizes`` given the others, with its pattern and rate."""
         for kind in (OFFSET, TILT):
             sizes.form = self._draw(sizes, kind, FORM_SHARES[: self.known], rng)
             if kind == OFFSET:
@@ -100,8 +103,10 @@ class ReducedTraverses:
             sizes.rate = self._draw(sizes, kind, PACE_SHARES, rng)
 
     def draw_variance(self, sizes: Sizes, rng: np.random.Generator) -> float:
-        """Draw the variance of a reading, all effects integrated out: scaled inverse chi-square
-        (Gelman et al., Bayesian Data Analysis, 3rd ed. 2013, section 3.2).
+        """Draw the variance of a reading, averaged over all shifts of traverses.
+
+        Scaled inverse chi-square (Gelman et al., Bayesian Data Analysis, 3rd ed. 2013, section
+        3.2).
         """
         matrix = np.eye(self.data.scores.size) + self._moving(sizes) + self._drifting(sizes)
         scores = self.data.scores
@@ -109,7 +114,9 @@ class ReducedTraverses:
         return square / float(rng.chisquare(self.dof))
 
     def draw_drift(self, sizes: Sizes, variance: float, rng: np.random.Generator) -> FloatArray:
-        """Draw the two drifts (2,) from first to last run, offsets and tilts integrated out."""
+        """Draw the two drifts (2,) from the first run to the last, averaged over offsets and
+        tilts.
+        """
         drift = np.zeros(2)
         there = np.flatnonzero(sizes.size[DRIFT:] > 0.0)
         if there.size:
@@ -127,8 +134,9 @@ class ReducedTraverses:
         return drift
 
     def effects(self, sizes: Sizes, drift: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return mean (k,) and covariance (k, k), in variances of a reading, of offsets and tilts
-        given the ``drift`` (2,) (Searle, Casella and McCulloch 1992, section 7.4).
+        """Return the mean (k,) and covariance (k, k) of offsets and tilts for a given ``drift``
+        (2,), in units of the variance of a reading. Source: Searle, Casella and McCulloch 1992,
+        section 7.4.
         """
         prior = self.patterns.covariance(sizes)
         carried = prior @ self.data.root
@@ -145,7 +153,7 @@ class ReducedTraverses:
         return total
 
     def _offset(self, sizes: Sizes) -> FloatArray:
-        """Return the covariances (forms, r, r) of offsets of unit size in the scores."""
+        """Return the covariances (forms, r, r) of the scores by offsets of unit size."""
         key = sizes.moved.tobytes()
         if self.offset is None or self.offset[0] != key:
             there = self.moves[:, sizes.moved]
@@ -154,7 +162,7 @@ class ReducedTraverses:
         return self.offset[1]
 
     def _draw_moved(self, sizes: Sizes, rng: np.random.Generator) -> None:
-        """Draw which of the moves are there; by the prior alone where no reading tells of it."""
+        """Draw which shifts exist. Where no reading decides, the prior probability alone counts."""
         size = sizes.size[OFFSET]
         if size == 0.0 or sizes.form >= len(self.moves):
             sizes.moved = drawn_from_prior(sizes.moved.size, rng)
@@ -165,7 +173,7 @@ class ReducedTraverses:
         sizes.moved = draw_moved(sizes.moved, size * self.moves[sizes.form], evidence, rng)
 
     def _drifting(self, sizes: Sizes) -> FloatArray:
-        """Return the covariance (r, r) of the drifts in the scores, for the present rate."""
+        """Return the covariance (r, r) of the scores by the two drifts, for the present rate."""
         total: FloatArray = sizes.size[DRIFT] ** 2 * np.outer(
             self.drift[sizes.rate], self.drift[sizes.rate]
         ) + sizes.size[DRIFT_TILT] ** 2 * np.outer(
@@ -180,8 +188,10 @@ class ReducedTraverses:
         forms: FloatArray,
         rng: np.random.Generator,
     ) -> int:
-        """Draw the size of ``kind`` into ``sizes`` and return which of the ``forms`` (prior
-        probabilities) it has; the grid is shifted at random, so that sizes are continuous.
+        """Draw the size and form of one ``kind`` of shift into ``sizes``. Returns which of the
+        ``forms`` was drawn.
+
+        The grid is shifted at random, so that sizes are continuous.
         """
         grid = _GRID * 2.0 ** rng.uniform(-0.25, 0.25)
         usual = grid / (grid**2 + _USUAL[kind] ** 2)
@@ -196,8 +206,8 @@ class ReducedTraverses:
         return int(form)
 
     def _climb(self, sizes: Sizes, kind: int) -> float:
-        """Set the size and form of ``kind`` to the most likely ones, given the other kinds; return
-        their log evidence.
+        """Set the size and form of ``kind`` to the most probable ones, given the other kinds.
+        Returns their log evidence.
         """
         grid = np.concatenate([[0.0], _GRID])
         logs = self._scan(self._spectrum(sizes, kind), grid)
@@ -210,9 +220,9 @@ class ReducedTraverses:
         return float(logs[form, place])
 
     def _spectrum(self, sizes: Sizes, kind: int) -> _Spectrum:
-        """Return the joint diagonal form of the covariance of ``kind`` and that of all others
-        (Golub and Van Loan, Matrix Computations, 4th ed. 2013, section 8.7: simultaneous
-        diagonalisation).
+        """Return the eigenvalues of the covariance of ``kind`` relative to that of all others.
+        Source: Golub and Van Loan, Matrix Computations, 4th ed. 2013, section 8.7: simultaneous
+        diagonalisation.
         """
         alone = np.count_nonzero(sizes.size) == int(sizes.size[kind] > 0.0)
         key = kind, sizes.moved.tobytes() if kind == OFFSET else b""
@@ -227,7 +237,7 @@ class ReducedTraverses:
         return found
 
     def _of_forms(self, lower: FloatArray, mine: FloatArray) -> _Spectrum:
-        """Return the spectrum of covariances ``mine`` (forms, r, r), given the root of the
+        """Return the eigenvalues of the covariances ``mine`` (forms, r, r), given the root of the
         others.
         """
         right = np.linalg.solve(lower, mine)
@@ -241,8 +251,10 @@ class ReducedTraverses:
         )
 
     def _of_lines(self, lower: FloatArray, mine: FloatArray) -> _Spectrum:
-        """Return the spectrum of covariances that are products of columns ``mine`` (rates, r) with
-        themselves: one axis along the column, and what is left of the scores.
+        """Return the eigenvalues of covariances that are products of the columns ``mine`` (rates,
+        r) with themselves.
+
+        One axis along the column, and what is left of the scores.
         """
         both = np.stack([mine, np.broadcast_to(self.data.scores, mine.shape)], axis=2)
         column, white = np.moveaxis(np.linalg.solve(lower, both), 2, 0)
@@ -256,8 +268,8 @@ class ReducedTraverses:
         )
 
     def _of_others(self, sizes: Sizes, kind: int) -> tuple[FloatArray, FloatArray]:
-        """Return, for each form of ``kind``, the covariance (forms, r, r) of all others, that of a
-        reading included, and that of ``kind`` of unit size; of a drift its column (rates, r).
+        """Return two covariances (forms, r, r) for each form of ``kind``: of all other causes with
+        the readings, and of ``kind`` of unit size. For a drift its column (rates, r).
         """
         unit = np.eye(self.data.scores.size)
         if kind in (OFFSET, TILT):
@@ -272,7 +284,9 @@ class ReducedTraverses:
         return unit + self._moving(sizes) + rest, column
 
     def _scan(self, spectrum: _Spectrum, grid: FloatArray) -> FloatArray:
-        """Return log evidence (forms, sizes) of covariances times the squares of ``grid``."""
+        """Return the log evidence (forms, sizes) of each covariance times the square of each size
+        in ``grid``.
+        """
         spread = 1.0 + grid[:, np.newaxis] ** 2 * spectrum.stretch[:, np.newaxis]
         square = self.rest + (spectrum.along[:, np.newaxis] ** 2 / spread).sum(axis=2)
         log_evidence: FloatArray = -0.5 * (
@@ -282,7 +296,7 @@ class ReducedTraverses:
 
 
 def _log_det(lower: FloatArray) -> FloatArray:
-    """Return the log determinants (forms,) of covariances by their roots (forms, r, r)."""
+    """Return the log determinants (forms,) of covariances from their roots (forms, r, r)."""
     logs: FloatArray = 2.0 * np.log(np.diagonal(lower, axis1=1, axis2=2)).sum(axis=1)
     return logs
 

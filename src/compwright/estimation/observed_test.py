@@ -1,5 +1,5 @@
-"""The input of the estimation: a test as cells (target and direction). Each has its mean (ISO
-230-2:1997, 2.10) and the draws of its noise.
+"""One test as input of the estimation: mean reading and draws of the noise for each target and
+direction (ISO 230-2:1997, 2.10).
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ class ObservedTest:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ObservedCells:
-    """The c cells of one test that have readings, mm or deg.
+    """The c mean readings of one test, mm or deg.
 
     ``positions``, ``signs`` (+1, -1), ``counts`` of readings and plain ``means`` (c,);
     ``squares`` about them with ``dof`` degrees of freedom. ``by_draw`` (n, c), ``precision`` (n, c)
@@ -54,7 +54,7 @@ class ObservedCells:
 def cell_means(
     observed: ObservedTest, order: NDArray[np.intp], other_noise: NoiseDraws | None
 ) -> ObservedCells:
-    """Return the cells of a test with the draws of its noise taken in ``order`` (n,).
+    """Return the mean readings of a test, each with the noise of the draws in ``order`` (n,).
 
     ``other_noise``: n draws of the noise of another test of the axis, for where the own readings do
     not show how the traverses moved.
@@ -103,9 +103,11 @@ def cell_means(
 def traverse_columns(
     other_noise: NoiseDraws, positions: FloatArray, signs: FloatArray
 ) -> FloatArray:
-    """Return columns (n, c, 4) of unit variance: how one traverse in each direction is offset and
-    tilted; what is there now and then by its root mean square. What moves both alike is the datum
-    of the test and its slope.
+    """Return columns (n, c, 4) of unit variance for the offset and tilt of one traverse in each
+    direction.
+
+    What is there now and then by its root mean square. What moves both alike is the datum of the
+    test and its slope.
     """
     u = (positions - other_noise.centre) / other_noise.half
     up, down = signs > 0, signs < 0

@@ -1,6 +1,7 @@
-"""The periods that one look at the data suggests, with what speaks for each: prior, likelihood, and
-those that the targets cannot tell apart (probability of frequencies: Bretthorst, Bayesian Spectrum
-Analysis and Parameter Estimation, 1988, chapter 3).
+"""The possible periods that a search of the data finds, with their probabilities.
+
+Prior, likelihood, and those that the targets cannot tell apart (probability of frequencies:
+Bretthorst, Bayesian Spectrum Analysis and Parameter Estimation, 1988, chapter 3).
 """
 
 from __future__ import annotations
@@ -34,9 +35,11 @@ _CLOSER: Final = 4
 
 @dataclass(frozen=True, slots=True)
 class PeriodOdds:
-    """Probabilities before the data: ``none``, no period at all (or no further one); ``usual``, one
-    of the usual periods; what is left: any other, evenly over the logarithm of the period. None
-    about the frequencies ``taken`` (1 / mm or 1 / deg), which were found before.
+    """Prior probabilities of a period before the data: ``none``, one of the ``usual`` periods, or
+    any other.
+
+    The others evenly over the logarithm of the period. None about the frequencies ``taken`` (1 / mm
+    or 1 / deg), which were found before.
     """
 
     none: float
@@ -46,8 +49,8 @@ class PeriodOdds:
 
 @dataclass(frozen=True, slots=True)
 class PeriodCandidate:
-    """A possible period: ``frequencies`` (k,) with their ``shares`` (k,), sum 1, and ``log``, the
-    log odds against no period.
+    """A possible period: its ``frequencies`` (k,) with their ``shares`` (k,), sum 1, and ``log``,
+    the log odds against no period.
 
     ``usual``: the usual period (mm or deg) at that place, if any. ``aliases``: frequencies (j,)
     with nearly the same values at the targets, and ``alias_shares`` (j,), their parts of the
@@ -63,14 +66,16 @@ class PeriodCandidate:
 
     @property
     def period(self) -> float:
-        """The usual one that it is, or its mean, mm or deg."""
+        """The usual period of this candidate if there is one, else its mean period, mm or deg."""
         return self.usual or float(1.0 / (self.shares @ self.frequencies))
 
 
 @dataclass(frozen=True, slots=True)
 class PeriodScan:
-    """Candidates of one look, the most probable first; ``rest``: logarithm of the probability, over
-    that of none, of all that is no candidate; ``log_odds`` (f,) over the frequencies searched.
+    """The possible periods of one search, the most probable first.
+
+    ``rest``: logarithm of the probability, over that of none, of all that is no candidate;
+    ``log_odds`` (f,) over the frequencies searched.
     """
 
     candidates: tuple[PeriodCandidate, ...]
@@ -80,9 +85,11 @@ class PeriodScan:
 
 @dataclass(frozen=True, slots=True)
 class _Prior:
-    """Prior odds against none: ``other`` logarithm per logarithm of the frequency of any period;
-    ``usual`` (u,) frequencies of the usual periods with the logarithms ``log_usual`` (u,), half of
-    it exactly there and half near (`_NEAR`).
+    """Prior odds of a period against no period: of any period, and of the usual ones.
+
+    ``other`` logarithm per logarithm of the frequency of any period; ``usual`` (u,) frequencies of
+    the usual periods with the logarithms ``log_usual`` (u,), half of it exactly there and half near
+    (`_NEAR`).
     """
 
     other: float
@@ -90,11 +97,11 @@ class _Prior:
     log_usual: FloatArray
 
     def even(self, frequencies: FloatArray) -> FloatArray:
-        """Return the logarithm of the odds per frequency of any period."""
+        """Return the log prior odds of any period, per frequency."""
         return np.asarray(self.other - np.log(frequencies))
 
     def at(self, frequencies: FloatArray) -> FloatArray:
-        """Return the same with what is near the usual ones."""
+        """Return the log prior odds (f,) including the usual periods nearby."""
         away = np.log(frequencies[..., np.newaxis] / self.usual) / _NEAR
         near = np.exp(self.log_usual - 0.5 * away**2) / (2.0 * np.sqrt(2.0 * np.pi) * _NEAR)
         density = np.log(np.exp(self.other) + np.sum(near, axis=-1)) - np.log(frequencies)
@@ -123,8 +130,8 @@ def find_candidates(
     expected: Sequence[UsualPeriod],
     before: PeriodOdds,
 ) -> PeriodScan:
-    """Return the candidates among the equally spaced ``frequencies`` (f,) and the ``expected``
-    periods. ``before``: their probabilities before the data.
+    """Return the possible periods among the equally spaced ``frequencies`` (f,) and the
+    ``expected`` ones. ``before``: their prior probabilities.
     """
     targets = likelihood.targets
     resolution = 1.0 / float(np.ptp(targets))
@@ -164,8 +171,8 @@ def refine_candidate(
     expected: Sequence[UsualPeriod],
     before: PeriodOdds,
 ) -> PeriodCandidate | None:
-    """Return a candidate evaluated again under another ``likelihood``, which has other periods in
-    it.
+    """Return a possible period evaluated again under another ``likelihood``, which contains other
+    periods.
 
     Its aliases stay. None where it is a harmonic of one of these periods, or one of them is its
     harmonic. Arguments as in `find_candidates`.
@@ -187,9 +194,11 @@ def refine_candidate(
 
 @dataclass(frozen=True, slots=True)
 class _ShownLikelihood:
-    """The likelihood of what the targets can show: nothing speaks for a wave that looks like one
-    too long to be searched (below the frequency ``lowest``), which is smooth error for all that is
-    known, nor for one ``near`` a frequency that was ``taken`` before.
+    """The likelihood of waves, limited to those that the targets can show.
+
+    Nothing speaks for a wave that looks like one too long to be searched (below the frequency
+    ``lowest``), which is smooth error for all that is known, nor for one ``near`` a frequency that
+    was ``taken`` before.
     """
 
     likelihood: PeriodLikelihood
@@ -199,8 +208,10 @@ class _ShownLikelihood:
     near: float
 
     def odds(self, frequencies: FloatArray, choice: NodeChoice) -> tuple[FloatArray, FloatArray]:
-        """Return the log odds (f,) of waves with one harmonic, and with two; -inf where nothing
-        speaks for them, those with two as with one where only the second is so.
+        """Return the log odds (f,) of waves with one harmonic, and with two. -inf: the frequency is
+        excluded.
+
+        Those with two as with one where only the second is so.
         """
         one, both = self.likelihood.log_odds(frequencies, choice)
         one = np.where(self._silent(frequencies), -np.inf, one)
@@ -215,7 +226,7 @@ class _ShownLikelihood:
         return silent
 
     def either(self, frequencies: FloatArray, choice: NodeChoice) -> FloatArray:
-        """Return the log odds (f,) of a wave with one or with two harmonics, whichever it is."""
+        """Return the log odds (f,) of a wave with one harmonic or two, both counted together."""
         odds: FloatArray = np.logaddexp(*self.odds(frequencies, choice)) - np.log(2.0)
         return odds
 
@@ -246,8 +257,9 @@ def _peaks(
 def _aliases(
     centre: float, members: FloatArray, targets: FloatArray, resolution: float
 ) -> FloatArray:
-    """Return the frequencies among the ``members`` other than the ``centre`` that look like it,
-    each where it does so most."""
+    """Return the ``members`` that the targets cannot distinguish from the ``centre`` although their
+    frequencies differ.
+    """
     far = np.sort(members[np.abs(members - centre) > 2.0 * PEAK * resolution])
     if not far.size:
         return far
@@ -269,7 +281,9 @@ def _close_looks(
     resolution: float,
     prior: _Prior,
 ) -> list[PeriodCandidate]:
-    """Return the peaks as candidates: what lies about each, and the usual periods there."""
+    """Return the peaks as possible periods, with the frequencies around each and the usual periods
+    there.
+    """
     fine, logs = _resolved(shown, choice, centres, resolution, prior)
     usual = prior.log_usual - np.log(2.0)
     if usual.size:
@@ -294,8 +308,8 @@ def _resolved(
     resolution: float,
     prior: _Prior,
 ) -> tuple[FloatArray, FloatArray]:
-    """Return frequencies (k, p) about each of the ``centres`` (k,), ever closer until several of
-    them count, and the logarithm (k, p) of the probability of each over that of none.
+    """Return a fine grid of frequencies (k, p) about each of the ``centres`` (k,), and the log odds
+    (k, p) of each against no wave.
     """
     best, half = centres.copy(), np.full(centres.size, PEAK * resolution)
     grid = np.linspace(-1.0, 1.0, _POINTS)
@@ -323,8 +337,9 @@ def _shared(
     choice: NodeChoice,
     log: float,
 ) -> PeriodCandidate:
-    """Return the candidate with those that look like it: what they have together (``log``) is
-    shared out by the data alone, not by what is usual."""
+    """Return a possible period with the frequencies that the targets confuse with it. Their joint
+    probability ``log`` is divided by the data alone.
+    """
     if not aliases.size:
         return candidate
     odds = shown.either(np.append(aliases, 1.0 / candidate.period), choice)

@@ -1,5 +1,5 @@
-"""Findings of a search for periods: what to look for on the machine, and the odds (odds: Kass and
-Raftery, J. Am. Stat. Assoc. 90, 1995).
+"""Findings of a search for periods: their probability, and what to look for on the machine. Source:
+Odds: Kass and Raftery, J. Am. Stat. Assoc. 90, 1995.
 """
 
 from __future__ import annotations
@@ -90,8 +90,10 @@ def period_findings(
 def unseen_findings(
     unseen: Sequence[float], found: Sequence[float], kind: AxisKind
 ) -> list[Finding]:
-    """Return findings about known periods (mm or deg) that the readings do not show although
-    they show others (CW-E016). The period may be stated wrongly; ``found``: the others.
+    """Return the findings about known periods (mm or deg) that the readings do not show (CW-E016).
+    The stated period may be wrong.
+
+    They show others; ``found``: the others.
     """
     if not unseen or not found:
         return []
@@ -126,7 +128,7 @@ def _left_out(known: Sequence[float], fitted: Sequence[float], unit: str) -> lis
 
 
 def _of_nodes(period: float, nodes: Sequence[float]) -> float | None:
-    """Return the spacing of the nodes of a table that was active where the period is as long."""
+    """Return the spacing of the nodes of an active table, if the period equals it."""
     spacing = float(np.median(np.diff(nodes))) if len(nodes) > 2 else 0.0
     if abs(period - spacing) > _AS_SPACED * period:
         return None

@@ -1,5 +1,5 @@
-"""How well a wave of any period explains the mean of both directions. The smooth part and the local
-part of the error are unknown and averaged over.
+"""The likelihood of waves of any period in the mean of both directions. It averages over the
+unknown smooth and local parts of the error.
 
 Model, in units of the noise of a typical target's middle, whitened by each target's own:
 
@@ -60,7 +60,7 @@ IntArray = np.ndarray[tuple[int], np.dtype[np.intp]]
 
 @dataclass(frozen=True, slots=True)
 class BidirectionalMeans:
-    """The middle of both directions of each target, as one or more tests tell it.
+    """The mean of both directions at each target, from one or more tests.
 
     ``targets`` (m,) mm or deg, ``values`` (m,) with the variances ``variances`` (m,) of their
     noise, known with ``dof`` degrees of freedom (0: from neighbours only); ``reading``: standard
@@ -78,8 +78,8 @@ class BidirectionalMeans:
 
 @dataclass(frozen=True, slots=True)
 class Nodes:
-    """Grid points of the hyperparameters that share one ``length`` (in units of the half range) and
-    ``smoothness``.
+    """Grid points of the model parameters that share one ``length`` (in units of the half range)
+    and ``smoothness``.
 
     ``smooth`` (n,): standard deviation of the smooth part; ``weights`` (n, r): precisions along its
     r directions, ``white`` (n,): across them; ``log`` (n,): likelihood without a wave times prior;
@@ -97,7 +97,7 @@ class Nodes:
 
 @dataclass(frozen=True, slots=True)
 class NodeChoice:
-    """Some of the nodes: (number of the length, which of its nodes), and which amplitudes."""
+    """A selection of grid points: pairs (index of the length, its points), and the amplitudes."""
 
     nodes: tuple[tuple[int, IntArray], ...]
     amplitudes: IntArray
@@ -105,9 +105,10 @@ class NodeChoice:
 
 @dataclass(frozen=True, slots=True)
 class _Waves:
-    """Columns of waves: ``along``, their components along the smooth directions, each (r, f);
-    ``across``, their products outside these and the free columns, and ``dual``, those with the
-    values there, each (f,).
+    """The columns of waves, split into parts along and across the smooth functions.
+
+    ``along``, their components along the smooth directions, each (r, f); ``across``, their products
+    outside these and the free columns, and ``dual``, those with the values there, each (f,).
     """
 
     along: list[FloatArray]
@@ -116,7 +117,7 @@ class _Waves:
 
 
 class PeriodLikelihood:
-    """The likelihood of waves; ``basis`` holds the functions of the smooth part."""
+    """Computes the likelihood of waves. ``basis`` contains the functions of the smooth part."""
 
     def __init__(self, bidirectional: BidirectionalMeans, basis: Basis) -> None:
         self.targets = bidirectional.targets
@@ -188,9 +189,8 @@ class PeriodLikelihood:
     def log_odds(
         self, frequencies: FloatArray, choice: NodeChoice | None = None
     ) -> tuple[FloatArray, FloatArray]:
-        """Return the log likelihood ratios (f,) of a wave against no wave. For each of the
-        ``frequencies`` (1 / mm or 1 / deg): with the first harmonic, and with the first
-        two.
+        """Return the log likelihood ratios (f,) of a wave against no wave, with one harmonic and
+        with two. For each of the ``frequencies`` (1 / mm or 1 / deg).
 
         ``choice``: fewer nodes of the grid, of both hypotheses.
         """
@@ -205,8 +205,8 @@ class PeriodLikelihood:
         return one, both
 
     def detectable(self, frequencies: FloatArray) -> FloatArray:
-        """Return the smallest amplitude (f,) of a wave that the targets would show, mm or
-        deg. For each of the ``frequencies`` (1 / mm or 1 / deg); inf where they show none.
+        """Return the smallest amplitude (f,) that the targets would show, mm or deg, for each of
+        the ``frequencies`` (1 / mm or 1 / deg). inf: none.
 
         A wave of this amplitude is `SEEN`, whatever its phase.
         """
@@ -225,14 +225,14 @@ class PeriodLikelihood:
         return found
 
     def everything(self) -> NodeChoice:
-        """Return all nodes of the grid and of the amplitudes."""
+        """Return all grid points and amplitudes."""
         return NodeChoice(
             tuple((number, np.arange(node.log.size)) for number, node in enumerate(self.nodes)),
             np.arange(AMPLITUDES.size),
         )
 
     def telling(self, frequencies: FloatArray) -> NodeChoice:
-        """Return the nodes that matter for a wave of any of the ``frequencies`` or for none."""
+        """Return the grid points that matter for waves of the ``frequencies`` or for no wave."""
         choice = self.everything()
         log = self._log(choice)
         kept, amplitudes = log > np.max(log) - _MATTERS, np.zeros(AMPLITUDES.size, dtype=bool)
@@ -252,8 +252,10 @@ class PeriodLikelihood:
         return np.concatenate([self.nodes[number].log[kept] for number, kept in choice.nodes])
 
     def _gains(self, frequencies: FloatArray, choice: NodeChoice) -> list[FloatArray]:
-        """Return the logarithms (a, n, f) of what a wave of each amplitude gains at each node,
-        prior of the amplitude counted in: with one harmonic, and with two.
+        """Return the log gain (a, n, f) of a wave of each amplitude at each grid point, with one
+        harmonic and with two.
+
+        Prior of the amplitude counted in.
         """
         steps = AMPLITUDES[choice.amplitudes]
         log_prior = -0.5 * steps**2
@@ -268,8 +270,10 @@ class PeriodLikelihood:
     def moments(
         self, frequencies: FloatArray, choice: NodeChoice
     ) -> tuple[dict[tuple[int, int], FloatArray], list[FloatArray]]:
-        """Return W' P W and W' P y of the waves W (n, f) at each node, for each pair of columns and
-        each column: cosine and sine of the first harmonic, half of those of the second.
+        """Return the products W' P W and W' P y of the waves W (n, f) at each grid point.
+
+        For each pair of columns and each column: cosine and sine of the first harmonic, half of
+        those of the second.
         """
         waves = self._waves(frequencies)
         each = [self._moments(self.nodes[number], kept, waves) for number, kept in choice.nodes]
@@ -295,8 +299,7 @@ class PeriodLikelihood:
         return gram, moment
 
     def coarse(self) -> NodeChoice:
-        """Return nodes for a first look at many frequencies: one length, every other level of the
-        rest."""
+        """Return a coarse selection of grid points for a first search over many frequencies."""
         away = [round(abs(np.log(node.length) - LENGTH[0]), 6) for node in self.nodes]
         middle = np.argsort(away, kind="stable")[1:3]
         size = self.white_size
@@ -307,8 +310,8 @@ class PeriodLikelihood:
         )
 
     def _waves(self, frequencies: FloatArray) -> _Waves:
-        """Return cosine and sine of both harmonics, those of the second halved: their prior is that
-        much narrower.
+        """Return the cosine and sine of both harmonics. Those of the second are halved, because its
+        prior is half as wide.
         """
         angle = 2.0 * np.pi * np.outer(self.targets - self.targets[0], frequencies)
         cosine, sine = np.cos(angle), np.sin(angle)
@@ -332,9 +335,10 @@ class PeriodLikelihood:
 def log_gains(
     gram: dict[tuple[int, int], FloatArray], moment: list[FloatArray], variance: FloatArray
 ) -> list[FloatArray]:
-    """Return b' (G + D^-1)^-1 b / 2 - ln det(I + D G) / 2 elementwise, by elimination without
-    pivoting of I + ``variance`` ``gram`` (Golub and Van Loan, Matrix Computations, 4th ed. 2013,
-    algorithm 4.1.2): with the first harmonic, with the first two and so on.
+    """Return the gain in log likelihood by the first harmonic, by the first two, and so on.
+
+    b' (G + D^-1)^-1 b / 2 - ln det(I + D G) / 2 elementwise, by elimination without pivoting of I +
+    ``variance`` ``gram`` (Golub and Van Loan, Matrix Computations, 4th ed. 2013, algorithm 4.1.2).
     """
     size = len(moment)
     work = {key: variance * value for key, value in gram.items() if max(key) < size}
@@ -359,7 +363,9 @@ def log_gains(
 
 
 def log_smooth(frequencies: FloatArray, length: float, smoothness: float) -> FloatArray:
-    """Return the log spectral density of a smooth part of unit variance at the ``frequencies``:
+    """Return the log spectral density at the ``frequencies`` of a smooth random curve of unit
+    variance.
+
     Matérn, without any kink (infinite) the squared exponential (Rasmussen and Williams 2006,
     section 4.2.1).
     """
@@ -371,8 +377,8 @@ def log_smooth(frequencies: FloatArray, length: float, smoothness: float) -> Flo
 
 
 def _densities(frequencies: FloatArray) -> Iterator[tuple[float, float, float, FloatArray]]:
-    """Yield length, smoothness, how likely that is before the data, and the log spectral density at
-    the ``frequencies`` of the smooth parts.
+    """Yield each length and smoothness of the smooth part, with its prior probability and log
+    spectral density at the ``frequencies``.
     """
     for step in np.arange(-1.6, 1.61, _LENGTH_STEP / LENGTH[1]):
         length = float(np.exp(LENGTH[0] + LENGTH[1] * step))
@@ -381,8 +387,7 @@ def _densities(frequencies: FloatArray) -> Iterator[tuple[float, float, float, F
 
 
 def _white_nodes(dof: float, spread: float, roughness: float) -> tuple[FloatArray, FloatArray]:
-    """Return variances (n,) of the white part and their log prior mass: noise as known by its
-    degrees of freedom, plus a local part.
+    """Return possible variances (n,) of noise plus local error, and their log prior probabilities.
 
     In units of the noise variance of a middle. Noise: a normal logarithm of variance 2 / dof
     (JCGM 100:2008, eq. G.3; without any, a factor e either way on the standard deviation). Local
@@ -409,8 +414,8 @@ def _white_nodes(dof: float, spread: float, roughness: float) -> tuple[FloatArra
 
 
 def _independent(columns: FloatArray) -> FloatArray:
-    """Return an orthonormal basis (m, r) of the space spanned by the columns (m, k), without
-    directions that are only rounding errors.
+    """Return an orthonormal basis (m, r) of the space of the columns (m, k). Directions of mere
+    rounding errors are left out.
     """
     if not columns.shape[1]:
         return columns
@@ -425,7 +430,9 @@ def _log_sum(logs: FloatArray) -> float:
 
 
 def log_sums(logs: FloatArray) -> FloatArray:
-    """Return the logarithm of the sum of exponentials over the first dimension."""
+    """Return the logarithm of the sum of exponentials over the first dimension, without
+    overflow.
+    """
     top = np.max(logs, axis=0)
     total: FloatArray = top + np.log(np.sum(np.exp(logs - top), axis=0))
     return total

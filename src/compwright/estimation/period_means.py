@@ -1,5 +1,5 @@
-"""The input of the search for periods, from the cells of an axis. And which of many known periods
-are worth fitting.
+"""The input of the search for periods: the mean of both directions at each target. Of many known
+periods the best are selected.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ _KNOWN: Final = float(np.log(9.0))
 
 
 def bidirectional_means(cells: Cells, *, endless: bool) -> BidirectionalMeans:
-    """Return the middle of both directions at each target, under the typical noise, mm or deg.
+    """Return the mean of both directions at each target, under the typical noise, mm or deg.
 
     Means of one direction count by their precision (JCGM 100:2008, G.2.1 for sums, weighted), the
     directions alike. Free are offset and slope (none on an ``endless`` axis), datum and slope of
@@ -58,7 +58,9 @@ def _averages(
     precision: FloatArray,
     targets: int,
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the shares (m, c) of the cells in the middle of each target, and its variance (m,)."""
+    """Return the weights (m, c) of the mean readings in the average of each target, and its
+    variance (m,).
+    """
     share, variance = np.zeros((targets, target_index.size)), np.zeros(targets)
     directions = np.zeros(targets)
     for sign in (1.0, -1.0):
@@ -78,8 +80,8 @@ def _dof(precision: FloatArray) -> float:
 def unseen_periods(
     bidirectional: BidirectionalMeans, basis: Basis, known: Sequence[float], found: Sequence[float]
 ) -> tuple[float, ...]:
-    """Return those ``known`` periods (mm or deg) that the mean readings contradict, given the
-    ``found`` ones. Empty where none was found.
+    """Return the ``known`` periods (mm or deg) that the mean readings contradict. Empty where no
+    period was ``found``.
 
     Only the first harmonic of a found period counts: half of it may be a known period of its own.
     """
@@ -100,7 +102,7 @@ def unseen_periods(
 def fitted_periods(
     bidirectional: BidirectionalMeans, basis: Basis, shown: Sequence[float]
 ) -> tuple[float, ...]:
-    """Return the known periods (mm or deg) that are fitted: all, or at most the `FITTED` best.
+    """Return the known periods (mm or deg) that are fitted: all of them, or the best `FITTED`.
 
     They are added one by one, each time the one that improves the fit most, as long as the data
     support it (forward selection: Miller, Subset Selection in Regression, 2nd ed. 2002, section

@@ -1,5 +1,5 @@
-"""The result of a search for periods, as models with probabilities (Bayesian model averaging:
-Hoeting et al., Statistical Science 14, 1999).
+"""The result of a search for periods, as models with probabilities. Source: Bayesian model
+averaging: Hoeting et al., Statistical Science 14, 1999.
 """
 
 from __future__ import annotations
@@ -31,8 +31,8 @@ _SAME: Final = 2e-3
 
 @dataclass(frozen=True, slots=True)
 class PeriodModel:
-    """A possible model: ``periods`` (mm or deg) in addition to the known ones, with their
-    ``harmonics``, and its probability.
+    """One possible set of further ``periods`` (mm or deg) with their ``harmonics``, and its
+    probability.
     """
 
     periods: tuple[float, ...]
@@ -42,9 +42,12 @@ class PeriodModel:
 
 @dataclass(frozen=True, slots=True)
 class PeriodCurve:
-    """Evidence over the period, for a picture: ``periods`` (f,) descending, mm or deg, and natural
-    logarithm (f,) of the likelihood of a wave of that period over that of none; ``detectable``
-    (f,): least amplitude that the targets show, mm or deg."""
+    """Evidence for a wave over its period, for a figure.
+
+    ``periods`` (f,) descending, mm or deg, and natural logarithm (f,) of the likelihood of a wave
+    of that period over that of none; ``detectable`` (f,): least amplitude that the targets show, mm
+    or deg.
+    """
 
     periods: FloatArray
     log_odds: FloatArray
@@ -53,8 +56,10 @@ class PeriodCurve:
 
 @dataclass(frozen=True, slots=True)
 class PeriodSearch:
-    """What a search found: ``models``, the most probable first, probabilities sum to 1;
-    ``found``: periods with the probability that they are there; ``alike``: groups of periods that
+    """The result of a search for periods: possible models, and the periods found with their
+    probability.
+
+    ``models``, the most probable first, probabilities sum to 1; ``alike``: groups of periods that
     these targets cannot tell apart, each with the probability that it is one of them.
     """
 
@@ -65,12 +70,16 @@ class PeriodSearch:
 
     @property
     def sure(self) -> tuple[tuple[float, ...], ...]:
-        """The groups of which one is there rather than not."""
+        """The groups of indistinguishable periods that contain a real period with more than even
+        odds.
+        """
         return tuple(group for group, probability in self.alike if probability > 0.5)
 
     def evidence(self) -> PeriodEvidence | None:
-        """Return the curve for a picture: the highest values in each of `_SHOWN` steps that are
-        even in the logarithm of the period; None where nothing was searched.
+        """Return the evidence over the period as a curve for a figure. None where no search was
+        made.
+
+        The highest values in each of `_SHOWN` steps that are even in the logarithm of the period.
         """
         if self.curve is None:
             return None
@@ -97,34 +106,37 @@ NO_SEARCH: Final = PeriodSearch((PeriodModel((), (), 1.0),), (), (), None)
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PeriodSet:
-    """Periods that may be there together, in the order in which they were found, and the logarithm
-    ``log`` of their probability over that of none at all.
+    """A set of periods that may exist together, in the order of their discovery. ``log``: the log
+    odds of the set against no period.
     """
 
     members: tuple[PeriodCandidate, ...]
     log: float
 
     def extended(self, member: PeriodCandidate) -> PeriodSet:
-        """Return the set with one more period, which was searched for with the others present."""
+        """Return the set with one more period, which was found with the others present."""
         return PeriodSet((*self.members, member), self.log + member.log)
 
     def less_certain(self, rest: float) -> PeriodSet:
-        """Return the set with the probability of all further periods added that are not candidates.
+        """Return the set with a lower probability, because periods outside the candidates are also
+        possible.
 
         ``rest``: logarithm of that probability, relative to no further period.
         """
         return PeriodSet(self.members, self.log + float(np.logaddexp(0.0, rest)))
 
     def same(self, other: PeriodSet, near: float) -> bool:
-        """Return whether the other set has the same periods in any order. Frequencies agree
-        within ``near`` (1 / mm or 1 / deg).
+        """Return whether the other set has the same periods in any order. Frequencies may differ by
+        ``near`` (1 / mm or 1 / deg).
         """
         mine, theirs = (np.sort([1.0 / m.period for m in s.members]) for s in (self, other))
         return mine.size == theirs.size and bool(np.all(np.abs(mine - theirs) <= near))
 
 
 def probable_sets(sets: Sequence[PeriodSet]) -> list[tuple[PeriodSet, float]]:
-    """Return those of the ``sets`` that are worth keeping, with their probabilities."""
+    """Return the most probable ``sets`` with their probabilities; sets of very low probability are
+    dropped.
+    """
     total = log_sum(np.array([each.log for each in sets]))
     weighed = ((each, float(np.exp(each.log - total))) for each in sets)
     return [(each, probability) for each, probability in weighed if probability >= LEAST_MODEL]
@@ -133,7 +145,7 @@ def probable_sets(sets: Sequence[PeriodSet]) -> list[tuple[PeriodSet, float]]:
 def search_result(
     likely: Sequence[tuple[PeriodSet, float]], curve: PeriodCurve, suggested: Sequence[float]
 ) -> PeriodSearch:
-    """Return what a search found from the ``likely`` sets with their probabilities."""
+    """Return the result of a search from the ``likely`` sets with their probabilities."""
     kept = [model for each in likely for model in _neighbours(*each)]
     scale = sum(model.probability for model in kept)
     return PeriodSearch(
@@ -162,7 +174,7 @@ def _alike(
 def _found(
     likely: Sequence[tuple[PeriodSet, float]], suggested: Sequence[float]
 ) -> tuple[AxisPeriod, ...]:
-    """Return each period with the probability of all that it is part of."""
+    """Return each period with its total probability over all sets that contain it."""
     found: dict[float, float] = {}
     for each, probability in likely:
         for member in each.members:
@@ -184,8 +196,10 @@ def _found(
 
 
 def _neighbours(periods: PeriodSet, probability: float) -> list[PeriodModel]:
-    """Return the models of one set of periods: several where they are not sharply known, each
-    member by its own quantiles, in an order of its own (Latin hypercube: McKay, Beckman and
+    """Return several models of one set whose periods are not sharply known. Each model has slightly
+    different periods.
+
+    Each member by its own quantiles, in an order of its own (Latin hypercube: McKay, Beckman and
     Conover, Technometrics 21, 1979).
     """
     if not periods.members:
@@ -209,7 +223,7 @@ def _neighbours(periods: PeriodSet, probability: float) -> list[PeriodModel]:
 
 
 def _ladder(member: PeriodCandidate, count: int) -> FloatArray:
-    """Return ``count`` equally likely periods (count,) that a member may be, mm or deg."""
+    """Return ``count`` equally likely values (count,) of one period, mm or deg."""
     if member.aliases.size:
         return np.asarray(1.0 / _picked(member))
     order = np.argsort(member.frequencies)
@@ -219,7 +233,7 @@ def _ladder(member: PeriodCandidate, count: int) -> FloatArray:
 
 
 def _picked(member: PeriodCandidate) -> FloatArray:
-    """Return the frequencies that stand for a member with aliases: some of them, and its own."""
+    """Return the frequencies that represent a period with aliases: its own and some of theirs."""
     return np.append(member.aliases[:: max(1, member.aliases.size // 7)], 1.0 / member.period)
 
 

@@ -1,4 +1,4 @@
-"""Search for unknown periods of the error.
+"""Search the readings of an axis for unknown periods of its error.
 
 Prior (`FIRST` and `FURTHER`): hardly any screw or worm is without an error that repeats with its
 turn, at a usual period (`usual_periods`), however small. An axis that is closed over a scale along
@@ -115,8 +115,9 @@ def _descending(sets: Iterable[PeriodSet]) -> list[PeriodSet]:
 
 
 def search_frequencies(targets: FloatArray, kind: AxisKind) -> FloatArray:
-    """Return the frequencies (f,) to search, equally spaced, ascending, 1 / mm or 1 / deg. From
-    `LEAST_REPEATS` over the ``targets`` to the `SHORTEST` period.
+    """Return the frequencies (f,) to search, equally spaced, ascending, 1 / mm or 1 / deg.
+
+    From `LEAST_REPEATS` over the ``targets`` to the `SHORTEST` period.
 
     Empty for fewer than eight targets, with which no wave can be distinguished from scatter.
     """
@@ -169,15 +170,17 @@ class _PeriodSearch:
         return find_candidates(likelihood, self.frequencies, self.usual, self._before(members))
 
     def detectable(self, periods: PeriodSet) -> FloatArray:
-        """Return the least amplitudes (f,) that the targets show, mm or deg, given a set."""
+        """Return the smallest amplitudes (f,) that the targets show, mm or deg, in the presence of
+        a set of periods.
+        """
         likelihood = self._likelihood(periods.members)
         if likelihood is None:
             return np.full(self.frequencies.size, np.inf)
         return likelihood.detectable(self.frequencies)
 
     def refined(self, periods: PeriodSet) -> PeriodSet:
-        """Return a set of two or more periods, each searched again given all others. In the
-        first search the others disturbed it.
+        """Return a set of two or more periods, each of them searched again in the presence of all
+        others.
 
         The probability of the set is then the likelihood of the waves one after another at their
         new places. Each is multiplied by the part of it that its prior and the width of its peak
@@ -203,8 +206,8 @@ class _PeriodSearch:
         return PeriodSet(tuple(members), log)
 
     def different(self, sets: Sequence[PeriodSet]) -> list[PeriodSet]:
-        """Return the sets, the most probable first, without sets that hold the same periods in
-        another order.
+        """Return the sets without duplicates, the most probable first. Order of the periods does
+        not matter.
 
         The less probable of two equal sets is dropped: its later periods were searched with an
         earlier one at a wrong place.
@@ -234,7 +237,7 @@ def _frequencies(members: Sequence[PeriodCandidate]) -> tuple[float, ...]:
 
 
 def _there(likelihood: PeriodLikelihood, member: PeriodCandidate) -> float:
-    """Return the logarithm of the likelihood of a wave just there over that of none."""
+    """Return the log likelihood of a wave of exactly this frequency, relative to no wave."""
     frequency = np.array(_frequencies([member]))
     odds = likelihood.log_odds(frequency, likelihood.telling(frequency))
     return float(np.logaddexp(*odds)[0] - np.log(2.0))

@@ -1,4 +1,4 @@
-"""The peaks of the posterior of the hyperparameters, and its width at each.
+"""The maxima of the probability of the model's parameters, and the width of each maximum.
 
 The same roughness may be explained in more than one way, by a short length, from target to target,
 by a wave: then the posterior has a peak for each (Rasmussen and Williams, Gaussian Processes for
@@ -30,8 +30,10 @@ _LOST: Final = 10.0
 
 @dataclass(frozen=True, slots=True)
 class Peak:
-    """A maximum of the posterior at ``place`` (h,); ``root`` (f, f) of the covariance of the free
-    hyperparameters there; ``log_mass``: logarithm of its height times its width.
+    """A maximum of the posterior probability at ``place`` (h,), with its width and weight.
+
+    ``root`` (f, f) of the covariance of the free hyperparameters there; ``log_mass``: logarithm of
+    its height times its width.
     """
 
     place: FloatArray
@@ -40,8 +42,10 @@ class Peak:
 
 
 def find_peaks(evidence: Evidence, starts: Sequence[FloatArray]) -> tuple[Peak, ...]:
-    """Return the different maxima that are reached uphill from ``starts``. One climb begins at
-    the best of each (k, h); maxima of almost no weight are left out.
+    """Return the different maxima of the probability that are reached from ``starts``. Maxima of
+    almost no weight are left out.
+
+    One climb begins at the best of each (k, h).
 
     Any centre and any root propose draws; rounded they are the same on every processor, and so are
     the draws.
@@ -68,9 +72,11 @@ def _best(evidence: Evidence, starts: FloatArray) -> FloatArray:
 
 
 def maximise(evidence: Evidence, start: FloatArray) -> tuple[FloatArray, float]:
-    """Return the hyperparameters (h,) of highest posterior density and its logarithm there, from
-    ``start`` uphill: BFGS with a backtracking step of sufficient increase (Nocedal and Wright,
-    Numerical Optimization, 2nd ed. 2006, algorithms 6.1 and 3.1, eq. 3.4).
+    """Return the parameters (h,) of highest posterior density, uphill from ``start``, and the
+    logarithm of that density.
+
+    BFGS with a backtracking step of sufficient increase (Nocedal and Wright, Numerical
+    Optimization, 2nd ed. 2006, algorithms 6.1 and 3.1, eq. 3.4).
     """
     free = np.array(evidence.prior.free)
     here = start.copy()
@@ -100,7 +106,9 @@ def maximise(evidence: Evidence, start: FloatArray) -> tuple[FloatArray, float]:
 def _bfgs_update(
     inverse: FloatArray, step: FloatArray, change: FloatArray, curvature: float
 ) -> FloatArray:
-    """Return the inverse of BFGS after one step (Nocedal and Wright 2006, eq. 6.17)."""
+    """Return the inverse curvature matrix after one optimisation step (BFGS: Nocedal and Wright
+    2006, eq. 6.17).
+    """
     moved = inverse @ change
     outer = np.outer(step, moved)
     updated: FloatArray = (
@@ -112,8 +120,8 @@ def _bfgs_update(
 
 
 def _spread(evidence: Evidence, peak: FloatArray) -> FloatArray:
-    """Return a root (f, f) of the covariance of the free hyperparameters at the peak; no wider than
-    the prior.
+    """Return a matrix root (f, f) of the covariance of the free parameters at the maximum. It is no
+    wider than the prior.
     """
     free = np.flatnonzero(evidence.prior.free)
     hessian = np.empty((free.size, free.size))
@@ -132,8 +140,10 @@ def _spread(evidence: Evidence, peak: FloatArray) -> FloatArray:
 
 
 def _rounded_rows(root: FloatArray) -> FloatArray:
-    """Return a square root (f, f) of a covariance with rounded rows. Each is rounded to about a
-    thousandth of its diagonal entry, which stays positive.
+    """Return a matrix root (f, f) of a covariance with rounded rows. Equal inputs then give equal
+    results on every processor.
+
+    Each is rounded to about a thousandth of its diagonal entry, which stays positive.
     """
     step = np.exp2(np.floor(np.log2(np.diag(root))) - 10.0)[:, np.newaxis]
     rounded: FloatArray = np.round(root / step) * step

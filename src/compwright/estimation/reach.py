@@ -11,8 +11,8 @@ from compwright.records.positioning import PositioningTest
 def longer_tests(
     fitted: Sequence[PositioningTest], others: Iterable[PositioningTest]
 ) -> list[Finding]:
-    """Return a finding (CW-E011) for each other test that is longer than the ``fitted`` ones.
-    It must reach further by more than a mean interval of the first of them.
+    """Return a finding (CW-E011) for each other test that is longer than the ``fitted`` ones by
+    more than a mean interval of targets.
 
     An axis over 2 000 mm has two tests (ISO 230-2:1997, 5.2): its whole length once, and 2 000 mm
     five times. They count together where it is known which compensation was active in each.

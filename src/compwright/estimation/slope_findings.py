@@ -1,4 +1,4 @@
-"""Tests of one axis whose slopes differ: by how much, in words for the user."""
+"""Findings about tests of one axis whose slopes differ."""
 
 from __future__ import annotations
 
@@ -50,9 +50,11 @@ def slope_findings(
 
 
 def _minus_first(place: int, cells: Cells, parts: Sequence[MixturePart]) -> tuple[float, float]:
-    """Return by how much the slope of a test differs from that of the first, with its standard
-    error, mm/mm: mean and variance of the mixture over all draws (Gelman et al., Bayesian Data
-    Analysis, 3rd ed. 2013, section 1.8).
+    """Return the difference of a test's slope from that of the first test, with its standard error,
+    mm/mm.
+
+    Mean and variance of the mixture over all draws (Gelman et al., Bayesian Data Analysis, 3rd ed.
+    2013, section 1.8).
     """
     means, variances = [], []
     for part in parts:

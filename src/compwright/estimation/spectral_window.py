@@ -1,5 +1,5 @@
-"""Which waves have the same values at the targets: their spectral window (Deeming, Astrophysics and
-Space Science 36, 1975).
+"""Waves that have the same values at all targets and so cannot be distinguished (spectral window).
+Source: Deeming, Astrophysics and Space Science 36, 1975.
 """
 
 from __future__ import annotations
@@ -18,8 +18,8 @@ _BLOCK: Final = 64
 
 
 def wave_similarity(targets: FloatArray, frequencies: FloatArray, other: float) -> FloatArray:
-    """Return how similar waves of the ``frequencies`` (f,) and of ``other`` are at the
-    ``targets`` (m,). 1: the same; 0: nothing in common.
+    """Return how similar waves of the ``frequencies`` (f,) and of ``other`` are at the ``targets``
+    (m,). 1: equal; 0: nothing in common.
     """
     at = 2.0 * np.pi * (targets - targets[0])
     sizes = []
@@ -30,8 +30,10 @@ def wave_similarity(targets: FloatArray, frequencies: FloatArray, other: float) 
 
 
 class SpectralWindow:
-    """The spectral window of the ``targets`` (m,), mm or deg, tabled for differences of frequencies
-    up to ``highest``, 1 / mm or 1 / deg.
+    """The similarity of waves at the ``targets`` (m,), mm or deg, as a table over the difference of
+    their frequencies.
+
+    Up to ``highest``, 1 / mm or 1 / deg.
     """
 
     def __init__(self, targets: FloatArray, highest: float) -> None:
@@ -45,7 +47,9 @@ class SpectralWindow:
         self.peaks = self.places[self.sizes >= ALIASED]
 
     def at(self, differences: FloatArray) -> FloatArray:
-        """Return the window at ``differences`` of frequencies, of either sign."""
+        """Return the similarity of two waves for each of the ``differences`` of their
+        frequencies.
+        """
         return np.asarray(np.interp(np.abs(differences), self.places, self.sizes))
 
     def alike(self, frequencies: FloatArray, other: float) -> FloatArray:
@@ -53,8 +57,10 @@ class SpectralWindow:
         return np.asarray(np.maximum(self.at(frequencies - other), self.at(frequencies + other)))
 
     def slow(self, frequencies: FloatArray, lowest: float) -> NDArray[np.bool_]:
-        """Return for which of the ``frequencies`` a wave looks like one well below the
-        frequency ``lowest`` (by half of 1 / length).
+        """Return which of the ``frequencies`` look like a wave well below the frequency ``lowest``
+        at the targets.
+
+        By half of 1 / length.
         """
         right = np.searchsorted(self.peaks, frequencies).clip(0, self.peaks.size - 1)
         left = (right - 1).clip(0)

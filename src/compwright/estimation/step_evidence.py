@@ -1,5 +1,6 @@
-"""Evidence for steps between neighbouring targets and for single outlying targets, from their
-means. Sets of both are compared, because two steps hide each other where only one is tried.
+"""Evidence for steps of the error between neighbouring targets, and for single outlying targets.
+
+Sets of both are compared, because two steps hide each other where only one is tried.
 
 Model of the means: straight line, smooth error, local part and noise, plus a normal size for each
 member of the set. All sizes and lengths are averaged over (Kass and Raftery, Bayes Factors, J. Am.
@@ -39,8 +40,10 @@ _ROUNDED: Final = 6  # decimals of logarithms that are compared
 
 @dataclass(frozen=True, slots=True)
 class FoundStep:
-    """A step in the ``gap`` after the target of this index. ``size`` with the standard
-    deviation ``std``, and ``odds`` for it against the best explanation without it.
+    """A step of the error after the target with the index ``gap``: its ``size``, standard deviation
+    ``std`` and ``odds``.
+
+    Against the best explanation without it.
     """
 
     gap: int
@@ -50,8 +53,9 @@ class FoundStep:
 
 
 class StepEvidence:
-    """What the means ``y`` (k,) at ``x`` (k,), ascending, with the standard deviations ``stds``
-    (k,) of their noise show; ``gaps``: how many the axis has.
+    """The evidence for steps in the means ``y`` (k,) at the positions ``x`` (k,), ascending.
+
+    With the standard deviations ``stds`` (k,) of their noise; ``gaps``: how many the axis has.
 
     Members of a set are numbered: first the steps by their gap, then the inner targets. A target at
     the end that is an outlier is the same as a step.
@@ -81,7 +85,7 @@ class StepEvidence:
         self._keep(np.concatenate(plain), np.concatenate(products), variances)
 
     def _keep(self, volumes: FloatArray, products: FloatArray, variances: FloatArray) -> None:
-        """Keep the sizes and lengths that count: no set takes more than all of the squares."""
+        """Keep only the sizes and lengths of noticeable probability."""
         plain = volumes - 0.5 * products[:, 0, 0]
         kept = volumes > np.max(plain) - _NEGLIGIBLE
         self.variances = np.tile(variances, int(np.sum(kept)))
@@ -89,7 +93,7 @@ class StepEvidence:
         self.products = np.repeat(products[kept], variances.size, axis=0)
 
     def found(self) -> list[FoundStep]:
-        """Return the steps that count, by their gap."""
+        """Return the probable steps, by the gap between targets."""
         every = np.ones(self.products.shape[1] - 1, dtype=np.bool_)
         best = self._best((), every)
         while True:
@@ -101,7 +105,7 @@ class StepEvidence:
             best = tuple(one for one in best if one != weakest)
 
     def _odds(self, members: tuple[int, ...], one: int) -> float:
-        """Return the odds for a set over the best one without a step."""
+        """Return the odds of a set against the best set without a step."""
         others = np.arange(self.products.shape[1] - 1) != one
         without = tuple(each for each in members if each != one)
         rivals = (without, self._best((), others))
@@ -109,14 +113,16 @@ class StepEvidence:
         return float(np.exp(min(log, 100.0)))
 
     def _log(self, members: tuple[int, ...]) -> float:
-        """Return the logarithm of the probability of a set, up to a constant."""
+        """Return the log probability of a set, up to a constant."""
         weights = self._swept(tuple(range(len(members))), self._of(members))[0]
         log = float(_total(weights)) + self.prior * len(members)
         return round(log, _ROUNDED)
 
     def _best(self, members: tuple[int, ...], allowed: BoolArray) -> tuple[int, ...]:
-        """Return the most probable set that is reached from ``members`` by steps and outliers that
-        are ``allowed`` (e,), taken for as many times more probable as `COUNTED` says.
+        """Return the most probable set of steps and outliers that is reached from ``members`` by
+        single changes.
+
+        ``allowed`` (e,), taken for as many times more probable as `COUNTED` says.
         """
         bonus = -float(np.log(COUNTED))
         score = self._log(members) + bonus * len(members)
@@ -130,7 +136,7 @@ class StepEvidence:
             members, score = move, top
 
     def _more(self, members: tuple[int, ...], allowed: BoolArray) -> tuple[int, ...]:
-        """Return the most probable set of one or two members more."""
+        """Return the most probable set with one or two more members."""
         room = self.most - len(members)
         free = np.flatnonzero(allowed)
         free = free[~np.isin(free, members)]
@@ -159,8 +165,8 @@ class StepEvidence:
     def _swept(
         self, members: tuple[int, ...], products: FloatArray
     ) -> tuple[FloatArray, FloatArray]:
-        """Return the logarithms of the weights of all sizes and lengths under a set, and what it
-        leaves of the ``products``.
+        """Return the log weights of all sizes and lengths for a set, and the remaining
+        ``products``.
         """
         weights, left = self.plain, products
         for one in members:
@@ -171,12 +177,12 @@ class StepEvidence:
         return weights, left
 
     def _of(self, members: tuple[int, ...]) -> FloatArray:
-        """Return the products of the means and of a set alone."""
+        """Return the products of the means with the columns of a set."""
         own = (0, *(1 + one for one in members))
         return self.products[:, own][:, :, own]
 
     def _sized(self, members: tuple[int, ...], odds: dict[int, float]) -> list[FoundStep]:
-        """Return the steps of a set with their sizes: means over all weights."""
+        """Return the steps of a set with their sizes, averaged over all weights."""
         steps = []
         for one, mine in odds.items():
             others = tuple(each for each in members if each != one)
@@ -193,18 +199,20 @@ class StepEvidence:
 
 
 def _gain(along: FloatArray, own: FloatArray, variances: FloatArray) -> FloatArray:
-    """Return by how much a member raises the logarithm of the density."""
+    """Return the increase of the log density by one more step or outlier."""
     return np.asarray(0.5 * along**2 / own - 0.5 * np.log(variances * own))
 
 
 def _total(logs: FloatArray) -> FloatArray:
-    """Return the logarithm of the sum over the first axis."""
+    """Return the logarithm of the sum over the first axis, from logarithms."""
     top = np.max(logs, axis=0)
     return np.asarray(top + np.log(np.sum(np.exp(logs - top), axis=0)))
 
 
 def _smooth(x: FloatArray, stds: FloatArray) -> FloatArray:
-    """Return covariances (n, k, k) of smooth errors at ``x`` (k,) of all lengths and ``stds``."""
+    """Return the covariances (n, k, k) at ``x`` (k,) of smooth errors of all lengths and sizes
+    ``stds``.
+    """
     apart = np.abs(np.subtract.outer(x, x)) / (np.ptp(x) / (x.size - 1))
     scaled = apart / _LENGTHS[:, np.newaxis, np.newaxis]
     near = np.sqrt(3.0) * scaled

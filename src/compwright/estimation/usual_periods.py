@@ -26,8 +26,9 @@ _SELDOM: Final = 0.25
 
 @dataclass(frozen=True, slots=True)
 class UsualPeriod:
-    """A period that is usual for machines. ``size`` in mm or deg, its ``cause`` with a
-    ``number`` (a lead in mm or inch, the ratio of a gear), and ``weight``: how frequent it is
+    """A period that machines usually have: its ``size`` in mm or deg and its ``cause``.
+
+    A ``number`` (a lead in mm or inch, the ratio of a gear), and ``weight``: how frequent it is
     relative to a common screw lead.
     """
 
@@ -49,7 +50,9 @@ def _leads() -> list[UsualPeriod]:
 
 
 def _other_causes() -> list[UsualPeriod]:
-    """Scales and drives other than screws; half leads that are no lead themselves."""
+    """Yield the usual periods of scales and of drives without screw; also half leads that are no
+    lead themselves.
+    """
     return [
         UsualPeriod(7.5, "half_lead", 15.0, _SELDOM),
         UsualPeriod(12.5, "half_lead", 25.0, _SELDOM),
