@@ -69,8 +69,11 @@ def edlen(
     humidity_percent: FloatArray,
     wavelength: float = HELIUM_NEON,
 ) -> FloatArray:
-    """Return n by the modified Edlén equation; arguments as of `ciddor`. Near 20 °C both agree
-    within 1e-8; the further from it and the more humid, the more Ciddor is to be trusted.
+    """Return the refractive index n of air by the modified Edlén equation; arguments as those of
+    `ciddor`.
+
+    Near 20 °C both agree within 1e-8; the further from it and the more humid, the more Ciddor is to
+    be trusted.
     """
     S = wavelength**-2
     t, p = air_c, 100.0 * pressure_hpa
@@ -97,7 +100,9 @@ def saturation_pressure(air_c: FloatArray) -> FloatArray:
 
 
 def _vapour_fraction(t: FloatArray, p: FloatArray, humidity_percent: FloatArray) -> FloatArray:
-    """Return the mole fraction of water vapour; the enhancement factor is that of Ciddor (1996)."""
+    """Return the mole fraction of water vapour in humid air. The enhancement factor is that of
+    Ciddor (1996).
+    """
     enhancement = 1.00062 + 3.14e-8 * p + 5.6e-7 * t**2
     fraction: FloatArray = humidity_percent / 100.0 * enhancement * saturation_pressure(t) / p
     return fraction

@@ -1,6 +1,4 @@
-"""What differs between two tests of one axis or plane, and whether it is more than their
-uncertainty.
-"""
+"""Differences between two tests of one axis or plane, compared with their uncertainty."""
 
 from __future__ import annotations
 
@@ -9,8 +7,8 @@ from dataclasses import dataclass
 
 
 def score_of_t(t: float, dof: float) -> float:
-    """Return the standard normal value as improbable as ``t`` of Student's law with ``dof`` degrees
-    of freedom (sign kept).
+    """Return the standard normal value with the same probability as ``t`` of Student's distribution
+    with ``dof`` degrees of freedom. The sign is kept.
 
     Wallace, Ann. Math. Statist. 30 (1959), "Bounds on normal approximations": within 0.1 for the
     values and degrees of freedom that decide anything here.
@@ -21,6 +19,7 @@ def score_of_t(t: float, dof: float) -> float:
 
 def score_of_ratio(ratio: float, dof: float, dof_below: float) -> float:
     """Return the standard normal value with the same probability as a ratio of two variances.
+
     ``dof`` and ``dof_below``: their degrees of freedom; negative where the upper variance is
     smaller.
 
@@ -37,7 +36,9 @@ def score_of_ratio(ratio: float, dof: float, dof_below: float) -> float:
 
 
 def two_sided_probability(score: float) -> float:
-    """Return the probability that a standard normal value is at least as far from zero."""
+    """Return the probability that a standard normal value is at least as far from zero as
+    ``score``.
+    """
     return math.erfc(abs(score) / math.sqrt(2.0))
 
 
@@ -50,7 +51,8 @@ UNDECLARED_SLOPE = 11.5
 
 @dataclass(frozen=True, slots=True)
 class UncertainValue:
-    """A parameter of a test with its standard error and the degrees of freedom of that.
+    """A parameter of a test with its standard error and the degrees of freedom of that error.
+
     ``declared``: the standard uncertainty that the job declares; all in one unit.
     """
 
@@ -73,12 +75,12 @@ class Change:
 
     @property
     def chance(self) -> float:
-        """How often two tests of an unchanged machine differ by as much or more."""
+        """The probability that two tests of an unchanged machine differ by as much or more."""
         return two_sided_probability(self.score)
 
     @property
     def clear(self) -> bool:
-        """Whether it is beyond the uncertainty."""
+        """Whether the difference is larger than its uncertainty allows."""
         return abs(self.score) > CLEAR
 
 
@@ -109,8 +111,8 @@ def difference(
 
 
 def scatter_changed(before: UncertainValue, after: UncertainValue) -> Change:
-    """Return by how much the standard deviation of a reading differs, judged by the ratio of the
-    variances (F law).
+    """Return how the standard deviation of a reading differs between two tests, tested by the ratio
+    of the variances (F test).
     """
     size = after.value - before.value
     if before.value <= 0.0 or after.value <= 0.0:

@@ -40,7 +40,9 @@ _SENSES: Final[tuple[Sense, ...]] = get_args(Sense)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CircularStandard:
-    """One edition; ``undefined`` gives the reasons of the parameters that it does not define."""
+    """One edition of the standard for circular tests. ``undefined``: the reasons why it does not
+    define some parameters.
+    """
 
     id: str
     title: str
@@ -148,7 +150,9 @@ _Zone = tuple[Point, float, float]
 
 @dataclass(frozen=True, slots=True)
 class _OneWay:
-    """Least-squares circle and minimum zone (centre, inner, outer) of one path, mm."""
+    """The least-squares circle and the minimum zone (centre, inner and outer radius) of one path,
+    mm.
+    """
 
     path: ActualPath
     centre: Point
@@ -205,7 +209,7 @@ def _common_values(test: CircularTest, evaluated: Mapping[Sense, ActualPath]) ->
 def _reasons(
     test: CircularTest, standard: CircularStandard, values: Mapping[str, float]
 ) -> dict[str, str]:
-    """Return why parameters are not given: by the edition, the direction, the bar."""
+    """Return the reasons for missing parameters: the edition, the directions, or the bar."""
     reasons = {}
     for name in CIRCULAR_NAMES:
         missing = [

@@ -94,7 +94,9 @@ def _directions(test: CircularTest) -> list[Finding]:
 
 
 def _calibration(test: CircularTest) -> list[Finding]:
-    """CW-C003: what rests on the length of the bar (clause 4.5, 3.4 note 3)."""
+    """CW-C003: the length of the bar is not calibrated; names the parameters that need it (clause
+    4.5, 3.4 note 3).
+    """
     if test.calibrated:
         return []
     return [Finding.of("CW-C003", "warning")]
@@ -119,7 +121,9 @@ def _feed(test: CircularTest) -> list[Finding]:
 
 
 def _unequal(test: CircularTest) -> list[Finding]:
-    """CW-C008: the common circle weighs every sample alike, so the longer run counts more."""
+    """CW-C008: the two runs differ in length, and the longer one counts more in the common
+    circle.
+    """
     counts = (
         [test.of("ccw")[0].angles.size, test.of("cw")[0].angles.size]
         if test.of("ccw") and test.of("cw")
@@ -191,9 +195,7 @@ def _duplicates(path: ActualPath) -> list[Finding]:
 
 
 def _beyond(test: CircularTest, path: ActualPath) -> list[Finding]:
-    """CW-C007: samples beyond the arc, as starting and stopping arcs that were not cut leave
-    them.
-    """
+    """CW-C007: samples outside the arc; starting and stopping arcs were not removed."""
     covered = float(np.ptp(path.run.angles))
     if covered <= test.arc[1] + SAME_ANGLE:
         return []
@@ -215,14 +217,14 @@ def _closing(test: CircularTest, path: ActualPath, centre: Point) -> list[Findin
 
 
 def _scatter(radial: FloatArray) -> float:
-    """Return the standard deviation of a sample from the differences of neighbours, by their median
-    absolute value (mm).
+    """Return the standard deviation of a sample, mm, from the median absolute difference of
+    neighbours.
     """
     return float(1.4826 / np.sqrt(2.0) * np.median(np.abs(np.diff(radial))))
 
 
 def _zeros(path: ActualPath) -> list[Finding]:
-    """CW-C013: a run of zeros was not measured."""
+    """CW-C013: several successive samples are exactly zero, so they were not measured."""
     if np.any(path.run.deviations):
         return []
     return [Finding.of("CW-C013", "warning", run=_named(path))]

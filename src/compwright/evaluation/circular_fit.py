@@ -89,8 +89,8 @@ def _require_curved(x: FloatArray, y: FloatArray, size: float) -> None:
 
 
 def _algebraic_centre(x: FloatArray, y: FloatArray) -> Point:
-    """Return the centre that minimises the squares of x² + y² - 2 a x - 2 b y - c (Kåsa 1976);
-    x and y have mean 0.
+    """Return the centre of an algebraic circle fit. It minimises the squares of x² + y² - 2 a x - 2
+    b y - c (Kåsa 1976); x and y have mean 0.
     """
     square = x * x + y * y
     scatter = 2.0 * np.array([[x @ x, x @ y], [x @ y, y @ y]])

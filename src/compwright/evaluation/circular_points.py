@@ -1,5 +1,5 @@
-"""The points of the actual path, from the readings of a circular test; and how two paths differ at
-each angle.
+"""The points of the actual path of a circular test, and the difference of two paths at each
+angle.
 """
 
 from __future__ import annotations
@@ -97,8 +97,8 @@ def hysteresis(
 
 @dataclass(frozen=True, slots=True)
 class _Curve:
-    """Distances over strictly ascending angles from the seam (deg): the largest and the least of
-    the samples at each angle.
+    """The distances of a path from its centre over ascending angles (deg): the largest and the
+    smallest at each angle.
     """
 
     angles: FloatArray

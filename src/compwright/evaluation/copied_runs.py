@@ -1,4 +1,5 @@
-"""Runs that are copies of each other: to the last digit, or with a little noise on top (CW-T031).
+"""Find runs that are copies of each other: equal to the last digit, or with a little noise added
+(CW-T031).
 
 Repeated runs of a machine differ at every target by their noise. Two runs that agree ten times
 better than the runs of the same test do are one run. Where the digits of the instrument are coarser
@@ -46,7 +47,8 @@ _AT_ONCE: Final = 1_000_000
 
 
 def copied_runs(test: PositioningTest) -> dict[Direction, list[list[int]]]:
-    """Return for each direction the groups of columns (two or more) that hold the same readings.
+    """Return for each direction the groups of columns (two or more) with the same readings.
+
     They are the same at three targets or more; of many runs those count that have the same readings
     at the same targets.
     """
@@ -80,8 +82,8 @@ def _groups_of_many(block: FloatArray) -> list[list[int]]:
 
 
 def copied_run_findings(test: PositioningTest) -> list[Finding]:
-    """Return the finding CW-T031: runs, in one direction or between both, that agree to the
-    last digit or almost.
+    """Return the finding CW-T031 about runs whose readings agree to the last digit or almost, in
+    one direction or between both.
     """
     exact = _exact(test)
     if exact and not _by_chance(test):
@@ -123,7 +125,7 @@ def _exact(test: PositioningTest) -> list[Sentence]:
 
 
 def _by_chance(test: PositioningTest) -> bool:
-    """Return whether digits this coarse make runs the same by chance.
+    """Return whether runs can be equal by chance, because the digits of the readings are coarse.
 
     Of the pairs of runs that are not the same, the share p of targets at which they agree tells how
     often two readings are the same; all m targets agree with the chance p^m for each pair.
@@ -141,8 +143,8 @@ def _by_chance(test: PositioningTest) -> bool:
 
 
 def _near(test: PositioningTest) -> tuple[list[Sentence], float]:
-    """Return the pairs of runs that are almost equal, in words; none if there are many runs.
-    With it: the rms difference of the runs of a direction (mm or deg).
+    """Return the pairs of almost equal runs as text, and the rms difference of the runs of a
+    direction (mm or deg).
     """
     if test.positive.shape[1] + test.negative.shape[1] > _MOST_RUNS:
         return [], 0.0
@@ -196,7 +198,7 @@ def _all_apart(runs: Sequence[FloatArray]) -> list[tuple[int, int, float]]:
 def _apart(
     columns: FloatArray, first: NDArray[np.intp], second: NDArray[np.intp]
 ) -> list[tuple[int, int, float]]:
-    """Return `_all_apart` of some pairs (p,) of ``columns`` (m, n)."""
+    """Return the rms differences of ``_all_apart`` for some pairs (p,) of ``columns`` (m, n)."""
     gaps = columns[:, first] - columns[:, second]
     patterns, which = np.unique(np.isfinite(gaps), axis=1, return_inverse=True)
     found = []
@@ -209,8 +211,8 @@ def _apart(
 
 
 def _without_drift(gaps: FloatArray, places: NDArray[np.intp]) -> FloatArray:
-    """Return the rms (p,) of differences (c, p) without their mean and their slope over ``places``
-    (c,).
+    """Return the rms (p,) of differences (c, p) after their mean and their slope over ``places``
+    (c,) are removed.
     """
     along = places - np.mean(places)
     left = gaps - np.mean(gaps, axis=0)

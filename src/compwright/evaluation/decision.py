@@ -1,5 +1,5 @@
-"""Does a value keep its limit? Simple comparison, or with the measurement uncertainty as a guard
-band.
+"""Decide whether a value keeps its limit: by simple comparison, or with the measurement uncertainty
+as a guard band.
 """
 
 from __future__ import annotations

@@ -1,5 +1,5 @@
-"""Find tests that may be copies of one measurement. Readings are sorted first, so that not every
-pair of tests has to be compared; `duplicate_measurements` decides.
+"""Find tests that may be copies of one measurement. Sorting avoids a comparison of every pair;
+`duplicate_measurements` decides.
 
 What `same_readings` and `share_a_run` call the same agrees but for one constant, the zero of the
 instrument: readings less one of them are the same numbers, and stand side by side when sorted.
@@ -27,8 +27,8 @@ _Numbers = NDArray[np.int64]
 
 @dataclass(frozen=True, slots=True)
 class _CandidateRun:
-    """A run of the test with the index ``owner``: its readings that exist, (n,) mm or deg, and
-    the numbers of their targets, ascending.
+    """One run of the test with the index ``owner``: its existing readings (n,), mm or deg, and the
+    numbers of their targets.
     """
 
     owner: int
@@ -53,7 +53,8 @@ def equal_tests(tests: Sequence[PositioningTest]) -> list[list[int]]:
 
 
 def tests_with_equal_run(tests: Sequence[PositioningTest], fewest: int) -> Iterator[list[int]]:
-    """Yield the groups (two or more indices, ascending) of ``tests`` that may share a run.
+    """Yield the groups of ``tests`` that may share a run (two or more indices, ascending).
+
     Their runs in one direction agree but for a constant at the `_LOOKED_AT` lowest common targets,
     of which there are ``fewest`` or more. All tests with a run that agrees at every common target
     are in such a group.
@@ -74,7 +75,7 @@ def tests_with_equal_run(tests: Sequence[PositioningTest], fewest: int) -> Itera
 
 
 def _agreeing(runs: Sequence[_CandidateRun], fewest: int) -> Iterator[set[int]]:
-    """Yield the owners of runs that agree where they are looked at."""
+    """Yield the tests whose runs agree at the compared targets, in groups."""
     grids: dict[bytes, list[_CandidateRun]] = defaultdict(list)
     for run in runs:
         grids[run.places.tobytes()].append(run)
@@ -90,7 +91,7 @@ def _agreeing(runs: Sequence[_CandidateRun], fewest: int) -> Iterator[set[int]]:
 
 
 def _looked_at(grids: Sequence[_Numbers], fewest: int) -> list[set[bytes]]:
-    """Return the parts of each grid of targets to compare, within this grid and with the other
+    """Return the target indices to compare for each grid of targets, within the grid and with other
     grids.
     """
     having: dict[int, list[int]] = defaultdict(list)
@@ -113,7 +114,7 @@ def _common(one: _Numbers, other: _Numbers) -> _Numbers:
 
 
 def _same_there(runs: Sequence[_CandidateRun], part: _Numbers) -> Iterator[set[int]]:
-    """Yield the owners of runs that agree at the targets ``part``, but for a constant."""
+    """Yield the tests whose runs differ only by a constant at the targets ``part``, in groups."""
     values = np.stack([run.values[np.searchsorted(run.places, part)] for run in runs])
     columns = (values[:, 1:] - values[:, :1]).T
     rows = np.column_stack([_numbers(column) for column in columns])
@@ -129,7 +130,7 @@ def _places(tests: Sequence[PositioningTest]) -> list[_Numbers]:
 
 
 def _numbered(several: Sequence[FloatArray]) -> list[_Numbers]:
-    """Return `_numbers` of all arrays together, taken apart again."""
+    """Return `_numbers` of several arrays, numbered together."""
     if not several:
         return []
     ends = np.cumsum([values.size for values in several])[:-1]
@@ -137,8 +138,8 @@ def _numbered(several: Sequence[FloatArray]) -> list[_Numbers]:
 
 
 def _numbers(values: FloatArray) -> _Numbers:
-    """Return a number for each value, ascending with it, the same for values within
-    `SAME_READING`.
+    """Return a number for each value, ascending with it. Values that differ by at most
+    `SAME_READING` have the same number.
     """
     order = np.argsort(values, kind="stable")
     ordered = values[order]

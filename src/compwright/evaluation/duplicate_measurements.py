@@ -1,4 +1,4 @@
-"""Is it the same measurement twice? Find tests of one job with equal files or equal readings."""
+"""Find tests of one job that come from the same measurement: equal files or equal readings."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ _Blocks = Mapping[Direction, FloatArray]
 
 @dataclass(frozen=True, slots=True)
 class NamedTest:
-    """A test by what the user calls it, with the files that it came from."""
+    """A test with its name for the user and the files that contain it."""
 
     words: str
     sources: tuple[Source, ...]
@@ -51,7 +51,7 @@ def same_measurement(one: NamedTest, other: NamedTest) -> bool:
 
 
 def same_readings(one: PositioningTest, other: PositioningTest) -> bool:
-    """Return whether two tests agree reading by reading, but for one constant: another zero of the
+    """Return whether all readings of two tests agree except for one constant, the zero of the
     instrument.
 
     Readings without any scatter may do so by chance and do not count.
@@ -74,9 +74,11 @@ def same_readings(one: PositioningTest, other: PositioningTest) -> bool:
 
 
 def share_a_run(one: PositioningTest, other: PositioningTest) -> bool:
-    """Return whether two tests have a common run, but for one constant, in every direction that
-    both have. The number of the run is of no account: some runs, or all in another order, may have
-    been given as a test of their own.
+    """Return whether two tests have a common run, except for a constant, in every direction that
+    both have.
+
+    The number of the run is of no account: some runs, or all in another order, may have been given
+    as a test of their own.
 
     Of the pairs of runs that differ, the share p of targets with one and the same difference tells
     how often coarse digits agree; runs that agree at all of m targets do so with the chance
@@ -111,8 +113,9 @@ def share_a_run(one: PositioningTest, other: PositioningTest) -> bool:
 
 
 def _always_by_chance(ours: _Blocks, others: _Blocks) -> bool:
-    """Return whether runs with so few targets can always agree by chance. Of m differences one
-    is the most frequent, so p is 1/m or more. Only runs without a gap count.
+    """Return whether runs of so few targets can always agree by chance.
+
+    Of m differences one is the most frequent, so p is 1/m or more. Only runs without a gap count.
     """
     targets = len(ours[Direction.POSITIVE])
     pairs = 0
@@ -127,8 +130,10 @@ def _always_by_chance(ours: _Blocks, others: _Blocks) -> bool:
 
 
 def _zeros(mine: FloatArray, theirs: FloatArray) -> list[float] | None:
-    """Return the constants by which runs (columns) of two blocks differ, if nothing else
-    differs. None where no two runs can be compared, as in `_gaps`.
+    """Return the constants by which runs (columns) of two blocks differ. Runs that differ by more
+    than a constant are left out.
+
+    None where no two runs can be compared, as in `_gaps`.
     """
     found: list[float] = []
     compared = False
@@ -146,8 +151,8 @@ def _zeros(mine: FloatArray, theirs: FloatArray) -> list[float] | None:
 
 
 def _spread(values: FloatArray, where: NDArray[np.bool_]) -> FloatArray:
-    """Return the largest less the smallest of the values (c, ..) that count; below zero without
-    one.
+    """Return the largest minus the smallest of the counted values (c, ..). Negative where no value
+    counts.
     """
     largest = np.where(where, values, -np.inf).max(axis=0)
     smallest = np.where(where, values, np.inf).min(axis=0)
@@ -172,7 +177,7 @@ def _gaps(mine: FloatArray, theirs: FloatArray) -> Iterator[FloatArray]:
 
 
 def _in_common(zeros: Sequence[Sequence[float]]) -> bool:
-    """Return whether one constant is among those of every direction."""
+    """Return whether one constant explains the differences in every direction."""
     first, *others = zeros
     return any(
         all(any(abs(zero - each) <= SAME_READING for each in other) for other in others)
@@ -181,16 +186,18 @@ def _in_common(zeros: Sequence[Sequence[float]]) -> bool:
 
 
 def _most_alike(gaps: FloatArray) -> int:
-    """Return how many of the differences are one and the same."""
+    """Return how often the most frequent difference occurs."""
     ordered = np.sort(gaps)
     beyond = np.searchsorted(ordered, ordered + SAME_READING, side="right")
     return int(np.max(beyond - np.arange(gaps.size)))
 
 
 def repeat_findings(tests: Sequence[PositioningTest]) -> list[Finding | None]:
-    """Return for each test that repeats the measurement of others the finding that says so
-    (CW-T034), None for the others. As `same_measurement` of any two of them would find it, in a
-    time that grows with their number, not with its square.
+    """Return the finding CW-T034 for each test that repeats the measurement of other tests, None
+    for the others.
+
+    As `same_measurement` of any two of them would find it, in a time that grows with their number,
+    not with its square.
     """
     kinds = _one_of_each(tests)
     sharing = _sharing_runs([tests[members[0]] for members in kinds])
@@ -205,7 +212,7 @@ def repeat_findings(tests: Sequence[PositioningTest]) -> list[Finding | None]:
 
 
 def _sharing_runs(tests: Sequence[PositioningTest]) -> list[set[int]]:
-    """Return for each test those that share a run with it; of very many, more than are named."""
+    """Return for each test the other tests that share a run with it. Very long lists are cut."""
     sharing: list[set[int]] = [set() for _ in tests]
     looked_at: set[tuple[int, int]] = set()
     for group in tests_with_equal_run(tests, _TARGETS):
@@ -220,8 +227,8 @@ def _sharing_runs(tests: Sequence[PositioningTest]) -> list[set[int]]:
 
 
 def _one_of_each(tests: Sequence[PositioningTest]) -> list[list[int]]:
-    """Return the tests (indices, ascending) in groups with the same readings or the same file.
-    Most groups contain one test.
+    """Return the tests (indices, ascending) in groups with the same readings or file. Most groups
+    contain one test.
     """
     above = list(range(len(tests)))
 
@@ -244,7 +251,9 @@ def _one_of_each(tests: Sequence[PositioningTest]) -> list[list[int]]:
 
 
 def _top(above: list[int], index: int) -> int:
-    """Return the lowest index that ``index`` is joined to, and shorten the way there."""
+    """Return the lowest index of the group that contains ``index`` (union-find with path
+    compression).
+    """
     while above[index] != index:
         above[index] = above[above[index]]
         index = above[index]

@@ -1,4 +1,5 @@
-"""Readings of a laser reduced by a record of air and material: each at the moment it was taken.
+"""Correct the readings of a laser for air and material temperature, with a record of the
+environment.
 
 Light: a display that counts for a refractive index n0 shows p where the length is p n0 / n, n being
 that of the air (`compwright.evaluation.air`); p counts from where the display was zeroed.
@@ -51,10 +52,11 @@ def reduce_by_record(
     *,
     own_temperature: bool,
 ) -> PositioningTest:
-    """Return ``test`` corrected for air and thermal expansion with the environment record. The
-    effect of the air on the laser light is removed at the moment of each reading, and with
-    ``thermal`` the differential expansion too. Machine coordinates. ``zero``: where the display
-    was zeroed, mm; ``own_temperature``: the test itself states T_m of ``thermal``.
+    """Return ``test`` corrected for air and thermal expansion with the environment record.
+
+    The effect of the air on the laser light is removed at the moment of each reading, and with
+    ``thermal`` the differential expansion too. Machine coordinates. ``zero``: where the display was
+    zeroed, mm; ``own_temperature``: the test itself states T_m of ``thermal``.
 
     Findings: CW-T024 and CW-T028 what was removed, CW-T029 how light, expansion and the rest
     changed over the test, CW-T038 a gap in the record, CW-T039 readings without times: for them the
@@ -132,7 +134,7 @@ def _file(test: PositioningTest) -> str:
 
 
 def _times(test: PositioningTest, environment: Environment) -> FloatArray | None:
-    """Return when the readings were taken; None where nothing says it and nothing needs it."""
+    """Return the time of each reading. None where the times are unknown and not needed."""
     record = environment.record
     if test.times is None:
         if not environment.needs_time:
@@ -192,7 +194,7 @@ def _times(test: PositioningTest, environment: Environment) -> FloatArray | None
 
 
 def _shown(time: float, record: EnvironmentRecord) -> str:
-    """Return a time as people write it."""
+    """Return a time as text for people."""
     if record.clock == "number":
         return f"{time:.10g}"
     moment = datetime.fromtimestamp(time, UTC)
@@ -200,15 +202,15 @@ def _shown(time: float, record: EnvironmentRecord) -> str:
 
 
 def _usual_distance(record: EnvironmentRecord) -> float:
-    """Return the median distance of the rows; 0 with one row."""
+    """Return the median time between rows of the record; 0 with one row."""
     return float(np.median(np.diff(record.times))) if record.times.size > 1 else 0.0
 
 
 def _at(
     record: EnvironmentRecord, times: FloatArray | None, readings: FloatArray
 ) -> Mapping[str, FloatArray]:
-    """Return the values of the environment record at each reading. They are linear in time
-    between two rows; readings without times get the mean of all rows.
+    """Return the environment values at each reading, interpolated in time. Readings without times
+    get the mean of all rows.
     """
     if times is None:
         return {name: np.full_like(readings, value.mean()) for name, value in record.values.items()}
@@ -221,7 +223,7 @@ def _index(environment: Environment, at: Mapping[str, FloatArray]) -> FloatArray
 
 
 def _counted(environment: Environment) -> float:
-    """Return the refractive index for which the display counts."""
+    """Return the refractive index that the display of the instrument assumes."""
     air = environment.instrument_air
     if air is None:
         return 1.0
@@ -232,7 +234,9 @@ def _counted(environment: Environment) -> float:
 
 
 def _gap(record: EnvironmentRecord, times: FloatArray) -> Iterator[Finding]:
-    """Yield the widest gap of the record within the test, where it is out of the ordinary."""
+    """Yield a finding about the longest gap of the record during the test, if it is unusually
+    long.
+    """
     usual = _usual_distance(record)
     within = (record.times[1:] > np.nanmin(times)) & (record.times[:-1] < np.nanmax(times))
     widest = float(np.max(np.diff(record.times)[within], initial=0.0))
@@ -263,9 +267,10 @@ def _light_finding(
 def _untimed(
     environment: Environment, test: PositioningTest, thermal: Thermal | None
 ) -> Iterator[Finding]:
-    """Yield how much the correction would vary within the record (µm over the targets), for
-    tests without times. Nothing where that is small. ``thermal``: the expansion whose
-    temperature is that of the record.
+    """Yield a finding about the possible variation of the correction (µm over the targets), for
+    tests without times.
+
+    Nothing where that is small. ``thermal``: the expansion whose temperature is that of the record.
     """
     record = environment.record
     varied = np.zeros_like(record.times)
@@ -282,11 +287,13 @@ def _untimed(
 def _changes(
     times: FloatArray, split: int, light: FloatArray, expansion: FloatArray, rest: FloatArray
 ) -> Iterator[Finding]:
-    """Yield how much the air, the expansion and the other part of the readings changed during
-    the test, µm. Each change is the slope of a straight line over time through the readings of
-    each target and direction, times the duration. Air and expansion: at the target where they
-    changed most; the other part: the mean over the targets with its standard error. Nothing
-    where a target was approached once.
+    """Yield a finding about changes during the test, µm: by air, by expansion, and by the rest of
+    the readings.
+
+    Each change is the slope of a straight line over time through the readings of each target and
+    direction, times the duration. Air and expansion: at the target where they changed most; the
+    other part: the mean over the targets with its standard error. Nothing where a target was
+    approached once.
     """
     duration = float(np.nanmax(times) - np.nanmin(times))
     centred = _centred(times, split)
@@ -311,7 +318,7 @@ def _changes(
 
 
 def _centred(values: FloatArray, split: int) -> FloatArray:
-    """Return values (m, n) less their mean at each target and direction, 0 where there is none."""
+    """Return values (m, n) minus their mean at each target and direction, 0 where there is none."""
     blocks = []
     for block in (values[:, :split], values[:, split:]):
         there = np.isfinite(block)

@@ -46,7 +46,7 @@ def environmental_variation(
 
 
 def _largest_range(drift: DriftTest, over: float) -> float:
-    """Return the largest range (mm or deg) of the readings within a time of ``over`` min."""
+    """Return the largest range (mm or deg) of the readings within any ``over`` minutes."""
     largest = 0.0
     last = np.searchsorted(drift.minutes, drift.minutes + over * (1.0 + 1e-9), side="right")
     for first, end in enumerate(last):

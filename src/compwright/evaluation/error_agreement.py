@@ -1,4 +1,4 @@
-"""Do the other tests of an axis show the error that the first one shows? Only those that do count
+"""Compare the other tests of an axis with the first one. Only tests that show the same error count
 with it.
 """
 
@@ -34,8 +34,10 @@ def disagreeing_test(
     names: tuple[str, str],
     unknown: Sequence[float] = (),
 ) -> Finding | None:
-    """Return a doubt where ``test`` does not show what another one makes expect (CW-T036), else
-    None. ``names``: of the test that counts, then of the one that does not.
+    """Return a doubt (CW-T036) if ``test`` contradicts the error that another test shows, else
+    None.
+
+    ``names``: of the test that counts, then of the one that does not.
 
     ``expected`` and ``std`` (m,) by direction (those of which the other one says something) at the
     targets of ``test``, ``noise`` of one of its readings: mm or deg. ``unknown``: periods, mm or
@@ -97,7 +99,7 @@ def disagreeing_test(
 
 
 def _without(values: FloatArray, where: FloatArray, periods: Sequence[float]) -> FloatArray:
-    """Return the values without the waves of some periods that fit them best."""
+    """Return the values minus the best-fitting waves of some periods."""
     if not periods or values.size <= 2 * len(periods) + 1:
         return values
     turns = 2.0 * np.pi * where[:, np.newaxis] / np.asarray(periods)

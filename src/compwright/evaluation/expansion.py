@@ -32,7 +32,7 @@ _MATERIAL_ONLY: Final = re.compile(
 
 
 def instrument_compensated_expansion(compensated_for: str) -> bool:
-    """Whether the header text says that the instrument already removed material expansion.
+    """Return whether the header states that the instrument already removed the material expansion.
 
     The parts between commas, semicolons, ``+`` and ``/`` that speak of the air or the wavelength
     only do not count; a part that is not understood counts, because removing the expansion twice is
@@ -43,9 +43,10 @@ def instrument_compensated_expansion(compensated_for: str) -> bool:
 
 
 def instrument_compensated_air(compensated_for: str) -> bool:
-    """Whether the header text says that the instrument already compensated for the air. A part that
-    is not clearly about the material alone counts, because removing the air's effect twice is worse
-    than asking.
+    """Return whether the header states that the instrument already compensated for the air.
+
+    A part that is not clearly about the material alone counts, because removing the air's effect
+    twice is worse than asking.
     """
     parts = [part.strip().lower() for part in re.split(r"[,;+/]", compensated_for)]
     return any(part not in _NOTHING and not _MATERIAL_ONLY.match(part) for part in parts)
@@ -94,7 +95,7 @@ def refuse_reduced(test: PositioningTest) -> None:
 
 
 def expansion_finding(thermal: Thermal) -> Finding:
-    """Return what was removed to refer the readings to 20 °C (CW-T024)."""
+    """Return the finding CW-T024: how much expansion was removed to refer the readings to 20 °C."""
     return Finding.of(
         "CW-T024",
         "info",
@@ -132,7 +133,7 @@ def remove_differential_expansion(test: PositioningTest, thermal: Thermal) -> Po
 
 
 def rise_findings(test: PositioningTest, thermal: Thermal) -> tuple[Finding, ...]:
-    """Return what the temperature did between start and end of the test (CW-T025)."""
+    """Return the finding CW-T025: how the temperature changed between start and end of the test."""
     if thermal.rise_m == 0.0 and thermal.rise_d == 0.0:
         return ()
     length = float(test.targets[-1] - test.targets[0]) / 1000.0

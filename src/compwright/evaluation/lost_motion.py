@@ -1,5 +1,5 @@
-"""Is the lost motion one constant, as backlash compensation takes it, or does it depend on the
-distance or the speed of the move; and how much does the best constant leave?
+"""Test whether lost motion is constant, as backlash compensation assumes, or depends on distance or
+speed of the move.
 
 Where moves are repeated: between the groups against within them (F law). Else the rank test for a
 trend by Mann (Econometrica 13 (1945) 245) and Kendall (Rank Correlation Methods, 1975), with the
@@ -32,8 +32,8 @@ _UM: Final = shown_unit("mm")
 
 @dataclass(frozen=True, slots=True)
 class LostMotionResult:
-    """The best constant and what it leaves at most (µm); ``depends``: whether the lost motion is
-    not one constant.
+    """The best constant for the lost motion and the largest remaining error (µm). ``depends``:
+    whether the lost motion is not constant.
     """
 
     constant: float
@@ -43,7 +43,8 @@ class LostMotionResult:
 
 
 def lost_motion_result(test: LostMotionTest) -> LostMotionResult:
-    """Return the constant in the middle of the means of each move, and whether there is one.
+    """Return the best constant for the lost motion, from the mean of each move, and whether it is
+    constant.
 
     CW-T040: it depends on the move; CW-T041: it does not, as far as the readings show.
     """
@@ -86,7 +87,9 @@ def lost_motion_result(test: LostMotionTest) -> LostMotionResult:
 
 
 def _between(values: FloatArray, means: FloatArray, group: NDArray[np.intp]) -> float:
-    """Return the score of the variance between the means against that within the groups."""
+    """Return the test value for differences between the means of groups, relative to the scatter
+    within the groups.
+    """
     dof, within = means.size - 1.0, float(values.size - means.size)
     inner = float(np.sum((values - means[group]) ** 2)) / within
     outer = float(np.sum((means[group] - values.mean()) ** 2)) / dof
@@ -96,7 +99,7 @@ def _between(values: FloatArray, means: FloatArray, group: NDArray[np.intp]) -> 
 
 
 def _trend(means: FloatArray) -> float:
-    """Return the score of the order of the values."""
+    """Return the test value for a trend in the order of the values."""
     n = means.size
     rise = float(sum(np.sign(later - earlier) for earlier, later in combinations(means, 2)))
     ties = np.unique(means, return_counts=True)[1].astype(np.float64)

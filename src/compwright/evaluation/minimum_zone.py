@@ -108,7 +108,9 @@ def minimum_zone(
 
 
 def _around(x: FloatArray, y: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return the points in the order of their directions, beginning behind the largest gap."""
+    """Return the points ordered by their direction from the centre, beginning after the largest
+    gap.
+    """
     angle = np.arctan2(y, x)
     order = np.argsort(angle)
     gaps = np.diff(angle[order], append=angle[order[0]] + 2.0 * np.pi)
@@ -117,7 +119,7 @@ def _around(x: FloatArray, y: FloatArray) -> tuple[FloatArray, FloatArray]:
 
 
 def _reach(x: FloatArray, y: FloatArray, distance: FloatArray) -> float:
-    """Return how far from the least-squares centre the best one can lie.
+    """Return an upper bound of the distance between the least-squares centre and the best centre.
 
     A centre moved by s along a unit vector e changes the distances by about s u·e, u the directions
     of the points. With k the least range of u·e over all e, the width is at least k s minus the
@@ -134,7 +136,7 @@ def _reach(x: FloatArray, y: FloatArray, distance: FloatArray) -> float:
 
 
 def _outside(distance: FloatArray, low: float, high: float) -> Indices:
-    """Return the outermost and the innermost point of each sector that lie outside the zone."""
+    """Return the outermost and the innermost point of each sector, if it is outside the zone."""
     bounds = np.linspace(0, distance.size, _SECTORS + 1).astype(np.intp)
     found = []
     for begin, end in pairwise(bounds):
@@ -154,8 +156,9 @@ def _pairs(n: int) -> tuple[Indices, Indices]:
 
 
 def _narrowest(x: FloatArray, y: FloatArray, reach: float, tolerance: float) -> FloatArray:
-    """Return the centre (2,) of the narrowest annulus that encloses a few points. Candidates
-    are the origin and the crossings of the points' bisectors.
+    """Return the centre (2,) of the narrowest ring that encloses a few points.
+
+    Candidates are the origin and the crossings of the points' bisectors.
 
     Centres farther from the origin than ``reach`` are left out. Of several equally good ones the
     middle is taken: where two points on a ray set the width all centres between are as good, and

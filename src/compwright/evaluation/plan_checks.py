@@ -73,7 +73,9 @@ def _is_long(test: PositioningTest, travel: tuple[float, float] | None) -> bool:
 
 
 def _runs(test: PositioningTest) -> list[Finding]:
-    """CW-T001: five approaches per direction; n = 1 belongs to axes over 2 000 mm or 360° only."""
+    """CW-T001: fewer than five approaches per direction; one approach is for axes over 2 000 mm or
+    360° only.
+    """
     counts = {d: int(test.readings(d).max(initial=0.0)) for d in Direction}
     measured = {d: n for d, n in counts.items() if n}
     if len(measured) == 1:
@@ -96,8 +98,8 @@ def _runs(test: PositioningTest) -> list[Finding]:
 
 
 def _linear_targets(test: PositioningTest) -> list[Finding]:
-    """CW-T002: at least five targets per metre and five in all (4.3.2). Long axes with n = 1
-    have another interval.
+    """CW-T002: fewer than five targets per metre or five in all (4.3.2). Long axes with n = 1 have
+    another interval.
     """
     length = _length(test)
     if length > LONG[test.kind] and approaches(test) == 1:
@@ -139,7 +141,7 @@ def _rotary_targets(test: PositioningTest, standard: str) -> list[Finding]:
 
 
 def _within(test: PositioningTest, principal: float) -> bool:
-    """Whether some turn of ``principal`` lies in the measured range."""
+    """Return whether some turn of the position ``principal`` is in the measured range."""
     first, last = float(test.targets[0]), float(test.targets[-1])
     return (
         first - 1e-9
@@ -208,8 +210,8 @@ def _long_interval(test: PositioningTest, standard: str) -> list[Finding]:
 
 
 def _travel_covered(test: PositioningTest, travel: tuple[float, float] | None) -> list[Finding]:
-    """CW-T007: targets outside the travel, or more than one mean interval of travel at an end
-    without a target.
+    """CW-T007: targets outside the travel, or an end of the travel without a target for more than
+    one mean interval.
 
     An axis of a full turn may be counted from anywhere.
     """
@@ -243,7 +245,7 @@ def _travel_covered(test: PositioningTest, travel: tuple[float, float] | None) -
 
 
 def _spacing(test: PositioningTest, periods: Sequence[float]) -> list[Finding]:
-    """CW-T008: equal spacing, or targets at phases of a known period that hide a periodic error
+    """CW-T008: equally spaced targets, or targets that hide a known period because of their spacing
     (4.2).
     """
     if test.targets.size < 3:
@@ -279,8 +281,9 @@ def _targets_text(test: PositioningTest) -> Sentence:
 
 
 def _phases_seen(targets: FloatArray, period: float) -> float:
-    """Return the smaller eigenvalue of the covariance of cosine and sine of the target phases: 0
-    hidden, 0.5 evenly seen.
+    """Return how well the targets show a wave: 0 hidden, 0.5 best.
+
+    The smaller eigenvalue of the covariance of cosine and sine of the target phases.
     """
     phase = 2.0 * np.pi * targets / period
     covariance = np.cov(np.vstack([np.cos(phase), np.sin(phase)]), bias=True)

@@ -1,5 +1,4 @@
-"""Are the readings of a test plausible? Wrong units, copies and directions that a single test
-reveals.
+"""Check the readings of a single test for wrong units, wrong directions and copies.
 
 `certain_fault` returns what is certain (a caller refuses the test), `plausibility_findings` what is
 possible (doubts, shown first). The reason of each number is at its constant; lengths in mm, angles
@@ -60,7 +59,7 @@ FEWEST_TARGETS: Final = {AxisKind.LINEAR: 5, AxisKind.ROTARY: 3}
 
 
 def certain_fault(test: PositioningTest) -> str:
-    """Return why these readings cannot be deviations of a machine in the unit stated; empty where
+    """Return why these readings cannot be deviations of a machine in the stated unit. Empty where
     they can.
 
     Certain are: every reading the same (nothing was measured); all readings within 0.1 µm per metre
@@ -113,8 +112,8 @@ def _smaller(test: PositioningTest) -> str:
 
 
 def plausibility_findings(test: PositioningTest) -> list[Finding]:
-    """Return what may be wrong with the unit, the origin or the directions of a test: CW-T030 to
-    CW-T033, CW-T035.
+    """Return the findings about a wrong unit, origin or direction of a test: CW-T030 to CW-T033,
+    CW-T035.
     """
     return [*_small(test), *copied_run_findings(test), *_turned(test), *_inches(test), *_few(test)]
 
@@ -135,7 +134,7 @@ def _small(test: PositioningTest) -> list[Finding]:
 
 
 def _other_unit(test: PositioningTest) -> Finding | None:
-    """Return that size and scatter are far more usual of another unit, with the odds; else
+    """Return a finding if the readings are far more typical in another unit, with the odds; else
     nothing.
     """
     factor, finer, coarser = _CONFUSED[test.kind]
@@ -157,8 +156,8 @@ def _other_unit(test: PositioningTest) -> Finding | None:
 
 
 def reversal_above_zero(test: PositioningTest) -> float:
-    """Return the mean reversal value (mm or deg) if it is positive and larger than usual, else
-    0.
+    """Return the mean reversal value (mm or deg) if it is positive and larger than on typical
+    machines, else 0.
     """
     reversal = mean_deviation(test.positive) - mean_deviation(test.negative)
     known = reversal[np.isfinite(reversal)]
@@ -169,7 +168,7 @@ def reversal_above_zero(test: PositioningTest) -> float:
 
 
 def _turned(test: PositioningTest) -> list[Finding]:
-    """CW-T032: a mean reversal value above zero."""
+    """CW-T032: the mean reversal value is above zero, so directions or sign may be reversed."""
     mean = reversal_above_zero(test)
     if not mean:
         return []
@@ -186,7 +185,7 @@ def _turned(test: PositioningTest) -> list[Finding]:
 
 
 def _inches(test: PositioningTest) -> list[Finding]:
-    """CW-T033: targets that are whole millimetres only when they are taken for inches."""
+    """CW-T033: the targets may be inches: converted from inches they are whole millimetres."""
     if test.kind is not AxisKind.LINEAR or test.targets.size < 5:
         return []
     as_inches = test.targets * _INCH
@@ -202,7 +201,7 @@ def _inches(test: PositioningTest) -> list[Finding]:
 
 
 def _few(test: PositioningTest) -> list[Finding]:
-    """CW-T035: fewer targets than any edition asks for, whatever the length (4.3.2, 4.3.4)."""
+    """CW-T035: fewer targets than any edition requires (4.3.2, 4.3.4)."""
     count, fewest = test.targets.size, FEWEST_TARGETS[test.kind]
     if count >= fewest:
         return []
@@ -217,7 +216,7 @@ _COVERS: Final = (0.5, 1.05)
 
 
 def wrong_target_unit(test: PositioningTest, travel: tuple[float, float]) -> str:
-    """Return the unit in which the targets fit ``travel`` (mm); empty if they fit it in mm.
+    """Return the other unit in which the targets fit the ``travel`` (mm). Empty if they fit in mm.
 
     Certain, because nothing else brings it about: the targets span less than a tenth of the travel
     (or more than ten times of it), and times 25.4 or 1000 (or divided by it) they span at least

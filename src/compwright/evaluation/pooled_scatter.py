@@ -1,4 +1,4 @@
-"""How far the readings of a test scatter and spread."""
+"""The scatter and the range of the readings of a test."""
 
 from __future__ import annotations
 
@@ -14,9 +14,7 @@ _DIRECTIONS: Final = (Direction.POSITIVE, Direction.NEGATIVE)
 
 
 def pooled_scatter(test: PositioningTest) -> tuple[float, float]:
-    """Return the pooled standard deviation of a reading about its target's mean (mm or deg) and its
-    degrees of freedom.
-    """
+    """Return the pooled standard deviation of a reading (mm or deg) and its degrees of freedom."""
     squares, dof = 0.0, 0.0
     for direction in _DIRECTIONS:
         block = test.deviations(direction)
@@ -29,7 +27,7 @@ def pooled_scatter(test: PositioningTest) -> tuple[float, float]:
 
 
 def reading_range(test: PositioningTest) -> float:
-    """Return the largest less the smallest reading of a test, mm or deg."""
+    """Return the largest minus the smallest reading of a test, mm or deg."""
     values = np.concatenate([test.positive.ravel(), test.negative.ravel()])
     made = values[np.isfinite(values)]
     return float(np.ptp(made)) if made.size else 0.0

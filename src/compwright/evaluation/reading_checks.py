@@ -1,5 +1,5 @@
-"""Checks of the readings themselves: missing ones, traverses of zeros, drift over the runs, suspect
-traverses and readings.
+"""Checks of the readings: missing readings, traverses of zeros, drift over the runs, suspect
+traverses and outliers.
 
 With n = 5 no reading can lie further than 1.789 s from its own mean, so a 3 s rule never fires;
 what is suspect is judged by medians pooled over the targets. Nothing is dropped: each finding shows
@@ -61,13 +61,13 @@ _BOTH: Final = (Direction.POSITIVE, Direction.NEGATIVE)
 
 
 def text_of(value: float, test: PositioningTest) -> Amount:
-    """Return a deviation (mm or deg) as it is shown, in µm or arcsec."""
+    """Return a deviation (mm or deg) as text in µm or arcsec."""
     outside = float(value * outside_factor(test.kind.unit))
     return Amount(outside, unit_text(test), ".2f" if abs(outside) >= 1.0 else ".3f")
 
 
 def signed_text(value: float, test: PositioningTest) -> Amount:
-    """Return a deviation (mm or deg) as it is shown, in µm or arcsec, with its sign."""
+    """Return a deviation (mm or deg) as text in µm or arcsec, with its sign."""
     shown = text_of(value, test)
     return replace(shown, form=f"+{shown.form}") if value > 0 else shown
 
@@ -83,7 +83,7 @@ def position_text(position: float, test: PositioningTest) -> Amount:
 
 
 def sign_text(direction: Direction) -> str:
-    """Return the direction as a printed sign."""
+    """Return the approach direction as a printed sign, + or −."""
     return "+" if direction is Direction.POSITIVE else "−"
 
 
@@ -197,9 +197,10 @@ def _longest_row_of_zeros(values: FloatArray) -> int:
 
 
 def drift_findings(test: PositioningTest) -> list[Finding]:
-    """Return a finding (CW-T012) when the deviations at the targets progress in order over the
-    runs. That is a drift between successive approaches to any particular target position (ISO
-    230-2:1997, 3.3), pooled over the targets.
+    """Return a finding (CW-T012) if the deviations at the targets drift from run to run.
+
+    That is a drift between successive approaches to any particular target position (ISO 230-2:1997,
+    3.3), pooled over the targets.
 
     Pooled per direction in two ways: all targets alike (the zero point moves), and in proportion to
     the place along the travel (expansion, which may cancel in the mean). Readings count by their
@@ -242,8 +243,8 @@ def _drift_sentence(
     means: FloatArray,
     growths: FloatArray,
 ) -> Sentence:
-    """Return the drift of each direction in words. It is the mean drift, or the drift at both
-    ends of the travel where the mean hides most of it.
+    """Return the drift of each direction as text. It is the mean drift, or the drift at both ends
+    of the travel if the mean hides it.
     """
     if np.abs(growths).max() <= np.abs(means).max():
         each = [
@@ -268,14 +269,15 @@ def _drift_sentence(
 
 
 def _along(targets: FloatArray) -> FloatArray:
-    """Return the place of each target (m,) along the travel: mean 0, mean square 1."""
+    """Return the scaled position of each target (m,) along the travel: mean 0, mean square 1."""
     away = targets - np.mean(targets)
     spread: FloatArray = away / max(float(np.sqrt(np.mean(away**2))), _ROUNDING)
     return spread
 
 
 def _chance(table: FloatArray, centred: FloatArray) -> float:
-    """Return the share of run orders whose statistic is at least that of the order measured.
+    """Return the share of run orders whose drift is at least as large as that of the measured
+    order.
 
     In random order, the progressions of many runs are normal with the covariance of their scores
     times the square sum of the places, and the statistic a sum of squares of normals.
@@ -295,8 +297,8 @@ def _chance(table: FloatArray, centred: FloatArray) -> float:
 
 @lru_cache(maxsize=8)
 def _orders(runs: int) -> FloatArray:
-    """Return the places of the runs about their middle in all orders, of many runs in 20 000
-    random ones.
+    """Return the possible orders of the runs, as offsets from the middle. Many runs: 20 000 random
+    orders.
     """
     centred: FloatArray = np.arange(runs, dtype=np.float64) - 0.5 * (runs - 1)
     if runs <= 7:
@@ -359,7 +361,7 @@ def _shifts(test: PositioningTest) -> dict[Traverse, float]:
 
 
 def _suspect(test: PositioningTest, shifts: Mapping[Traverse, float]) -> dict[int, list[Traverse]]:
-    """Return by run the suspect traverses.
+    """Return the suspect traverses of each run.
 
     Each is compared with the scatter of a reading in the other runs, because an outlying run would
     otherwise hide in its own scatter.
@@ -381,7 +383,7 @@ def _suspect(test: PositioningTest, shifts: Mapping[Traverse, float]) -> dict[in
 
 
 def _without(test: PositioningTest, traverses: Iterable[Traverse]) -> PositioningTest:
-    """Return ``test`` without the readings of some traverses."""
+    """Return ``test`` without the readings of the given traverses."""
     for direction, column in traverses:
         keep = np.ones(test.deviations(direction).shape, dtype=bool)
         keep[:, column] = False
@@ -392,8 +394,8 @@ def _without(test: PositioningTest, traverses: Iterable[Traverse]) -> Positionin
 def suspect_reading_findings(
     test: PositioningTest, compare: Compare, *, reported: bool = False
 ) -> list[Finding]:
-    """Return one finding for all readings that are outliers at their target and in their traverse
-    (CW-T014); n >= 4.
+    """Return one finding (CW-T014) for all readings that are outliers at their target and in their
+    traverse; n >= 4.
 
     ``reported``: another finding names them; this one gives the result with and without them.
     """
@@ -431,9 +433,11 @@ def suspect_reading_findings(
 
 
 def _run_scores(residual: FloatArray, along: FloatArray, scale: float) -> FloatArray:
-    """Return two scores of each run, (2, n): the mean over targets of the residuals, and the
-    mean of residuals times position. Residuals are clipped at three ``scale``; ``along`` (m,):
-    the place along the travel; 0 for a run without readings.
+    """Return two drift values of each run, (2, n): the mean residual, and the mean residual times
+    position.
+
+    Residuals are clipped at three ``scale``; ``along`` (m,): the place along the travel; 0 for a
+    run without readings.
     """
     clipped = np.clip(np.nan_to_num(residual), -3.0 * scale, 3.0 * scale)
     number = np.maximum(np.isfinite(residual).sum(axis=0), 1)

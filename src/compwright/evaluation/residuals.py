@@ -1,4 +1,4 @@
-"""Readings less the median of their target, and the robust scale of a reading."""
+"""Readings minus the median of their target, and a robust standard deviation of a reading."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ _BOTH: Final = (Direction.POSITIVE, Direction.NEGATIVE)
 
 
 def pooled_residuals(test: PositioningTest) -> tuple[list[FloatArray], float]:
-    """Return the residuals (m, n) in + and −, from the median of each target, and their robust
-    scale. Both directions have the same scale.
+    """Return the residuals (m, n) in + and − from the median of each target, and their robust scale
+    for both directions.
     """
     residuals = [
         test.deviations(direction) - row_medians(test.deviations(direction)) for direction in _BOTH
@@ -35,7 +35,7 @@ def pooled_residuals(test: PositioningTest) -> tuple[list[FloatArray], float]:
 
 
 def row_medians(values: FloatArray) -> FloatArray:
-    """Return the medians (m, 1) of the readings there are; NaN without one."""
+    """Return the median (m, 1) of the existing readings of each target; NaN without readings."""
     ordered = np.sort(np.where(np.isfinite(values), values, np.nan), axis=1)  # NaN stands last
     count = np.count_nonzero(np.isfinite(ordered), axis=1)
     if not ordered.size:
@@ -67,7 +67,7 @@ def robust_scale(residuals: list[FloatArray], test: PositioningTest) -> float:
 
 
 def _unbiased_medians(residual: FloatArray) -> FloatArray:
-    """Return the unbiased median absolute residual of each target with three readings or more."""
+    """Return the unbiased median absolute residual of each target with at least three readings."""
     number = np.count_nonzero(np.isfinite(residual), axis=1)
     enough = number >= 3
     factors = np.array([_MAD_FACTORS.get(int(n), n / (n - 0.8)) for n in number[enough]])

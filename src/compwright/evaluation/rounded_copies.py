@@ -1,5 +1,7 @@
-"""Find a test that is a second record of another one. It may have fewer digits, another zero of the
-instrument, its runs in another order, or only some of the runs and targets.
+"""Find a test that is a second record of another test.
+
+It may have fewer digits, another zero of the instrument, its runs in another order, or only some of
+the runs and targets.
 """
 
 from __future__ import annotations
@@ -25,7 +27,7 @@ _NEARLY_ALL: Final = 0.9
 
 
 def last_digit(test: PositioningTest) -> float:
-    """Return the step on which all readings of a test lie, mm or deg, at least 0.1 µm."""
+    """Return the resolution step of all readings of a test, mm or deg, at least 0.1 µm."""
     blocks = [test.deviations(direction).ravel() for direction in Direction]
     values = np.concatenate(blocks)
     gaps = np.diff(np.unique(np.round(values[np.isfinite(values)], 9)))
@@ -37,9 +39,10 @@ def last_digit(test: PositioningTest) -> float:
 
 
 def is_rounded_copy(test: PositioningTest, original: PositioningTest) -> bool:
-    """Return whether ``test`` is a rounded copy of ``original``. Nearly every reading then agrees
-    with one at the same target but for its last digit and a constant for each run. A run that does
-    not agree counts as a whole.
+    """Return whether ``test`` is a copy of ``original`` with rounded readings.
+
+    Nearly every reading then agrees with one at the same target but for its last digit and a
+    constant for each run. A run that does not agree counts as a whole.
     """
     if test.kind is not original.kind:
         return False
@@ -61,9 +64,11 @@ def is_rounded_copy(test: PositioningTest, original: PositioningTest) -> bool:
 
 
 def is_coarse(test: PositioningTest, original: PositioningTest) -> bool:
-    """Return whether fresh readings may agree with ``original`` by chance. That is where its runs,
-    each but for a constant, scatter by less than a step of ``test``, or no target was approached
-    twice.
+    """Return whether independent readings may agree with ``original`` by chance, because the
+    resolution of ``test`` is coarse.
+
+    That is where its runs, each but for a constant, scatter by less than a step of ``test``, or no
+    target was approached twice.
     """
     blocks = (original.deviations(direction) for direction in Direction)
     scatter = np.concatenate(

@@ -1,5 +1,4 @@
-"""Two axes that show the same error: was one axis measured twice, or a test assigned to the wrong
-axis?
+"""Find two axes that show the same error: one axis may have been measured twice.
 
 They are compared at their common targets: the means of one and the same error differ only by noise,
 those of two axes also by a smooth curve as large as their errors. Marginal likelihoods (Rasmussen
@@ -56,8 +55,8 @@ def same_error_findings(tests: dict[str, list[PositioningTest]]) -> list[Finding
 
 
 def same_error_odds(one: PositioningTest, other: PositioningTest) -> float:
-    """Return how much more likely the means of two tests are with one common error than with
-    two errors. 0 where they have too few common targets.
+    """Return how much more probable one common error of two tests is than two different errors. 0
+    with too few common targets.
     """
     if one.kind is not other.kind:
         return 0.0
@@ -83,8 +82,10 @@ def _log_density(values: FloatArray, covariance: FloatArray) -> float:
 
 
 def _common(one: PositioningTest, other: PositioningTest) -> tuple[FloatArray, ...]:
-    """Return how two tests compare at their common targets and directions. Difference of the
-    means, both means, variance of the difference, position and direction (+1, -1).
+    """Return the data for comparing two tests at their common targets and directions.
+
+    Difference of the means, both means, variance of the difference, position and direction (+1,
+    -1).
     """
     _, first, second = np.intersect1d(
         np.round(one.targets / SAME_READING),

@@ -1,5 +1,6 @@
-"""Draw what a test would have shown without environmental variation. The draws come from all
-scatters of the axis that are compatible with the readings.
+"""Draw the readings that a test would have shown without environmental variation.
+
+The draws come from all scatters of the axis that are compatible with the readings.
 
 A reading is a position of the axis plus a draw of the environmental variation, whose size is known.
 What is added makes a test wider than its axis: scatter grows, and of many targets the one that got
@@ -35,9 +36,10 @@ _POWERS: Final = (2.0, 4.0)
 def without_environment(
     test: PositioningTest, sigma: float, count: int, rng: np.random.Generator
 ) -> tuple[FloatArray, FloatArray]:
-    """Return ``count`` draws of the readings in + (count, m, n) and in -, mm or deg, without
-    environmental variation. Its standard deviation is ``sigma``, one draw per reading; NaN
-    where no reading was made.
+    """Return ``count`` random draws of the readings in + (count, m, n) and in -, mm or deg, without
+    environmental variation.
+
+    Its standard deviation is ``sigma``, one draw per reading; NaN where no reading was made.
     """
     blocks = (test.positive, test.negative)
     if sigma <= 0.0:
@@ -62,15 +64,17 @@ def without_environment(
 
 
 def _squares(block: FloatArray) -> FloatArray:
-    """Return the sum of squares (m,) about the mean of each target."""
+    """Return the sum of squares (m,) of the readings about the mean of each target."""
     return np.asarray(np.nansum((block - mean_deviation(block)[:, np.newaxis]) ** 2, axis=1))
 
 
 def _own_variance(
     squares: FloatArray, number: FloatArray, sigma: float, count: int, rng: np.random.Generator
 ) -> FloatArray:
-    """Return draws (count, k) of the variance of the axis' own scatter in k cells (a target and
-    direction). ``squares`` (k,): the sum of squares over ``number`` (k,) readings.
+    """Return random draws (count, k) of the variance of the axis' own scatter at each target and
+    direction.
+
+    ``squares`` (k,): the sum of squares over ``number`` (k,) readings.
 
     The cells share a level and a spread about it, both drawn by their likelihood; within a cell the
     squares are chi-square times own variance plus sigma².
@@ -91,8 +95,8 @@ def _own_variance(
 
 
 def _populations() -> FloatArray:
-    """Return the weights (h, t) of the variances to try: every level with every spread about
-    it. The first one is no scatter at all.
+    """Return the weights (h, t) of the possible variances: every mean level with every spread about
+    it. The first is no scatter at all.
     """
     level = np.log(4.0) * np.arange(_TRIED.size)
     off = level[:, np.newaxis] - level
@@ -110,8 +114,8 @@ def _drawn(evidence: FloatArray, count: int, rng: np.random.Generator) -> NDArra
 def _scatter(
     block: FloatArray, own: FloatArray, sigma: float, rng: np.random.Generator
 ) -> FloatArray:
-    """Return draws (count, m, n) of the axis' own scatter about its means, from that of ``block``
-    (m, n).
+    """Return random draws (count, m, n) of the axis' own scatter about its means, from the scatter
+    of ``block`` (m, n).
 
     Of a residual the share own / (own + sigma²) is the axis'; what is uncertain of it has the
     variance of sigma² times that share (both normal).
@@ -126,8 +130,9 @@ def _scatter(
 def _means(
     test: PositioningTest, own: float | None, sigma: float, count: int, rng: np.random.Generator
 ) -> tuple[FloatArray, FloatArray]:
-    """Return draws (count, m) of the means in + and in - without the environment. ``own``: the
-    variance of the axis' own scatter, None where no reading is repeated.
+    """Return random draws (count, m) of the means in + and in - without environmental variation.
+
+    ``own``: the variance of the axis' own scatter, None where no reading is repeated.
     """
     up, down = mean_deviation(test.positive), mean_deviation(test.negative)
     readings = np.concatenate([test.readings(direction) for direction in Direction])
@@ -151,8 +156,10 @@ def _curve(
     count: int,
     rng: np.random.Generator,
 ) -> FloatArray:
-    """Return draws (count, m) of ``values`` (m,) without their ``noise``. ``own``: the variance
-    of the axis' own scatter in them, which stays in any case (both variances).
+    """Return random draws (count, m) of ``values`` (m,) without their ``noise``.
+
+    ``own``: the variance of the axis' own scatter in them, which stays in any case (both
+    variances).
 
     Less its straight line a curve is smooth plus rough: over the cosines of the order of the
     targets the variance is a / frequency^p + w, with a, p and w by their evidence.
@@ -176,10 +183,12 @@ def _curve(
 
 
 def _curves_tried(m: int, *, own_known: bool) -> tuple[FloatArray, FloatArray]:
-    """Return the variances (h, m - 1) of the cosines to try, in units of the noise, and the
-    logarithm of their weights (h,). The model without a smooth part weighs as much as all
-    models with one. So does the model without a rough part if the scatter of the axis is
-    counted already (``own_known``); else it weighs as much as a single one with it.
+    """Return the possible variances (h, m - 1) of the cosines of a curve, in units of the noise,
+    and their log weights (h,).
+
+    The model without a smooth part weighs as much as all models with one. So does the model without
+    a rough part if the scatter of the axis is counted already (``own_known``); else it weighs as
+    much as a single one with it.
     """
     frequency = 2.0 * np.sin(0.5 * np.pi * np.arange(1, m) / m)
     shapes = [frequency**-power for power in _POWERS]
@@ -193,6 +202,6 @@ def _curves_tried(m: int, *, own_known: bool) -> tuple[FloatArray, FloatArray]:
 
 
 def _cosines(m: int) -> FloatArray:
-    """Return the cosines (m - 1, m) of the orthonormal transform, without the constant."""
+    """Return the orthonormal cosines (m - 1, m) over m targets, without the constant."""
     order, target = np.arange(1, m)[:, np.newaxis], np.arange(m)
     return np.asarray(np.sqrt(2.0 / m) * np.cos(np.pi * order * (target + 0.5) / m))

@@ -1,4 +1,4 @@
-"""What changed in a series of tests of one axis or one plane, beyond the uncertainty."""
+"""Find changes in a series of tests of one axis or one plane that exceed the uncertainty."""
 
 from __future__ import annotations
 
@@ -41,8 +41,8 @@ _COMMON = 0.8
 def noted_changes(
     entries: Sequence[HistoryEntry], trends: Sequence[NotedTrend]
 ) -> list[NotedChange]:
-    """Return what changed between the tests of one axis or plane. Each test is compared with
-    the last comparable test before it.
+    """Return the changes between the tests of one axis or plane. Each test is compared with the
+    last comparable test before it.
 
     ``entries`` in their order in time; ``trends``: theirs (`noted_trends`). What the other
     comparisons differ by more than their standard errors explain is scatter from test to test.
@@ -86,9 +86,10 @@ def noted_changes(
 
 
 def _between_tests(others: Sequence[Change]) -> tuple[float, float]:
-    """Return the variance between tests that their standard errors do not explain, and its
-    degrees of freedom. From other comparisons of the same parameter; 0 if there are fewer than
-    four.
+    """Return the variance between tests that exceeds their standard errors, and its degrees of
+    freedom. 0 with fewer than four comparisons.
+
+    From other comparisons of the same parameter.
 
     Neighbouring differences share a test, which leaves two thirds of their number.
     """
@@ -132,7 +133,9 @@ def noted_trends(entries: Sequence[HistoryEntry]) -> Iterator[NotedTrend]:
 def _trend_of_parameter(
     entries: Sequence[HistoryEntry], parameter: str, jumps: Sequence[NotedJump]
 ) -> NotedTrend | None:
-    """Return the rate of one parameter; ``jumps``: those of parameters estimated before it."""
+    """Return the rate per year of one parameter. ``jumps``: those of parameters estimated before
+    it.
+    """
     having = [
         place for place, entry in enumerate(entries) if entry.day and parameter in entry.values
     ]
@@ -197,8 +200,8 @@ def _noted(
 
 
 def _stated(entry: HistoryEntry, parameter: str) -> float:
-    """Return the standard uncertainty of a parameter from the temperature. It counts as declared,
-    else as 1 K of steel on a linear axis.
+    """Return the standard uncertainty of a parameter by the temperature. Without a declared value:
+    1 K of steel on a linear axis.
     """
     if entry.kind == "circular" or parameter not in _OF_LENGTH:
         return 0.0
@@ -211,7 +214,7 @@ def _stated(entry: HistoryEntry, parameter: str) -> float:
 
 
 def _jump_odds(one: HistoryEntry, other: HistoryEntry, parameter: str) -> float:
-    """Return the prior probability that something other than wear lies between two tests."""
+    """Return the prior probability that two tests differ by an event other than wear."""
     if parameter not in _SCATTER:
         table = same_table(one, other)
         if table == "changed":
@@ -236,7 +239,7 @@ def _comparable(one: HistoryEntry, other: HistoryEntry, parameter: str) -> bool:
 
 
 def _alike(one: HistoryEntry, other: HistoryEntry, parameter: str) -> bool:
-    """Whether a parameter was measured alike in two tests that have it."""
+    """Return whether a parameter was measured in the same way in two tests."""
     if one.unit != other.unit:
         return False
     if one.kind == "circular":
@@ -266,8 +269,10 @@ def _compared(
     parameter: str,
     scatter: tuple[float, float] = (0.0, math.inf),
 ) -> tuple[Change, bool]:
-    """Return the difference, and whether it includes a slope that is assumed because no uncertainty
-    is declared. ``scatter``: its variance from test to test, with degrees of freedom.
+    """Return the difference of a parameter. Also whether its uncertainty includes an assumed slope.
+
+    Because no uncertainty is declared. ``scatter``: its variance from test to test, with degrees of
+    freedom.
     """
     before, after = _parameter_value(one, parameter), _parameter_value(other, parameter)
     if parameter == "s":
@@ -300,7 +305,7 @@ def same_table(one: HistoryEntry, other: HistoryEntry) -> SameTable:
 
 
 def without_repeats(entries: Sequence[HistoryEntry]) -> Iterator[HistoryEntry]:
-    """Yield each test of one axis or plane once, although a later job may use it again.
+    """Yield each test of one axis or plane once. A later job may use the same test again.
 
     An entry that states which table was active takes precedence over one that does not.
     """

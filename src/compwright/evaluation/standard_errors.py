@@ -1,5 +1,7 @@
-"""Standard errors of the parameters of a positioning test. They state how much a parameter would
-differ in a test repeated at once, and come from the scatter of the test's own readings.
+"""Standard errors of the parameters of a positioning test: how much they would differ in a test
+repeated at once.
+
+They come from the scatter of the test's own readings.
 """
 
 from __future__ import annotations
@@ -18,7 +20,7 @@ _DIGITS = 9
 
 @dataclass(frozen=True, slots=True)
 class StandardError:
-    """The standard error of a parameter, in its unit, and the degrees of freedom behind it."""
+    """The standard error of a parameter, in its unit, and its degrees of freedom."""
 
     value: float
     dof: float
@@ -58,8 +60,10 @@ def slope_error(
     positions: FloatArray, positive: FloatArray, negative: FloatArray
 ) -> StandardError | None:
     """Return the standard error of the slope of the mean deviation over ``positions`` (m,), per
-    unit of position. None without two whole runs. It comes from the scatter of single readings,
-    or of the slopes of the runs where these differ more.
+    unit of position. None without two whole runs.
+
+    It comes from the scatter of single readings, or of the slopes of the runs where these differ
+    more.
     """
     blocks = [block for block in (positive, negative) if block.size and np.isfinite(block).any()]
     scatter = _scatter(blocks)
@@ -103,9 +107,10 @@ def _scatter(blocks: list[FloatArray]) -> tuple[float, StandardError] | None:
 
 
 def _between_runs(blocks: list[FloatArray]) -> list[float]:
-    """Return the relative variance of s², from how much the mean square residuals of traverses
-    and runs differ. Needs three of them; each row of n readings loses one degree of freedom to
-    its mean.
+    """Return the relative variance of s², from the differences between the mean squares of
+    traverses and runs.
+
+    Needs three of them; each row of n readings loses one degree of freedom to its mean.
     """
     residuals = [
         block - np.nanmean(block, axis=1, keepdims=True)
@@ -124,9 +129,7 @@ def _between_runs(blocks: list[FloatArray]) -> list[float]:
 
 
 def _relative_variance(parts: Iterable[FloatArray]) -> float | None:
-    """Return the relative variance of the mean of the mean squares of the parts; None for fewer
-    than three parts.
-    """
+    """Return the relative variance of an average of mean squares; None for fewer than three."""
     found = (part[np.isfinite(part)] for part in parts)
     squares = [float(part @ part) / part.size for part in found if part.size]
     mean = float(np.mean(squares)) if squares else 0.0
@@ -140,8 +143,8 @@ def _dof(cell: FloatArray) -> int:
 
 
 def _ends(blocks: list[FloatArray], coverage: float) -> tuple[FloatArray, FloatArray] | None:
-    """Return the readings of the two cells that determine A. They have the highest mean + k s
-    and the lowest mean - k s; None if no reading is repeated.
+    """Return the readings at the two targets that determine A, with the highest mean + k s and the
+    lowest mean - k s. None without repeated readings.
     """
     cells = [row for block in blocks for row in block if _dof(row) > 0]
     if not cells:
@@ -162,7 +165,9 @@ def _difference(one: FloatArray, other: FloatArray, s: float, dof: float) -> tup
 
 
 def _larger(pooled: float, dof: float, by_run: FloatArray) -> tuple[float, float]:
-    """Return the larger of two variances of a mean: as pooled, and as its values by run show it."""
+    """Return the larger of two variances of a mean: from the pooled scatter, or from its values in
+    each run.
+    """
     found = by_run[np.isfinite(by_run)]
     if found.size > 2:
         shown = float(np.var(found, ddof=1)) / found.size
@@ -174,7 +179,7 @@ def _larger(pooled: float, dof: float, by_run: FloatArray) -> tuple[float, float
 def _reversal(
     positive: FloatArray, negative: FloatArray, s: float, dof: float
 ) -> dict[str, StandardError]:
-    """Return the errors of B, at the target that makes it, and of the mean reversal value."""
+    """Return the standard errors of B, at its target, and of the mean reversal value."""
     both = np.isfinite(positive).any(axis=1) & np.isfinite(negative).any(axis=1)
     up, down = positive[both], negative[both]
     if not up.size:
@@ -193,7 +198,9 @@ def _reversal(
 
 
 def _combined(parts: Iterable[tuple[float, float]]) -> StandardError:
-    """Return the error of a sum of independent parts (variance, degrees of freedom)."""
+    """Return the standard error of a sum of independent parts (variance, degrees of freedom
+    each).
+    """
     parts = [part for part in parts if part[0] > 0.0]
     total = sum(variance for variance, _ in parts)
     dof = total**2 / sum(variance**2 / dof for variance, dof in parts)

@@ -50,8 +50,8 @@ DEFAULT_STANDARD: Final = "iso230-2:2014"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Standard:
-    """One edition. ``coverage`` is its factor k on s; ``undefined`` the reasons of the parameters
-    that it does not define.
+    """One edition of the standard. ``coverage``: its factor k on s; ``undefined``: the reasons why
+    it does not define some parameters.
 
     ``single_approach`` is the clause that leaves out s, R and A for n = 1; ``range_factors`` those
     of s = W * factor(n), or None.
@@ -120,7 +120,9 @@ _BOTH: Final = (Direction.POSITIVE, Direction.NEGATIVE)
 
 
 def by_id(name: str, standards: Mapping[str, Entry], kind: str) -> Entry:
-    """Return one of ``standards`` of a ``kind`` by its id. Raises UsageError for an unknown one."""
+    """Return the standard with an id from ``standards`` of a ``kind``. Raises UsageError for an
+    unknown id.
+    """
     if name not in standards:
         raise UsageError(
             Fault(
@@ -278,7 +280,7 @@ def _require_sound(test: PositioningTest) -> None:
 
 
 def _estimator(standard: Standard, spread: str) -> Callable[[FloatArray], FloatArray]:
-    """Return what gives s (..., m) of deviations (..., m, n)."""
+    """Return the function that computes s (..., m) from deviations (..., m, n)."""
     if spread == "range" and standard.range_factors is not None:
         return partial(standard_deviation_from_range, factors=standard.range_factors)
     return standard_deviation
@@ -309,7 +311,7 @@ def _columns(test: PositioningTest, standard: Standard, spread: str) -> TargetCo
 def _values(
     columns: TargetColumns, standard: Standard, use: np.ndarray[tuple[int, ...], np.dtype[np.bool_]]
 ) -> dict[str, float]:
-    """Return all parameters over the targets in ``use``, NaN where something is missing."""
+    """Return all parameters over the targets marked in ``use``, NaN where data are missing."""
     if not np.any(use):
         return dict.fromkeys(standard.names, float("nan"))
     arguments = (
@@ -338,7 +340,7 @@ def _reason(
     standard: Standard,
     measured: np.ndarray[tuple[int, ...], np.dtype[np.bool_]],
 ) -> str:
-    """Say why ``name`` cannot be formed."""
+    """Return why the parameter ``name`` cannot be computed."""
     return SentenceText(_why(name, test, standard, measured))
 
 
@@ -369,9 +371,7 @@ def _why(
 def _located(
     test: PositioningTest, columns: TargetColumns, given: Mapping[str, float | None]
 ) -> dict[str, float]:
-    """Return the target at which each parameter has its extreme value (the first one if
-    several).
-    """
+    """Return the target at which each parameter has its extreme value (the first of several)."""
     sources = {
         "R": columns.repeatability,
         "R_positive": columns.repeatability_positive,
@@ -393,8 +393,8 @@ def _extremes(
     given: Mapping[str, float | None],
     coverage: float,
 ) -> dict[str, tuple[Extreme, Extreme]]:
-    """Return the highest and the lowest value from which A, E and M are formed. Only parameters
-    that are given; the first target if several.
+    """Return the highest and the lowest values from which A, E and M are computed. Only available
+    parameters; the first of several targets.
     """
     means = dict(zip(_BOTH, (columns.mean_positive, columns.mean_negative), strict=True))
     spread = dict(zip(_BOTH, (columns.s_positive, columns.s_negative), strict=True))
@@ -419,7 +419,9 @@ def _extremes(
 def _extreme(
     test: PositioningTest, bounds: Sequence[tuple[Direction | None, FloatArray]], sense: float
 ) -> Extreme:
-    """Return the highest of several curves over the targets, with ``sense`` -1 the lowest."""
+    """Return the highest value of several curves over the targets, or the lowest with ``sense``
+    -1.
+    """
     places = [(int(np.nanargmax(sense * values)), way, values) for way, values in bounds]
     index, way, values = max(places, key=lambda one: float(sense * one[2][one[0]]))
     return Extreme(float(values[index]), float(test.targets[index]), way)

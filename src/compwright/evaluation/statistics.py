@@ -87,7 +87,9 @@ def standard_deviation(deviations: FloatArray) -> FloatArray:
 
 
 def mean_and_deviation(deviations: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return what `mean_deviation` and `standard_deviation` do, in one pass."""
+    """Return `mean_deviation` and `standard_deviation` together, with one pass over the
+    readings.
+    """
     finite = np.isfinite(deviations)
     missing = not np.all(finite)
     # Adding up what is there takes as long as all the rest.
@@ -106,7 +108,7 @@ def mean_and_deviation(deviations: FloatArray) -> tuple[FloatArray, FloatArray]:
 
 
 def _mean(values: FloatArray, number: NDArray[np.intp]) -> FloatArray:
-    """Return the mean of values (..., n) that are 0 where there is no reading."""
+    """Return the mean of values (..., n), which are 0 where there is no reading."""
     mean: FloatArray = np.divide(
         _total(values), number, out=np.full(number.shape, np.nan), where=number > 0
     )
@@ -114,8 +116,8 @@ def _mean(values: FloatArray, number: NDArray[np.intp]) -> FloatArray:
 
 
 def _total(values: FloatArray) -> FloatArray:
-    """Return the sum of values (..., n) over n. Few values are added one by one from the first,
-    with the same bits as numpy's own sum in a quarter of its time.
+    """Return the sum of values (..., n) over n. Small n are added in a loop, which gives the same
+    bits as numpy faster.
     """
     if not 0 < values.shape[-1] < _MANY:
         return np.asarray(values.sum(axis=-1))
@@ -179,8 +181,10 @@ def parameters(
     coverage: float,
     only: str | None = None,
 ) -> dict[str, FloatArray]:
-    """Return the axis parameters of ISO 230-2 (2.13 to 2.24 of 2006), each (...). From means and s
-    (..., m), coverage k = 2 or 3. ``only``: that one alone, where it is one of them.
+    """Return the axis parameters of ISO 230-2 (2006, 2.13 to 2.24), each (...), from means and s
+    (..., m). Coverage k = 2 or 3.
+
+    ``only``: that one alone, where it is one of them.
 
     B_i = mean+ - mean-, so lost motion gives a negative ``B_mean``; ``R`` is max R_i, not the
     larger of R+ and R-. The unit is that of the input. NaN in means or s goes through to the
@@ -214,19 +218,19 @@ def parameters(
 
 
 class _DirectionStatistics:
-    """Means and s (..., m) of one direction; extremes (...) are made when asked for, once."""
+    """Means and s (..., m) of one direction. The extremes (...) are computed on first use."""
 
     def __init__(self, mean: FloatArray, s: FloatArray, coverage: float) -> None:
         self.mean, self.s, self.coverage = mean, s, coverage
 
     @cached_property
     def upper(self) -> FloatArray:
-        """The largest mean + k s."""
+        """The largest value of mean + k s."""
         return np.asarray((self.mean + self.coverage * self.s).max(axis=-1))
 
     @cached_property
     def lower(self) -> FloatArray:
-        """The least mean - k s."""
+        """The smallest value of mean - k s."""
         return np.asarray((self.mean - self.coverage * self.s).min(axis=-1))
 
     @cached_property
@@ -236,7 +240,7 @@ class _DirectionStatistics:
 
     @cached_property
     def lowest(self) -> FloatArray:
-        """The least mean."""
+        """The smallest mean."""
         return np.asarray(self.mean.min(axis=-1))
 
 

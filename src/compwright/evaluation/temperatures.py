@@ -1,5 +1,5 @@
-"""The temperatures in a measurement file: of the sensors, at start and end of the test (ISO
-230-2:2006, 7.1).
+"""The temperatures stated in a measurement file, at start and end of the test (ISO 230-2:2006,
+7.1).
 
 Keys of the header, °C: ``T_m`` of the machine's scale or workpiece, ``T_d`` of the measuring
 device; or ``T_m_start`` and ``T_m_end``, ``T_d_start`` and ``T_d_end``.
@@ -22,8 +22,10 @@ Temperatures = Mapping[str, tuple[float, float]]
 
 
 def stated_temperatures(header: Mapping[str, str], file: str) -> Temperatures:
-    """Return start and end (°C) of ``T_m`` and of ``T_d`` as far as the header of ``file`` states
-    them. Case, blanks and hyphens of the keys do not count.
+    """Return the temperatures ``T_m`` and ``T_d`` (°C) at start and end that the header of ``file``
+    states.
+
+    Case, blanks and hyphens of the keys do not count.
 
     Raises InputError with a fault for each value that is no temperature, a start without an end,
     and a key given twice.
@@ -58,8 +60,9 @@ def stated_temperatures(header: Mapping[str, str], file: str) -> Temperatures:
 
 
 def temperatures_of(parts: Sequence[PositioningTest]) -> Temperatures:
-    """Return the temperatures of one test from all its files. They reach from the start of the
-    first file to the end of the last file that states one. Raises InputError.
+    """Return the temperatures of one test from the headers of all its files. Raises InputError.
+
+    They reach from the start of the first file to the end of the last file that states one.
     """
     found: dict[str, tuple[float, float]] = {}
     for part in parts:
@@ -90,7 +93,7 @@ def _number(key: str, text: str, file: str, faults: list[Fault]) -> float:
 
 
 def with_temperatures(thermal: Thermal, stated: Temperatures) -> Thermal:
-    """Return ``thermal`` at the temperatures that a test states, mean of start and end."""
+    """Return ``thermal`` with the temperatures of a test, each the mean of start and end."""
     for name, (start, end) in stated.items():
         mean, rise = 0.5 * (start + end), end - start
         thermal = (

@@ -59,7 +59,9 @@ _HORIZON: Final = 30.0
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TrendJump:
-    """A step between the tests ``before`` and ``before + 1``, and the ``probability`` of it."""
+    """A step of a parameter between the tests ``before`` and ``before + 1``, with its
+    ``probability``.
+    """
 
     before: int
     size: float
@@ -69,8 +71,8 @@ class TrendJump:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Forecast:
-    """The time when a limit is reached, in years after the last test. Median and the ends of a
-    90 % interval; None: not within 30 years.
+    """The time when a limit is reached, in years after the last test: median and 90 % interval.
+    None: not within 30 years.
     """
 
     median: float | None
@@ -80,8 +82,10 @@ class Forecast:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Trend:
-    """A rate of change per year. ``std_error``: the half width of its 95 % interval divided by
-    1.96, so that three of them mean the same for few tests and many.
+    """A rate of change per year with its standard error.
+
+    ``std_error``: the half width of its 95 % interval divided by 1.96, so that three of them mean
+    the same for few tests and many.
     """
 
     rate: float
@@ -91,13 +95,14 @@ class Trend:
 
     @property
     def clear(self) -> bool:
-        """Whether the rate exceeds three standard errors."""
+        """Whether the rate is larger than three standard errors."""
         return abs(self.rate) > 3.0 * self.std_error
 
     def reaches(self, limit: float, toward: float = 1.0) -> Forecast | None:
-        """Return when the parameter without its scatter exceeds ``limit``. It is multiplied
-        by ``toward`` (its sign, ±1); None where the trend is not clear or leads away from
-        the limit.
+        """Return when the parameter without its scatter exceeds ``limit``. None for an unclear
+        trend or one away from the limit.
+
+        It is multiplied by ``toward`` (its sign, ±1).
         """
         if not self.clear or toward * self.rate <= 0.0:
             return None
@@ -139,7 +144,7 @@ def trend_of(
 
 
 class _Tests:
-    """The tests of one parameter, with the grid of scatters from test to test."""
+    """The tests of one parameter, with the possible sizes of the scatter between tests."""
 
     def __init__(
         self,
@@ -171,7 +176,9 @@ class _Tests:
     def design(
         self, jumps: Sequence[int], certain: frozenset[int], size: float, *, season: bool
     ) -> tuple[FloatArray, FloatArray]:
-        """Return the columns (n, p) level, rate, jumps, season, and their prior deviations."""
+        """Return the columns (n, p) of level, rate, jumps and season, and their prior standard
+        deviations.
+        """
         columns = [np.ones(self.count), self.years, *(self.steps[:, place] for place in jumps)]
         widths = [_LEVEL, _RATE, *(_CERTAIN if place in certain else size for place in jumps)]
         if season:
@@ -183,8 +190,10 @@ class _Tests:
 
 @dataclass(frozen=True, slots=True)
 class _Solution:
-    """A linear model, solved for each scatter tried (s). Coefficients (s, p), covariance (s, p,
-    p), logarithm of the evidence (s,) and what each further jump adds to it (s, n - 1).
+    """A linear model of the trend, solved for each possible scatter (s).
+
+    Coefficients (s, p), covariance (s, p, p), logarithm of the evidence (s,) and what each further
+    jump adds to it (s, n - 1).
     """
 
     coefficients: FloatArray
@@ -218,7 +227,7 @@ def _solved(tests: _Tests, design: FloatArray, widths: FloatArray) -> _Solution:
 
 
 def _further(solution: _Solution, size: float) -> tuple[FloatArray, FloatArray]:
-    """Return what one more jump adds to the logarithm of the evidence, and its precision."""
+    """Return the increase of the log evidence by one more jump, and the precision of its size."""
     precision = np.maximum(solution.precision, 0.0) + size**-2.0
     gain = 0.5 * (solution.residual**2 / precision - np.log(precision)) - math.log(size)
     return gain, precision
@@ -246,7 +255,8 @@ def _variants(
 def _found_jumps(
     tests: _Tests, certain: Sequence[int], start: Sequence[int]
 ) -> tuple[list[int], float]:
-    """Return the jumps that are more probable than not, and the logarithm of their evidence.
+    """Return the jumps whose probability exceeds one half, and the log evidence.
+
     Starting from ``start``, the best change (one jump more or less) is made first.
     """
     found = list(start)
@@ -272,7 +282,7 @@ def _found_jumps(
 
 
 def _evidence(tests: _Tests, certain: Sequence[int], found: Sequence[int], lacking: int) -> float:
-    """Return the logarithm of the evidence of the jumps ``found`` but one."""
+    """Return the log evidence of the jumps ``found`` without one of them."""
     jumps = [*certain, *(place for place in found if place != lacking)]
     return float(
         np.logaddexp.reduce(
@@ -288,8 +298,10 @@ def _evidence(tests: _Tests, certain: Sequence[int], found: Sequence[int], lacki
 
 @dataclass(frozen=True, slots=True)
 class _Mixture:
-    """Normal laws of level (at the last test) and rate with their weights, one for each model and
-    scatter. ``middle`` is added to the level; ``jumps``: which model has which further jump.
+    """Weighted normal distributions of level (at the last test) and rate, one for each model and
+    scatter.
+
+    ``middle`` is added to the level; ``jumps``: which model has which further jump.
     """
 
     weight: FloatArray
@@ -305,7 +317,7 @@ class _Mixture:
         return float(self.weight @ self.rate)
 
     def interval(self) -> tuple[float, float]:
-        """Return the ends of the interval of the rate with 95 %."""
+        """Return the ends of the 95 % interval of the rate."""
         deviation = np.sqrt(self.rate_variance)
         low = np.full(2, float(np.min(self.rate - 9.0 * deviation)))
         high = np.full(2, float(np.max(self.rate + 9.0 * deviation)))
@@ -340,9 +352,7 @@ class _Mixture:
 
 
 def _averaged(tests: _Tests, chosen: Sequence[int], certain: frozenset[int]) -> _Mixture:
-    """Return the average over the chosen jumps, those without one of them, and those with one
-    more.
-    """
+    """Return the average over models: with the chosen jumps, with one fewer, and with one more."""
     parts: list[tuple[FloatArray, ...]] = []
     logs: list[FloatArray] = []
     lacks: list[tuple[int | None, int]] = []
@@ -381,7 +391,9 @@ def _averaged(tests: _Tests, chosen: Sequence[int], certain: frozenset[int]) -> 
 
 
 def _functional(jumps: Sequence[int], width: int) -> FloatArray:
-    """Return the columns (p, 2) that make the level at the last test and the rate."""
+    """Return the columns (p, 2) that compute level at the last test and rate from the
+    coefficients.
+    """
     found = np.zeros((width, 2))
     found[0, 0] = 1.0
     found[1, 1] = 1.0
@@ -390,7 +402,7 @@ def _functional(jumps: Sequence[int], width: int) -> FloatArray:
 
 
 def _ends(jumps: Sequence[int], solution: _Solution) -> tuple[FloatArray, ...]:
-    """Return level, rate, their variances and covariance, for each scatter."""
+    """Return level, rate, their variances and their covariance, for each possible scatter."""
     functional = _functional(jumps, solution.coefficients.shape[1])
     means = solution.coefficients @ functional
     spread = functional.T @ solution.covariance @ functional
@@ -404,7 +416,7 @@ def _moved(
     ends: tuple[FloatArray, ...],
     others: Sequence[int],
 ) -> tuple[FloatArray, ...]:
-    """Return the same as `_ends` with each of the ``others`` as one more jump."""
+    """Return the result of `_ends` with each of the ``others`` as one more jump."""
     functional = _functional(jumps, solution.coefficients.shape[1])
     change = np.array([1.0, 0.0]) - solution.loading[:, others] @ functional
     size = (solution.residual / precision)[:, others]
@@ -422,7 +434,7 @@ def _moved(
 
 
 def _jump(tests: _Tests, mixture: _Mixture, chosen: Sequence[int], place: int) -> TrendJump:
-    """Return the size of a chosen jump, averaged over the models that have it."""
+    """Return the size of a chosen jump, averaged over the models that contain it."""
     certain = frozenset(each for each in chosen if each not in mixture.lacking)
     at = 2 + list(chosen).index(place)
     logs, means, variances = [], [], []
@@ -444,7 +456,7 @@ def _jump(tests: _Tests, mixture: _Mixture, chosen: Sequence[int], place: int) -
 
 
 def _normal_law(score: FloatArray) -> FloatArray:
-    """Return the normal distribution function to 1e-7 (Abramowitz and Stegun 7.1.26)."""
+    """Return the normal distribution function, accurate to 1e-7 (Abramowitz and Stegun 7.1.26)."""
     size = np.abs(score) / math.sqrt(2.0)
     step = 1.0 / (1.0 + 0.3275911 * size)
     factors = (0.254829592, -0.284496736, 1.421413741, -1.453152027, 1.061405429)

@@ -1,5 +1,5 @@
-"""How usual readings are of machine tools: what speaks for another unit, or for turned directions,
-and how strongly.
+"""Compare readings with typical sizes on machine tools. The odds show a wrong unit or reversed
+directions.
 
 Weak priors, stated here because no standard has them. Linear axes in µm, rotary axes in arcsec.
 
@@ -36,7 +36,9 @@ _OVER, _OVER_SHARE = 4.0, 0.05
 
 
 def unit_odds(test: PositioningTest, factor: float) -> float:
-    """Return how much more usual the readings are times ``factor`` than as they are."""
+    """Return the odds that the readings need the factor ``factor``, from typical sizes of
+    readings.
+    """
     outside = outside_factor(test.kind.unit)
     s, dof = pooled_scatter(test)
     sizes = [(reading_range(test) * outside, _RANGE[test.kind])]
@@ -55,7 +57,8 @@ def _log_square(ratio: float) -> float:
 
 
 def turned_odds(reversal: float, kind: AxisKind) -> float:
-    """Return how much more usual a mean reversal value would be with the opposite sign.
+    """Return the odds that a mean reversal value has the opposite sign, from typical values.
+
     ``reversal``: mean(+) - mean(-), mm or deg, negative for lost motion (ISO 230-2:1997, 2.14).
     """
     size = reversal * outside_factor(kind.unit)
@@ -63,7 +66,9 @@ def turned_odds(reversal: float, kind: AxisKind) -> float:
 
 
 def _density(reversal: float) -> float:
-    """Return the density of a mean reversal in µm or arcsec."""
+    """Return the probability density of a mean reversal value in µm or arcsec on typical
+    machines.
+    """
     near = math.exp(-0.5 * (reversal / _NONE) ** 2) / (_NONE * math.sqrt(2.0 * math.pi))
     density = _NONE_SHARE * near
     if reversal > 0.0:

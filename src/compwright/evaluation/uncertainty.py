@@ -44,8 +44,8 @@ _STEEL: Final = 11.5
 def contributions(
     test: PositioningTest, budget: UncertaintyBudget, thermal: Thermal | None
 ) -> tuple[Contribution, ...]:
-    """Return the contributors (µm, rotary axes: arcsec), those of one draw per test times position
-    over the measured length.
+    """Return the uncertainty contributors (µm, rotary axes: arcsec) that grow with the position and
+    are constant within a test.
 
     L is the distance of the extreme targets in m: instrument U + per_m L, misalignment R²/(2L) as a
     range (0.289 R²/L expanded, to either side as of any range, though the beam only ever reads too
@@ -76,7 +76,8 @@ def contributions(
 def thermal_contributions(
     length: float, U_theta: float, U_alpha: float, thermal: Thermal | None
 ) -> tuple[Contribution, ...]:
-    """Return the uncertainty of a ``length`` (m) at 20 °C from temperature and expansion.
+    """Return the uncertainty of a ``length`` (m) at 20 °C by temperature and expansion.
+
     ``U_theta`` (K) of the temperature and ``U_alpha`` (µm/(m K)) of the coefficient, for the
     machine and for an instrument that expands.
     """
@@ -114,7 +115,9 @@ def _normal(
 
 
 def _misalignment(offset: float, length: float) -> Contribution:
-    """Return what ``offset`` (mm) of the beam over ``length`` (m) adds: the range R²/(2L) in µm."""
+    """Return the effect of a beam that is misaligned by ``offset`` (mm) over ``length`` (m): the
+    range R²/(2L) in µm.
+    """
     return Contribution(
         source="misalignment_mm", given=offset, unit="mm", distribution="rectangular",
         divisor=1.0 / _SIGMA, sensitivity=offset / (2.0 * length), per="length",
@@ -131,8 +134,8 @@ def _variation(given: float, unit: str) -> Contribution:
 def length_uncertainty(
     test: PositioningTest, budget: UncertaintyBudget, thermal: Thermal | None
 ) -> float:
-    """Return the expanded uncertainty over the measured length (µm; rotary axes: arcsec). It
-    covers all contributors that are one draw per test, proportional to position.
+    """Return the expanded uncertainty over the measured length (µm; rotary axes: arcsec) of all
+    contributors proportional to position.
     """
     every = contributions(test, budget, thermal)
     return COVERAGE * math.hypot(*(one.standard for one in every if one.per == "length"))
@@ -175,7 +178,7 @@ def expanded_uncertainties(
     *,
     table_slope: float = 0.0,
 ) -> tuple[dict[str, ExpandedUncertainty] | None, list[Finding]]:
-    """Return U (mm or deg, k = 2) of each parameter that ``given`` has, and what had to be assumed.
+    """Return U (mm or deg, k = 2) of each parameter in ``given``, and the assumptions.
 
     ``coverage`` is the factor k of the standard on s, ``spread`` gives s (..., m) of deviations
     (..., m, n). U is half the width of the interval about the stated value that holds, in 95.45 of
@@ -204,8 +207,8 @@ def expanded_uncertainties(
 
 
 def _expanded(off: FloatArray) -> float:
-    """Return the half width that holds as many of the draws ``off`` as two standard deviations hold
-    of normal scores.
+    """Return the half width that contains as many of the draws ``off`` as two standard deviations
+    of a normal distribution.
     """
     scores = np.sort(np.abs(_normal_scores(off.size)))
     held = np.interp(COVERAGE, scores, np.arange(off.size)) / (off.size - 1)
@@ -213,7 +216,7 @@ def _expanded(off: FloatArray) -> float:
 
 
 def _measured(test: PositioningTest) -> PositioningTest:
-    """Return the test without the targets that have no reading at all."""
+    """Return the test without targets that have no reading."""
     there = np.any([test.readings(direction) > 0 for direction in Direction], axis=0)
     return replace(
         test,
@@ -225,7 +228,7 @@ def _measured(test: PositioningTest) -> PositioningTest:
 
 @dataclass(frozen=True, slots=True)
 class _Added:
-    """Uncertainty that instrument and environment add, mm or deg.
+    """The uncertainty that instrument and environment add to the readings, mm or deg.
 
     ``slope``: standard deviation of the slope over the positions (mm/mm). In the difference of two
     targets: ``with_slope``, the part that follows the slope, and ``without_slope``, the part that
@@ -241,7 +244,7 @@ class _Added:
 def _added(
     test: PositioningTest, budget: UncertaintyBudget, thermal: Thermal | None, table_slope: float
 ) -> _Added:
-    """Return what is added, from the contributors.
+    """Return the uncertainty that the contributors add to the readings.
 
     The certificate of an instrument speaks of the distance of any two positions: U + per_m times
     the distance, with one sign. So the part of its draw that is in the slope is in U too.
@@ -269,7 +272,7 @@ def _propagated(
     added: _Added,
     spread: Callable[[FloatArray], FloatArray],
 ) -> dict[str, FloatArray]:
-    """Return draws of each parameter with instrument and environment, less the one without."""
+    """Return random draws of the change of each parameter by instrument and environment."""
     rng = np.random.default_rng(0)  # the same test has the same uncertainty
     readings = max(test.positive.size + test.negative.size, 1)
     count = int(np.clip(_READINGS // readings, *DRAWS))
@@ -311,8 +314,10 @@ def _parameters(
 
 @cache
 def _normal_scores(count: int) -> FloatArray:
-    """Return the means of equally probable slices of the normal distribution. One contributor
-    alone then keeps its exact spread (McKay, Beckman and Conover, Technometrics 21 (1979) 239).
+    """Return the means of equally probable slices of the normal distribution. One contributor then
+    keeps its exact standard deviation.
+
+    McKay, Beckman and Conover, Technometrics 21 (1979) 239.
     """
     from statistics import NormalDist  # slow to import, and most tests come without a budget
 
@@ -321,7 +326,9 @@ def _normal_scores(count: int) -> FloatArray:
 
 
 def _propagation(test: PositioningTest, budget: UncertaintyBudget) -> Finding:
-    """Return how U was found (CW-T020), and what it does not hold of a misalignment."""
+    """Return the finding CW-T020: how U was computed, and which effect of a misalignment it does
+    not contain.
+    """
     length = float(test.targets[-1] - test.targets[0]) / 1000.0
     if test.kind is AxisKind.ROTARY or budget.misalignment_mm == 0.0 or length <= 0.0:
         return Finding.of("CW-T020", "info", misalignment=None, counted=0.0)

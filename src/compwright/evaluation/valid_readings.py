@@ -1,5 +1,5 @@
-"""Which parts of a test are no measurement of the axis: traverses that were not made, outlying
-readings.
+"""Remove the parts of a test that are not measurements of the axis: missing traverses shown as
+zeros, and outliers.
 """
 
 from __future__ import annotations
@@ -27,16 +27,18 @@ _BOTH: Final = (Direction.POSITIVE, Direction.NEGATIVE)
 
 
 def valid_part(test: PositioningTest) -> PositioningTest:
-    """Return ``test`` without the traverses that were not made (`zero_traverses`) and without
-    outlying readings (CW-T014).
+    """Return ``test`` without traverses of zeros (`zero_traverses`) and without outlying readings
+    (CW-T014).
     """
     made = without_traverses(test, zero_traverses(test))
     return without_readings(made, outlying_readings(made)[0])
 
 
 def zero_traverses(test: PositioningTest) -> list[tuple[Direction, int]]:
-    """Return direction and column of each traverse that is exactly zero at all its targets (two
-    or more). The others must scatter so much that this cannot be chance.
+    """Return direction and column of each traverse whose readings are all exactly zero (two targets
+    or more).
+
+    The others must scatter so much that this cannot be chance.
     """
     chance = chance_of_zero(test)
     found = []
@@ -52,7 +54,7 @@ def zero_traverses(test: PositioningTest) -> list[tuple[Direction, int]]:
 def without_traverses(
     test: PositioningTest, traverses: Sequence[tuple[Direction, int]]
 ) -> PositioningTest:
-    """Return ``test`` without some ``traverses``: direction and column of each."""
+    """Return ``test`` without some ``traverses``, given as direction and column."""
     for direction in _BOTH:
         keep = np.ones(test.deviations(direction).shape, dtype=bool)
         keep[:, [column for where, column in traverses if where is direction]] = False
@@ -85,7 +87,7 @@ def outlying_readings(
 def without_readings(
     test: PositioningTest, found: Sequence[tuple[float, Direction, int, int]]
 ) -> PositioningTest:
-    """Return ``test`` without the readings ``found`` by `outlying_readings`."""
+    """Return ``test`` without the outlying readings ``found``."""
     for direction in _BOTH:
         keep = np.ones(test.deviations(direction).shape, dtype=bool)
         for _, where, i, j in found:
@@ -96,8 +98,8 @@ def without_readings(
 
 
 def chance_of_zero(test: PositioningTest) -> float:
-    """Return the probability that a reading that scatters about zero is exactly zero. It is the
-    step of the digits divided by the width of the scatter.
+    """Return the probability that a scattering reading is exactly zero: the resolution step divided
+    by the width of the scatter.
 
     Scatter: the median of s over the targets that show one, so that the zeros themselves do not
     count.
@@ -115,7 +117,9 @@ def keep_readings(
     direction: Direction,
     keep: np.ndarray[tuple[int, ...], np.dtype[np.bool_]],
 ) -> PositioningTest:
-    """Return ``test`` with those readings of a direction that ``keep`` (m, n) says."""
+    """Return ``test`` with only those readings of a direction that are marked in ``keep`` (m,
+    n).
+    """
     changed = np.where(keep, test.deviations(direction), np.nan)
     return (
         replace(test, positive=changed)

@@ -1,1 +1,1 @@
-"""What the next test will show, with its uncertainty."""
+"""Predict the next test of an axis or circle, with its uncertainty."""

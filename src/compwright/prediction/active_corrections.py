@@ -1,4 +1,4 @@
-"""The active corrections of a control by position and direction, on axes and between them.
+"""The active corrections of a control by position and direction: along an axis and between axes.
 
 A correction is what the control adds to the command, mm or deg, > 0 towards the positive end.
 """
@@ -19,33 +19,33 @@ Correction = Callable[[FloatArray, Direction], FloatArray]
 
 
 def no_correction(positions: FloatArray, _direction: Direction) -> FloatArray:
-    """Return the correction of a control that does nothing."""
+    """Return a correction that is zero everywhere."""
     return np.zeros(np.shape(positions))
 
 
 def difference(new: Correction, old: Correction) -> Correction:
-    """Return ``new`` minus ``old``: how the correction changes when ``new`` replaces ``old``."""
+    """Return the change of the correction when ``new`` replaces ``old``."""
     return partial(_together, new, old, -1.0)
 
 
 def sum_of_corrections(one: Correction, other: Correction) -> Correction:
-    """Return what two corrections of one axis do together."""
+    """Return the sum of two corrections of one axis."""
     return partial(_together, one, other, 1.0)
 
 
 def _together(
     one: Correction, other: Correction, sign: float, positions: FloatArray, direction: Direction
 ) -> FloatArray:
-    """Return ``one`` and ``sign`` times ``other``; a function of the module, so that a correction
-    can be handed to another process.
+    """Return ``one`` plus ``sign`` times ``other``. A module function, so that a correction can be
+    sent to another process.
     """
     return one(positions, direction) + sign * other(positions, direction)
 
 
 @dataclass(frozen=True, slots=True)
 class ActiveCorrections:
-    """What a control does: ``along`` by axis name, on the axis itself; ``across`` by input and
-    output axis, on the output.
+    """All active corrections of a control. ``along``: of an axis by its own position; ``across``:
+    of an output axis by the position of an input axis.
     """
 
     along: Mapping[str, Correction]
@@ -56,11 +56,12 @@ class ActiveCorrections:
         return self.along.get(axis, no_correction)
 
     def between(self, given: str, bent: str) -> Correction:
-        """Return the correction of the axis ``bent`` by the position of ``given``."""
+        """Return the correction of the axis ``bent`` by the position of the axis ``given``."""
         return self.across.get((given, bent), no_correction)
 
     def displacement(self, axes: tuple[str, str]) -> Displacement:
-        """Return what moves the tool in the plane of two axes (names of the job), (n, 2) mm.
+        """Return the function that gives the displacement (n, 2) mm of the tool in the plane of two
+        axes (names of the job).
 
         An axis outside the plane stands still; what it does to the two is the same everywhere on
         the circle.
@@ -88,8 +89,8 @@ NO_CORRECTIONS = ActiveCorrections({}, {})
 def correction_in_motion(
     correction: Correction, positions: FloatArray, moves: FloatArray
 ) -> FloatArray:
-    """Return a correction at ``positions`` (n,) of an axis that moves with the sign ``moves`` (n,)
-    there.
+    """Return the correction at ``positions`` (n,) of an axis that moves in the directions ``moves``
+    (n,).
     """
     either = [correction(positions, direction) for direction in Direction]
     return np.where(moves > 0.0, *either)

@@ -1,5 +1,5 @@
-"""The next circular test: every sample of the one that was measured, moved by what the tables
-change, with fresh noise.
+"""Predict the next circular test: each measured sample is moved by the change of the tables, with
+new noise.
 
 The measured path holds every error of the machine at the place of the circle, so that nothing of it
 has to be modelled to predict the change. What is random in a fresh test is drawn: the path from
@@ -41,8 +41,8 @@ _BOTH_TESTS: Final = 2.0
 
 @dataclass(frozen=True, slots=True)
 class CirclePath:
-    """Where a run commands its two axes: machine coordinates (n,) mm, and the sign (n,) in which
-    each axis moves there.
+    """The commanded positions (n,) mm of both axes in a run, in machine coordinates, and the
+    direction (n,) of each axis.
 
     The reversal is that of the command; an axis that lags reverses later by less than a sample.
     """
@@ -58,8 +58,8 @@ Displacement = Callable[[CirclePath], FloatArray]
 
 
 def commanded_path(test: CircularTest, run: CircularRun, centre: tuple[float, float]) -> CirclePath:
-    """Return where ``run`` of ``test`` about ``centre`` (mm, machine coordinates of both axes)
-    commands the axes.
+    """Return the commanded positions of both axes for ``run`` of ``test`` about ``centre`` (mm,
+    machine coordinates).
     """
     theta, d = np.radians(run.angles), 1.0 if run.sense == "ccw" else -1.0
     cos, sin = np.cos(theta), np.sin(theta)
@@ -74,8 +74,7 @@ def commanded_path(test: CircularTest, run: CircularRun, centre: tuple[float, fl
 def moved_test(
     test: CircularTest, centre: tuple[float, float], displacement: Displacement
 ) -> CircularTest:
-    """Return the test as it would have come out with every point of its path moved by
-    ``displacement``.
+    """Return the test as it would have been measured with every point moved by ``displacement``.
 
     What the displacement is in the centre of the circle, on the mean of both directions of motion,
     is left out: there the instrument is set up anew. The distance is exact; only the place of the
@@ -100,8 +99,8 @@ def moved_test(
 def predict_circle(
     before: CircularResult, expected: CircularResult, rng: np.random.Generator, draws: int
 ) -> CirclePrediction:
-    """Return what a fresh test will show. ``expected``: the test ``before`` moved by what changes,
-    evaluated and diagnosed.
+    """Return the predicted result of a new circular test. ``expected``: the test ``before`` with
+    the changed tables, evaluated and diagnosed.
 
     Parameters come from ``draws`` tests with fresh noise; causes, which are linear in the readings,
     from the standard errors of both tests. A parameter that ``before`` does not have is left out.
@@ -144,8 +143,7 @@ def _causes(diagnosis: Diagnosis) -> Iterator[tuple[str, Quantiles]]:
 
 
 def _smoothed(run: CircularRun) -> FloatArray:
-    """Return the deviations (n,) mm without what changes from sample to sample: parabolas over
-    `_WINDOW` samples.
+    """Return the smoothed deviations (n,) mm: parabolas over `_WINDOW` samples.
 
     The windows stop at the reversal points (multiples of 90°), where the path may step.
     """
@@ -156,8 +154,8 @@ def _smoothed(run: CircularRun) -> FloatArray:
 
 
 def _parabolas(values: FloatArray) -> FloatArray:
-    """Return, for each of (n,) equally spaced values, the parabola through the `_WINDOW` values
-    about it (fewer points: as is).
+    """Return the value of a parabola through the `_WINDOW` neighbours of each of (n,) equally
+    spaced values. Fewer points stay unchanged.
     """
     if values.size < _WINDOW:
         return values
@@ -175,8 +173,8 @@ def _parabolas(values: FloatArray) -> FloatArray:
 def _fresh_tests(
     test: CircularTest, diagnosis: Diagnosis | None, rng: np.random.Generator, draws: int
 ) -> Iterator[list[FloatArray]]:
-    """Yield the deviations (n,) mm of every run of ``draws`` fresh tests. Without a diagnosis the
-    smoothed samples are the path.
+    """Yield the deviations (n,) mm of every run of ``draws`` simulated tests. Without a diagnosis
+    the smoothed samples are the path.
     """
     fresh = () if diagnosis is None else diagnosis.fresh
     paths = [
@@ -212,7 +210,9 @@ def _fresh_tests(
 
 
 def _along(run: CircularRun, angles: FloatArray, rows: FloatArray) -> FloatArray:
-    """Return ``rows`` (d, m) at ``angles`` (m,) at the angles of ``run`` (d, n)."""
+    """Return the ``rows`` (d, m), given at ``angles`` (m,), interpolated at the angles of ``run``
+    (d, n).
+    """
     if run.angles.size == angles.size:
         return rows
     order = np.argsort(angles)

@@ -1,4 +1,4 @@
-"""Steps of the correction that a control never applies.
+"""Find steps of a correction that a control never applies.
 
 Such a control ramps its correction. From standstill of the ramp a small step is applied within one
 servo period, and a large one starts the ramp; one between the two (`Axis.unapplied_steps`) does
@@ -24,8 +24,8 @@ _PLACES = 501
 
 
 def applied_compensation(compensation: AxisCompensation, axis: Axis) -> AxisCompensation:
-    """Return what the control applies of a compensation on traverses over the whole travel and
-    back; the compensation itself where every step of it is applied.
+    """Return the compensation that the control applies on traverses over the whole travel and back.
+    Unchanged where every step is applied.
     """
     if axis.unapplied_steps is None or compensation.positions.size == 0:
         return compensation
@@ -62,8 +62,8 @@ def applied_compensation(compensation: AxisCompensation, axis: Axis) -> AxisComp
 
 
 def unapplied_range(compensation: AxisCompensation, axis: Axis) -> tuple[float, float] | None:
-    """Return the least and the largest reversal (mm or deg, over the travel) that is never applied
-    where the axis turns round; None where every reversal is applied.
+    """Return the smallest and the largest reversal (mm or deg) that the control never applies where
+    the axis reverses. None: all are applied.
     """
     if axis.unapplied_steps is None or compensation.positions.size == 0:
         return None
@@ -80,8 +80,10 @@ def unapplied_range(compensation: AxisCompensation, axis: Axis) -> tuple[float, 
 def _traversed(
     nodes: FloatArray, table: FloatArray, before: float, axis: Axis
 ) -> tuple[FloatArray, FloatArray]:
-    """Return positions (in the order of the traverse) and what is applied there, straight between
-    them; ``before``: what was applied at the turn. The nodes alone: the table is applied at once.
+    """Return positions in the order of the traverse and the compensation applied there, linear in
+    between.
+
+    ``before``: what was applied at the turn. The nodes alone: the table is applied at once.
     """
     if axis.unapplied_steps is None:
         raise TypeError("every step is applied")

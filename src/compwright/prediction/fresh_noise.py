@@ -1,4 +1,4 @@
-"""Fresh readings of the noise of a test: what a new test adds to the error of the axis."""
+"""Simulate the noise of a new test: its contribution to the readings of an axis."""
 
 from __future__ import annotations
 
@@ -43,8 +43,8 @@ def fresh_noise(
     negative: int,
     rng: np.random.Generator,
 ) -> tuple[FloatArray, FloatArray]:
-    """Return one fresh test for each of the draws: what its readings at ``targets`` (m,) add to the
-    error of the axis, (count, m, positive) and (count, m, negative), mm or deg.
+    """Return the noise of simulated tests at ``targets`` (m,), one per draw: (count, m, positive)
+    and (count, m, negative), mm or deg.
 
     Scatter, tails, offsets and tilts of the traverses are drawn anew. Drift comes again as the
     first test showed it, but for `_DIFFERS`; the means differ by so much of what drifts within a
@@ -74,8 +74,10 @@ def fresh_noise(
 def _drifts(
     draws: NoiseDraws, share: FloatArray, u: FloatArray, positive: int, negative: int
 ) -> tuple[FloatArray, FloatArray]:
-    """Return what drifts in readings (count, m, positive) and (count, m, negative) at ``u`` (m,),
-    -1 to 1, of fresh tests that drift by ``share`` (count,) as the first one did.
+    """Return the drift in the readings of simulated tests, (count, m, positive) and (count, m,
+    negative).
+
+    At ``u`` (m,), -1 to 1, of fresh tests that drift by ``share`` (count,) as the first one did.
     """
     both, most = positive > 0 and negative > 0, max(positive, negative)
     slack = slackening(most, draws.drift_rate, u, returns=both)
@@ -98,7 +100,7 @@ def _drifts(
 def _traverses(
     draws: NoiseDraws, positive: int, negative: int, rng: np.random.Generator
 ) -> tuple[tuple[FloatArray, FloatArray], tuple[FloatArray, FloatArray]]:
-    """Return offsets, then tilts, of the traverses in + (count, positive) and in - (count,
+    """Return the offsets and the tilts of the traverses in + (count, positive) and in - (count,
     negative), by the pattern of each draw.
     """
     shape = draws.count, positive + negative
@@ -118,15 +120,15 @@ def _traverses(
 
 
 def _few(positive: int, negative: int) -> tuple[int, int]:
-    """Return how many traverses in + and - a wave is drawn at: `_MOST_WAVED` runs at most."""
+    """Return the number of traverses in + and - at which a wave is drawn, at most `_MOST_WAVED`
+    runs.
+    """
     return min(positive, _MOST_WAVED), min(negative, _MOST_WAVED)
 
 
 @functools.lru_cache(maxsize=8)
 def _wave_root(positive: int, negative: int, pace: float) -> FloatArray:
-    """Return the root of the covariance of offsets, then tilts, that a wave of unit size gives to
-    the traverses at which it is drawn.
-    """
+    """Return a matrix root of the covariance of offsets and tilts by a wave of unit size."""
     few = _few(positive, negative)
     signs = np.repeat([1.0, -1.0], few)
     unit = wave_effects(np.concatenate(traverse_order(*few)), signs, sum(few), pace)
@@ -136,9 +138,8 @@ def _wave_root(positive: int, negative: int, pace: float) -> FloatArray:
 
 
 def _at_all(waves: FloatArray, positive: int, negative: int) -> tuple[FloatArray, FloatArray]:
-    """Return offsets and tilts (count, positive + negative) of all traverses from those at which
-    ``waves`` (count, 2 k) are drawn: in between by straight lines, and a shorter traverse tilts
-    less.
+    """Return offsets and tilts (count, positive + negative) of all traverses, interpolated from
+    those drawn in ``waves`` (count, 2 k). A shorter traverse tilts less.
     """
     offset, tilt = np.split(waves, 2, axis=1)
     few = _few(positive, negative)
@@ -161,9 +162,11 @@ def _at_all(waves: FloatArray, positive: int, negative: int) -> tuple[FloatArray
 def _moved(
     draws: NoiseDraws, std: FloatArray, unit: FloatArray, order: tuple[IndexArray, IndexArray]
 ) -> tuple[FloatArray, FloatArray]:
-    """Return an effect of standard deviation ``std`` (count,) for each traverse in + (count,
-    positive) and in -, made of ``unit`` (count, positive + negative) by the pattern of each draw;
-    ``order``: the places in time of the traverses.
+    """Return a shift with the standard deviation ``std`` (count,) for each traverse in + (count,
+    positive) and in -.
+
+    Made of ``unit`` (count, positive + negative) by the pattern of each draw; ``order``: the places
+    in time of the traverses.
     """
     walked, steps = np.cumsum(unit, axis=1), draws.pattern[:, np.newaxis]
     walked = walked - walked[:, [unit.shape[1] // 2]]  # set to nothing in the middle of the test
@@ -178,8 +181,10 @@ def _moved(
 def _errors(
     draws: NoiseDraws, scale: FloatArray, way: int, runs: int, rng: np.random.Generator
 ) -> FloatArray:
-    """Return errors of single readings (count, m, runs) in units of their ``scale`` (count, m):
-    normal, Student's (a normal one over the root of a mean square; Gelman et al., Bayesian Data
+    """Return random errors of single readings (count, m, runs) in units of their ``scale`` (count,
+    m).
+
+    Normal, Student's (a normal one over the root of a mean square; Gelman et al., Bayesian Data
     Analysis, 3rd ed. 2013, section 17.2), or of a mixture with outliers (Tukey 1960).
     """
     shape = *scale.shape, runs

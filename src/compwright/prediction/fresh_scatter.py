@@ -1,5 +1,5 @@
-"""What fresh readings add to the error of an axis, by target and direction: the scatter of their
-means, and their standard deviations.
+"""The scatter of new tests at each target and direction: errors of the means, and standard
+deviations.
 """
 
 from __future__ import annotations
@@ -20,9 +20,10 @@ _AT_ONCE: Final = 1_000_000
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FreshScatter:
-    """Fresh tests, one for each draw of the noise; mm or deg. ``mean_*`` (s, m): by which the mean
-    of the readings differs from the error of the axis; ``s_*`` (s, m): their standard deviation.
-    NaN where there is no mean (n = 0) or no s (n < 2).
+    """The scatter of simulated tests, one for each draw of the noise; mm or deg.
+
+    ``mean_*`` (s, m): by which the mean of the readings differs from the error of the axis; ``s_*``
+    (s, m): their standard deviation. NaN where there is no mean (n = 0) or no s (n < 2).
     """
 
     mean_positive: FloatArray
@@ -38,10 +39,11 @@ def fresh_scatter(
     runs_negative: int | FloatArray,
     rng: np.random.Generator,
 ) -> FreshScatter:
-    """Return what fresh tests at ``targets`` (m,) add, one test for each of the s draws of the
-    ``noise``. They have ``runs_*`` readings in + and -; simulated reading by reading, evaluated as
-    in ISO 230-2:1997, 2.10 and 2.15. ``runs_*``: one number or (m,); 0: the direction is not
-    measured.
+    """Return the scatter of simulated tests at ``targets`` (m,), one test for each of the s draws
+    of the ``noise``.
+
+    They have ``runs_*`` readings in + and -; simulated reading by reading, evaluated as in ISO
+    230-2:1997, 2.10 and 2.15. ``runs_*``: one number or (m,); 0: the direction is not measured.
     """
     runs = [
         np.broadcast_to(np.asarray(each, dtype=np.float64), targets.shape)

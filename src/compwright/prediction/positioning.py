@@ -1,5 +1,6 @@
-"""The next positioning test: drawn from the posterior of the error, the changed table and fresh
-noise; and decided upon.
+"""Predict the next positioning test by simulated tests, and decide about its limits.
+
+Drawn from the posterior of the error, the changed table and fresh noise.
 """
 
 from __future__ import annotations
@@ -41,8 +42,8 @@ def predict_test(
     vdi: bool = False,
     only: str | None = None,
 ) -> Mapping[str, Quantiles]:
-    """Return the quantiles of the parameters of a fresh test at m targets after a change of the
-    correction.
+    """Return the predicted quantiles of the parameters of a new test at m targets, after a change
+    of the correction.
 
     ``draws_positive``, ``draws_negative`` (s, m): s joint draws of the deviation in the state that
     was measured, + and -; ``scatter``: what the readings of a fresh test add to each, drawn with
@@ -75,9 +76,10 @@ def fresh_parameters(
     vdi: bool = False,
     only: str | None = None,
 ) -> dict[str, FloatArray]:
-    """Return the parameters (s,) of fresh tests by their contract names. The deviations of their
-    axes are ``positive``, ``negative`` (s, m); parameters that such a test does not have are left
-    out. ``only``: the others of ISO 230-2 are not worked out.
+    """Return the parameters (s,) of simulated tests under the names of the JSON.
+
+    The deviations of their axes are ``positive``, ``negative`` (s, m); parameters that such a test
+    does not have are left out. ``only``: the others of ISO 230-2 are not worked out.
     """
     means = (positive + scatter.mean_positive, negative + scatter.mean_negative)
     if vdi:
@@ -91,8 +93,10 @@ def fresh_parameters(
 def fresh_slopes(
     positions: FloatArray, count: int, slope_std: float, rng: np.random.Generator
 ) -> FloatArray:
-    """Return deviations (count, m), mm, of fresh tests at another temperature of axis or
-    instrument. At ``positions`` (m,) or (count, m), mm. Each test has a slope of standard deviation
+    """Return extra deviations (count, m), mm, of simulated tests at another temperature of axis or
+    instrument.
+
+    At ``positions`` (m,) or (count, m), mm. Each test has a slope of standard deviation
     ``slope_std`` (mm/mm), the same in both directions. No parameter depends on where it is zero.
     """
     slopes = slope_std * rng.standard_normal((count, 1))
@@ -110,8 +114,10 @@ def _quantiles(draws: FloatArray) -> Quantiles:
 def dithered_targets(
     travel: tuple[float, float], count: int, rng: np.random.Generator, margin: float = 4.0
 ) -> FloatArray:
-    """Return ``count`` new targets (count,), ascending: the i-th (from 0) at low + (i + 0.5 + u) *
-    length / count, u in ±0.3.
+    """Return ``count`` random new targets (count,), ascending, one in each equal part of the
+    travel.
+
+    The i-th (from 0) at low + (i + 0.5 + u) * length / count, u in ±0.3.
 
     Targets stay ``margin`` (mm; for rotary axes give it in deg) away from the ends of the travel,
     or a quarter of the travel where that is less. Where the margin takes up a whole interval, the
@@ -138,8 +144,8 @@ def dithered_targets(
 
 
 def decide_prediction(quantiles: Quantiles, limit: float, guard: float = 0.0) -> Decision:
-    """Return accept if p95 + guard <= limit, reject if p05 - guard > limit, else undecided; all in
-    the unit of the quantiles.
+    """Return the decision about a limit: accept if p95 + guard <= limit, reject if p05 - guard >
+    limit, else undecided. All in one unit.
 
     ``guard``: the expanded uncertainty of the measurement under the decision rule ``guarded`` (ISO
     14253-1), else 0. The quantiles hold what a repeated test may show, not what its instrument may
