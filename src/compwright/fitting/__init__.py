@@ -1,3 +1,3 @@
-"""The table that a control holds best under its limits, with a certificate; the only room that
-imports a solver.
+"""Fit the table that a control can hold best under its limits, with a proof of optimality. Only
+this room imports a solver.
 """

@@ -1,5 +1,6 @@
-"""The automatic choice of the nodes: as few as the error needs, as many as the control allows. What
-straight lines between nodes lose is computed, not estimated (`grid_losses`).
+"""Choose the nodes of a table: as few as the error needs, at most as many as the control allows.
+
+What straight lines between nodes lose is computed, not estimated (`grid_losses`).
 """
 
 from __future__ import annotations
@@ -40,8 +41,10 @@ def choose_candidate(
     capacity: Capacity,
     wanted: WantedCorrection,
 ) -> HeldGrid:
-    """Return the grid to use among the candidates. ``pool``: those with a node at the
-    reference; ``others``: the rest; ``ends`` of the table, mm or deg.
+    """Return the best grid among the candidates.
+
+    ``pool``: those with a node at the reference; ``others``: the rest; ``ends`` of the table, mm or
+    deg.
 
     Raises CapacityError where there is none.
     """
@@ -82,22 +85,22 @@ def choose_candidate(
 
 
 def _others(capacity: Capacity) -> str:
-    """Return who else has the points that this axis lacks, where the control shares them."""
+    """Return which axes use the points that this axis lacks, if the control shares its points."""
     if capacity.shared_points is None:
         return ""
     return "; the axes of the control share its points: a wider spacing of other axes leaves more"
 
 
 def most_points(capacity: Capacity) -> int:
-    """Return how many points a table may have."""
+    """Return the largest number of points of a table."""
     return capacity.max_points or max(AUTO_MOST, capacity.min_points)
 
 
 def candidates_over(
     span: Span, capacity: Capacity, wanted: WantedCorrection, most: int
 ) -> tuple[list[GridCandidate], list[GridCandidate]]:
-    """Return grids, coarsest first: those with the reference at a node (or on the continued grid),
-    and the others.
+    """Return possible grids, coarsest first: those with a node at the reference (or on the extended
+    grid), and the others.
     """
     in_quanta = wanted.reference / capacity.position_quantum
     reference = round(in_quanta) if is_whole(in_quanta) else None
@@ -122,8 +125,8 @@ def candidates_over(
 
 
 def _with_most_points(pool: list[GridCandidate], others: list[GridCandidate]) -> GridCandidate:
-    """Return the finest grid; one without a node at the reference only where it has half as many
-    points again.
+    """Return the finest grid. One without a node at the reference must have at least half as many
+    points more.
     """
     best = max(pool or others, key=lambda candidate: candidate.count)
     spare = max(others, key=lambda candidate: candidate.count, default=best)
@@ -133,8 +136,8 @@ def _with_most_points(pool: list[GridCandidate], others: list[GridCandidate]) ->
 def _reaching_out(
     span: Span, anchor: int, capacity: Capacity, most: int
 ) -> Iterator[GridCandidate]:
-    """Yield grids of round steps through ``anchor`` that reach beyond the travel where the job left
-    the end open.
+    """Yield grids of round steps through ``anchor`` that extend beyond the travel where the job
+    names no end.
 
     With free spacing, an end that the job fixed cuts the last section short.
     """
@@ -157,8 +160,8 @@ def _coarsest(
     wanted: WantedCorrection,
     capacity: Capacity,
 ) -> FloatArray | None:
-    """Return the nodes of the coarsest grid that is good enough, if possible with a node at the
-    reference. None: there is none.
+    """Return the nodes of the coarsest grid that is good enough. None: no grid is. A node at the
+    reference is preferred.
     """
     on, off = _first_good(pool, wanted, capacity), _first_good(others, wanted, capacity)
     if on is None or (off is not None and off.count * 3 < on.count):
@@ -169,8 +172,8 @@ def _coarsest(
 def _first_good(
     candidates: list[GridCandidate], wanted: WantedCorrection, capacity: Capacity
 ) -> GridCandidate | None:
-    """Return a grid whose loss is within the tolerance. It is the coarsest, or one almost as
-    coarse with a rounder step.
+    """Return the coarsest grid whose loss is within the tolerance, or one almost as coarse with a
+    rounder step.
     """
     quantum = capacity.position_quantum
     best: GridCandidate | None = None
@@ -190,9 +193,10 @@ def _first_good(
 def _least_left(
     candidates: list[GridCandidate], wanted: WantedCorrection, capacity: Capacity, lattice: Lattice
 ) -> FloatArray:
-    """Return the grid that is expected to leave the smallest error, if none is good enough.
-    Finer spacings need smaller increments, and a coarser magnification where these do not
-    suffice. Of grids that are almost as good the coarsest is taken.
+    """Return the grid with the smallest expected error, for the case that no grid is good enough.
+
+    Finer spacings need smaller increments, and a coarser magnification where these do not suffice.
+    Of grids that are almost as good the coarsest is taken.
 
     Rounding leaves step / sqrt(12) rms at a node (Bennett, Bell System Technical Journal 27, 1948)
     and, because the mean of (1 - s)² + s² over a section is 2/3, about step / sqrt(18) between

@@ -1,4 +1,4 @@
-"""Proof of optimality in numpy alone: whatever a solver says, only these numbers count.
+"""Prove the optimality of a solution with numpy alone, so that no solver has to be trusted.
 
 Conditions of Karush, Kuhn and Tucker for: minimise x'Px/2 + q'x subject to lower <= Ax <= upper,
 with multipliers y > 0 at the upper and y < 0 at the lower bound (Boyd and Vandenberghe, Convex
@@ -27,9 +27,10 @@ WHOLE: Final = 1e-6
 
 
 def certificate(problem: QuadraticProblem, x: FloatArray, y: FloatArray) -> dict[str, float]:
-    """Return by how much ``x`` (n,) and multipliers ``y`` (c,) miss each optimality condition, in
-    mm or deg. The conditions are those of Karush, Kuhn and Tucker (Boyd and Vandenberghe 2004,
-    section 5.5.3).
+    """Return by how much a solution ``x`` (n,) with multipliers ``y`` (c,) violates each optimality
+    condition, mm or deg.
+
+    The conditions are those of Karush, Kuhn and Tucker (Boyd and Vandenberghe 2004, section 5.5.3).
 
     ``primal``: the worst violated limit. ``stationarity``: the gradient against the stiffness of
     each unknown, that is how far a value would move. ``dual``: a multiplier of the wrong sign on a
@@ -55,12 +56,14 @@ def certificate(problem: QuadraticProblem, x: FloatArray, y: FloatArray) -> dict
 
 
 def rounded_proof(proof: Mapping[str, float]) -> dict[str, float]:
-    """Return a certificate without the last bits of the arithmetic (Higham 2002, chapter 3)."""
+    """Return a certificate rounded so that it is the same on every processor (rounding errors:
+    Higham 2002, chapter 3).
+    """
     return {name: rounded_number(value, RESIDUE) for name, value in proof.items()}
 
 
 def _in_lengths(problem: QuadraticProblem, y: FloatArray, stiffness: FloatArray) -> FloatArray:
-    """Return multipliers as the shift of the unknowns that they cause (c,): mm or deg."""
+    """Return multipliers as shifts of the unknowns that they cause (c,), mm or deg."""
     if not y.size:
         return y
     return problem.A.largest_in_rows(stiffness) * y
@@ -78,8 +81,10 @@ def range_gap(
     reached: float,
     box: float,
 ) -> float:
-    """Return an upper bound of how far ``reached`` is above the minimum of c'x. The minimum is
-    over all x within ``box`` with Gx <= h.
+    """Return an upper bound of how far ``reached`` is above the minimum of the linear objective
+    c'x.
+
+    The minimum is over all x within ``box`` with Gx <= h.
 
     Weak duality (Boyd and Vandenberghe 2004, section 5.2.2): for multipliers y >= 0, c'x >= -h'y +
     (c + G'y)'x; the last term is at least -box |c + G'y|_1. ``cost`` (n,), ``G`` (r, n), ``h`` and
@@ -148,7 +153,7 @@ def lattice_certificate(
 def _broken(
     table: AxisCompensation, aim: WantedCorrection, capacity: Capacity, magnification: int
 ) -> float:
-    """Return by how much the worst limit is broken, mm or deg."""
+    """Return the largest violation of a limit, mm or deg."""
     lattice = capacity.lattice
     if lattice is None:
         raise TypeError("the control has no lattice")

@@ -1,5 +1,5 @@
-"""The fit of one curve as a chain, where each node value is coupled only with its neighbours. Here:
-its optimum without whole numbers, and lower bounds.
+"""Fit one curve whose node values are coupled only with their neighbours (a chain). Here: its
+optimum without whole numbers, and lower bounds.
 
 The mean square of held minus wanted is a quadratic whose matrix H is tridiagonal (linear
 interpolation) or diagonal (steps). With v0 its minimum and a constant c added to the curve (the
@@ -34,8 +34,8 @@ _SAFE: Final = 1e-9
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CurveChain:
-    """The values of a curve at m of its nodes; arrays (m,) where no other shape is given. Symbols:
-    module docstring.
+    """The node values of one curve in the fit, as arrays (m,). The module docstring explains the
+    symbols.
 
     ``kept``: which of the ``size`` nodes these are: those within the travel and those with a
     condition. ``span`` (m-1,): sections between neighbours. ``off`` (m-1,): coupling. ``fixed``:
@@ -60,12 +60,14 @@ class CurveChain:
 
     @property
     def left(self) -> float:
-        """Stiffness of the constant when the curve follows it."""
+        """The second derivative of the objective by the constant, when the curve follows the
+        constant.
+        """
         return self.stiffness - float(self.coupling @ self.solve(self.coupling))
 
     def solve(self, right: FloatArray) -> FloatArray:
-        """Return H^-1 ``right``, (m,) or (m, n), by Cholesky's factors of a band (Golub and Van
-        Loan, Matrix Computations, 4th ed. 2013, section 4.3).
+        """Return H^-1 ``right``, (m,) or (m, n), by the Cholesky factors of a band matrix (Golub
+        and Van Loan, Matrix Computations, 4th ed. 2013, section 4.3).
         """
         from scipy.linalg import solveh_banded
 
@@ -76,12 +78,16 @@ class CurveChain:
         return solution
 
     def excess(self, e: FloatArray) -> float:
-        """Return e'He/2 of deviations e (m,) from the minimum, in their square."""
+        """Return the increase e'He/2 of the objective at distances e (m,) from its minimum, mm² or
+        deg².
+        """
         return float(0.5 * self.diagonal @ e**2 + self.off @ (e[1:] * e[:-1]))
 
     def value(self, v: FloatArray, constant: float) -> float:
-        """Return f for ``v`` (m,) and the constant, mm or deg: the square of the module
-        docstring."""
+        """Return the objective for node values ``v`` (m,) and the constant, mm or deg.
+
+        The square of the module docstring.
+        """
         e, c = v - self.optimum, constant - self.constant
         return (
             self.least
@@ -91,8 +97,8 @@ class CurveChain:
         )
 
     def expanded(self, totals: IntArray) -> IntArray:
-        """Return whole totals (size,) at all nodes: where the travel sees none, even steps, and the
-        end values held.
+        """Return whole totals (size,) at all nodes. Nodes outside the travel get even steps or the
+        end values.
         """
         full = np.empty(self.size, dtype=np.int64)
         full[: self.kept[0]], full[self.kept[-1] :] = totals[0], totals[-1]
@@ -108,7 +114,8 @@ class CurveChain:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ChainTarget:
-    """The wanted curve: at points with ``rows``, ``weights`` (p,) and ``aims`` (p,) in mm or deg.
+    """The wanted curve at its points, with ``rows``, ``weights`` (p,) and ``aims`` (p,) in mm or
+    deg.
 
     ``constant``: whether the constant is added at these points.
     """
@@ -127,9 +134,11 @@ def build_chain(
     kept: tuple[int, ...],
     closed: bool,
 ) -> CurveChain:
-    """Return the chain of a curve with ``size`` nodes whose mean square is half the sum over
-    ``wishes``. These are the normal equations of hat functions, which couple neighbours alone (de
-    Boor 1978, chapter III).
+    """Return the equations of a curve with ``size`` nodes whose mean square is half the sum over
+    ``wishes``.
+
+    These are the normal equations of hat functions, which couple neighbours alone (de Boor 1978,
+    chapter III).
 
     ``fixed``: nodes at which the value is zero; ``kept``: further nodes that have limits of their
     own.
@@ -183,7 +192,7 @@ def build_chain(
 
 
 def _solved(chain: CurveChain, wishes: tuple[ChainTarget, ...]) -> CurveChain:
-    """Return the chain with its optimum; ``chain`` still holds the linear terms in the place of
+    """Return the chain with its optimum. ``chain`` still has the linear terms in the fields of
     optimum and constant.
     """
     linear, pull = chain.optimum, chain.constant
@@ -213,8 +222,10 @@ def _solved(chain: CurveChain, wishes: tuple[ChainTarget, ...]) -> CurveChain:
 
 
 def _inverse_diagonal(chain: CurveChain) -> FloatArray:
-    """Return diag(H^-1) from the pivots of the elimination from both ends: 1 / (forward + backward
-    - H_ii) (Meurant, SIAM J. Matrix Anal. Appl. 13, 1992).
+    """Return the diagonal of the inverse of the matrix H, without computing the inverse.
+
+    From the pivots of the elimination from both ends: 1 / (forward + backward - H_ii) (Meurant,
+    SIAM J. Matrix Anal. Appl. 13, 1992).
     """
     forward, backward = chain.diagonal.copy(), chain.diagonal.copy()
     for index, off in enumerate(chain.off):
@@ -226,8 +237,11 @@ def _inverse_diagonal(chain: CurveChain) -> FloatArray:
 
 
 def _diagonal_share(chain: CurveChain) -> float:
-    """Return the least eigenvalue of D^-1/2 H D^-1/2, D = diag(H): H - share D has none below zero
-    (Horn and Johnson, Matrix Analysis, 2nd ed. 2013, section 4.2).
+    """Return the smallest eigenvalue of H after its diagonal is scaled to 1. It bounds H from below
+    by its diagonal.
+
+    Of D^-1/2 H D^-1/2, D = diag(H): H - share D has none below zero (Horn and Johnson, Matrix
+    Analysis, 2nd ed. 2013, section 4.2).
     """
     from scipy.linalg import eigvalsh_tridiagonal
 
@@ -246,7 +260,7 @@ def _diagonal_share(chain: CurveChain) -> float:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ChainLimits:
-    """What binds a chain: values are whole multiples of ``step`` (mm or deg) plus a shift.
+    """The limits of a curve. Its values are whole multiples of ``step`` (mm or deg) plus a shift.
 
     ``increments``: least and largest number of steps between nodes; ``low``, ``high`` (m,): the
     value range, mm or deg.
@@ -260,7 +274,7 @@ class ChainLimits:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LimitMultipliers:
-    """Multipliers of the limits: any are allowed, each gives a valid bound (weak duality; Boyd and
+    """Multipliers of the limits. Any multipliers give a valid lower bound (weak duality; Boyd and
     Vandenberghe 2004, section 5.2.2).
 
     ``climb`` (m-1,) of the increments and ``bound`` (m,) of the range, > 0 at the upper, < 0 at the
@@ -272,7 +286,9 @@ class LimitMultipliers:
     close: float = 0.0
 
     def force(self, chain: CurveChain) -> FloatArray:
-        """Return A'y (m,); nothing moves a fixed value."""
+        """Return the derivative A'y (m,) of the multipliers' term by the node values. Zero for a
+        fixed value.
+        """
         force = self.bound.copy()
         force[1:] += self.climb
         force[:-1] -= self.climb
@@ -282,7 +298,7 @@ class LimitMultipliers:
         return force
 
     def price(self, chain: CurveChain, limits: ChainLimits) -> float:
-        """Return the sum of multiplier times limit, the term that the limits have in the Lagrange
+        """Return the sum of multiplier times limit, the contribution of the limits to the Lagrange
         function (Boyd and Vandenberghe 2004, section 5.1.1).
         """
         least, largest = limits.increments
@@ -297,8 +313,8 @@ class LimitMultipliers:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Relaxation:
-    """A lower bound of f over all real values within the limits, for each value c of the constant:
-    the dual function (Boyd and Vandenberghe 2004, section 5.1.2).
+    """A lower bound of the objective over all real values within the limits, for each value c of
+    the constant (dual function). Source: Boyd and Vandenberghe 2004, section 5.1.2.
 
     L(v, c) = f + y'(Av - limits) <= f has its minimum ``base - tilt (c - c0) + curve (c - c0)^2 /
     2`` at v = ``centre - (c - c0) follow``, and f >= that minimum + (v - centre)'H(v - centre)/2
@@ -312,18 +328,22 @@ class Relaxation:
     follow: FloatArray
 
     def bound(self, shift: FloatArray) -> FloatArray:
-        """Return the bound for c - c0 = ``shift`` (n,)."""
+        """Return the lower bound for constants that differ by ``shift`` (n,) from the optimum."""
         bounds: FloatArray = self.base - self.tilt * shift + 0.5 * self.curve * shift**2
         return bounds
 
     def centres(self, shift: FloatArray) -> FloatArray:
-        """Return the minima (n, m) for c - c0 = ``shift`` (n,), mm or deg."""
+        """Return the optimal node values (n, m), mm or deg, for constants that differ by ``shift``
+        (n,) from the optimum.
+        """
         centres: FloatArray = self.centre - shift[:, np.newaxis] * self.follow
         return centres
 
 
 def closing_multipliers(chain: CurveChain) -> LimitMultipliers:
-    """Return multipliers that only close the curve, where it must be."""
+    """Return multipliers that only make both ends of a curve equal, where the axis requires
+    that.
+    """
     close = 0.0
     if chain.closed:
         ends = np.zeros(chain.diagonal.size)
@@ -335,9 +355,10 @@ def closing_multipliers(chain: CurveChain) -> LimitMultipliers:
 
 
 def relax(chain: CurveChain, push: LimitMultipliers) -> Relaxation:
-    """Return the lower bound that ``push`` gives, but for the price of the limits (`priced`), which
-    alone depends on them. It is the least of a quadratic Lagrange function (Boyd and Vandenberghe
-    2004, section 5.2.4).
+    """Return the lower bound from the multipliers ``push``, without the term of the limits
+    (`priced`).
+
+    It is the least of a quadratic Lagrange function (Boyd and Vandenberghe 2004, section 5.2.4).
     """
     force = push.force(chain)
     moved, follow = chain.solve(force), chain.solve(chain.coupling)
@@ -353,15 +374,15 @@ def relax(chain: CurveChain, push: LimitMultipliers) -> Relaxation:
 def priced(
     relaxation: Relaxation, push: LimitMultipliers, chain: CurveChain, limits: ChainLimits
 ) -> Relaxation:
-    """Return the lower bound under ``limits``."""
+    """Return the lower bound with the term of the ``limits``."""
     return replace(relaxation, base=relaxation.base - push.price(chain, limits))
 
 
 def limit_multipliers(
     chain: CurveChain, limits: ChainLimits, constant_range: tuple[float, float]
 ) -> LimitMultipliers:
-    """Return multipliers near the best ones, from OSQP (Stellato et al., Mathematical Programming
-    Computation 12, 2020). They need not be exact: every push gives a valid bound.
+    """Return nearly optimal multipliers from the solver OSQP. Inexact multipliers still give a
+    valid bound. Source: Stellato et al., Mathematical Programming Computation 12, 2020.
     """
     import osqp
     from scipy import sparse

@@ -1,5 +1,6 @@
-"""The datum of a table: the constant that makes the table zero at the reference. A constant in both
-directions moves only the zero of the axis, not its errors, so it can be chosen.
+"""Choose the constant of a correction so that the table is zero at the reference.
+
+A constant in both directions moves only the zero of the axis, not its errors, so it can be chosen.
 """
 
 from __future__ import annotations
@@ -18,8 +19,10 @@ from compwright.records.estimate import WantedCorrection
 def with_datum(
     wanted: WantedCorrection, layout: UnknownsLayout, capacity: Capacity
 ) -> tuple[WantedCorrection, tuple[Finding, ...]]:
-    """Return ``wanted`` (totals, mm or deg) with its datum, and the findings about the reference.
-    It is shifted so that the closest table of ``layout`` is zero in the zero state.
+    """Return ``wanted`` (totals, mm or deg) shifted so that the best table is zero at the
+    reference, and the findings about the reference.
+
+    The closest table of ``layout`` is then zero in the zero state.
     """
     zeroed, place, findings = zero_in_the_zero_state(wanted, layout.nodes, capacity)
     if layout.shape == "single":
@@ -31,7 +34,9 @@ def zero_in_the_zero_state(
     wanted: WantedCorrection, nodes: FloatArray, capacity: Capacity
 ) -> tuple[WantedCorrection, float, tuple[Finding, ...]]:
     """Return ``wanted`` shifted so that a table on ``nodes`` is zero where the control requires
-    zero. Also that position, and the findings about the reference.
+    zero.
+
+    Also that position, and the findings about the reference.
 
     Where the reference lies outside the table and the control holds its end value there, it is the
     end node that must be zero.
@@ -53,8 +58,10 @@ def _shifted(wanted: WantedCorrection, shift: float) -> WantedCorrection:
 def _offset_from_mean(
     wanted: WantedCorrection, place: float, layout: UnknownsLayout, capacity: Capacity
 ) -> float:
-    """Return the difference (mm or deg) at ``place`` between two curves. One has a single
-    reversal value; the other is the wanted correction of the return direction.
+    """Return the difference (mm or deg) at ``place`` between the wanted correction and its fit with
+    one constant reversal value.
+
+    In the return direction.
 
     The best curve follows the mean of both directions, half of the one reversal value away from it
     (least squares: Draper and Smith, Applied Regression Analysis, 3rd ed. 1998, chapter 1). If the

@@ -1,5 +1,6 @@
-"""Dynamic programming over whole totals within given windows: the cheapest way along a chain,
-several lanes at once.
+"""Find the best whole numbers for the node values of a curve by dynamic programming.
+
+Whole totals within given windows: the cheapest way along a chain, several lanes at once.
 
 A lane is one way to put the lattice (a reversal value, a shift, a value at which an endless curve
 begins). Everything is counted in steps of the lattice. Bellman, Dynamic Programming (1957); the way
@@ -19,8 +20,8 @@ from compwright.records.axis import FloatArray
 def reachable_windows(
     chain: CurveChain, limits: ChainLimits, low: FloatArray, high: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the windows ``low`` to ``high`` (n, m), in steps, without totals that no increments
-    reach from the neighbours' windows.
+    """Return the windows ``low`` to ``high`` (n, m), in steps, without values that the neighbouring
+    nodes cannot reach.
     """
     along = np.append(0.0, np.cumsum(chain.span.astype(np.float64)))
     down, up = limits.increments[0] * along, limits.increments[1] * along
@@ -34,8 +35,9 @@ def reachable_windows(
 def closed_lanes(
     lanes: IntArray, low: FloatArray, high: FloatArray
 ) -> tuple[IntArray, FloatArray, FloatArray]:
-    """Return a lane for every value at which a curve may begin and end. Each has its owner
-    among ``lanes`` and its windows (lanes, m), in steps.
+    """Return one case for every value at which a closed curve may begin and end.
+
+    Each has its owner among ``lanes`` and its windows (lanes, m), in steps.
     """
     owners: list[int] = []
     starts: list[float] = []
@@ -54,8 +56,10 @@ def closed_lanes(
 def cheapest_totals(
     chain: CurveChain, limits: ChainLimits, targets: FloatArray, low: IntArray, high: IntArray
 ) -> tuple[FloatArray, IntArray]:
-    """Return the smallest (T - target)'H(T - target)/2 (n,) over totals T in the windows (n,
-    m), and these totals (n, m).
+    """Return the smallest objective (n,) over whole totals T in the windows (n, m), and these
+    totals (n, m).
+
+    (T - target)'H(T - target)/2.
 
     Forward over the nodes: the least cost of arriving at each total of the node (Bellman 1957).
     Backward: the totals that gave it (Forney 1973). All lanes share the widest window at each node;
@@ -101,8 +105,8 @@ def _arrive(
     here: FloatArray,
     targets: FloatArray,
 ) -> tuple[FloatArray, IntArray]:
-    """Return the least cost of arriving at each total of ``node`` (n, w), and by which increment
-    (n, w).
+    """Return the smallest cost for each total of ``node`` (n, w), and the increment that leads to
+    it (n, w).
 
     ``window``: first total before, first total here, their number. With the deviation e here and
     the increment d, that before is e + target here - target before - d, so that the coupling's cost

@@ -1,4 +1,4 @@
-"""Endless axes: the wanted correction, mapped to exactly one period from the reference."""
+"""Map the wanted correction of an endless axis to exactly one period from the reference."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from compwright.records.estimate import WantedCorrection
 
 
 def over_one_period(wanted: WantedCorrection, period: float) -> WantedCorrection:
-    """Return ``wanted`` from its reference over one ``period`` (mm or deg), with the same value at
+    """Return ``wanted`` over one ``period`` (mm or deg) from its reference, with the same value at
     both ends.
 
     Several turns are averaged, position by position, each turn alike: a mean of equally good

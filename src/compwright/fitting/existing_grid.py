@@ -28,8 +28,8 @@ _SAME: Final = 1e-6
 def existing_nodes(
     wanted: WantedCorrection, capacity: Capacity, request: TableRequest
 ) -> FloatArray | None:
-    """Return the nodes (k,), mm or deg, of the grid in the control; from the reference on where it
-    repeats.
+    """Return the nodes (k,) of the existing grid in the control, mm or deg. A repeating grid begins
+    at the reference.
 
     None where there is no grid, or where the job wants another one. An end that the job names cuts
     the grid short, or extends it at its own interval. Raises CapacityError where the grid cannot be
@@ -63,7 +63,9 @@ def existing_nodes(
 
 
 def close_node_findings(nodes: FloatArray, capacity: Capacity, unit: str) -> tuple[Finding, ...]:
-    """Return a warning where the grid that is there breaks a rule of the control: it ran so."""
+    """Return a warning if the existing grid breaks a rule of the control. The control ran with it,
+    so it is no error.
+    """
     least = float(np.min(np.diff(nodes)))
     if least >= capacity.min_spacing * (1 - 1e-9):
         return ()
@@ -123,8 +125,9 @@ def _from_reference(nodes: FloatArray, reference: float, period: float, unit: st
 def _to_named_ends(
     nodes: FloatArray, capacity: Capacity, request: TableRequest, unit: str
 ) -> FloatArray:
-    """Return the nodes cut or extended to the ends that the job gives. Where nodes may lie
-    anywhere, an end between two nodes becomes a node.
+    """Return the nodes cut or extended to the ends in the job.
+
+    Where nodes may lie anywhere, an end between two nodes becomes a node.
     """
     for name, end, sign in (("start", request.start, -1), ("end", request.end, 1)):
         if end is None:
@@ -144,8 +147,8 @@ def _to_named_ends(
 
 
 def _to_end(nodes: FloatArray, end: float) -> FloatArray:
-    """Return ascending nodes up to ``end``, which becomes one; beyond the last they go on at the
-    last spacing.
+    """Return ascending nodes up to ``end``, which becomes a node. Missing nodes follow at the last
+    spacing.
     """
     step = float(nodes[-1] - nodes[-2])
     more = int(np.ceil((end - float(nodes[-1])) / step - _SAME))

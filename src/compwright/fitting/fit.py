@@ -1,5 +1,5 @@
-"""The table of one axis: nodes, best values under the control's limits, whole quanta, and what each
-limit costs.
+"""Fit the table of one axis: nodes, best values under the control's limits, rounding, and the cost
+of each limit.
 
 Least expected square: the best answer under a square loss is the mean of what is believed
 (Rasmussen and Williams, Gaussian Processes for Machine Learning, 2006, section 2.4). A quadratic
@@ -62,7 +62,7 @@ def fit_table(
     address: str,
     costs: bool = True,
 ) -> FittedTable:
-    """Return the table that brings the control closest to ``wanted`` (totals, mm or deg) under its
+    """Return the table that approximates ``wanted`` (totals, mm or deg) best under the control's
     limits.
 
     Goal ``expected``: least mean square of held minus wanted over the travel and both directions,
@@ -191,8 +191,9 @@ def _whole_goal(
     capacity: Capacity,
     aim: WantedCorrection,
 ) -> FittedTable:
-    """Return the whole-increment table that is closest to the best table for the ``goal``. Only
-    if simulated tests show that it is better for this goal than the ``usual`` table; else that
+    """Return the whole-increment table that is closest to the best table for the ``goal``.
+
+    Only if simulated tests show that it is better for this goal than the ``usual`` table; else that
     one.
     """
     scenarios = wanted.scenarios
@@ -221,7 +222,7 @@ def _whole_goal(
 
 @dataclass(frozen=True, slots=True)
 class _Best:
-    """Unknowns before rounding, and their certificate; ``free``: no limit pushes."""
+    """The best values before rounding, and their certificate. ``free``: no limit is reached."""
 
     x: FloatArray
     certificate: dict[str, float]
@@ -230,7 +231,10 @@ class _Best:
 
 @dataclass(frozen=True, slots=True)
 class _Fit:
-    """One fit: the sampled wish, where the unknowns stand, the limits; ``aim``: the wish."""
+    """The data of one fit: the sampled wanted correction, the order of the unknowns, the limits.
+
+    ``aim``: the wish.
+    """
 
     data: SampledCorrection
     layout: UnknownsLayout
@@ -249,8 +253,9 @@ class _Fit:
         return _Best(solution.x, solution.certificate, free=not pushed)
 
     def best(self, goal: Goal, wanted: WantedCorrection, usual: _Best) -> _Best:
-        """Return the best table for the ``goal``. ``wanted``: the wanted correction with
-        what the grid cannot hold; ``usual``: the table of least expected square.
+        """Return the best table for the ``goal``. ``usual``: the table of least expected square.
+
+        ``wanted``: the wanted correction with what the grid cannot hold.
         """
         if goal == "expected":
             return usual
@@ -263,8 +268,8 @@ class _Fit:
     def unlimited(
         self, *, shape: Shape | None = None, reversal: Literal["free"] | None = None
     ) -> float:
-        """Return the rms left without limits of value, with another shape or reversal where
-        named.
+        """Return the remaining rms error without limits of value. Another shape or reversal value
+        can be given.
         """
         layout = replace(
             self.layout, shape=shape or self.layout.shape, reversal=reversal or self.layout.reversal
@@ -323,7 +328,7 @@ def _rounded(x: FloatArray, fit: _Fit, address: str, wanted: WantedCorrection) -
 
 
 def _as_unknowns(table: AxisCompensation, layout: UnknownsLayout) -> FloatArray:
-    """Return the rounded table in the order of the unknowns."""
+    """Return the rounded table values in the order of the unknowns."""
     own, other = table.curve(layout.home), table.curve(layout.home.opposite)
     if layout.shape == "bidirectional":
         return np.concatenate([own, other])
@@ -338,7 +343,8 @@ def _as_unknowns(table: AxisCompensation, layout: UnknownsLayout) -> FloatArray:
 def _limits(
     fit: _Fit, usual: _Best, best: _Best, table: AxisCompensation, grid: HeldGrid
 ) -> tuple[Limit, ...]:
-    """Return what each limit of the control costs, as the rms error (mm or deg) that it adds.
+    """Return the cost of each limit of the control: the rms error (mm or deg) that it adds.
+
     Over the travel and both directions; ``usual``: the table of least expected square.
 
     Costs add as squares: each is the root of the difference of two mean squares, with and without

@@ -1,4 +1,4 @@
-"""Goals other than the expected square: the table that makes A, E or M of fresh tests small.
+"""Fit tables for the goals A, E or M: the table that makes this parameter of simulated tests small.
 
 A parameter is a range, largest minus smallest. Of one curve, the estimate's mean, its least range
 is a Chebyshev approximation (Boyd and Vandenberghe, Convex Optimization, 2004, section 6.1.1), but
@@ -50,7 +50,8 @@ def optimise_goal(
     limits: QuadraticProblem,
     start: FloatArray,
 ) -> tuple[FloatArray, dict[str, float]]:
-    """Return the unknowns whose tests have the least mean of the ``goal``, and the certificate.
+    """Return the table values whose simulated tests have the smallest mean ``goal``, and the
+    certificate.
 
     ``start``: those of the least expected square, under the same ``limits``; what is between both
     keeps them too, because they are convex. Without scenarios in ``wanted`` its own curve is the
@@ -77,9 +78,10 @@ def optimise_goal(
 
 
 def _halves(scenarios: Scenarios) -> tuple[IntArray, IntArray]:
-    """Return two sets of test numbers: tests to optimise with, and tests that decide how far to
-    follow the result. No target is in both, because a table can be wrong between targets
-    without a test at them showing it.
+    """Return two sets of test numbers: one for the optimisation, one to judge its result.
+
+    No target is in both, because a table can be wrong between targets without a test at them
+    showing it.
     """
     targets = scenarios.positions.reshape(scenarios.count, -1)
     others = np.any(targets[1:] != targets[:-1], axis=1)
@@ -88,7 +90,7 @@ def _halves(scenarios: Scenarios) -> tuple[IntArray, IntArray]:
 
 
 def _smooth_changes(layout: UnknownsLayout) -> SparseMatrix:
-    """Return the matrix (unknowns, changes) of straight pieces between few knots.
+    """Return the matrix (unknowns, changes) of piecewise linear changes between a few nodes.
 
     A node that no target of the scenarios lies near could move freely, and one that a target lies
     near enough to see could be pulled far to move that target a little: both are luck.
@@ -117,7 +119,7 @@ def _smooth_changes(layout: UnknownsLayout) -> SparseMatrix:
 def _of_changes(
     limits: QuadraticProblem, start: FloatArray, bends_by: SparseMatrix
 ) -> QuadraticProblem:
-    """Return the problem of the changes c of the unknowns ``start`` + B c."""
+    """Return the optimisation problem for changes c of the table values ``start`` + B c."""
     held = limits.A @ start
     return QuadraticProblem(
         P=product(bends_by.transposed, product(limits.P, bends_by)),
@@ -132,9 +134,7 @@ def _of_changes(
 def mean_over(
     goal: Range, table: AxisCompensation, wanted: WantedCorrection, scenarios: Scenarios
 ) -> float:
-    """Return the mean of the ``goal`` over the held-out tests with a ``table`` as it is, mm or
-    deg.
-    """
+    """Return the mean ``goal`` over the held-out tests with a ``table``, mm or deg."""
     where = scenarios.positions
     nothing = np.zeros(where.size)
     tests = np.repeat(np.arange(scenarios.count), where.size // scenarios.count)
@@ -155,8 +155,8 @@ def mean_over(
 def as_wanted(
     x: FloatArray, layout: UnknownsLayout, capacity: Capacity, wanted: WantedCorrection
 ) -> WantedCorrection:
-    """Return the curves of the unknowns ``x`` as a wanted correction. A table of whole numbers
-    is then fitted as close to them as it can be.
+    """Return the table values ``x`` as a wanted correction. A table of whole numbers is then fitted
+    to it.
     """
     nodes, where = layout.nodes, wanted.positions
     inside = nodes[(nodes > where[0]) & (nodes < where[-1])]
@@ -175,7 +175,9 @@ def as_wanted(
 def _measured(
     scenarios: Scenarios,
 ) -> list[tuple[Direction, FloatArray, FloatArray]]:
-    """Return the directions that were measured, with what lies beyond the estimate and k s."""
+    """Return the measured directions, with the differences from the estimate and k s of each
+    simulated test.
+    """
     both = (
         (Direction.POSITIVE, scenarios.positive, scenarios.half_positive),
         (Direction.NEGATIVE, scenarios.negative, scenarios.half_negative),
@@ -186,8 +188,8 @@ def _measured(
 def _wanted_at(
     wanted: WantedCorrection, where: FloatArray, way: Direction, period: float | None
 ) -> FloatArray:
-    """Return what is wanted at positions of any turn; ``wanted`` over one where there is a
-    period.
+    """Return the wanted correction at any positions. ``wanted`` covers one period if there is
+    one.
     """
     if period is not None:
         where = wanted.reference + np.mod(where - wanted.reference, period)
@@ -228,8 +230,8 @@ def _of_scenarios(
 def _of_the_mean(
     goal: Range, wanted: WantedCorrection, layout: UnknownsLayout, capacity: Capacity
 ) -> Deviations:
-    """Return the wanted curve as one test, at its positions and at the nodes. Where the
-    control's value jumps, both sides count.
+    """Return the wanted curve as one test, at its positions and at the nodes. Where the control's
+    value jumps, both sides count.
     """
     nodes, where, rule = layout.nodes, wanted.positions, capacity.interpolation
     inside = nodes[(nodes >= where[0]) & (nodes <= where[-1])]
@@ -255,7 +257,7 @@ def _of_the_mean(
 
 
 def _together(parts: Sequence[Deviations], size: int, *, middle: bool) -> Deviations:
-    """Return the deviations of all directions, or of the ``middle`` between two."""
+    """Return the deviations of all directions, or their mean with ``middle``."""
     first, last = parts[0], parts[-1]
     if middle and len(parts) > 1:
         return Deviations(

@@ -1,5 +1,6 @@
-"""Choice of the nodes of a table, at positions that the control can express exactly. They are the
-existing nodes, those given in the job, or as many as the error needs.
+"""Choose the nodes of a table, at positions that the control can express exactly.
+
+They are the existing nodes, those given in the job, or as many as the error needs.
 
 All arithmetic on positions is in whole quanta of the position, so that start + i * step is exact
 for every i.
@@ -25,7 +26,7 @@ from compwright.records.fitted import TableRequest
 
 
 def choose_grid(wanted: WantedCorrection, capacity: Capacity, request: TableRequest) -> HeldGrid:
-    """Return the nodes for a table: those that are in the control, where the job lets them stay.
+    """Return the nodes for a table. The existing nodes stay if the job allows it.
 
     Raises CapacityError where the control cannot hold the asked grid (which limit, what would fit),
     or where the one that is there cannot serve; UsageError where start does not lie below end.
@@ -67,8 +68,10 @@ def choose_grid(wanted: WantedCorrection, capacity: Capacity, request: TableRequ
 def possible_grids(
     wanted: WantedCorrection, capacity: Capacity, request: TableRequest, most: int
 ) -> list[FloatArray]:
-    """Return the equally spaced grids of at most ``most`` points that the control can hold. One of
-    each number of points, coarsest first, those with the reference at a node before others.
+    """Return the equally spaced grids of at most ``most`` points that the control can hold,
+    coarsest first.
+
+    One of each number of points, those with the reference at a node before others.
 
     Raises CapacityError where no end that the job names fits.
     """
@@ -85,7 +88,9 @@ def possible_grids(
 
 
 def _given_nodes(nodes: FloatArray, request: TableRequest, unit: str) -> FloatArray:
-    """Return the nodes that the control's own table has; the job may name them, but no others."""
+    """Return the nodes of the control's own table. The job may name the same nodes, but no
+    others.
+    """
     step = float(np.max(np.diff(nodes)))
     requested = (
         ("start", request.start, float(nodes[0])),
@@ -119,8 +124,8 @@ def _kept(nodes: FloatArray, capacity: Capacity, wanted: WantedCorrection) -> He
 
 
 def _covering(grid: HeldGrid, span: Span, capacity: Capacity) -> HeldGrid:
-    """Return the grid, extended by the spacings beyond the travel that the control should have.
-    Only at ends that the job leaves open.
+    """Return the grid extended beyond the travel by the spacings that the control needs. Only at
+    ends that the job does not name.
     """
     nodes = grid.nodes
     below = 0 if span.low_fixed else capacity.cover

@@ -1,4 +1,4 @@
-"""What a grid loses between its nodes, and whether increments can follow on it.
+"""The error of a grid between its nodes, and whether the control's increments can follow on it.
 
 Computed, not estimated (de Boor, A Practical Guide to Splines, 1978, chapter III, has its order:
 spacing squared times curvature).
@@ -21,8 +21,9 @@ NOISE_SHARE: Final = 0.1
 
 
 def good_enough(nodes: FloatArray, wanted: WantedCorrection, capacity: Capacity) -> bool:
-    """Return whether the loss of a grid is within the control's resolution or a share of the
-    noise. Its increments must also be small enough for the smallest magnification.
+    """Return whether the loss of a grid is within the control's resolution or a share of the noise.
+
+    Its increments must also be small enough for the smallest magnification.
     """
     # Steps are cheap to make finer, and their loss is a range as wide as a step: no more than
     # rounding costs anyway.
@@ -36,8 +37,8 @@ def good_enough(nodes: FloatArray, wanted: WantedCorrection, capacity: Capacity)
 
 
 def _climbs(nodes: FloatArray, wanted: WantedCorrection, capacity: Capacity) -> bool:
-    """Return whether the control's increments, at the smallest magnification, follow what is
-    wanted.
+    """Return whether the control's increments can follow the wanted correction at the smallest
+    magnification.
     """
     lattice = capacity.lattice
     return (
@@ -46,8 +47,8 @@ def _climbs(nodes: FloatArray, wanted: WantedCorrection, capacity: Capacity) -> 
 
 
 def magnification_needed(nodes: FloatArray, wanted: WantedCorrection, lattice: Lattice) -> float:
-    """Return the magnification at which the increments follow what is wanted (not a whole
-    number).
+    """Return the magnification at which the increments can follow the wanted correction (not a
+    whole number).
     """
     least, largest = (limit * lattice.unit for limit in lattice.increments)
     steps = np.concatenate(
@@ -61,8 +62,9 @@ def magnification_needed(nodes: FloatArray, wanted: WantedCorrection, lattice: L
 
 
 def grid_loss(nodes: FloatArray, wanted: WantedCorrection, interpolation: Interpolation) -> float:
-    """Return the rms over the travel and both directions, mm or deg, of what is lost between the
-    nodes. Lost is wanted minus its interpolation at the nodes (de Boor 1978, chapter III).
+    """Return the rms error between the nodes, over the travel and both directions, mm or deg.
+
+    Lost is wanted minus its interpolation at the nodes (de Boor 1978, chapter III).
     """
     where = wanted.positions
     rows = rows_at(where, nodes, below="hold", above="hold", interpolation=interpolation)

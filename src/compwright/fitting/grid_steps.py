@@ -1,4 +1,4 @@
-"""Equal steps in whole quanta of the position, and which of them a control takes."""
+"""Equal steps in whole resolution steps of the position, and which of them a control accepts."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ _HAIR: Final = 1e-9
 
 
 def is_whole(ratio: float) -> bool:
-    """Return whether ``ratio`` is a whole number but for arithmetic dust."""
+    """Return whether ``ratio`` is a whole number except for rounding errors."""
     return abs(ratio - round(ratio)) <= 1e-6 * max(1.0, abs(ratio) * 1e-3)
 
 
 def nodes_at(start: int, step: int, count: int, quantum: float, origin: float = 0.0) -> FloatArray:
-    """Return the nodes (count,) in mm or deg: ``origin`` plus whole ``quantum``. ``start`` and
-    ``step`` count quanta.
+    """Return the nodes (count,) in mm or deg: ``origin`` plus whole multiples of ``quantum``.
+    ``start`` and ``step`` count quanta.
     """
     # Rounded to 10 decimals: the number that a file says, not the product's last bits.
     nodes: FloatArray = np.round(
@@ -32,7 +32,7 @@ def nodes_at(start: int, step: int, count: int, quantum: float, origin: float = 
 
 
 def round_steps(most: int) -> list[int]:
-    """Return steps of few digits up to ``most``, in quanta, ascending."""
+    """Return steps with few digits up to ``most``, ascending, in resolution steps (quanta)."""
     return [
         step
         for step in sorted(
@@ -55,7 +55,9 @@ def allowed_steps(steps: Iterable[int], capacity: Capacity) -> list[int]:
 
 
 def listed_steps(capacity: Capacity) -> frozenset[int]:
-    """Return the steps in quanta of a control that has only certain ones."""
+    """Return the allowed steps in resolution steps (quanta) of a control that has only certain
+    steps.
+    """
     return frozenset(
         round(spacing / capacity.position_quantum) for spacing in capacity.spacings or ()
     )
@@ -63,8 +65,8 @@ def listed_steps(capacity: Capacity) -> frozenset[int]:
 
 @dataclass(frozen=True, slots=True)
 class GridCandidate:
-    """An equally spaced grid in quanta of the position from ``origin`` (mm or deg); ``last`` cuts
-    the last section short.
+    """An equally spaced grid in whole resolution steps (quanta) from ``origin`` (mm or deg).
+    ``last`` shortens the last section.
     """
 
     start: int
@@ -81,5 +83,5 @@ class GridCandidate:
         return nodes
 
     def digits(self, quantum: float) -> int:
-        """Return the number of digits of the step: 50 has one, 53.125 has five."""
+        """Return the number of digits of the step: one for 50, five for 53.125."""
         return len(f"{self.step * quantum:.10g}".replace(".", "").strip("0"))

@@ -1,4 +1,4 @@
-"""Whole increments: the exact optimum over the lattice, by branch and bound over magnifications.
+"""Find the best table of whole increments by branch and bound over all magnifications.
 
 The unknowns are whole totals T[i] (magnification * unit each) with increments and values within the
 control's limits. Leaving out what cannot be better: Land and Doig, Econometrica 28 (1960). How the
@@ -47,8 +47,8 @@ _MANY: Final = 200
 
 @dataclass(frozen=True, slots=True)
 class LatticeSolution:
-    """The best table: its parts, ``magnification``, ``objective`` (mean square), ``bound`` of it
-    without whole numbers.
+    """The best table: its parts, ``magnification``, ``objective`` (mean square), and the lower
+    ``bound`` without whole numbers.
 
     ``before``: the next smaller magnification and a lower bound of its objective; None where there
     is none.
@@ -68,7 +68,7 @@ def best_totals(
     increments: tuple[int, int],
     magnifications: tuple[int, ...],
 ) -> LatticeSolution | None:
-    """Return the exact optimum over whole totals, reversal values and magnifications; None: the
+    """Return the exact optimum over whole totals, reversal values and magnifications. None: the
     limits allow no table.
 
     ``unit`` mm or deg; ``magnifications`` ascending. Of those that are equal within `EQUAL` the
@@ -104,9 +104,10 @@ def best_totals(
 def relaxed_bound(
     parts: tuple[LatticePart, ...], *, unit: float, increments: tuple[int, int], magnification: int
 ) -> float:
-    """Return a lower bound of the objective under the limits, without whole numbers. It is the
-    least value but for OSQP's accuracy (weak duality; Boyd and Vandenberghe, Convex Optimization,
-    2004, section 5.2.2). Square of mm or deg.
+    """Return a lower bound of the mean square under the limits, without whole numbers, mm² or deg².
+
+    It is the least value but for OSQP's accuracy (weak duality; Boyd and Vandenberghe, Convex
+    Optimization, 2004, section 5.2.2).
     """
     return _LatticeSearch(parts, unit, increments).without_whole_numbers(magnification)
 
@@ -118,8 +119,8 @@ def _tolerance(objective: float, unit: float) -> float:
 def _worth_a_look(
     magnification: int, bound: float, ceiling: float, best: LatticeSolution | None, unit: float
 ) -> bool:
-    """Return whether a magnification may give a better table than the best one so far. A larger
-    one must be better by more than the tolerance.
+    """Return whether a magnification may give a better table than the best one so far. A larger one
+    must be better by more than the tolerance.
     """
     if best is None or magnification < best.magnification:
         return bound <= ceiling
@@ -137,8 +138,8 @@ def _better(new: LatticeSolution, best: LatticeSolution | None, unit: float) -> 
 
 @dataclass(frozen=True, slots=True)
 class _Relaxed:
-    """The best lower bound of a part by so many ``pushes``, and its ``least`` over all reversal
-    values.
+    """The best lower bound of one curve from so many ``pushes``, and its smallest value ``least``
+    over all reversal values.
     """
 
     relaxation: Relaxation
@@ -148,7 +149,7 @@ class _Relaxed:
 
 @dataclass(frozen=True, slots=True)
 class _Whole:
-    """The least bound with whole numbers among those within ``room``, from a ``relaxation``."""
+    """The smallest bound with whole numbers within ``room``, from a ``relaxation``."""
 
     bound: float
     room: float
@@ -156,8 +157,9 @@ class _Whole:
 
 
 class _LatticeSearch:
-    """Bounds and solutions of all parts. ``pushes`` grow as magnifications are looked at; each
-    serves all magnifications.
+    """Bounds and solutions of all curves of a table.
+
+    ``pushes`` grow as magnifications are looked at; each serves all magnifications.
     """
 
     def __init__(
@@ -178,7 +180,7 @@ class _LatticeSearch:
         return part.limits(self.unit, magnification, self.increments)
 
     def relaxed(self, index: int, magnification: int) -> _Relaxed:
-        """Return the best lower bound that the multipliers so far give."""
+        """Return the best lower bound from all multipliers so far."""
         part, pushes = self.parts[index], self.pushes[index]
         best = self.best.get((index, magnification))
         if best is None or best.pushes < len(pushes):
@@ -194,8 +196,9 @@ class _LatticeSearch:
         return best
 
     def first_ceiling(self, magnifications: tuple[int, ...]) -> float:
-        """Return the value of some solution: the best of rounding at a few magnifications, each
-        about twice the one before.
+        """Return the objective of some valid table, as an upper bound of the optimum.
+
+        The best of rounding at a few magnifications, each about twice the one before.
         """
         ceiling, last = np.inf, 0
         for one in magnifications:
@@ -212,8 +215,8 @@ class _LatticeSearch:
         return ceiling
 
     def sharpen(self, magnification: int) -> bool:
-        """Return whether limits bind at ``magnification`` and better multipliers were sought for
-        the first time.
+        """Search better multipliers at ``magnification``. Return whether limits are reached there
+        and this is the first search.
         """
         if magnification in self.sharpened:
             return False
@@ -227,8 +230,8 @@ class _LatticeSearch:
         return binds
 
     def bound(self, magnification: int, ceiling: float) -> float:
-        """Return a lower bound of the objective at one magnification; any number above ``ceiling``
-        where it lies above.
+        """Return a lower bound of the objective at one magnification. Values above ``ceiling`` need
+        not be exact.
         """
         least = [self.relaxed(index, magnification).least for index in range(len(self.parts))]
         total = sum(least)
@@ -237,8 +240,8 @@ class _LatticeSearch:
         return total
 
     def _whole(self, index: int, magnification: int, room: float) -> float:
-        """Return the least bound of one part with whole numbers that is not above ``room``;
-        infinite where all are.
+        """Return the smallest bound of one curve with whole numbers, if it is at most ``room``,
+        else infinity.
 
         Known from a larger room it is known for a smaller one.
         """
@@ -257,7 +260,7 @@ class _LatticeSearch:
         return known.bound if known.bound <= with_slack(room) else np.inf
 
     def without_whole_numbers(self, magnification: int) -> float:
-        """Return a lower bound of the objective from the limits alone."""
+        """Return a lower bound of the objective from the limits alone, without whole numbers."""
         self.sharpen(magnification)
         return sum(self.relaxed(index, magnification).least for index in range(len(self.parts)))
 
@@ -265,7 +268,9 @@ class _LatticeSearch:
         return part.shifts(self.unit, magnification)
 
     def first_solution(self, index: int, magnification: int) -> LatticeValues | None:
-        """Return some solution of one part: the relaxed one rounded, or the best near it."""
+        """Return some valid table values of one curve: the rounded real optimum, or the best near
+        it.
+        """
         part, limits = self.parts[index], self.limits(self.parts[index], magnification)
         relaxation = self.relaxed(index, magnification).relaxation
         variants = variants_within(
@@ -274,8 +279,8 @@ class _LatticeSearch:
         return first_of_part(part, relaxation, limits, variants.take(slice(0, 1)))
 
     def solve(self, magnification: int, ceiling: float) -> LatticeSolution | None:
-        """Return the best solution at one magnification; None: there is none of value ``ceiling``
-        or less.
+        """Return the best solution at one magnification. None: no solution has a value of
+        ``ceiling`` or less.
         """
         relaxed = [self.relaxed(index, magnification) for index in range(len(self.parts))]
         least = [one.least for one in relaxed]

@@ -1,5 +1,6 @@
-"""One curve of a table of whole increments: a lower bound of its cost, and the exact optimum. The
-optimum comes from dynamic programming within windows that are proved wide enough.
+"""Fit one curve of whole increments: a lower bound of its error, and the exact optimum.
+
+The optimum comes from dynamic programming within windows that are proved wide enough.
 
 Dynamic programming: Bellman, Dynamic Programming (1957). Windows from a bound of the quadratic
 form: Fincke and Pohst, Mathematics of Computation 44 (1985).
@@ -43,7 +44,7 @@ _LANES: Final = 16
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LatticePart:
-    """One curve of the table.
+    """One curve of a table of whole increments.
 
     ``constant``: the reversal value is ``sign * step * B`` with whole B between the limits: (sign *
     step, least, largest); None: there is none. ``anchor``: index in the chain of the reference;
@@ -60,7 +61,7 @@ class LatticePart:
     magnified: bool = False
 
     def limits(self, unit: float, magnification: int, increments: tuple[int, int]) -> ChainLimits:
-        """Return the limits at one magnification."""
+        """Return the limits of the curve at one magnification."""
         low, high = (np.full(self.chain.diagonal.size, end) for end in (self.low, self.high))
         if self.offsets is not None:
             one = unit * (magnification if self.magnified else 1)
@@ -69,15 +70,17 @@ class LatticePart:
         return ChainLimits(step=unit * magnification, increments=increments, low=low, high=high)
 
     def shifts(self, unit: float, magnification: int) -> FloatArray:
-        """Return by how much the second table's values may stand off multiples of magnification
-        times unit (n,), mm or deg.
+        """Return the possible offsets of the second table's values from whole multiples of the unit
+        (n,), mm or deg.
+
+        Magnification times unit.
         """
         if self.offsets is None or self.magnified:
             return np.zeros(1)
         return unit * np.arange(magnification, dtype=np.float64)
 
     def constant_range(self) -> tuple[float, float]:
-        """Return least and largest reversal value, mm or deg."""
+        """Return the smallest and the largest reversal value, mm or deg."""
         if self.constant is None:
             return 0.0, 0.0
         step, least, largest = self.constant
@@ -86,8 +89,8 @@ class LatticePart:
 
 @dataclass(frozen=True, slots=True)
 class Variants:
-    """Ways to go through one part: reversal value ``count`` (n,), its distance from the optimum,
-    the shift, a lower bound.
+    """Cases to try for one curve: reversal value ``count`` (n,), its distance from the optimum, the
+    shift, a lower bound.
     """
 
     count: IntArray
@@ -96,7 +99,7 @@ class Variants:
     bound: FloatArray
 
     def take(self, chosen: IntArray | slice) -> Variants:
-        """Return some of them."""
+        """Return the cases with these indices."""
         return Variants(
             self.count[chosen], self.distance[chosen], self.shift[chosen], self.bound[chosen]
         )
@@ -104,8 +107,8 @@ class Variants:
 
 @dataclass(frozen=True, slots=True)
 class LatticeValues:
-    """Values of one part: whole ``totals`` (m,), the ``shift`` (mm or deg), the reversal's whole
-    ``count``; ``objective`` f.
+    """The values of one curve: whole ``totals`` (m,), the ``shift`` (mm or deg), the whole reversal
+    ``count``, and the ``objective``.
     """
 
     totals: IntArray
@@ -115,12 +118,12 @@ class LatticeValues:
 
 
 def continuous_bound(part: LatticePart, relaxation: Relaxation) -> float:
-    """Return the lower bound without whole numbers: the least over all reversal values."""
+    """Return the lower bound without whole numbers, the smallest over all reversal values."""
     return float(relaxation.bound(np.array([_best_distance(part, relaxation)]))[0])
 
 
 def _best_distance(part: LatticePart, relaxation: Relaxation) -> float:
-    """Return the reversal value of the least bound, less that of the chain's optimum."""
+    """Return the reversal value of the smallest bound, relative to the optimum of the curve."""
     if part.constant is None:
         return 0.0
     low, high = part.constant_range()
@@ -129,7 +132,7 @@ def _best_distance(part: LatticePart, relaxation: Relaxation) -> float:
 
 
 def binding(part: LatticePart, relaxation: Relaxation, limits: ChainLimits) -> bool:
-    """Return whether the least of a relaxation breaks a limit."""
+    """Return whether the minimum of a lower bound violates a limit."""
     values = relaxation.centres(np.array([_best_distance(part, relaxation)]))[0]
     steps, dust = np.diff(values) / (limits.step * part.chain.span), 1e-4
     climbs = np.any(steps > limits.increments[1] + dust) or np.any(
@@ -141,7 +144,7 @@ def binding(part: LatticePart, relaxation: Relaxation, limits: ChainLimits) -> b
 
 
 def counts_within(part: LatticePart, relaxation: Relaxation, room: float) -> IntArray:
-    """Return the whole reversal values whose bound may lie within ``room``; for infinite room those
+    """Return the whole reversal values whose bound may be within ``room``. For infinite room: those
     next to the best one.
     """
     if part.constant is None:
@@ -165,9 +168,7 @@ def counts_within(part: LatticePart, relaxation: Relaxation, room: float) -> Int
 def variants_within(
     part: LatticePart, relaxation: Relaxation, limits: ChainLimits, shifts: FloatArray, room: float
 ) -> Variants:
-    """Return what is to be tried where no solution may exceed ``room``, the most promising
-    first.
-    """
+    """Return the cases to try if no solution may exceed ``room``, the most promising first."""
     counts = counts_within(part, relaxation, room)
     distance, whole = whole_bounds(part, relaxation, limits, shifts, counts)
     every = Variants(
@@ -187,9 +188,10 @@ def whole_bounds(
     shifts: FloatArray,
     counts: IntArray,
 ) -> tuple[FloatArray, FloatArray]:
-    """Return distances and lower bounds of whole reversal values. The distances (n,) of the
-    ``counts`` (n,) are from the optimum; the bounds (shifts * n,) are with whole numbers: all of
-    the first shift, then of the next.
+    """Return whole reversal values, as distances from the optimum, with their lower bounds.
+
+    The distances (n,) of the ``counts`` (n,) are from the optimum; the bounds (shifts * n,) are
+    with whole numbers: all of the first shift, then of the next.
     """
     step = part.constant[0] if part.constant else 0.0
     distance = counts.astype(np.float64) * step - part.chain.constant
@@ -202,12 +204,12 @@ def whole_bounds(
 
 
 def with_slack(room: float) -> float:
-    """Return a ceiling with its slack against rounding errors."""
+    """Return an upper limit with a margin for rounding errors."""
     return room + _DUST_SHARE * abs(room)
 
 
 def _whole(chain: CurveChain, centres: FloatArray, shift: float, step: float) -> FloatArray:
-    """Return what whole numbers cost at least (n,): see the module docstring."""
+    """Return a lower bound (n,) of the extra error by whole numbers; see the module docstring."""
     counted = (centres - shift) / step
     distance = np.where(chain.fixed, 0.0, (counted - np.round(counted)) * step)
     cost: FloatArray = 0.5 * chain.share * (distance**2 @ chain.diagonal)
@@ -221,7 +223,7 @@ def best_of_part(
     shifts: FloatArray,
     ceiling: float,
 ) -> LatticeValues | None:
-    """Return the best solution of one part with value ``ceiling`` or less."""
+    """Return the best solution of one curve with a value of ``ceiling`` or less."""
     nearest = variants_within(part, relaxation, limits, shifts, np.inf).take(slice(0, 1))
     best = first_of_part(part, relaxation, limits, nearest)
     ceiling = ceiling if best is None else min(ceiling, best.objective)
@@ -239,8 +241,8 @@ def best_of_part(
 def first_of_part(
     part: LatticePart, relaxation: Relaxation, limits: ChainLimits, variant: Variants
 ) -> LatticeValues | None:
-    """Return a solution for one variant: its relaxed values rounded and swept into the limits, else
-    the best near them.
+    """Return a valid solution for one case: the rounded real optimum moved into the limits, else
+    the best near it.
     """
     if not variant.count.size:
         return None
@@ -278,8 +280,8 @@ def _allowed(
 
 
 def _swept(chain: CurveChain, limits: ChainLimits, totals: FloatArray, anchor: int) -> FloatArray:
-    """Return ``totals`` (m,) with every increment within its limits, from the reference outward;
-    what is within them stays.
+    """Return ``totals`` (m,) with every increment moved into its limits, from the reference
+    outward.
     """
     totals = totals.copy()
     if chain.closed:
@@ -299,7 +301,9 @@ def _swept(chain: CurveChain, limits: ChainLimits, totals: FloatArray, anchor: i
 def _ends(
     chain: CurveChain, limits: ChainLimits, shift: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Return least and largest totals (n, m) by the value range; zero where the value is fixed."""
+    """Return the smallest and largest totals (n, m) by the value range. Zero where the value is
+    fixed.
+    """
     low = np.ceil((limits.low - shift[:, np.newaxis]) / limits.step - _DUST)
     high = np.floor((limits.high - shift[:, np.newaxis]) / limits.step + _DUST)
     return np.where(chain.fixed, 0.0, low), np.where(chain.fixed, 0.0, high)
@@ -312,8 +316,9 @@ def _within(
     variants: Variants,
     ceiling: float,
 ) -> LatticeValues | None:
-    """Return the best of the solutions of ``variants`` with value ``ceiling`` or less. The
-    windows contain every such solution (Fincke and Pohst 1985).
+    """Return the best solution of ``variants`` with a value of ``ceiling`` or less.
+
+    The windows contain every such solution (Fincke and Pohst 1985).
     """
     chain = part.chain
     spare = np.maximum(0.0, with_slack(ceiling) - relaxation.bound(variants.distance))
@@ -329,8 +334,8 @@ def _within(
 def _search_windows(
     part: LatticePart, limits: ChainLimits, variants: Variants, low: FloatArray, high: FloatArray
 ) -> LatticeValues | None:
-    """Return the best solution with totals between ``low`` and ``high`` (n, m), one lane for each
-    variant.
+    """Return the best solution with totals between ``low`` and ``high`` (n, m), one row for each
+    case.
     """
     chain = part.chain
     low, high = reachable_windows(chain, limits, low, high)

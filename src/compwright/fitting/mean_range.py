@@ -1,6 +1,7 @@
-"""The least mean range of tests of deviations, as a linear program: cvxpy (Diamond and Boyd, J.
-Machine Learning Research 17, 2016), certified here. A solver that was cut off or calls its result
-inaccurate has failed.
+"""Minimise the mean range of simulated tests by a linear program. The result is certified here.
+
+cvxpy (Diamond and Boyd, J. Machine Learning Research 17, 2016). A solver that was cut off or calls
+its result inaccurate has failed.
 """
 
 from __future__ import annotations
@@ -33,8 +34,10 @@ CERTIFIED_RANGE: Final = 1e-6
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Deviations:
-    """What tests show after the table ``x``: D x + ``base`` (r,), mm or deg. Each has ``half`` (r,)
-    about it; rows of one test have the same number in ``test`` (r,), from 0 on.
+    """The deviations of simulated tests with the table ``x``: D x + ``base`` (r,), mm or deg.
+
+    Each has ``half`` (r,) about it; rows of one test have the same number in ``test`` (r,), from 0
+    on.
     """
 
     D: SparseMatrix
@@ -44,11 +47,11 @@ class Deviations:
 
     @property
     def tests(self) -> int:
-        """Number of tests."""
+        """The number of tests."""
         return int(np.max(self.test)) + 1
 
     def of(self, chosen: IntArray) -> Deviations:
-        """Return those of the ``chosen`` tests, numbered in their order."""
+        """Return the deviations of the ``chosen`` tests, numbered in their order."""
         number = np.full(self.tests, -1)
         number[chosen] = np.arange(chosen.size)
         kept = number[self.test] >= 0
@@ -60,7 +63,7 @@ class Deviations:
         )
 
     def mean_range(self, x: FloatArray) -> float:
-        """Return the mean over the tests of largest minus smallest, mm or deg."""
+        """Return the mean over the tests of the largest minus the smallest deviation, mm or deg."""
         left = self.D @ x + self.base
         top, bottom = np.full(self.tests, -np.inf), np.full(self.tests, np.inf)
         np.maximum.at(top, self.test, left + self.half)
@@ -82,9 +85,9 @@ def product(one: SparseMatrix, other: SparseMatrix) -> SparseMatrix:
 def solve_ranges(
     shown: Deviations, limits: QuadraticProblem, *, slack: float
 ) -> tuple[FloatArray, dict[str, float]]:
-    """Return the unknowns whose simulated tests have the smallest mean range under ``limits``,
-    and the certificate (Boyd and Vandenberghe 2004, section 6.1.1). Raises CapacityError where
-    none is certified.
+    """Return the table values whose simulated tests have the smallest mean range under ``limits``,
+    and the certificate. Raises CapacityError where none is certified. Source: Boyd and Vandenberghe
+    2004, section 6.1.1.
 
     Among all unknowns within ``slack`` (mm or deg) of the least, those of least mean square are
     taken; where the solver gives up on these, those of the least range, under the same certificate.
@@ -125,8 +128,9 @@ def solve_ranges(
 def _linear_program(
     shown: Deviations, limits: QuadraticProblem, size: float
 ) -> tuple[FloatArray, SparseMatrix, FloatArray]:
-    """Return c, G, h of: minimise c'z subject to Gz <= h, z = (x, tops, bottoms) in units of
-    ``size``.
+    """Return the arrays c, G, h of the linear program: minimise c'z subject to Gz <= h.
+
+    z = (x, tops, bottoms) in units of ``size``.
     """
     n, tests, rows = limits.q.size, shown.tests, shown.D.shape[0]
     wide = (rows, n + 2 * tests)

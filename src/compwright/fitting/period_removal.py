@@ -27,7 +27,7 @@ def without_periods(
     wanted: WantedCorrection, periods: Sequence[float]
 ) -> tuple[WantedCorrection, float]:
     """Return ``wanted`` without the harmonics 1 and 2 of ``periods``, and the rms (mm or deg) of
-    what was taken out.
+    the removed part.
 
     The harmonics are fitted to the mean of both directions together with a piecewise straight curve
     whose nodes lie further apart than the longest period, so that a smooth error is not mistaken
@@ -45,8 +45,10 @@ def without_periods(
 
 @functools.lru_cache(maxsize=4)
 def _periodic_part(positions: bytes, values: bytes, periods: Sequence[float]) -> FloatArray | None:
-    """Return the harmonics of ``periods`` in ``values`` at ``positions`` (g,). Arguments are
-    bytes, because many grids ask for the same result; None where the positions show none.
+    """Return the harmonics of ``periods`` in ``values`` at ``positions`` (g,). None where the
+    positions show none.
+
+    Arguments are bytes, because many grids ask for the same result.
     """
     where, middle = np.frombuffer(positions), np.frombuffer(values)
     waves = _waves(where, periods)

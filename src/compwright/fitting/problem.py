@@ -1,4 +1,6 @@
-"""The fit as a quadratic problem (Boyd and Vandenberghe, Convex Optimization, 2004, section 4.4).
+"""The fit of a table as a quadratic problem (Boyd and Vandenberghe, Convex Optimization, 2004,
+section 4.4).
+
 Its parts: the control's interpolation, the wanted correction, and the control's limits.
 """
 
@@ -32,8 +34,8 @@ TIE: Final = 1e-10
 
 @dataclass(frozen=True, slots=True)
 class Rows:
-    """A control between its nodes: at each position ``lower * value[left] + upper * value[left +
-    1]``, all (p,).
+    """The interpolation of a control between its nodes: ``lower * value[left] + upper * value[left
+    + 1]`` at each position, all (p,).
     """
 
     left: IntArray
@@ -49,8 +51,8 @@ def rows_at(
     above: Beyond,
     interpolation: Interpolation = "linear",
 ) -> Rows:
-    """Return how ``positions`` (p,) depend on the values at ``nodes`` (k,), strictly ascending, k
-    >= 2.
+    """Return the interpolation weights of ``positions`` (p,) between ascending ``nodes`` (k,), k >=
+    2.
 
     Linear: straight lines (de Boor, A Practical Guide to Splines, 1978, chapter III). Step: the
     nearest node's value; exactly in the middle that of the upper node, as in the record
@@ -99,8 +101,9 @@ def hat_matrix(
 
 
 def bends(nodes: FloatArray, interpolation: Interpolation) -> FloatArray:
-    """Return where the control's curve with ``nodes`` (k,) bends or jumps. These are the nodes
-    (k,), or their midpoints with the two ends (k + 1,).
+    """Return the positions where the control's curve with ``nodes`` (k,) bends or jumps.
+
+    These are the nodes (k,), or their midpoints with the two ends (k + 1,).
     """
     if interpolation == "linear":
         return nodes
@@ -110,8 +113,8 @@ def bends(nodes: FloatArray, interpolation: Interpolation) -> FloatArray:
 def quadrature(
     positions: FloatArray, nodes: FloatArray, interpolation: Interpolation = "linear"
 ) -> tuple[FloatArray, FloatArray]:
-    """Return points (q,) and weights (q,) with sum 1 of the mean over the travel ``positions[0]``
-    to ``positions[-1]``.
+    """Return points (q,) and weights (q,) with sum 1 that compute the mean over the travel
+    ``positions[0]`` to ``positions[-1]``.
 
     Two Gauss points in every piece between positions and bends, middle +- half / sqrt(3)
     (Abramowitz and Stegun, Handbook of Mathematical Functions, 1964, table 25.4): exact for the
@@ -128,7 +131,7 @@ def quadrature(
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class UnknownsLayout:
-    """Where the unknowns stand: the curve of the return direction first, then the other's curve or
+    """The order of the unknowns: the curve of the return direction first, then the other curve or
     the constant between them.
 
     ``reversal``: what the single constant may be: ``free`` (two tables), ``backlash``, or ``none``.
@@ -141,14 +144,16 @@ class UnknownsLayout:
 
     @property
     def size(self) -> int:
-        """Number of unknowns."""
+        """The number of unknowns."""
         if self.shape == "bidirectional":
             return 2 * self.nodes.size
         return self.nodes.size + (0 if self.reversal == "none" else 1)
 
     def columns(self, matrix: SparseMatrix, direction: Direction) -> SparseMatrix:
-        """Return the matrix (p, size) of the correction in ``direction``, from the table's own
-        ``matrix`` (p, k).
+        """Return the matrix (p, size) that computes the correction in ``direction`` from all
+        unknowns.
+
+        From the table's own ``matrix`` (p, k).
         """
         k, shape = self.nodes.size, (matrix.shape[0], self.size)
         if self.shape == "bidirectional":
@@ -168,8 +173,9 @@ class UnknownsLayout:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class QuadraticProblem:
-    """Minimise x'Px/2 + q'x + constant subject to lower <= Ax <= upper. Boyd and Vandenberghe 2004,
-    section 4.4; x (n,), P (n, n), A (c, n); mm or deg.
+    """A quadratic problem: minimise x'Px/2 + q'x + constant subject to lower <= Ax <= upper.
+
+    Boyd and Vandenberghe 2004, section 4.4; x (n,), P (n, n), A (c, n); mm or deg.
 
     The objective is the mean square of (held - wanted) over the travel and both directions.
     Rows of A with ``lower`` equal to ``upper`` are equalities: the zero state, the closed period.
@@ -185,8 +191,8 @@ class QuadraticProblem:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SampledCorrection:
-    """The wanted correction at points with weights, and the control's matrices there, by
-    direction.
+    """The wanted correction at points with weights, and the control's interpolation matrices there,
+    by direction.
     """
 
     points: FloatArray
@@ -195,7 +201,9 @@ class SampledCorrection:
     wanted: Mapping[Direction, FloatArray]
 
     def mean_square(self, layout: UnknownsLayout, x: FloatArray) -> float:
-        """Return the mean of (held - wanted)^2 over points and directions, in mm² or deg².
+        """Return the mean square difference between table and wanted correction over points and
+        directions, mm² or deg².
+
         ``x`` (layout.size,): the unknowns, mm or deg.
         """
         return 0.5 * float(
@@ -230,7 +238,7 @@ def sample_correction(
 
 
 def limited_range(capacity: Capacity) -> tuple[float, float]:
-    """Return the value range on the lattice of the quantum, mm or deg: rounded inward."""
+    """Return the value range in whole multiples of the resolution, mm or deg, rounded inward."""
     quantum = capacity.quantum
     low, high = capacity.value_range
     return (
@@ -247,8 +255,8 @@ def build_problem(
     *,
     without: tuple[str, ...] = (),
 ) -> QuadraticProblem:
-    """Return the quadratic problem of the table; ``without`` leaves out groups of limits, to learn
-    what they cost.
+    """Return the quadratic problem of the table. ``without`` leaves out groups of limits, to
+    compute their cost.
     """
     P, q, constant = _objective(data, layout)
     blocks = [

@@ -1,5 +1,5 @@
 """Grids placed from the reference position: the reference plus whole intervals, or one period of an
-endless axis from it.
+endless axis.
 """
 
 from __future__ import annotations
@@ -18,7 +18,8 @@ from compwright.records.fitted import TableRequest
 def reference_grids(
     wanted: WantedCorrection, capacity: Capacity, request: TableRequest, most: int
 ) -> list[GridCandidate]:
-    """Return the grids that the control takes, coarsest first; one where the job names the spacing.
+    """Return the grids that the control accepts, coarsest first. Only one if the job names the
+    spacing.
 
     Where the job leaves an end open the grid reaches over the travel by less than one spacing. The
     reference is always a node: the control counts from there. Raises CapacityError, all faults at
@@ -40,8 +41,10 @@ def reference_grids(
 
 
 def _over(step: int, reach: tuple[float, float], origin: float) -> GridCandidate:
-    """Return the grid of ``step`` that covers ``reach`` (quanta from the reference, the reference
-    itself included).
+    """Return the grid of ``step`` that covers ``reach``, a range in resolution steps (quanta) from
+    the reference.
+
+    The reference itself included.
     """
     first = min(0, int(np.floor(reach[0] / step + 1e-6)))
     last = max(0, int(np.ceil(reach[1] / step - 1e-6)))
@@ -61,8 +64,8 @@ def _reach(
 def _fixed_ends(
     wanted: WantedCorrection, capacity: Capacity, request: TableRequest
 ) -> tuple[int | None, int | None]:
-    """Return the ends that the job names, in quanta from the reference. Raises CapacityError where
-    the control has no such.
+    """Return the ends in the job, in resolution steps (quanta) from the reference. Raises
+    CapacityError where the control cannot have them.
     """
     unit, quantum, reference = wanted.kind.unit, capacity.position_quantum, wanted.reference
     faults: list[Fault] = []
@@ -111,8 +114,8 @@ def _steps(
     request: TableRequest,
     ends: tuple[int | None, int | None],
 ) -> list[int]:
-    """Return the steps to choose from, in quanta; the job's own where it names one. Raises
-    CapacityError where it does not fit.
+    """Return the possible steps in resolution steps (quanta), or the step in the job. Raises
+    CapacityError where that does not fit.
     """
     if request.named_spacing is not None:
         step = requested_step(request.named_spacing, capacity, wanted.kind.unit)
@@ -136,8 +139,8 @@ def divisors(number: int) -> list[int]:
 
 
 def requested_step(spacing: float, capacity: Capacity, unit: str) -> int:
-    """Return a spacing that the job names in quanta. Raises CapacityError where the control does
-    not take it.
+    """Return the spacing in the job, in resolution steps (quanta). Raises CapacityError where the
+    control does not accept it.
     """
     quantum = capacity.position_quantum
     step = round(spacing / quantum)

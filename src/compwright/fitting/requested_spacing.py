@@ -1,5 +1,6 @@
-"""Nodes with the spacing that the job gives, or why the control cannot hold it and which spacings
-fit. All arithmetic is in whole quanta of the position.
+"""Nodes with the spacing in the job, or the reason why it does not fit, with spacings that do.
+
+All arithmetic is in whole quanta of the position.
 """
 
 from __future__ import annotations
@@ -18,7 +19,9 @@ from compwright.records.estimate import WantedCorrection
 
 @dataclass(frozen=True, slots=True)
 class Span:
-    """Ends in whole quanta of the position; ``fixed`` where the job named them."""
+    """The ends of a table in whole resolution steps (quanta). ``fixed`` where the job names
+    them.
+    """
 
     low: int
     high: int
@@ -60,8 +63,9 @@ def requested_grid(
 def _reaching_grid(
     span: Span, step: int, capacity: Capacity, wanted: WantedCorrection
 ) -> FloatArray:
-    """Return nodes for a control that has only certain spacings. One node is at the reference
-    or at an end given in the job; open ends are exceeded.
+    """Return nodes for a control that has only certain spacings.
+
+    One node is at the reference or at an end given in the job; open ends are exceeded.
     """
     anchor = (
         span.low
@@ -77,8 +81,9 @@ def _reaching_grid(
 
 
 def _freely_spaced(span: Span, spacing: float, capacity: Capacity, unit: str) -> FloatArray:
-    """Return nodes for a control that lists each position. Each is the nearest position that
-    the control can express; the last section may be shorter.
+    """Return nodes for a control that lists each position.
+
+    Each is the nearest position that the control can express; the last section may be shorter.
     """
     quantum = capacity.position_quantum
     sections = int(np.ceil((span.high - span.low) * quantum / spacing - 1e-9))
@@ -137,8 +142,8 @@ def _refused(span: Span, spacing: float, capacity: Capacity, why: str, unit: str
 def _nearest_steps(
     span: Span, spacing: float, capacity: Capacity
 ) -> tuple[float | None, float | None]:
-    """Return the largest step below and the smallest above ``spacing`` that divides the table and
-    keeps the number of points.
+    """Return the largest step below ``spacing`` and the smallest above it that fit the table with
+    the same number of points.
     """
     length = span.high - span.low
     most = min(capacity.at_most or 100_000, 100_000)

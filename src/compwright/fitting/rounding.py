@@ -1,6 +1,7 @@
-"""From the optimum to what the control can hold: every value a multiple of the quantum. The error
-of rounding is at most half a quantum and about quantum / sqrt(12) rms (Bennett, Bell System
-Technical Journal 27, 1948).
+"""Round table values to whole multiples of the control's resolution.
+
+The error of rounding is at most half a quantum and about quantum / sqrt(12) rms (Bennett, Bell
+System Technical Journal 27, 1948).
 """
 
 from __future__ import annotations
@@ -11,8 +12,8 @@ from compwright.records.axis import FloatArray
 
 
 def to_quanta(values: FloatArray, quantum: float) -> FloatArray:
-    """Return the nearest whole numbers of quanta for ``values`` (k,). Halves are rounded up, so
-    that equal steps stay equal wherever they start.
+    """Return ``values`` (k,) as whole numbers of quanta. Halves are rounded up, so that equal steps
+    stay equal.
     """
     # The tiny shift keeps a half that arithmetic left a hair below one from falling to the other
     # side than its neighbours.
@@ -23,7 +24,7 @@ def to_quanta(values: FloatArray, quantum: float) -> FloatArray:
 def round_curve(
     values: FloatArray, quantum: float, *, value_range: tuple[float, float]
 ) -> FloatArray:
-    """Return ``values`` (k,) on the lattice of ``quantum``, within half a quantum, the range kept.
+    """Return ``values`` (k,) rounded to whole multiples of ``quantum`` and kept within the range.
 
     Totals are rounded, not increments: rounding increments one by one drifts. Limits are whole
     quanta already, so that rounding cannot break them but by arithmetic dust.

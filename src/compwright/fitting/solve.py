@@ -1,4 +1,6 @@
-"""Solving the quadratic problem: OSQP, refined to machine accuracy by its active set.
+"""Solve the quadratic problem with OSQP, and refine the solution to machine accuracy.
+
+By its active set.
 
 A solver that was cut off or calls its result inaccurate has failed. OSQP: Stellato et al.,
 Mathematical Programming Computation 12 (2020).
@@ -36,7 +38,7 @@ _SOLVED: Final = "solved"
 
 @dataclass(frozen=True, slots=True)
 class SolvedUnknowns:
-    """Unknowns ``x``, multipliers ``y`` of the limits, and the certificate."""
+    """The solution ``x``, the multipliers ``y`` of the limits, and the certificate."""
 
     x: FloatArray
     y: FloatArray
@@ -44,9 +46,9 @@ class SolvedUnknowns:
 
 
 def solve_quadratic(problem: QuadraticProblem) -> SolvedUnknowns:
-    """Return the certified optimum (conditions of Karush, Kuhn and Tucker: Boyd and Vandenberghe,
-    Convex Optimization, 2004, section 5.5.3). Raises CapacityError where there is none or the
-    certificate fails.
+    """Return the certified optimum. Raises CapacityError where there is none or the certificate
+    fails. Source: Conditions of Karush, Kuhn and Tucker: Boyd and Vandenberghe, Convex
+    Optimization, 2004, section 5.5.3.
     """
     limited = (problem.lower < problem.upper) & (
         np.isfinite(problem.lower) | np.isfinite(problem.upper)
@@ -60,7 +62,7 @@ def solve_quadratic(problem: QuadraticProblem) -> SolvedUnknowns:
 
 
 def load_solver() -> None:
-    """Load the solver, which takes a while, before there is a problem."""
+    """Load the solver in advance, because loading takes a while."""
     import osqp  # noqa: F401
 
 
@@ -75,7 +77,7 @@ def _certified(problem: QuadraticProblem, x: FloatArray, y: FloatArray) -> Solve
 
 
 def no_solution(message: str, found: str) -> CapacityError:
-    """Return what to raise where no solution is certified, and what was found instead."""
+    """Return the error to raise where no solution is certified, with the solver's result."""
     return CapacityError(
         Fault(
             message=f"no certified solution: the solver found no optimal table ({message})",
@@ -90,7 +92,7 @@ def no_solution(message: str, found: str) -> CapacityError:
 
 
 def _osqp_multipliers(problem: QuadraticProblem) -> FloatArray:
-    """Return OSQP's multipliers; they name the limits in touch.
+    """Return the multipliers of the limits from OSQP. They show which limits are reached.
 
     Scaled to a wanted correction of size 1 and a stiffness of size 1, so that OSQP's absolute
     tolerances mean something.
@@ -120,8 +122,8 @@ def _osqp_multipliers(problem: QuadraticProblem) -> FloatArray:
 
 
 def _active_set(problem: QuadraticProblem, y: FloatArray) -> tuple[BoolArray, FloatArray]:
-    """Return which limits are in touch (c,) and at which bound, by Newton steps from the
-    multipliers ``y``.
+    """Return which limits are reached (c,) and at which bound, by Newton steps from the multipliers
+    ``y``.
 
     The limits in touch are taken as equations; one that pulls is let go, one that is broken is
     taken in (Hintermüller, Ito and Kunisch, SIAM J. Optim. 13, 2002).
@@ -144,7 +146,8 @@ def _active_set(problem: QuadraticProblem, y: FloatArray) -> tuple[BoolArray, Fl
 
 
 def _least_distance_set(problem: QuadraticProblem) -> tuple[BoolArray, FloatArray]:
-    """Return the limits in touch (c,) and their bounds by an active-set method that cannot cycle.
+    """Return the reached limits (c,) and their bounds by an active-set method that cannot run in
+    circles.
 
     Limits are whole quanta, so that several often meet in one point (both curves of a constant
     reversal at an end of the range); which of them push is then not unique, and Newton's steps
@@ -176,10 +179,11 @@ def _least_distance_set(problem: QuadraticProblem) -> tuple[BoolArray, FloatArra
 def _with_equations(
     problem: QuadraticProblem, active: BoolArray, bound: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the optimum with the ``active`` limits as equations, and their multipliers (0 for
-    the rest). Source of the conditions: Boyd and Vandenberghe 2004, section 10.1.1; solved with
-    iterative refinement (Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed. 2002,
-    chapter 12).
+    """Return the optimum with the ``active`` limits as equations, and their multipliers (0 for the
+    rest).
+
+    Source of the conditions: Boyd and Vandenberghe 2004, section 10.1.1; solved with iterative
+    refinement (Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed. 2002, chapter 12).
     """
     rows = problem.A.taken(active)
     n, c = problem.q.size, rows.shape[0]
@@ -202,8 +206,7 @@ def _with_equations(
 
 
 def _factored(matrix: SparseMatrix) -> Callable[[FloatArray], FloatArray]:
-    """Return a function that solves ``matrix`` x = right, for the conditions of a problem with
-    equations.
+    """Return a function that solves ``matrix`` x = right for a problem with equations.
 
     A small number is subtracted on the diagonal of the equations. Such a matrix is quasi-definite
     and has triangular factors in any order, without exchanging rows (Vanderbei, SIAM J. Optim. 5,
@@ -233,8 +236,10 @@ def _factored(matrix: SparseMatrix) -> Callable[[FloatArray], FloatArray]:
 
 def least_squares(matrix: SparseMatrix, weights: FloatArray, values: FloatArray) -> FloatArray:
     """Return the unknowns (n,) that minimise the sum of ``weights`` times (``matrix`` x -
-    ``values``)^2. By the normal equations (Golub and Van Loan, Matrix Computations, 4th ed.
-    2013, section 5.3); neighbours are equal where nothing else decides.
+    ``values``)^2.
+
+    By the normal equations (Golub and Van Loan, Matrix Computations, 4th ed. 2013, section 5.3);
+    neighbours are equal where nothing else decides.
     """
     from scipy.sparse.linalg import splu
 

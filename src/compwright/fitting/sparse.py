@@ -1,5 +1,6 @@
-"""Matrices with few entries other than zero, in numpy alone. A certificate then does not rest on a
-solver's arithmetic; every sum is taken in the order of the entries, whatever the processor.
+"""Sparse matrices in numpy alone. A certificate then does not depend on a solver's arithmetic.
+
+Every sum is taken in the order of the entries, whatever the processor.
 """
 
 from __future__ import annotations
@@ -18,8 +19,8 @@ BoolArray = NDArray[np.bool_]
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class SparseMatrix:
-    """``value`` (e,) at (``row``, ``column``), row by row, each place at most once; all else is
-    zero.
+    """A sparse matrix: ``value`` (e,) at (``row``, ``column``), row by row. Each place occurs at
+    most once.
     """
 
     shape: tuple[int, int]
@@ -47,27 +48,27 @@ class SparseMatrix:
         return product
 
     def dense(self) -> FloatArray:
-        """Return the matrix with its zeros."""
+        """Return the matrix as a dense array."""
         full = np.zeros(self.shape)
         full[self.row, self.column] = self.value
         return full
 
     def diagonal(self) -> FloatArray:
-        """Return the entries (n,) at equal row and column."""
+        """Return the diagonal entries (n,)."""
         full = np.zeros(min(self.shape))
         there = self.row == self.column
         full[self.row[there]] = self.value[there]
         return full
 
     def upper(self) -> SparseMatrix:
-        """Return the entries on the diagonal and above it."""
+        """Return the upper triangle, diagonal included."""
         kept = self.column >= self.row
         return SparseMatrix(
             shape=self.shape, row=self.row[kept], column=self.column[kept], value=self.value[kept]
         )
 
     def taken(self, rows: BoolArray) -> SparseMatrix:
-        """Return the rows that ``rows`` marks, in their order."""
+        """Return the rows that are marked in ``rows``, in their order."""
         new = np.cumsum(rows) - 1
         kept = rows[self.row]
         shape = (int(np.count_nonzero(rows)), self.shape[1])
@@ -101,8 +102,8 @@ class SparseMatrix:
         return largest
 
     def gram(self, weights: FloatArray) -> SparseMatrix:
-        """Return M' diag(``weights``) M, (columns, columns): the normal equations of weighted least
-        squares (Golub and Van Loan, Matrix Computations, 4th ed. 2013, section 6.1).
+        """Return M' diag(``weights``) M, (columns, columns), for weighted least squares. Source:
+        Golub and Van Loan, Matrix Computations, 4th ed. 2013, section 6.1.
         """
         weighted = self.value * weights[self.row]
         rows, columns, values = [self.column], [self.column], [weighted * self.value]
@@ -124,7 +125,7 @@ class SparseMatrix:
 def from_entries(
     shape: tuple[int, int], row: IntArray, column: IntArray, value: FloatArray
 ) -> SparseMatrix:
-    """Return the matrix of entries in any order; what stands at one place is added up."""
+    """Return the matrix of entries in any order. Entries at the same place are added."""
     places = row * shape[1] + column
     order = np.argsort(places, kind="stable")
     places = places[order]
@@ -136,7 +137,7 @@ def from_entries(
 
 
 def from_dense(matrix: FloatArray) -> SparseMatrix:
-    """Return what is not zero in ``matrix`` (r, c)."""
+    """Return the non-zero entries of ``matrix`` (r, c) as a sparse matrix."""
     row, column = np.nonzero(matrix)
     return SparseMatrix(
         shape=(matrix.shape[0], matrix.shape[1]), row=row, column=column, value=matrix[row, column]
@@ -144,13 +145,15 @@ def from_dense(matrix: FloatArray) -> SparseMatrix:
 
 
 def identity(size: int) -> SparseMatrix:
-    """Return the matrix (size, size) that changes nothing."""
+    """Return the identity matrix (size, size)."""
     every = np.arange(size, dtype=np.int64)
     return SparseMatrix(shape=(size, size), row=every, column=every, value=np.ones(size))
 
 
 def differences(size: int) -> SparseMatrix:
-    """Return the matrix (size - 1, size) of what each value lies above the one before it."""
+    """Return the matrix (size - 1, size) that computes the difference of each value from the one
+    before it.
+    """
     row = np.repeat(np.arange(size - 1, dtype=np.int64), 2)
     sides = np.tile([0, 1], size - 1)
     return SparseMatrix(
@@ -159,7 +162,7 @@ def differences(size: int) -> SparseMatrix:
 
 
 def sum_of(matrices: Sequence[SparseMatrix]) -> SparseMatrix:
-    """Return the sum of matrices of one shape."""
+    """Return the sum of matrices of the same shape."""
     return from_entries(
         matrices[0].shape,
         np.concatenate([one.row for one in matrices]),
@@ -169,7 +172,7 @@ def sum_of(matrices: Sequence[SparseMatrix]) -> SparseMatrix:
 
 
 def stack_rows(matrices: Sequence[SparseMatrix], columns: int) -> SparseMatrix:
-    """Return matrices of ``columns`` columns, one below the other."""
+    """Return matrices of ``columns`` columns stacked one below the other."""
     starts = np.cumsum([0, *(one.shape[0] for one in matrices)])
     shape = (int(starts[-1]), columns)
     blocks = [one.placed(shape, int(start)) for one, start in zip(matrices, starts, strict=False)]

@@ -1,6 +1,7 @@
-"""A control without a table: one slope about the reference, and the reversal value. A weighted
-straight line through the mean of both directions (Draper and Smith, Applied Regression Analysis,
-3rd ed. 1998, chapter 1), centred, so that slope and constant do not depend on each other.
+"""Fit a control without a table: one slope about the reference, and a backlash value.
+
+A weighted straight line through the mean of both directions (Draper and Smith, Applied Regression
+Analysis, 3rd ed. 1998, chapter 1), centred, so that slope and constant do not depend on each other.
 """
 
 from __future__ import annotations
@@ -30,8 +31,9 @@ def fit_line(
     *,
     address: str,
 ) -> FittedTable:
-    """Return the slope and the backlash with the smallest mean square over the travel. The
-    slope is a whole multiple of ``quantum`` (mm/mm, deg/deg) (Draper and Smith 1998, chapter
+    """Return the slope and the backlash with the smallest mean square over the travel.
+
+    The slope is a whole multiple of ``quantum`` (mm/mm, deg/deg) (Draper and Smith 1998, chapter
     1).
 
     Both together are the exact optimum over whole multiples within their ranges. Raises
@@ -93,8 +95,9 @@ def _refuse_grid(request: TableRequest, capacity: Capacity) -> None:
 
 
 class _FittedLine:
-    """The mean square of datum + slope * x + reversal - wanted. The datum is free: it moves the
-    zero of the axis, not its errors.
+    """The straight-line fit: the mean square of datum + slope * x + reversal - wanted.
+
+    The datum is free: it moves the zero of the axis, not its errors.
     """
 
     def __init__(self, wanted: WantedCorrection) -> None:
@@ -119,7 +122,7 @@ class _FittedLine:
     def relaxed(
         self, slopes: tuple[float, float], reversals: tuple[float, float]
     ) -> tuple[float, float]:
-        """Return the best slope and reversal within their ranges, before rounding.
+        """Return the best slope and reversal value within their ranges, before rounding.
 
         The datum is free, so that each is found without the other.
         """
@@ -132,7 +135,8 @@ class _FittedLine:
         return float(np.clip(slope, *slopes)), float(np.clip(reversal, *reversals))
 
     def best(self, quantum: float, capacity: Capacity) -> tuple[float, float]:
-        """Return the best slope and backlash as whole numbers (as the record counts them).
+        """Return the best slope and backlash as whole multiples of their resolution.
+
         Each is the nearest to its optimum within its range.
 
         With a free datum the mean square is the sum of a parabola of the slope and one of the
@@ -158,8 +162,8 @@ class _FittedLine:
 
 
 def reversal_range(capacity: Capacity, sign: int) -> tuple[float, float]:
-    """Return the range of the correction against the return direction, whose ``sign`` is that of
-    the backlash's effect.
+    """Return the range of the correction against the return direction. ``sign``: the effect of the
+    backlash value.
     """
     if capacity.backlash_quantum is None:
         return 0.0, 0.0

@@ -1,4 +1,6 @@
-"""Findings about a table: where it is active, where it is not, what limits of the control cost."""
+"""Findings about a table: where it is active, where it is not, and the cost of the control's
+limits.
+"""
 
 from __future__ import annotations
 
@@ -33,7 +35,7 @@ def display_unit(kind: AxisKind) -> tuple[float, str]:
 
 
 def reportable_costs(costs: list[tuple[str, float]], quantum: float) -> tuple[Limit, ...]:
-    """Return the ``costs`` (cause; rms in mm or deg) that are more than dust."""
+    """Return the ``costs`` (cause; rms in mm or deg) that are more than rounding errors."""
     rounded = [(cause, rounded_number(value)) for cause, value in costs]
     return tuple(
         Limit(cause, value) for cause, value in rounded if value > LEAST_REPORTED * quantum
@@ -41,16 +43,19 @@ def reportable_costs(costs: list[tuple[str, float]], quantum: float) -> tuple[Li
 
 
 def added_rms(larger: float, smaller: float) -> float:
-    """Return the rms that is added to ``smaller`` in ``larger``, in their unit: they add as
-    squares."""
+    """Return the rms that changes ``smaller`` into ``larger``. The values add as squares and have
+    the same unit.
+    """
     return float(np.sqrt(max(0.0, larger**2 - smaller**2)))
 
 
 def edge_findings(
     table: AxisCompensation, wanted: WantedCorrection, *, kept: bool
 ) -> tuple[Finding, ...]:
-    """Return the findings about the ends of the table. They concern the correction where the
-    table does not cover the travel, and points beyond the travel.
+    """Return the findings about the ends of the table.
+
+    They concern the correction where the table does not cover the travel, and points beyond the
+    travel.
 
     An endless table has no ends; one on an existing grid (``kept``) keeps its range.
     """
@@ -103,7 +108,7 @@ def edge_findings(
 
 
 def loss_findings(limits: tuple[Limit, ...], wanted: WantedCorrection) -> tuple[Finding, ...]:
-    """Return warnings for limits that cost so much that a test would show it."""
+    """Return warnings for limits of the control whose cost a test would show."""
     least = max(_SHOWN[wanted.kind], _OF_THE_NOISE * wanted.noise)
     factor, unit = display_unit(wanted.kind)
     costly = [limit for limit in limits if limit.value >= least]
@@ -112,7 +117,7 @@ def loss_findings(limits: tuple[Limit, ...], wanted: WantedCorrection) -> tuple[
 
 
 def _loss(cause: str, left: Amount) -> Iterator[Finding]:
-    """Yield what a limit of the control costs: ``left`` of the error remains."""
+    """Yield the finding about the cost of a limit of the control. ``left``: the remaining error."""
     if cause == "number of points":
         yield Finding.of("CW-F004", "warning", left=left)
     elif cause == "no backlash value":

@@ -1,5 +1,6 @@
-"""Wanted corrections that are far beyond what a control can hold. Its value range or increments
-then cut off more than the noise of a reading.
+"""Detect wanted corrections that are far too large for the control.
+
+Its value range or increments then cut off more than the noise of a reading.
 """
 
 from __future__ import annotations
@@ -52,8 +53,8 @@ def truncation_faults(
 
 
 def range_faults(wanted: WantedCorrection, capacity: Capacity) -> Iterator[Fault]:
-    """Yield a fault if most of ``wanted`` is outside of the value range. A search for a table
-    would then be a waste of time.
+    """Yield a fault if most of ``wanted`` is outside the value range, because a search for a table
+    would be useless.
     """
     if capacity.line is not None:
         return

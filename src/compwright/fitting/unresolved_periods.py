@@ -1,4 +1,4 @@
-"""What nodes can hold of what is wanted.
+"""The part of the wanted correction that a grid can hold.
 
 Of a sine, nodes hold the part that least squares leave them: all but 25 % of its rms at three nodes
 per period, 63 % a little above two; at just two 12 to 98 %, by the phase. Fewer than two follow it
@@ -32,8 +32,8 @@ _FOLLOW: Final = 2.0
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class HeldGrid:
-    """A grid with what is left to fit on it. ``nodes`` (k,) mm or deg; ``wanted``: the
-    correction, of short periods only the part that the nodes can hold.
+    """A grid with the correction to fit on it. ``nodes`` (k,) mm or deg; ``wanted``: the correction
+    with only the holdable part of short periods.
 
     ``left_out``: rms of the rest. ``points_loss``: rms that more points would save, 0 where the
     number of points is no limit. ``kept``: the nodes are those of the grid that is in the control.
@@ -48,12 +48,12 @@ class HeldGrid:
 
 
 def unresolved_periods(nodes: FloatArray, periods: Sequence[float]) -> list[float]:
-    """Return the ``periods`` (mm or deg) that ``nodes`` (k,) hold in part at most."""
+    """Return the ``periods`` (mm or deg) that a table on ``nodes`` (k,) cannot hold completely."""
     return _longer_than(nodes, periods, _HOLD)
 
 
 def ignored_periods(nodes: FloatArray, periods: Sequence[float]) -> list[float]:
-    """Return the ``periods`` (mm or deg) of which ``nodes`` (k,) hold nothing that is worth it."""
+    """Return the ``periods`` (mm or deg) that a table on ``nodes`` (k,) cannot hold at all."""
     return _longer_than(nodes, periods, _FOLLOW)
 
 
@@ -66,9 +66,10 @@ def resolved_part(
     nodes: FloatArray, wanted: WantedCorrection, capacity: Capacity
 ) -> WantedCorrection:
     """Return ``wanted`` (mm or deg) with only the part of short periods that ``nodes`` (k,) can
-    hold. That part has the smallest mean square over the travel (Draper and Smith, Applied
-    Regression Analysis, 3rd ed. 1998, chapter 1); it is zero for periods that the nodes cannot
-    follow.
+    hold.
+
+    That part has the smallest mean square over the travel (Draper and Smith, Applied Regression
+    Analysis, 3rd ed. 1998, chapter 1); it is zero for periods that the nodes cannot follow.
     """
     lost = unresolved_periods(nodes, wanted.periods)
     if not lost:
@@ -105,8 +106,9 @@ def resolved_part(
 def _projected(
     nodes: FloatArray, wanted: WantedCorrection, wave: FloatArray, capacity: Capacity
 ) -> FloatArray:
-    """Return the values (k,) at ``nodes`` that come closest to a ``wave`` (g,), mm or deg. The
-    wave is given at the positions of ``wanted``; on an endless axis both ends are equal.
+    """Return the values (k,) at ``nodes`` that approximate a ``wave`` (g,) best, mm or deg.
+
+    The wave is given at the positions of ``wanted``; on an endless axis both ends are equal.
     """
     data = sample_correction(replace(wanted, positive=wave, negative=wave), nodes, capacity)
     matrix, free = data.matrix, nodes.size
@@ -132,9 +134,11 @@ def held_grid(
     loss: float = 0.0,
     finest: FloatArray | None = None,
 ) -> HeldGrid:
-    """Return the grid of given nodes with the part of short periods that it holds. With a
-    finding where some of them is left; ``loss``: rms that more points would save. ``finest``:
-    the finest nodes that the control allows, where these were chosen among them.
+    """Return the grid with the part of short periods that it can hold, and a finding about the
+    rest.
+
+    ``loss``: rms that more points would save. ``finest``: the finest nodes that the control allows,
+    where these were chosen among them.
     """
     lost = unresolved_periods(nodes, wanted.periods)
     if not lost:
@@ -154,8 +158,10 @@ def _finding(
     rms: tuple[float, float],
     finest: FloatArray | None,
 ) -> Finding:
-    """Return the finding about short periods that ``nodes`` do not hold. It states the ``rms``
-    of what is left and of the whole (mm or deg), and which spacing would hold them.
+    """Return the finding about short periods that a table on ``nodes`` cannot hold.
+
+    It states the ``rms`` of what is left and of the whole (mm or deg), and which spacing would hold
+    them.
     """
     shown = nodes if finest is None else finest
     lost = unresolved_periods(nodes, wanted.periods)
@@ -184,7 +190,7 @@ def _finding(
 
 
 def _holding(period: float, wanted: WantedCorrection) -> tuple[float, int]:
-    """Return which spacing holds a ``period`` (mm or deg), and how many points that takes."""
+    """Return the spacing that a ``period`` (mm or deg) needs, and its number of points."""
     need = period / _HOLD
     # Three significant digits, downward, so that the named spacing does hold it.
     digit = 10.0 ** (np.floor(np.log10(need)) - 2)

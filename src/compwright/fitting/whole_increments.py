@@ -1,5 +1,7 @@
-"""The best table of a control that stores whole increments, what rounding costs, and why this
-magnification (``lattice``: Bellman, Dynamic Programming, 1957).
+"""Fit the best table of a control that stores whole increments. Reports the cost of rounding and
+the reason for the magnification.
+
+``lattice``: Bellman, Dynamic Programming, 1957.
 """
 
 from __future__ import annotations
@@ -48,7 +50,7 @@ GOAL_LEFT: Final = "CW-F010"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class WholeIncrementFit:
-    """One fit on a lattice: ``aim`` (totals, zero in the zero state) on ``nodes``."""
+    """One fit of whole increments: ``aim`` (totals, zero in the zero state) on ``nodes``."""
 
     aim: WantedCorrection
     nodes: FloatArray
@@ -61,21 +63,21 @@ class WholeIncrementFit:
 
     @property
     def anchor(self) -> int:
-        """Index of the node at the reference."""
+        """The index of the node at the reference."""
         return int(np.argmin(np.abs(self.nodes - self.aim.reference)))
 
     @property
     def fixed(self) -> tuple[int, ...]:
-        """Nodes at which the curve of the zero state is zero."""
+        """The nodes at which the curve of the return direction must be zero."""
         return (self.anchor,) if self.capacity.period is None else (0, self.nodes.size - 1)
 
     def wish(self, direction: Direction, *, constant: bool = False) -> ChainTarget:
-        """Return what is wanted in one direction."""
+        """Return the wanted correction in one direction."""
         aims = np.interp(self.points, self.aim.positions, self.aim.total(direction))
         return ChainTarget(rows=self.rows, weights=self.weights, aims=aims, constant=constant)
 
     def single(self, *, reversal: bool) -> CurveChain:
-        """Return the one curve for both directions, with a constant between them or none."""
+        """Return the one curve for both directions, with or without a constant between them."""
         home = self.aim.reference_return
         wishes = (self.wish(home), self.wish(home.opposite, constant=reversal))
         return build_chain(wishes, self.nodes.size, fixed=self.fixed, kept=(), closed=False)
@@ -91,7 +93,7 @@ class WholeIncrementFit:
         )
 
     def other_curve(self, *, free: bool) -> CurveChain:
-        """Return the other direction's curve; its value at the reference is free, or zero."""
+        """Return the curve of the other direction. Its value at the reference is free, or zero."""
         wishes = (self.wish(self.aim.reference_return.opposite),)
         endless = self.capacity.period is not None
         if not free:
@@ -132,8 +134,8 @@ class WholeIncrementFit:
         )
 
     def free_bounds(self) -> dict[str, float]:
-        """Return the mean squares (of mm or deg) without whole numbers and limits, by what the
-        table may be.
+        """Return the mean squares (mm² or deg²) without whole numbers and limits, for each possible
+        shape of the table.
         """
         two = replace(self, aim=zero_in_the_zero_state(self.aim, self.nodes, self.capacity)[0])
         free = _free(two.home_curve()) + _free(two.other_curve(free=True))
@@ -163,8 +165,8 @@ def fit_whole_increments(
     *,
     address: str,
 ) -> tuple[AxisCompensation, dict[str, float], tuple[Limit, ...], tuple[Finding, ...]]:
-    """Return the table, its certificate, what limits cost (rms, mm or deg) and the magnification's
-    finding.
+    """Return the table, its certificate, the cost of each limit (rms, mm or deg) and the finding
+    about the magnification.
 
     ``aim``: totals, zero in the zero state. The table is the exact optimum of the mean square over
     the travel and both directions. Raises CapacityError where the limits allow no table at all.
@@ -253,8 +255,8 @@ def _limits(
     solution: LatticeSolution,
     grid: HeldGrid,
 ) -> tuple[Limit, ...]:
-    """Return what each limit costs; costs add as squares, each is the root of a difference of two
-    mean squares.
+    """Return the cost of each limit, as the root of a difference of two mean squares. Costs add as
+    squares.
     """
     unit, magnification = fit.lattice.unit, solution.magnification
     free = {name: float(np.sqrt(max(0.0, value))) for name, value in fit.free_bounds().items()}
@@ -315,8 +317,10 @@ def _magnification_finding(
 
 
 def goal_finding(goal: Goal, why: Literal["slope", "increments", "no_gain"]) -> tuple[Finding, ...]:
-    """Return the finding that a goal other than the expected square is not followed. Reasons:
-    the control has one ``slope``, whole ``increments``, or rounding leaves ``no_gain``.
+    """Return the finding that a goal other than the expected square is not followed, with the
+    reason.
+
+    The control has one ``slope``, whole ``increments``, or rounding leaves ``no_gain``.
     """
     if goal == "expected":
         return ()
@@ -332,7 +336,7 @@ def whole_increment_table(
     *,
     address: str,
 ) -> FittedTable:
-    """Return the fitted table with all its findings; ``mode``: the chosen shape and the reason."""
+    """Return the fitted table with all its findings. ``mode``: the chosen shape and the reason."""
     table, proof, limits, findings = fit_whole_increments(
         grid, aim, mode[0], capacity, lattice, address=address
     )

@@ -1,1 +1,3 @@
-"""From results to decisions: the wanted correction, the table, and the change that it will make."""
+"""From test results to decisions: the wanted correction, the table, and the change that it will
+make.
+"""

@@ -53,8 +53,10 @@ def fit_all(
     each: Each = in_turn,
     rule: Literal["simple", "guarded"] = "simple",
 ) -> dict[str, AxisWork]:
-    """Fit every axis under the limits of the control. ``rule``: how the job decides, for the
-    tests that judge a goal. Raises CapacityError with the faults of all axes.
+    """Fit the tables of all axes under the limits of the control. Raises CapacityError with the
+    faults of all axes.
+
+    ``rule``: how the job decides, for the tests that judge a goal.
     """
     errors: list[CompwrightError] = []
     capacities: dict[str, Capacity] = {}
@@ -98,7 +100,8 @@ def fit_all(
 def _fit(
     task: tuple[AxisWork, Capacity, Literal["simple", "guarded"]],
 ) -> _Fitted | CapacityError:
-    """Return the wanted correction of an axis and its tables, or why the control cannot hold one.
+    """Return the wanted correction of an axis and its tables, or the reason why the control cannot
+    hold a table.
 
     One table is used where the second could hold the drift of the test and the job leaves the
     choice.
@@ -117,7 +120,9 @@ def _fit(
 
 
 def _holds_drift(work: AxisWork, found: _Fitted, rule: Literal["simple", "guarded"]) -> bool:
-    """Return whether two tables that the job did not ask for may hold the drift of its test."""
+    """Return whether separate tables for + and −, which the job did not request, may contain the
+    drift of the test.
+    """
     planned = work.planned
     if planned.request.mode != "auto" or found.table.mode != "bidirectional":
         return False
@@ -128,9 +133,11 @@ def _holds_drift(work: AxisWork, found: _Fitted, rule: Literal["simple", "guarde
 def _requested_fit(
     work: AxisWork, capacity: Capacity, rule: Literal["simple", "guarded"]
 ) -> _Fitted | CapacityError:
-    """Return what is wanted of an axis and its tables, or why the control cannot hold one. The
-    table for a goal is taken where the tests of the prediction show that it gains, or where it is
-    the usual one.
+    """Return the wanted correction of an axis and its tables, or the reason why the control cannot
+    hold a table.
+
+    The table for a goal is taken where the tests of the prediction show that it gains, or where it
+    is the usual one.
     """
     planned = work.planned
     if planned.active is None:
@@ -158,7 +165,9 @@ def _requested_fit(
 
 
 def _shown(work: AxisWork, rule: Literal["simple", "guarded"]) -> Shown:
-    """Return what says what a fresh test like the first one of an axis shows with a table."""
+    """Return the function that predicts a new test like the first one of an axis, with a given
+    table.
+    """
     drawn: list[FreshTests] = []
     like = RepeatConditions(0, fresh_slope(rule, work.planned.tests[0]))
 
@@ -175,8 +184,8 @@ def _shown(work: AxisWork, rule: Literal["simple", "guarded"]) -> Shown:
 def _pays(
     work: AxisWork, table: FittedTable, usual: FittedTable, rule: Literal["simple", "guarded"]
 ) -> bool:
-    """Return whether the ``table`` for the job's goal is worth using. It is the ``usual`` one,
-    or the simulated tests of the prediction show a gain.
+    """Return whether the ``table`` for the job's goal is worth using. It is the ``usual`` table, or
+    simulated tests show a gain.
     """
     goal = work.planned.request.goal
     if goal == "expected" or same_tables(table, usual):
@@ -186,8 +195,9 @@ def _pays(
 
 
 def _not_held(error: CapacityError, name: str, work: AxisWork, file: str) -> CapacityError:
-    """Return why the control does not hold a table of an axis. Doubts about the readings come
-    first, because readings with a wrong unit or sign are the usual cause.
+    """Return why the control cannot hold a table of an axis. Doubts about the readings come first.
+
+    Readings with a wrong unit or sign are the usual cause.
     """
     doubted = [
         Fault(

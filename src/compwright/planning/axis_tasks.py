@@ -1,4 +1,5 @@
-"""The work on one axis in stages, each a function of one argument that a second process can run.
+"""The work on one axis in stages. Each stage is a function of one argument that a second process
+can run.
 
 Arguments and results need only this room, neither commands nor formats, so that such a process
 starts quickly.
@@ -34,22 +35,22 @@ from compwright.words.sentences import Sentence
 def start_task(
     task: tuple[Job, AxisJob, tuple[PlannedTest, ...], Mapping[str, ControlState]],
 ) -> AxisWork:
-    """Return an axis evaluated and estimated (`start_axis`); the present correction is not needed
-    for that.
+    """Return an axis with its tests evaluated and its error estimated. The present correction is
+    not needed for that.
     """
     return start_axis(*task, no_correction)
 
 
 def gain_task(task: tuple[AxisWork, Correction]) -> Sentence | None:
-    """Return why a table would not improve its axis (`why_no_gain`)."""
+    """Return why a table would not improve its axis; the arguments are those of `why_no_gain`."""
     return why_no_gain(*task)
 
 
 def predict_task(
     task: tuple[AxisWork, Correction, AxisCompensation | None, Job],
 ) -> AxisPrediction:
-    """Return what fresh tests of an axis will show, what keeps it where it is, and whether a table
-    helps. Arguments as of `predict_axis`.
+    """Return the prediction of new tests of an axis, its limiting causes, and whether a table
+    helps. Arguments as those of `predict_axis`.
     """
     work, new, _, job = task
     fitted = work.planned.fitted

@@ -57,17 +57,19 @@ from compwright.words.sentences import Sentence, say
 
 
 class CapacityOf(Protocol):
-    """The limits of one axis' table; raises CapacityError where the control holds nothing."""
+    """A function that returns the limits of one axis' table. It raises CapacityError where the
+    control can hold no table.
+    """
 
     def __call__(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
-        """Return the limits of the control for an axis; ``one_curve``: the job requires one table
+        """Return the limits of the control for an axis. ``one_curve``: the job requires one table
         and a backlash value.
         """
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AxisWork:
-    """The work on one axis of a run.
+    """The data of one axis during a run: job, tests, estimate, table, prediction.
 
     ``as_found``: the present correction of the control, by the judge; ``refused``: why its table is
     not written; ``chosen``: the table on a grid of our own choice, where the existing grid stays
@@ -100,19 +102,19 @@ class AxisWork:
 
     @property
     def active(self) -> Correction:
-        """The correction that was active during the first test; zero where it is unknown."""
+        """The correction that was active during the first test. Zero where it is unknown."""
         active = self.planned.active
         return no_correction if active is None else active.at
 
     @property
     def stops(self) -> bool:
-        """Whether the table was left out because no test would show its gain, as the job asks."""
+        """Whether the job's table was left out, because no test would show its gain."""
         made = self.capacity is not None
         return made and bool(self.refused) and self.planned.request.gain == "seen"
 
     @property
     def findings(self) -> tuple[Finding, ...]:
-        """The findings of this axis that are not findings of a single test."""
+        """The findings about this axis that belong to no single test."""
         fitted = self.planned.fitted
         own = (
             *self._longer_tests(),
@@ -134,7 +136,7 @@ class AxisWork:
         return tuple(dict.fromkeys(own))
 
     def _longer_tests(self) -> list[Finding]:
-        """Return the doubts of tests that reach further than those that count."""
+        """Return the doubts about tests that are longer than the tests in use."""
         tests = self.planned.tests
         fitted = [planned.test for planned in tests if planned.acted is not None]
         others = [planned.test for planned in tests if planned.acted is None]
@@ -157,7 +159,7 @@ def evaluate_test(
     reported: Collection[str] = (),
     other_tests: Sequence[PositioningTest] = (),
 ) -> PositioningResult:
-    """Return a test of an axis evaluated by the settings of its job.
+    """Return a test of an axis evaluated with the settings of its job.
 
     ``reported``: see `evaluate`; ``other_tests``: other tests of the axis.
     """
@@ -180,7 +182,7 @@ def start_axis(
     states: Mapping[str, ControlState],
     as_found: Correction,
 ) -> AxisWork:
-    """Evaluate the tests of an axis and estimate its error from those that count together.
+    """Evaluate the tests of an axis, and estimate its error from the tests that agree.
 
     ``states``: the known states, by name; ``as_found``: the correction that is active at present.
     Raises UsageError for tolerances that fit no test, InputError where the tests that count cover
@@ -237,8 +239,8 @@ def start_axis(
 
 
 def _reported_checks(posterior: MeasuredError) -> Iterator[frozenset[str]]:
-    """Yield the checks of each test's readings that the estimate already reports. None for a
-    test that does not count.
+    """Yield the findings about each test's readings that the estimate also reports. None for a test
+    that does not count.
     """
     for noise, place in zip(posterior.noises, posterior.counted, strict=True):
         found = () if noise is None or place is None else noise.findings
@@ -252,7 +254,7 @@ def predict_axis(
     job: Job,
     fresh: FreshTests | None = None,
 ) -> AxisPrediction:
-    """Return the prediction of fresh tests of an axis with the correction ``new``.
+    """Return the prediction of new tests of an axis with the correction ``new``.
 
     ``table``: the written table, as read back; None where none was written. ``fresh``: tests like
     the first one at new targets, where they are drawn already.
@@ -285,8 +287,10 @@ def predict_axis(
 def _predicted_test(
     work: AxisWork, place: int, new: Correction, job: Job, fresh: FreshTests | None
 ) -> TestPrediction:
-    """Return the prediction of a fresh test like the one at ``place``, with the correction
-    ``new``. It has guard bands where a guarded decision needs them.
+    """Return the prediction of a new test like the one with the index ``place``, with the
+    correction ``new``.
+
+    It has guard bands where a guarded decision needs them.
     """
     planned, result = work.planned, work.results[place]
     test = planned.tests[place]
@@ -302,7 +306,7 @@ def _predicted_test(
 
 
 def repeats_of_first(work: AxisWork, rule: Literal["simple", "guarded"] = "simple") -> FreshTests:
-    """Return fresh tests like the first one of an axis, at new targets."""
+    """Return simulated tests like the first one of an axis, at new targets."""
     like = RepeatConditions(0, fresh_slope(rule, work.planned.tests[0]))
     return fresh_tests(work.results[0], work.posterior, work.planned.axis, like)
 
@@ -313,7 +317,9 @@ def _offered(
     fresh: FreshTests,
     rule: Literal["simple", "guarded"],
 ) -> Iterator[Finding]:
-    """Yield what a grid of our own choice would gain over the existing grid, which stays."""
+    """Yield the finding about the gain of a freely chosen grid over the existing grid, which
+    stays.
+    """
     capacity, chosen = work.capacity, work.chosen
     if chosen is None or capacity is None:
         return
@@ -334,7 +340,7 @@ def _offered(
 
 
 def why_no_gain(work: AxisWork, new: Correction) -> Sentence | None:
-    """Return why ``new``, the table as read back, would not improve the axis enough; None where it
+    """Return why the table ``new``, as read back, would not improve the axis enough; None where it
     does.
 
     It is compared with the present correction of the control and with the gain that the job

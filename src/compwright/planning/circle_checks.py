@@ -1,5 +1,5 @@
-"""Compare circles with the positioning test: lost motion and scale of one axis from both, each with
-its uncertainty.
+"""Compare circles with positioning tests: lost motion and scale of an axis from both, each with its
+uncertainty.
 """
 
 from __future__ import annotations
@@ -24,8 +24,8 @@ _UM, _PPM = 1e3, 1e6
 
 @dataclass(frozen=True, slots=True)
 class LaserValues:
-    """What the positioning test says of an axis over a circle, in the state in which the circle was
-    measured.
+    """Lost motion and scale of an axis over a circle, from its positioning test. In the state of
+    the control during the circle.
     """
 
     lost_motion: ValueWithError
@@ -35,8 +35,8 @@ class LaserValues:
 def laser_values(
     work: CircleWork, axis: AxisWork, index: int, during: ActiveCorrections
 ) -> LaserValues:
-    """Return lost motion (mm, > 0 lags) and scale of an axis from its positioning test, at both
-    ends of a circle.
+    """Return lost motion (mm, positive for lag) and scale of an axis from its positioning test, at
+    both ends of a circle.
 
     ``index`` 0: the axis is the circle's first one. The laser's own uncertainty per metre counts
     where the job gives it.
@@ -64,15 +64,13 @@ def lost_motion(work: CircleWork, index: int) -> ValueWithError | None:
 
 
 def scale_error(work: CircleWork, index: int) -> ValueWithError | None:
-    """Return the scale error (relative) of the first or second axis; None without a calibrated
-    bar.
-    """
+    """Return the scale error (mm/mm) of the first or second axis. None without a calibrated bar."""
     found = effect_of(work.result, f"scale_error_{ENDS[index]}")
     return None if found is None else ValueWithError(found.value / _PPM, found.std_error / _PPM)
 
 
 def mismatch(work: CircleWork) -> ValueWithError | None:
-    """Return scale of the first axis minus that of the second, relative."""
+    """Return the scale of the first axis minus that of the second, mm/mm."""
     found = effect_of(work.result, "scale_mismatch")
     across = 2.0 * work.planned.test.nominal_radius * _UM
     return None if found is None else ValueWithError(found.value / across, found.std_error / across)
@@ -105,7 +103,7 @@ class CircleChecks:
         )
 
     def findings(self, circles: Sequence[CircleWork]) -> Iterator[Finding]:
-        """Yield where laser and circle disagree beyond both uncertainties."""
+        """Yield findings where laser and circle differ by more than both uncertainties."""
         for work in circles:
             both = [self.laser(work, index) for index in (0, 1)]
             for index, laser in enumerate(both):
@@ -164,8 +162,8 @@ class CircleChecks:
     def with_circle_backlash(
         self, circles: Sequence[CircleWork]
     ) -> tuple[dict[str, AxisWork], tuple[Finding, ...]]:
-        """Return the axes with the lost motion of their circles instead of that of the
-        positioning test, where the job requires it.
+        """Return the axes with the lost motion from their circles instead of their positioning
+        tests, where the job requires it.
         """
         works = dict(self.works)
         findings: list[Finding] = []
@@ -191,16 +189,16 @@ class CircleChecks:
         return Finding.of("CW-P130.no_test", "error", axis=name)
 
     def _not_taken(self, name: str, circles: Sequence[CircleWork]) -> Finding:
-        """Return why an axis keeps the lost motion of the laser test. It is no failure if
-        the axis has no circle.
+        """Return why an axis keeps the lost motion of its laser test. An axis without a circle is
+        no failure.
         """
         if not _on(circles, name):
             return Finding.of("CW-P130.no_circle", "warning", axis=name)
         return Finding.of("CW-P130.unknown", "error", axis=name)
 
     def _shift(self, name: str, circles: Sequence[CircleWork]) -> ValueWithError | None:
-        """Return how much more lost motion (mm) than the laser the circles of an axis show, their
-        weighted mean.
+        """Return how much larger the lost motion (mm) of an axis is in its circles than in its
+        laser test, as a weighted mean.
         """
         values, weights = [], []
         for work in circles:
@@ -219,13 +217,13 @@ class CircleChecks:
 
 
 def _on(circles: Sequence[CircleWork], name: str) -> bool:
-    """Whether a circle lies on an axis."""
+    """Return whether a circle moves an axis."""
     return any(name in work.planned.test.axes for work in circles)
 
 
 def _shifted(work: AxisWork, more: float) -> AxisWork:
-    """Return the axis with ``more`` (mm) lost motion in its estimate, against the direction of the
-    reference return.
+    """Return the axis with its estimated lost motion increased by ``more`` (mm), against the
+    direction of the reference return.
     """
     axis: Axis = work.planned.axis
     estimate = work.planned.estimate

@@ -1,4 +1,4 @@
-"""Several circles of one machine as one system of equations: other planes, radii and feeds.
+"""Combine several circles of one machine (planes, radii, feeds) in one system of equations.
 
 Every circle gives a squareness, two scales, two lost motions and a servo mismatch. The machine has
 one squareness per plane, and one scale, one lost motion, one lag and one shrinking per axis. The
@@ -50,7 +50,9 @@ Unknown = tuple[str, str]
 
 @dataclass(frozen=True, slots=True)
 class Observation:
-    """One value that a circle gives: ``kind``, what the unknowns do to it, and the circle."""
+    """One measured value of a circle as an equation: its ``kind`` and the coefficients of the
+    unknowns.
+    """
 
     kind: str
     parts: Mapping[Unknown, float]
@@ -59,20 +61,24 @@ class Observation:
 
     @property
     def group(self) -> tuple[str, str]:
-        """The values that can contradict this one: of squareness those of its plane."""
+        """The key of all values that are compared with this one. For squareness: those of its
+        plane.
+        """
         return self.kind, next(iter(self.parts))[1] if self.kind == "squareness" else ""
 
     @property
     def axes(self) -> str:
-        """The axes of the value: ``X - Y`` for a difference, ``X and Y`` for a mean."""
+        """The axes of the value as text: ``X - Y`` for a difference, ``X and Y`` for a mean."""
         shares = {axis: share for (kind, axis), share in self.parts.items() if kind != "shrinking"}
         return (" - " if min(shares.values()) < 0.0 else " and ").join(shares)
 
 
 @dataclass(frozen=True, slots=True)
 class CircleNetwork:
-    """The machine that fits all ``circles`` best. ``values`` by unknown; ``contradictions``: the
-    observations in which the circles contradict each other, by kind and, of squareness, plane.
+    """The machine errors that fit all ``circles`` best, and the circles that contradict each other.
+
+    ``values`` by unknown; ``contradictions``: the observations in which the circles contradict each
+    other, by kind and, of squareness, plane.
     """
 
     circles: tuple[str, ...]
@@ -80,7 +86,7 @@ class CircleNetwork:
     contradictions: Mapping[tuple[str, str], tuple[Observation, ...]]
 
     def values_of(self, kind: str) -> dict[str, ValueWithError]:
-        """Return the values of a kind that the circles tell, by axis or plane."""
+        """Return the values of one kind from the circles, by axis or plane."""
         most = _TELLS * _PRIOR[kind][1]
         return {
             name: value
@@ -89,7 +95,7 @@ class CircleNetwork:
         }
 
     def position_loops(self) -> dict[str, ValueWithError]:
-        """Return the lag of the position loops, ms, by axis, where the circles show one."""
+        """Return the lag of the position loops, ms, by axis, where the circles determine one."""
         loops = {}
         for name, value in self.values_of("shrinking").items():
             if value.value > SIGNIFICANT * value.std_error:
@@ -99,7 +105,7 @@ class CircleNetwork:
 
 
 def solve_network(circles: Sequence[CircularResult]) -> CircleNetwork:
-    """Return the machine of these circles, which were measured in one state."""
+    """Return the machine errors from circles that were measured in one state of the control."""
     seen = [each for result in circles for each in _observations(result)]
     unknowns = sorted({unknown for each in seen for unknown in each.parts})
     matrix = np.array([[each.parts.get(name, 0.0) for name in unknowns] for each in seen])
@@ -174,8 +180,8 @@ def _observations(result: CircularResult) -> Iterator[Observation]:
 def _mean_scale(
     result: CircularResult, of_mismatch: float, turning: float
 ) -> Iterator[Observation]:
-    """Yield the mean scale of both axes, with the standard error of the fit alone. How much the
-    servo loop shrinks the circle is a separate unknown here.
+    """Yield the mean scale of both axes with the standard error of the fit. The shrinkage by the
+    servo loop is a separate unknown here.
     """
     found = [effect_of(result, f"scale_error_{side}") for side in ("first", "second")]
     # What is taken off for unequal lags has opposite signs and is not in the mean.
@@ -195,8 +201,9 @@ def _mean_scale(
 
 
 def network_findings(circles: Sequence[CircleWork]) -> Iterator[Finding]:
-    """Yield what two or more circles of one state show together, and where they contradict each
-    other. What ``run`` says of the squareness of a plane is in `planning.cross`.
+    """Yield the common result of circles of one state, and their contradictions.
+
+    What ``run`` says of the squareness of a plane is in `planning.cross`.
     """
     states: dict[str, list[CircularResult]] = {}
     for work in circles:
@@ -208,7 +215,7 @@ def network_findings(circles: Sequence[CircleWork]) -> Iterator[Finding]:
 
 
 def machine_findings(network: CircleNetwork) -> Iterator[Finding]:
-    """Yield the machine that circles show together, and where they contradict each other but in the
+    """Yield the machine errors from all circles, and their contradictions except those of
     squareness.
     """
     circles, machine = list(network.circles), list(_machine(network))
@@ -236,7 +243,9 @@ def machine_findings(network: CircleNetwork) -> Iterator[Finding]:
 
 
 def squareness_findings(network: CircleNetwork) -> Iterator[Finding]:
-    """Yield the planes in which circles of one state contradict each other about the squareness."""
+    """Yield a finding for each plane in which circles of one state contradict each other about the
+    squareness.
+    """
     for (kind, plane), seen in network.contradictions.items():
         if kind == "squareness":
             yield squareness_contradiction(
@@ -245,8 +254,8 @@ def squareness_findings(network: CircleNetwork) -> Iterator[Finding]:
 
 
 def squareness_contradiction(axes: tuple[str, str], values: Iterable[tuple[str, float]]) -> Finding:
-    """Return that circles contradict each other about the squareness (um/m, by circle) of a
-    plane.
+    """Return the finding that circles contradict each other about the squareness (um/m, by circle)
+    of a plane.
     """
     each = [say("CW-P110.circle", circle=circle, squareness=value) for circle, value in values]
     return Finding.of("CW-P110", "warning", axes, plane="".join(axes), values=each)

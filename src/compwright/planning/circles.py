@@ -1,5 +1,5 @@
-"""Circular tests of a job: evaluated and diagnosed, placed in the machine, and predicted with what
-the tables change.
+"""The circular tests of a job: evaluation, diagnosis, position in the machine, and prediction with
+the changed tables.
 """
 
 from __future__ import annotations
@@ -57,15 +57,17 @@ class CircleWork:
 
 
 def effect_of(result: CircularResult, name: str) -> CircularEffect | None:
-    """Return one cause of a circle; None where the diagnosis does not determine it."""
+    """Return one cause of a circle. None where the diagnosis does not determine it."""
     if result.diagnosis is None or name in result.diagnosis.undetermined:
         return None
     return result.diagnosis.effects.get(name)
 
 
 def as_shown_at_feed(effect: CircularEffect) -> CircularEffect:
-    """Return a scale or mismatch as the circle shows it at its feed. The standard error is that
-    of the fit alone; the effect of a servo lag is not removed.
+    """Return a scale or a scale mismatch as measured at the feed of the circle. The effect of a
+    servo lag is not removed.
+
+    The standard error is that of the fit alone.
     """
     off, error = (effect.more.get(name) or 0.0 for name in ("lag_taken_off", "lag_error"))
     variance = max(effect.std_error**2 - error**2, 0.0)
@@ -73,7 +75,9 @@ def as_shown_at_feed(effect: CircularEffect) -> CircularEffect:
 
 
 def why_undetermined(works: Iterable[CircleWork], name: str) -> Iterator[Sentence]:
-    """Yield why each of these circles has no value of a cause, with the name of the circle."""
+    """Yield the reasons why these circles do not give the value of a cause, with the name of the
+    circle.
+    """
     for work in works:
         diagnosis = work.result.diagnosis
         if diagnosis is None:
@@ -84,7 +88,7 @@ def why_undetermined(works: Iterable[CircleWork], name: str) -> Iterator[Sentenc
 
 
 def _without_causes(name: str, test: CircularTest) -> Sentence:
-    """Return that a circle has no causes, and of how many samples it is made."""
+    """Return the reason that a circle has no causes, with its number of samples."""
     return say(
         "undetermined.causes",
         circle=name,
@@ -101,8 +105,10 @@ def start_circle(
     budget: CircularBudget | None = None,
     thermal: Thermal | None = None,
 ) -> CircleWork:
-    """Evaluate and diagnose one circular test, with what the job declares of its uncertainty.
-    Raises InputError where it cannot be evaluated or its centre does not fit.
+    """Evaluate and diagnose one circular test. Raises InputError where it cannot be evaluated or
+    its centre does not fit.
+
+    With what the job declares of its uncertainty.
     """
     test = in_job_names(test, axes)
     given = request.centre if request.centre is not None else test.centre
@@ -122,7 +128,9 @@ def start_circle(
 def with_uncertainty(
     result: CircularResult, budget: CircularBudget | None, thermal: Thermal | None
 ) -> CircularResult:
-    """Return the result with U of each parameter that it has, where the job declares any."""
+    """Return the result with the expanded uncertainty of each parameter, if the job declares
+    contributors.
+    """
     if budget is None:
         return result
     names = [name for name, value in result.parameters.items() if value is not None]
@@ -133,8 +141,10 @@ def with_uncertainty(
 def start_circles(
     job: Job, tests: Sequence[CircularTest], axes: Mapping[str, Axis]
 ) -> tuple[CircleWork, ...]:
-    """Evaluate and diagnose the circular tests of a job. Raises InputError with the faults of all
-    of them, UsageError for limits on parameters that a test does not have.
+    """Evaluate and diagnose the circular tests of a job.
+
+    Raises InputError with the faults of all of them, UsageError for limits on parameters that a
+    test does not have.
     """
     errors: list[CompwrightError] = []
     works = []
@@ -155,7 +165,9 @@ def start_circles(
 
 
 def in_job_names(test: CircularTest, axes: Iterable[str]) -> CircularTest:
-    """Return the test with its axes named as in the job, whatever the case of their letters."""
+    """Return the test with its axis names spelt as in the job. Upper and lower case count as
+    equal.
+    """
     known = {name.upper(): name for name in axes}
     first, second = (known.get(name.upper(), name) for name in test.axes)
     return replace(test, axes=(first, second))
@@ -164,7 +176,7 @@ def in_job_names(test: CircularTest, axes: Iterable[str]) -> CircularTest:
 def _centre(
     test: CircularTest, given: tuple[float, ...] | None, axes: Mapping[str, Axis]
 ) -> tuple[tuple[float, float], bool]:
-    """Return the centre of the circle on its two axes, and whether it is known."""
+    """Return the centre of the circle on its two axes, and whether the centre is known."""
     if given is not None and len(given) == 2:
         return (given[0], given[1]), True
     if given is not None:
@@ -234,7 +246,7 @@ def worse_circle_findings(predictions: Mapping[str, CirclePrediction]) -> tuple[
 
 
 def undecided_circle_findings(predictions: Mapping[str, CirclePrediction]) -> tuple[Finding, ...]:
-    """Return a finding for every circle with limits of which the causes are not known.
+    """Return a finding for every circle that has limits but whose causes are unknown.
 
     Its predicted band then holds the noise of the samples alone: of fresh tests on short arcs 0 to
     52 % were within the 90 % bands.
@@ -247,7 +259,7 @@ def undecided_circle_findings(predictions: Mapping[str, CirclePrediction]) -> tu
 
 
 def _growing(circle: CirclePrediction) -> str | None:
-    """Return the circular deviation that grows; None where it does not.
+    """Return the circular deviation that becomes larger with the tables. None where none does.
 
     That of both runs together counts: lag and squareness may cancel in one run, which alone then
     looks worse when one of them goes.
@@ -289,8 +301,8 @@ def predicted_circle(
     change_from: ActiveCorrections,
     change_to: ActiveCorrections,
 ) -> CirclePrediction:
-    """Return the prediction for a test that was measured with ``change_from`` active, once
-    ``change_to`` is active.
+    """Return the prediction of a circular test when the correction ``change_to`` replaces
+    ``change_from``.
     """
     axes = planned.test.axes
     old, new = change_from.displacement(axes), change_to.displacement(axes)

@@ -42,8 +42,8 @@ _PPM = 1e6
 
 @dataclass(frozen=True, slots=True)
 class Squareness:
-    """The angle of a plane in its present state, rad, with its standard error. Also the circles
-    that it comes from, and the largest diameter, mm.
+    """The squareness of a plane in its present state, rad, with its standard error. Also its
+    circles and the largest diameter, mm.
     """
 
     value: float
@@ -53,7 +53,7 @@ class Squareness:
 
     @property
     def words(self) -> Sentence:
-        """The value as people read it."""
+        """The value as text for people."""
         error = SIGNIFICANT * self.std_error * _PPM
         return say("value_with_error", value=self.value * _PPM, error=error, unit="µm/m")
 
@@ -72,8 +72,9 @@ def plan_cross(
     states: Mapping[str, ActiveCorrections],
     now: ActiveCorrections,
 ) -> CrossPlan:
-    """Return the corrections between axes that the job requests: direct measurements, and the
-    circles that ``apply`` names.
+    """Return the corrections between axes that the job requests.
+
+    Direct measurements, and the circles that ``apply`` names.
 
     ``states``: the active corrections in each state of the job, by its name; ``now``: those in the
     control at present.
@@ -103,14 +104,14 @@ class _Planner:
     def find(
         self, name: str, severity: Severity, axes: tuple[str, ...] = (), /, **values: object
     ) -> None:
-        """Note a finding (`Finding.of`)."""
+        """Add a finding to the list (arguments of `Finding.of`)."""
         self.findings.append(Finding.of(name, severity, axes, **values))
 
     # --- direct measurements
     # ----------------------------------------------------------------------------------------------
 
     def measured(self) -> Iterator[PlannedCross]:
-        """Yield the correction of every direct measurement whose axes the job knows."""
+        """Yield the correction from every direct measurement between axes of the job."""
         for request in self.job.cross:
             if request.input not in self.axes or request.output not in self.axes:
                 continue  # CW-J004 says so
@@ -121,8 +122,9 @@ class _Planner:
             yield planned
 
     def _measured(self, request: CrossRequest) -> PlannedCross:
-        """Return minus the deviation, plus the correction during the measurement, minus the present
-        one.
+        """Return the change of a correction from a direct measurement.
+
+        Minus the deviation, plus the correction during the measurement, minus the present one.
         """
         where = np.array(request.positions)
         pair = (request.input, request.output)
@@ -205,8 +207,8 @@ class _Planner:
     # ----------------------------------------------------------------------------------------------
 
     def squareness(self) -> Iterator[PlannedCross]:
-        """Yield the ramp of every plane that ``apply`` names; give a finding for the other planes
-        that need one.
+        """Yield the correction for every plane that ``apply`` names. Other planes that need one get
+        a finding.
         """
         requested = {
             frozenset({bent, other_axis(plane, bent)}): (plane, bent)
@@ -238,7 +240,9 @@ class _Planner:
                 self.find("CW-P108", "info", plane=plane, squareness=angle.words, tests=angle.tests)
 
     def _not_corrected(self, plane: str, pair: frozenset[str], angle: Squareness | None) -> None:
-        """Give the finding why the squareness of a plane is not corrected, and what to measure."""
+        """Return the finding why the squareness of a plane is not corrected, and what to
+        measure.
+        """
         mine = (work for work in self.circles if frozenset(work.planned.test.axes) == pair)
         if angle is not None:
             why = shortfall(angle.value * _PPM, angle.std_error * _PPM)
@@ -275,8 +279,8 @@ class _Planner:
         )
 
     def _angles(self, circles: Sequence[CircleWork]) -> Iterator[tuple[frozenset[str], Squareness]]:
-        """Yield by pair of axes the weighted mean of its circles, each converted to the present
-        corrections.
+        """Yield the squareness of each pair of axes, as the weighted mean of its circles under the
+        present corrections.
         """
         by_pair: dict[frozenset[str], list[CircleWork]] = {}
         for work in circles:
@@ -303,7 +307,9 @@ class _Planner:
         return Squareness(mean, error, tuple(work.name for work in works), diameter)
 
     def _as_found(self, work: CircleWork) -> tuple[float, float]:
-        """Return the squareness (rad) of one circle as it would be now, and its standard error."""
+        """Return the squareness (rad) of one circle as it would be with the present corrections,
+        and its standard error.
+        """
         effects = work.result.diagnosis.effects if work.result.diagnosis is not None else {}
         effect = effects["squareness"]
         during = self.states.get(work.planned.measured_in, self.now)
@@ -353,8 +359,10 @@ def angle_of(work: CircleWork, state: ActiveCorrections) -> float:
 
 
 def _nodes(axis: Axis, where: FloatArray) -> FloatArray:
-    """Return equally spaced nodes over the travel that hold the measured points as well as whole
-    micrometres of step allow.
+    """Return equally spaced nodes over the travel that fit the measured points. Their step is a
+    whole number of micrometres.
+
+    They hold the points as well as such a step allows.
     """
     low, high = axis.travel
     if where.size == 2:
@@ -368,7 +376,7 @@ def _nodes(axis: Axis, where: FloatArray) -> FloatArray:
 def _continued(
     where: FloatArray, positions: FloatArray, values: FloatArray, slope: float
 ) -> FloatArray:
-    """Return values at ``where``: straight lines between ``positions``, ``slope`` beyond them."""
+    """Return values at ``where``, linear between ``positions``, and with ``slope`` beyond them."""
     beyond = np.minimum(where - positions[0], 0.0) + np.maximum(where - positions[-1], 0.0)
     return np.asarray(np.interp(where, positions, values) + slope * beyond, dtype=np.float64)
 

@@ -1,5 +1,5 @@
-"""Doubts about measurements and the state of the control. An axis with a doubt gets no decision
-unless the job acknowledges the doubt.
+"""Doubts about measurements and the state of the control. A doubt blocks the decision about an axis
+unless the job acknowledges it.
 """
 
 from __future__ import annotations
@@ -14,8 +14,8 @@ from compwright.records.prediction import AcceptDecision
 
 @dataclass(frozen=True, slots=True)
 class ScopedFinding:
-    """A finding with the axes of the job that it concerns; None: all. ``circle``: the circular test
-    that it is about.
+    """A finding with the axes of the job that it concerns (None: all axes). ``circle``: the
+    circular test that it concerns.
     """
 
     finding: Finding
@@ -23,33 +23,33 @@ class ScopedFinding:
     circle: str | None = None
 
     def concerns(self, axis: str) -> bool:
-        """Whether it is about an axis."""
+        """Return whether the finding concerns an axis."""
         return self.axes is None or axis in self.axes
 
 
 @dataclass(frozen=True, slots=True)
 class Doubts:
-    """The ``open`` doubts, the ``acknowledged`` ones, and the ``unused`` acknowledgements."""
+    """The ``open`` doubts, the ``acknowledged`` ones, and the ``unused`` acknowledgements of a
+    job.
+    """
 
     open: tuple[ScopedFinding, ...] = ()
     acknowledged: tuple[Acknowledged, ...] = ()
     unused: tuple[Acknowledgement, ...] = ()
 
     def about(self, axis: str) -> bool:
-        """Whether a doubt about an axis is open."""
+        """Return whether a doubt about an axis is open."""
         return any(one.concerns(axis) for one in self.open)
 
     def about_circle(self, name: str, axes: Iterable[str]) -> bool:
-        """Whether a doubt about a circular test, or about one of the axes that move in it, is
-        open.
-        """
+        """Return whether a doubt about a circular test or one of its axes is open."""
         return any(one.circle == name for one in self.open) or any(map(self.about, axes))
 
 
 def find_doubts(
     noticed: Iterable[ScopedFinding], given: Sequence[Acknowledgement], axes_of_job: Iterable[str]
 ) -> Doubts:
-    """Return the doubts among the findings, each once; ``given``: the acknowledgements of the job.
+    """Return the findings that are doubts, each once. ``given``: the acknowledgements of the job.
 
     An acknowledgement for one axis leaves a doubt open that concerns other axes too. A doubt about
     all axes concerns those of the job.
@@ -73,5 +73,5 @@ def find_doubts(
 
 
 def mark_undecided(accept: Mapping[str, AcceptDecision]) -> dict[str, AcceptDecision]:
-    """Return the decisions about an axis or a circle of which a doubt is open."""
+    """Return the decisions as undecided where a doubt about their axis or circle is open."""
     return {name: replace(entry, decision="undecided") for name, entry in accept.items()}

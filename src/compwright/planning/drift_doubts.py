@@ -1,4 +1,5 @@
-"""Drift within a run looks like a reversal error that varies along the travel.
+"""Findings about drift within a run, which looks like a reversal error that varies along the
+travel.
 
 A run goes up through the m targets and down again (ISO 230-2, standard test cycle): 2 m readings at
 equal times, target i (0 .. m - 1) in + as number i, in - as number 2 m - 1 - i. An axis that drifts
@@ -41,7 +42,7 @@ _MATTERS: Final = 0.1
 
 
 def drift_or_reversal(work: AxisWork, fresh: FreshTests) -> Iterator[Finding]:
-    """Yield a finding where the table may hold the drift of the test.
+    """Yield a finding if the table may contain the drift of the test.
 
     CW-P153: the second table that the job requires; CW-P154: the constant between the directions,
     which is the backlash value, or that of two curves where the control has none.
@@ -65,8 +66,10 @@ def drift_or_reversal(work: AxisWork, fresh: FreshTests) -> Iterator[Finding]:
 
 
 def drift_of_one_test(work: AxisWork, new: Correction, fresh: FreshTests) -> Iterator[Finding]:
-    """Yield what a second test would decide (CW-P165): whether the drift of the only test repeats,
-    as the prediction assumes, or each test has a drift of its own of that size.
+    """Yield the finding CW-P165: a second test would show whether the drift repeats, as the
+    prediction assumes.
+
+    Or each test has a drift of its own of that size.
     """
     noise, name = fresh.draws.noise, judged_parameter(work.results[0])
     certain = float(np.mean(noise.drift != 0.0)) >= _CERTAIN
@@ -97,7 +100,10 @@ def drift_of_one_test(work: AxisWork, new: Correction, fresh: FreshTests) -> Ite
 
 
 def _second_table(work: AxisWork, drift: float, within: float) -> Iterator[Finding]:
-    """Yield CW-P153: ``drift`` from the first run to the last, ``within`` a run; mm or deg."""
+    """Yield CW-P153: separate tables for + and − may contain the drift.
+
+    ``drift`` from the first run to the last, ``within`` a run; mm or deg.
+    """
     rises = reversal_rise(work.planned.estimate, work.active)
     if not explained_by_drift(rises, within):
         return
@@ -108,8 +114,9 @@ def _second_table(work: AxisWork, drift: float, within: float) -> Iterator[Findi
 
 
 def _backlash_value(work: AxisWork, drift: float, moved: float) -> Iterator[Finding]:
-    """Yield CW-P154: ``drift`` from the first run to the last, by which the mean reversal is
-    ``moved``; mm or deg.
+    """Yield CW-P154: the backlash value may contain the drift.
+
+    ``drift`` from the first run to the last, by which the mean reversal is ``moved``; mm or deg.
     """
     _, reversal = reversal_curve(work.planned.estimate, work.active)
     mean = rounded_number(float(np.mean(reversal)))

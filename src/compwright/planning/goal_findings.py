@@ -1,4 +1,4 @@
-"""What a goal of the fit costs and gains, out of sample."""
+"""Findings about the costs and gains of a goal of the fit, judged by separate simulated tests."""
 
 from __future__ import annotations
 
@@ -23,8 +23,10 @@ _REPORTED: Final = (
 
 
 def goal_findings(work: AxisWork, new: Correction, fresh: FreshTests) -> Iterator[Finding]:
-    """Yield A, E and M of ``fresh`` simulated tests at new targets, with the table ``new`` and
-    with the rejected one (CW-P152). Only where the job has another goal than the least expected
+    """Yield the finding CW-P152: A, E and M of simulated tests with the table ``new`` and with the
+    rejected one.
+
+    ``fresh`` tests at new targets. Only where the job has another goal than the least expected
     square.
     """
     planned, goal = work.planned, work.entry.table.goal

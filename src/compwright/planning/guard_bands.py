@@ -1,5 +1,7 @@
-"""The guard band of a decision about a future test (ISO 14253-1). It is the expanded uncertainty of
-its parameters, including the share that earlier tests have put into the table.
+"""The guard band for the decision about a future test: the expanded uncertainty of its parameters
+(ISO 14253-1).
+
+It includes the share that earlier tests have put into the table.
 """
 
 from __future__ import annotations
@@ -29,7 +31,7 @@ def guard_bands(
     posterior: MeasuredError,
     change: Correction,
 ) -> Mapping[str, ExpandedUncertainty] | None:
-    """Return U (mm or deg, k = 2) of the parameters of a fresh test like ``result``, after a
+    """Return U (mm or deg, k = 2) of the parameters of a new test like ``result``, after a
     ``change`` of the correction.
 
     ``result``: the test at ``place`` of its axis. None where the job declares no uncertainty, and
@@ -71,5 +73,7 @@ def guard_bands(
 
 
 def _moved(narrow: Quantiles, wide: Quantiles) -> float:
-    """Return by how much ``wide`` reaches beyond ``narrow``, at the end where it is more."""
+    """Return how much wider the range ``wide`` is than ``narrow``, at the end with the larger
+    difference.
+    """
     return max(wide.p95 - narrow.p95, narrow.p05 - wide.p05)

@@ -32,8 +32,10 @@ _OFF: Final = re.compile(
 def statement_findings(
     tests: Sequence[PlannedTest], axis: Axis, states: Mapping[str, ControlState]
 ) -> Iterator[Finding]:
-    """Yield where headers of an axis' files contradict the job's state of the control, or each
-    other. ``states``: by name, those whose content is known.
+    """Yield findings where headers of an axis' files contradict the state in the job, or each
+    other.
+
+    ``states``: by name, those whose content is known.
     """
     for planned in tests:
         yield from _differences(planned.test, axis)
@@ -46,7 +48,7 @@ def statement_findings(
 def with_statements(
     works: Iterable[CircleWork], axes: Mapping[str, Axis], states: Mapping[str, ControlState]
 ) -> tuple[CircleWork, ...]:
-    """Return circular tests with a finding where their header contradicts the state of the job."""
+    """Return circular tests, with a finding where the header contradicts the state in the job."""
     checked = []
     for work in works:
         test = work.result.test
@@ -61,8 +63,10 @@ def with_statements(
 
 
 def after_test_doubts(result: _Result, axes: Sequence[str]) -> _Result:
-    """Return the result of a test after loading, with a doubt where its header says that
-    compensation was off. ``axes``: those of which the plan loads a table; none: nothing to compare.
+    """Return the result of a test after loading, with a doubt where its header states that
+    compensation was off.
+
+    ``axes``: those of which the plan loads a table; none: nothing to compare.
     """
     stated = _stated(result.test.header)
     if not axes or False not in stated:
@@ -79,8 +83,10 @@ def _contradiction(
     axes: Sequence[Axis],
     states: Mapping[str, ControlState],
 ) -> Sentence | None:
-    """Return how a header contradicts the state of its test, and what to do. It is compared
-    only as far as ``axes`` show the state; None if there is no contradiction.
+    """Return the contradiction between a header and the state of its test, with the next step. None
+    if there is none.
+
+    It is compared only as far as ``axes`` show the state.
     """
     stated, state = _stated(header), states.get(measured_in)
     if len(stated) > 1:
@@ -101,16 +107,14 @@ def _is_active(state: ControlState, axis: Axis) -> bool:
 
 
 def _stated(header: Mapping[str, str]) -> set[bool]:
-    """Return the state of compensation in the headers: on, off, both, or nothing that is
-    understood.
-    """
+    """Return the state of compensation in the headers: on, off, both, or no known statement."""
     texts = [text for key, text in header.items() if key.strip().lower() == _KEY]
     lines = [line.strip() for text in texts for line in text.splitlines()]
     return {_OFF.match(line) is None for line in lines if _ON.match(line) or _OFF.match(line)}
 
 
 def _differences(test: PositioningTest, axis: Axis) -> Iterator[Finding]:
-    """Yield what the files of one test state differently."""
+    """Yield the header items that differ between the files of one test."""
     if len(test.sources) < 2:
         return
     differing = [

@@ -1,4 +1,6 @@
-"""The limits of a job: whether its tests have them, and the decision about each."""
+"""The limits of a job: whether the tests have these parameters, and the decision about each
+limit.
+"""
 
 from __future__ import annotations
 
@@ -53,8 +55,9 @@ def accept_decisions(
 def circle_decisions(
     accept: Acceptance | None, circle: CirclePrediction, rule: Literal["simple", "guarded"]
 ) -> Mapping[str, AcceptDecision]:
-    """Return the decision about each tolerance of a circle from the predicted values (limits in
-    µm), as `accept_decisions` does. Its U is that of the measured circle, because the tables hardly
+    """Return the decision about each limit of a circle from the predicted values (limits in µm).
+
+    As `accept_decisions` does. Its U is that of the measured circle, because the tables hardly
     change its size. Undecided where the causes in the circle are not known (CW-P134).
     """
     if accept is None:
@@ -75,8 +78,8 @@ def _predicted(
     factor: float,
     elsewhere: Mapping[str, Quantiles] | None = None,
 ) -> dict[str, AcceptDecision]:
-    """Return the decisions from predicted values; ``factor``: to the unit of the limits;
-    ``elsewhere``: at new targets.
+    """Return the decisions about limits from predicted values. ``factor``: to the unit of the
+    limits; ``elsewhere``: the prediction at new targets.
     """
     decisions = {}
     for name, limit in accept.limits.items():
@@ -128,8 +131,8 @@ def measured_circle_decisions(
     believed: bool,
     proven: bool,
 ) -> dict[str, AcceptDecision]:
-    """Return the decision about each tolerance of a circle from its test after loading (limits in
-    µm), as `measured_decisions` does.
+    """Return the decision about each limit of a circle from its test after loading (limits in
+    µm).
     """
     if accept is None:
         return {}
@@ -166,13 +169,13 @@ def _measured(
 
 
 def unguarded(accept: Mapping[str, AcceptDecision]) -> list[str]:
-    """Return the parameters whose guarded decision lacks its uncertainty."""
+    """Return the parameters whose guarded decision lacks an uncertainty."""
     return [name for name, entry in accept.items() if entry.rule == "guarded" and entry.U is None]
 
 
 def lacking_guard(axis: Axis, standard: str, names: Iterable[str]) -> tuple[Finding, ...]:
-    """Return what to give for guarded decisions about the parameters ``names``, which have no
-    uncertainty (CW-P132).
+    """Return the finding CW-P132: which uncertainties the job must give for guarded decisions about
+    the parameters ``names``.
     """
     if standard == "vdi3441":
         give = (
@@ -193,7 +196,9 @@ def lacking_guard(axis: Axis, standard: str, names: Iterable[str]) -> tuple[Find
 
 
 def lacking_circle_guard(name: str, accept: Mapping[str, AcceptDecision]) -> tuple[Finding, ...]:
-    """Return what to give for guarded decisions about a circle without uncertainty (CW-P132)."""
+    """Return the finding CW-P132 for a circle: which uncertainties the job must give for guarded
+    decisions.
+    """
     give = (
         "give uncertainty.circular in the job (U of the instrument in µm, length, setup, E_VE), or"
         " decision_rule: simple"
@@ -209,8 +214,8 @@ def _without_guard(what: str, names: Iterable[str], give: str) -> tuple[Finding,
 
 
 def magnitude(quantiles: Quantiles) -> Quantiles:
-    """Return the quantiles of the absolute size of a parameter. A tolerance limits the size,
-    and the mean reversal value has a sign.
+    """Return the quantiles of the absolute value of a parameter, because a limit bounds the size
+    and a reversal value has a sign.
     """
     low, high = sorted((abs(quantiles.p05), abs(quantiles.p95)))
     spans_zero = quantiles.p05 < 0.0 < quantiles.p95
@@ -231,8 +236,9 @@ def check_limits(job: Job, entry: AxisJob, results: tuple[PositioningResult, ...
 def limit_faults(
     job: Job, accept: Acceptance, result: PositioningResult | CircularResult, place: str
 ) -> list[Fault]:
-    """Return a fault for each limit on a parameter that ``result`` does not have. Also for a
-    guarded decision without uncertainty; ``place``: the section of the job.
+    """Return a fault for each limit on a parameter that ``result`` does not have.
+
+    Also for a guarded decision without uncertainty; ``place``: the section of the job.
     """
     faults = [
         Fault(
@@ -263,7 +269,7 @@ def limit_faults(
 
 
 def accepted_index(accept: Acceptance, names: tuple[str, ...]) -> int:
-    """Return the place of the test that the tolerances are meant for: the first, or the one
-    named.
+    """Return the index of the test to which the limits apply: the first test, or the one named in
+    the job.
     """
     return 0 if accept.test is None else names.index(accept.test)

@@ -1,4 +1,4 @@
-"""What limits an axis: how much each cause contributes to its predicted parameter.
+"""The causes that limit an axis: the contribution of each to its predicted parameter.
 
 Each cause is computed from the same draws with and without it.
 """
@@ -42,8 +42,9 @@ _WORTH_SAYING: Final = 0.005
 
 
 def what_limits(work: AxisWork, new: Correction, fresh: FreshTests) -> LimitingCauses | None:
-    """Return which causes limit a parameter of an axis after the correction ``new``. It is the
-    first of A, E, ... that the first test has; None where it has none.
+    """Return the contribution of each cause to a parameter of an axis after the correction ``new``.
+
+    It is the first of A, E, ... that the first test has; None where it has none.
 
     ``fresh``: tests like that one, at new targets. Each cause is removed alone, while all others
     stay. The part of the known error that the table does not hold is the sum of the causes that
@@ -90,10 +91,12 @@ def what_limits(work: AxisWork, new: Correction, fresh: FreshTests) -> LimitingC
 
 
 class _ShownParameter(Protocol):
-    """The one parameter of fresh tests, with the arguments of `FreshTests.quantiles`."""
+    """The parameter of simulated tests that is examined, with the arguments of
+    `FreshTests.quantiles`.
+    """
 
     def __call__(self, change: Correction, **taken: Any) -> Quantiles:
-        """Return its quantiles after a ``change`` of the correction."""
+        """Return the quantiles of the parameter after a ``change`` of the correction."""
 
 
 def _shown(fresh: FreshTests, name: str, change: Correction, **taken: Any) -> Quantiles:
@@ -107,8 +110,10 @@ def _without(
     shown: _ShownParameter,
     without_outliers: Quantiles,
 ) -> Iterator[tuple[str, Quantiles, float | None]]:
-    """Yield every cause with the parameter of tests without this cause, and the size that the
-    fit reports. ``without_outliers``: the parameter without outlying readings.
+    """Yield each cause with the parameter of simulated tests without this cause, and the size that
+    the fit reports.
+
+    ``without_outliers``: the parameter without outlying readings.
     """
     for cause, parts in _SCATTERING.items():
         if fresh.has(parts):

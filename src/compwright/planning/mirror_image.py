@@ -1,4 +1,5 @@
-"""Is the table in the control the mirror image of a test that should have been taken with it?
+"""Detect a table in the control that is the mirror image of a test that was taken with it. Then the
+table was probably not active.
 
 Then the table was made from this very test: it was not active in the test, and a further table
 would remove the same error twice.
@@ -53,9 +54,10 @@ def mirror_image_doubts(
     axis: Axis,
     states: Mapping[str, ControlState],
 ) -> Iterator[tuple[int, Finding]]:
-    """Yield the place and a doubt (CW-P161) of each test whose mirror image is a table. The table
-    is that of its state, or what that one has more than the table of another state. ``observed``:
-    the same tests.
+    """Yield index and doubt (CW-P161) of each test that is the mirror image of a table.
+
+    The table is that of its state, or what that one has more than the table of another state.
+    ``observed``: the same tests.
     """
     for place, (planned, bare) in enumerate(zip(tests, observed, strict=True)):
         if planned.measured_in not in states or planned.test.targets.size < _FEWEST:
@@ -80,7 +82,9 @@ def is_mirror_image(
     table: FloatArray, shown: FloatArray, targets: FloatArray, noise: float
 ) -> bool:
     """Return whether ``table`` (m,) has the shape of the deviations ``shown`` (m,) with the
-    opposite sign. Both at ``targets`` (m,), mm or deg; ``noise``: standard deviation of a mean.
+    opposite sign.
+
+    Both at ``targets`` (m,), mm or deg; ``noise``: standard deviation of a mean.
     """
     along = np.linspace(-1.0, 1.0, targets.size) if targets.size < 2 else targets - targets.mean()
     bent, seen = (
@@ -94,7 +98,7 @@ def is_mirror_image(
 
 
 def mean_of_directions(test: PositioningTest) -> FloatArray | None:
-    """Return the mean (m,) of both directions at each target, or of the only one measured. None
+    """Return the mean (m,) of both directions at each target, or of the measured direction. None
     where a target has no reading.
     """
     means = [
@@ -118,7 +122,7 @@ def _middle_of_table(state: ControlState, axis: Axis, test: PositioningTest) -> 
 
 
 def _noise(bare: ObservedTest) -> float:
-    """Return the standard deviation of a middle."""
+    """Return the standard deviation of the mean of both directions."""
     counts = sum(count_readings(bare.test.deviations(direction)) for direction in Direction)
     return 0.0 if bare.noise is None else float(bare.noise.sigma / np.sqrt(np.max(counts)))
 

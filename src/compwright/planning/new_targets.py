@@ -1,5 +1,6 @@
-"""What a test at new targets can show that a test at the measured targets cannot. These are periods
-that are possible or that the readings do not exclude.
+"""Findings about periodic errors that new targets may show but the measured targets hide.
+
+These are periods that are possible or that the readings do not exclude.
 """
 
 from __future__ import annotations
@@ -30,7 +31,9 @@ def decide_limits(
     tests: tuple[TestPrediction, ...],
 ) -> tuple[Mapping[str, AcceptDecision], tuple[Finding, ...]]:
     """Return the decisions about the limits of an axis, from the prediction for each of its
-    ``tests``. With the decisions that new targets make undecided.
+    ``tests``.
+
+    With the decisions that new targets make undecided.
     """
     if entry.accept is None:
         return {}, ()
@@ -40,7 +43,7 @@ def decide_limits(
 
 
 def further_targets_finding(axis: Axis, posterior: AxisPosterior) -> Iterator[Finding]:
-    """Yield the few targets that would show the periods that the readings leave open (CW-P164)."""
+    """Yield the finding CW-P164: a few further targets that would show the possible periods."""
     hidden = posterior.hidden
     found = further_targets(posterior) if hidden.probability >= _NAMED else None
     if found is None:
@@ -65,8 +68,8 @@ def _undecided(
     test: TestPrediction,
     posterior: AxisPosterior,
 ) -> Iterator[Finding]:
-    """Yield what keeps a limit open that is kept at the same targets (CW-P133), and what to
-    measure.
+    """Yield the finding CW-P133: a limit is kept at the same targets but open at new ones; and what
+    to measure.
     """
     factor, unit = outside_factor(axis.kind.unit), shown_unit(axis.kind.unit)
     new, hidden = test.predicted_new_targets, posterior.hidden

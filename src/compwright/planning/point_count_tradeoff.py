@@ -1,4 +1,4 @@
-"""What a point of the table is worth: the predicted parameter over the number of points."""
+"""The benefit of further table points: the predicted parameter over the number of points."""
 
 from __future__ import annotations
 
@@ -28,9 +28,11 @@ _MOST: Final = 400
 def point_count_tradeoff(
     work: AxisWork, new: Correction, fresh: FreshTests, name: str
 ) -> tuple[PointCountOption, ...]:
-    """Return the parameter ``name`` of simulated tests at new targets for tables with different
-    numbers of points. Ascending; ``new`` is the table that is written. Empty where there is no
-    choice: no table, or only one grid.
+    """Return the parameter ``name`` of simulated tests for tables with different numbers of points,
+    ascending.
+
+    At new targets; ``new`` is the table that is written. Empty where there is no choice: no table,
+    or only one grid.
 
     Every table is fitted to what is wanted under the control's own limits, on equally spaced nodes
     that it can hold.
@@ -60,7 +62,7 @@ def point_count_tradeoff(
 
 
 def _spread(grids: Sequence[FloatArray]) -> list[FloatArray]:
-    """Return grids whose numbers of points grow by about the same factor, first and last
+    """Return a few grids whose numbers of points grow by nearly the same factor. First and last are
     included.
     """
     if not grids:
@@ -74,7 +76,7 @@ def _spread(grids: Sequence[FloatArray]) -> list[FloatArray]:
 def _table_on(
     nodes: FloatArray, work: AxisWork, capacity: Capacity, request: TableRequest
 ) -> Correction | None:
-    """Return what a table on ``nodes`` does; None where the control cannot hold one."""
+    """Return the correction by a table on ``nodes``. None where the control cannot hold one."""
     wanted = work.planned.wanted
     if wanted is None:
         return None

@@ -1,4 +1,4 @@
-"""The best table, made easier to load where a test shows next to nothing of the difference.
+"""Replace the best table by one that is easier to load, if tests show almost no difference.
 
 With the magnification that the control has, and with fewer points where somebody types them.
 """
@@ -40,8 +40,8 @@ def practical_table(
     axis: Axis,
     shown: Shown,
 ) -> tuple[Capacity, FittedTable]:
-    """Return the table, and the limits that it was fitted under. Raises CapacityError where the
-    control holds none.
+    """Return the table that is easiest to load, and the limits of its fit. Raises CapacityError
+    where the control can hold no table.
     """
     capacity, table = _with_kept_magnification(wanted, capacity, request, axis, shown)
     if capacity.typed and request.named_spacing is None:
@@ -52,8 +52,9 @@ def practical_table(
 def planned_request(
     capacity: Capacity, request: TableRequest, planned: FittedTable
 ) -> tuple[Capacity, TableRequest]:
-    """Return the limits and the request that give the table of a plan again. They have the
-    magnification that stayed, and the few points that are typed.
+    """Return the limits and the request that reproduce the table of a plan.
+
+    They have the magnification that stayed, and the few points that are typed.
     """
     lattice, nodes = capacity.lattice, planned.compensation.positions
     kept = None if lattice is None else lattice.there
@@ -67,9 +68,11 @@ def planned_request(
 def _with_kept_magnification(
     wanted: WantedCorrection, capacity: Capacity, request: TableRequest, axis: Axis, shown: Shown
 ) -> tuple[Capacity, FittedTable]:
-    """Return the best table with the control's existing magnification, if a test would show
-    almost no difference. A new magnification is a risk: loaded without its increments, or these
-    without it, it multiplies the whole table.
+    """Return the best table with the existing magnification of the control, if a test would show
+    almost no difference.
+
+    A new magnification is a risk: loaded without its increments, or these without it, it multiplies
+    the whole table.
     """
     lattice = capacity.lattice
     best = fit_within(wanted, capacity, request, axis)
@@ -92,8 +95,8 @@ def _with_fewest_points(
     shown: Shown,
     best: FittedTable,
 ) -> FittedTable:
-    """Return the table with the fewest points whose test shows next to nothing more than that of
-    the ``best`` one. An existing grid stays.
+    """Return the table with the fewest points whose test is almost as good as that of the ``best``
+    table. An existing grid stays.
     """
     nodes = best.compensation.positions
     if best.keeps_grid or capacity.nodes is not None or capacity.line is not None or nodes.size < 3:
@@ -122,8 +125,10 @@ def _with_fewest_points(
 def _fewest(
     grids: Sequence[FloatArray], enough: Callable[[FloatArray], _Found | None]
 ) -> _Found | None:
-    """Return what the coarsest of ``grids`` that is ``enough`` gives; None where none is. By
-    halving, then as far down as the next few go: more points are better but for single ones.
+    """Return the table on the coarsest of ``grids`` for which ``enough`` returns one. None: no grid
+    is good enough.
+
+    By halving, then as far down as the next few go: more points are better but for single ones.
     """
     low, high = 0, len(grids)
     best: _Found | None = None
@@ -143,7 +148,9 @@ def _fewest(
 
 
 def _covering(request: TableRequest, grid: FloatArray, cover: int) -> TableRequest:
-    """Return the request for a grid, ``cover`` spacings longer where the job names no end."""
+    """Return the request for a grid that reaches ``cover`` spacings beyond the travel where the job
+    names no end.
+    """
     spacing = float(grid[-1] - grid[0]) / (grid.size - 1)
     start, end = float(grid[0]) - cover * spacing, float(grid[-1]) + cover * spacing
     return replace(

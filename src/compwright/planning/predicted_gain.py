@@ -1,4 +1,4 @@
-"""What the next positioning test will show, and whether a table is worth loading."""
+"""Predict the next positioning test, and decide whether a table is worth loading."""
 
 from __future__ import annotations
 
@@ -33,8 +33,10 @@ def predict(
     like: RepeatConditions = FIRST,
     fresh: FreshTests | None = None,
 ) -> TestPrediction:
-    """Return what a fresh test like ``result`` will show with the changed correction. At its
-    targets and at new ones; ``fresh``: tests at new ones, where they are drawn already.
+    """Return the prediction of a new test like ``result`` with the changed correction, at its
+    targets and at new ones.
+
+    ``fresh``: tests at new ones, where they are drawn already.
     """
     drawn = fresh or fresh_tests(result, posterior, axis, like)
     return TestPrediction(
@@ -52,7 +54,7 @@ def predict_same_targets(
     axis: Axis,
     like: RepeatConditions = FIRST,
 ) -> Mapping[str, Quantiles]:
-    """Return what a fresh test like ``result`` will show with the changed correction at its own
+    """Return the prediction of a new test like ``result`` with the changed correction, at the same
     targets.
     """
     targets = result.test.targets
@@ -82,7 +84,7 @@ def why_not_better(
     old: Mapping[str, Quantiles],
     new: Mapping[str, Quantiles],
 ) -> Sentence | None:
-    """Return why a table would not improve the axis, None when it does.
+    """Return why a table would not improve the axis. None: it does.
 
     ``before``, ``after``: the measured test re-evaluated with what the control does now and with
     what the new files give; ``old``, ``new``: what newly dithered targets will show, from the same
@@ -110,7 +112,7 @@ def why_not_better(
 def why_not_seen(
     before: PositioningResult, old: Mapping[str, Quantiles], new: Mapping[str, Quantiles]
 ) -> Sentence | None:
-    """Return why no test would show what a table gains, None when one does.
+    """Return why no test would show the gain of a table. None: a test does.
 
     The parameter that judges tables has to fall by more than the standard deviation by which it
     differs from test to test.
@@ -140,13 +142,13 @@ def _amount(result: PositioningResult, value: float) -> Amount:
 
 
 def parameter_spread(shown: Quantiles) -> float:
-    """Return the standard deviation of a parameter between tests, from the part below its
-    median. A few outlying readings widen the part above.
+    """Return the standard deviation of a parameter between tests, from the half below its median.
+    Outliers widen the half above.
     """
     return 2.0 * (shown.median - shown.p05) / BAND
 
 
 def judged_parameter(result: PositioningResult) -> str | None:
-    """Return the first of A, E, ... that a test has: by it tables are judged."""
+    """Return the parameter by which tables are judged: the first of A, E, ... that a test has."""
     names = ("A", "E", "A_positive", "A_negative", "E_positive", "E_negative", "P", "R", "B_mean")
     return next((name for name in names if result.parameters.get(name) is not None), None)

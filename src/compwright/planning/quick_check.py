@@ -1,4 +1,4 @@
-"""Where a table is checked at the machine, what must be seen there, and what else moves."""
+"""Positions for a quick check of a loaded table at the machine, with the expected readings."""
 
 from __future__ import annotations
 
@@ -18,8 +18,11 @@ STOP_SCATTER = 5.0
 
 @dataclass(frozen=True, slots=True)
 class CheckReading:
-    """One reading of the quick check, mm or deg. The correction that the control ``adds``
-    there, the ``expected`` reading, and the difference from it at which to ``stop``.
+    """One reading of the quick check, mm or deg: the expected reading, and the difference at which
+    to stop.
+
+    The correction that the control ``adds`` there, the ``expected`` reading, and the difference
+    from it at which to ``stop``.
     """
 
     position: float
@@ -30,8 +33,7 @@ class CheckReading:
 
 
 def check_positions(work: AxisWork, new: Correction) -> FloatArray:
-    """Return the positions at which everything on the card is checked: three targets of the first
-    test, inside the travel.
+    """Return the positions of the quick check: three targets of the first test, inside the travel.
 
     The two ends and, between them, where the new correction leaves the straight line through the
     ends most: there its sign shows.
@@ -51,8 +53,8 @@ def check_positions(work: AxisWork, new: Correction) -> FloatArray:
 
 
 def quick_check(work: AxisWork, new: Correction) -> Iterator[CheckReading]:
-    """Yield the readings at the check positions up and down, the instrument zeroed at the first one
-    going up.
+    """Yield the expected readings at the check positions, up and down. The instrument is zeroed at
+    the first position going up.
     """
     change = difference(new, work.active)
     chosen = check_positions(work, new)
@@ -73,7 +75,7 @@ def quick_check(work: AxisWork, new: Correction) -> Iterator[CheckReading]:
 
 
 def moved_by(work: AxisWork, new: Correction, position: float) -> float:
-    """Return how far a fixed position of an axis, mm or deg, moves when ``new`` replaces the
+    """Return by how much a fixed position of an axis moves, mm or deg, when ``new`` replaces the
     present correction.
 
     Where homing counts the correction at the reference as zero, a change there moves nothing.

@@ -1,4 +1,6 @@
-"""The same readings of a test, read otherwise than its file and its state say."""
+"""Alternative interpretations of a test: other signs, directions, units or active tables than
+stated.
+"""
 
 from __future__ import annotations
 
@@ -27,9 +29,10 @@ _SHAPELESS: Final = 0.5
 
 @dataclass(frozen=True, slots=True)
 class InterpretedTest:
-    """One way of reading a test. ``error``: the error of the axis that it leaves; ``table``: the
-    known table at its targets, (m,) by direction, mm or deg, and its ``smooth`` part. None where
-    there is none.
+    """One interpretation of a test. ``error``: the resulting error of the axis; ``table``: the
+    known table at the targets, (m,) by direction, mm or deg.
+
+    And its ``smooth`` part. None where there is none.
     """
 
     way: Interpretation
@@ -41,7 +44,7 @@ class InterpretedTest:
 def reading_interpretations(
     bare: ObservedTest, axis: Axis, active_at: ActiveAt | None
 ) -> tuple[InterpretedTest, ...]:
-    """Return the assumptions between which the readings can decide, as stated first.
+    """Return the interpretations between which the readings can decide. The stated one comes first.
 
     ``bare``: the test with the active correction subtracted; ``active_at``: that correction by
     position and direction, mm or deg, None where it is unknown.
@@ -76,8 +79,8 @@ def _at(active_at: ActiveAt, targets: FloatArray) -> Acted:
 
 
 def _has_shape(bare: ObservedTest, table: Acted) -> bool:
-    """Return whether a table is more than a straight line and a backlash, relative to the noise of
-    a mean.
+    """Return whether a table is clearly more than a straight line and a backlash, compared with the
+    noise of a mean.
     """
     test = bare.test
     along = np.linspace(-1.0, 1.0, test.targets.size)
@@ -107,7 +110,7 @@ def _smooth(test: PositioningTest, axis: Axis, table: Acted) -> Acted:
 
 
 def add_to_readings(observed: ObservedTest, more: Acted) -> ObservedTest:
-    """Return a test with (m,) by direction added to its readings."""
+    """Return a test with values (m,) for each direction added to its readings."""
     test, noise = observed.test, observed.noise
     added = np.concatenate(more)
     return replace(
@@ -162,8 +165,8 @@ def _in_opposite_order(observed: ObservedTest) -> ObservedTest:
 
 
 def _counted_against(observed: ObservedTest, ends: float) -> ObservedTest:
-    """Return the test as if its instrument counted against the machine (`to_machine`).
-    ``ends``: the sum of both ends of the travel.
+    """Return the test with the sign and direction of its instrument reversed. ``ends``: the sum of
+    both ends of the travel.
     """
     turned = _exchanged(_turned(_in_opposite_order(observed)))
     targets = ends - observed.test.targets[::-1]

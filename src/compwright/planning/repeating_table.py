@@ -1,5 +1,5 @@
-"""Put a short period that the grid cannot hold into a separate table that repeats with the period.
-Only where the control has such a table.
+"""Put a short period that the grid cannot hold into a separate table, if the control has a
+repeating table.
 
 The sections of the period take whole increments whose sum is zero; their aim is the residual of the
 main table, folded over the period.
@@ -38,8 +38,10 @@ def with_repeating_table(
     request: TableRequest,
     plain: FittedTable,
 ) -> FittedTable:
-    """Return the table with a second one that repeats with a known short period. Only where
-    that leaves clearly less error than ``plain``; else ``plain``. Both state both errors.
+    """Return the table together with a second one that repeats with a known short period.
+
+    Only where that leaves clearly less error than ``plain``; else ``plain``. Both state both
+    errors.
     """
     if capacity.wave is None or plain.compensation.positions.size < 2:
         return plain
@@ -83,8 +85,9 @@ def with_repeating_table(
 def _left(
     wanted: WantedCorrection, table: AxisCompensation, periods: Sequence[float]
 ) -> FloatArray:
-    """Return the residual (g,) at the positions of ``wanted``, the mean of both directions. The
-    main table counts as straight between its nodes, so that its steps are no wave.
+    """Return the remaining error (g,) at the positions of ``wanted``, the mean of both directions.
+
+    The main table counts as straight between its nodes, so that its steps are no wave.
 
     The ``periods`` (mm or deg) that the main table holds count as residual too: the table of the
     period takes all of them.
@@ -101,8 +104,8 @@ def _left(
 def _wave(
     wanted: WantedCorrection, rest: FloatArray, plain: FittedTable, period: float, limits: Wave
 ) -> AxisCompensation | None:
-    """Return the table of one period, starting at the reference. None where the control cannot
-    hold it, or where all its values are zero.
+    """Return the table of one period, beginning at the reference. None where the control cannot
+    hold it or all values are zero.
     """
     sections = next((n for n in _SECTIONS if limits.holds(period / n)), None)
     if sections is None or sections + 1 > limits.room:

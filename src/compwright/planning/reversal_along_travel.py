@@ -1,5 +1,5 @@
-"""The reversal of an axis along its travel, and whether the drift of its test explains how it
-changes.
+"""The reversal error of an axis along its travel, and whether the drift of the test explains its
+variation.
 """
 
 from __future__ import annotations
@@ -20,8 +20,10 @@ _ALIKE: Final = 2.0
 
 
 def reversal_curve(estimate: ErrorEstimate, active: Correction) -> tuple[FloatArray, FloatArray]:
-    """Return positions (k,) over the measured range and the axis' own reversal there, mm or
-    deg. It is the mean in + minus the mean in -, without the ``active`` correction.
+    """Return positions (k,) over the measured range and the axis' own reversal error there, mm or
+    deg.
+
+    It is the mean in + minus the mean in -, without the ``active`` correction.
 
     For a rotary axis whole turns are removed: its travel may begin at a reference some turns away
     from the measured range.
@@ -40,7 +42,7 @@ def reversal_curve(estimate: ErrorEstimate, active: Correction) -> tuple[FloatAr
 
 
 def reversal_rise(estimate: ErrorEstimate, active: Correction) -> float:
-    """Return how much the axis' own reversal rises over the measured range, mm or deg, from a
+    """Return how much the axis' own reversal error rises over the measured range, mm or deg, from a
     straight line.
     """
     where, reversal = reversal_curve(estimate, active)
@@ -50,11 +52,13 @@ def reversal_rise(estimate: ErrorEstimate, active: Correction) -> float:
 
 
 def drift_within_run(test: PositioningTest, noise: NoiseDraws) -> float:
-    """Return by how much the axis drifts within a run, mm or deg; 0 where nothing shows it."""
+    """Return the drift of the axis within a run, mm or deg. 0 where nothing shows one."""
     runs = min(int(np.max(test.readings(way), initial=0.0)) for way in Direction)
     return 0.0 if runs < 2 else rounded_number(np.median(noise.drift)) / (runs - 1)
 
 
 def explained_by_drift(rise: float, within: float) -> bool:
-    """Return whether a reversal that rises by ``rise`` may be the drift ``within`` each run."""
+    """Return whether the drift ``within`` a run may explain a reversal error that rises by
+    ``rise``.
+    """
     return within != 0.0 and 1.0 / _ALIKE <= rise / within <= _ALIKE

@@ -1,4 +1,4 @@
-"""The scale of an axis without a positioning test, from circles, where they can determine it.
+"""Determine the scale of an axis without a positioning test from circles, if possible.
 
 The radius of a circle also shrinks by the lag of the position loop, v²/(2 Kv² R). A scale is
 therefore taken from a calibrated bar at a low feed, from two feeds extrapolated to zero, or from
@@ -48,7 +48,9 @@ _LEAST = 0.05
 
 @dataclass(frozen=True, slots=True)
 class ScaleCorrection:
-    """An axis whose table comes from circles, or (``planned`` None) why it gets none."""
+    """The scale correction of an axis from circles, or the reason for none (``planned`` is
+    None).
+    """
 
     name: str
     planned: PlannedAxis | None
@@ -56,7 +58,7 @@ class ScaleCorrection:
 
     @property
     def findings(self) -> tuple[Finding, ...]:
-        """The findings about the scale; where it moves its grid, that too."""
+        """The findings about the scale. If a grid moves, that is included."""
         fitted = None if self.planned is None else self.planned.fitted
         moved = () if fitted is None else fitted.findings
         return (self.finding, *(one for one in moved if one.code == NEW_GRID))
@@ -69,8 +71,10 @@ def correct_scales(
     capacity: CapacityOf,
     state: ControlState,
 ) -> tuple[ScaleCorrection, ...]:
-    """Return the result for every axis of ``apply.scale``. The slope of a positioning test takes
-    precedence. ``state``: the present contents of the control.
+    """Return the scale correction for every axis of ``apply.scale``. The slope of a positioning
+    test takes precedence.
+
+    ``state``: the present contents of the control.
     """
     found = []
     for name in job.apply.scale:
@@ -137,7 +141,7 @@ def _scaled(
 def _values(
     name: str, circles: Sequence[CircleWork], checks: CircleChecks
 ) -> Iterator[tuple[ValueWithError, Sentence] | Sentence]:
-    """Yield the scale as it is now with its source, or why a circle does not give it."""
+    """Yield the present scale with its source, or the reason why a circle does not give it."""
     mine = [work for work in circles if name in work.planned.test.axes]
     slow = [
         work
@@ -184,7 +188,7 @@ def _by_mismatch(
 
 
 def shrinking(work: CircleWork) -> float:
-    """Return by what part of its radius the softest usual position loop makes a circle smaller."""
+    """Return the relative shrinkage of a circle's radius by the softest usual position loop."""
     test = work.planned.test
     return float((test.feed / 60.0) ** 2 / (2.0 * SOFTEST_LOOP**2 * test.nominal_radius**2))
 
@@ -192,8 +196,9 @@ def shrinking(work: CircleWork) -> float:
 def _two_feeds(
     works: Sequence[CircleWork], name: str
 ) -> Iterator[tuple[CircleWork, CircleWork, ValueWithError]]:
-    """Yield (fast, slow, scale at no feed) of circles at sufficiently different feeds. They
-    have the same size and centre and were taken in one state.
+    """Yield pairs of circles at clearly different feeds, as (fast, slow, scale at no feed).
+
+    They have the same size and centre and were taken in one state.
     """
     for slow in works:
         for fast in works:
@@ -218,8 +223,8 @@ def _two_feeds(
 
 
 def _seen(work: CircleWork, name: str) -> ValueWithError | None:
-    """Return the scale as the circle shows it, with the standard error of its fit alone. Two
-    feeds are needed to know the lag.
+    """Return the scale as the circle shows it, with the standard error of its fit alone. Only two
+    feeds determine the lag.
     """
     effect = effect_of(work.result, f"scale_error_{ENDS[_index(work, name)]}")
     if effect is None:
@@ -237,7 +242,7 @@ def _index(work: CircleWork, name: str) -> int:
 def _now(
     stated: ValueWithError, work: CircleWork, name: str, checks: CircleChecks
 ) -> ValueWithError:
-    """Return a scale measured by a circle, converted to the present corrections."""
+    """Return a scale from a circle, converted to the present corrections."""
     radius, middle = work.planned.test.nominal_radius, work.planned.centre[_index(work, name)]
     during = checks.states.get(work.planned.measured_in, NO_CORRECTIONS)
     now = checks.states.get(AS_FOUND, NO_CORRECTIONS)
@@ -259,7 +264,7 @@ def _slope(state: ActiveCorrections, name: str, middle: float, radius: float) ->
 def _planned(
     entry: AxisJob, scale: ValueWithError, capacity: CapacityOf, state: ControlState
 ) -> PlannedAxis:
-    """Return the table that takes a scale away, about the reference of the axis. Raises
+    """Return the table that removes a scale error, about the reference of the axis. Raises
     CapacityError.
     """
     axis: Axis = entry.axis
@@ -300,7 +305,7 @@ def _planned(
 
 
 def scale_steps(scaled: Sequence[ScaleCorrection]) -> tuple[Mapping[str, str], ...]:
-    """Return the steps of the card for the axes whose table comes from circles."""
+    """Return the steps on the card for axes whose table comes from circles."""
     return tuple(
         {
             "title": f"{entry.name}: scale from circles",

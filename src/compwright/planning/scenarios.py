@@ -1,6 +1,7 @@
-"""Simulated fresh tests by which a goal of the fit is optimised and judged. They are drawn as
-predictions are, from separate draws; a third set, that of the prediction, confirms the result or
-not.
+"""Simulated tests for optimising and judging a goal of the fit.
+
+They are drawn as predictions are, from separate draws; a third set, that of the prediction,
+confirms the result or not.
 """
 
 from __future__ import annotations
@@ -40,7 +41,7 @@ _SHOWN_BY: Final = {
 def scenarios_of(
     result: PositioningResult, posterior: MeasuredError, estimate: ErrorEstimate, axis: Axis
 ) -> Scenarios:
-    """Return fresh tests like ``result`` at newly dithered targets, as deviations from the
+    """Return simulated tests like ``result`` at new random targets, as deviations from the
     ``estimate``.
     """
     test = result.test
@@ -72,8 +73,8 @@ def scenarios_of(
 def goal_improves(
     goal: Literal["A", "E", "M"], with_it: Correction, without: Correction, fresh: FreshTests
 ) -> bool:
-    """Return whether ``fresh`` tests show clearly less of the ``goal`` (median) after the change
-    ``with_it`` than after the one ``without``.
+    """Return whether the ``fresh`` tests show a clearly smaller ``goal`` (median) after the change
+    ``with_it`` than after ``without``.
     """
     one, other = fresh.quantiles(with_it), fresh.quantiles(without)
     name = next(name for name in _SHOWN_BY[goal] if name in one)
@@ -81,7 +82,7 @@ def goal_improves(
 
 
 def same_tables(one: FittedTable, other: FittedTable) -> bool:
-    """Return whether two tables hold the same values."""
+    """Return whether two tables have the same values."""
     mine, usual = one.compensation, other.compensation
     return (
         np.array_equal(mine.positive, usual.positive)

@@ -1,5 +1,5 @@
-"""Put a slope that whole increments hold badly into a separate straight line, where the control has
-one.
+"""Put a slope into a separate straight line, if whole increments hold it badly and the control has
+such a line.
 
 The line takes a whole number of units per section, so that it is exact at every node; the table
 takes the rest, with smaller increments and a smaller step.
@@ -37,8 +37,10 @@ def with_line(
     request: TableRequest,
     plain: FittedTable,
 ) -> FittedTable:
-    """Return the table with a separate straight line, if that leaves clearly less error at the
-    nodes. Else ``plain``, the table alone. Both state both errors.
+    """Return the table together with a separate straight line, if that clearly reduces the error at
+    the nodes.
+
+    Else ``plain``, the table alone. Both state both errors.
     """
     if capacity.slope is None or capacity.period is not None:
         return plain
@@ -92,7 +94,7 @@ def _line(
 
 
 def _left(wanted: WantedCorrection, table: AxisCompensation) -> float:
-    """Return the root mean square of the residual at the nodes within the travel, over both
+    """Return the root mean square of the remaining error at the nodes within the travel, over both
     directions.
     """
     nodes, places = table.positions, wanted.positions

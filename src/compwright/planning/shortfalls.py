@@ -1,4 +1,5 @@
-"""The part of the wanted correction that the table of an axis cannot hold, as one curve per cause.
+"""The parts of the wanted correction that the table of an axis cannot hold, one curve per cause.
+
 Their sum is the whole shortfall.
 
 A single curve cannot hold a reversal that varies along the travel. Straight lines between the nodes
@@ -42,8 +43,10 @@ _FINE: Final = 1e-9
 
 @dataclass(frozen=True, slots=True)
 class Shortfall:
-    """The part of held minus wanted correction, mm or deg, that comes from ``cause``. ``rms``: what
-    the fit reports for this cause, None where it reports nothing.
+    """The part of the difference between table and wanted correction, mm or deg, that comes from
+    one ``cause``.
+
+    ``rms``: what the fit reports for this cause, None where it reports nothing.
     """
 
     cause: str
@@ -54,8 +57,10 @@ class Shortfall:
 def shortfalls(
     wanted: WantedCorrection, fitted: FittedTable, capacity: Capacity
 ) -> tuple[Shortfall, ...]:
-    """Return the differences between ``fitted`` table and ``wanted`` correction (totals), by
-    cause. Without a constant, which only moves the datum, and without those that are zero.
+    """Return the differences between the ``fitted`` table and the ``wanted`` correction (totals),
+    by cause.
+
+    Without a constant, which only moves the datum, and without those that are zero.
     """
     rms = {limit.cause: limit.value for limit in fitted.limits}
     return tuple(
@@ -68,8 +73,8 @@ def shortfalls(
 def unheld_period(
     wanted: WantedCorrection, capacity: Capacity, request: TableRequest
 ) -> tuple[Shortfall, Finding] | None:
-    """Return the part of short periods that no table on the grid of ``request`` can hold, with
-    its finding. None without such a period, or without a grid.
+    """Return the part of short periods that no table on the requested grid can hold, with its
+    finding. None without such a part.
     """
     if capacity.line is not None or not wanted.periods:
         return None
@@ -121,8 +126,8 @@ def _parts(
 def _alone(
     held: AxisCompensation, wanted: WantedCorrection
 ) -> tuple[AxisCompensation, WantedCorrection]:
-    """Return the table without the tables that stay, and the correction that is then wanted
-    of it.
+    """Return the table without the existing tables that stay, and the correction that it must then
+    give.
     """
     if not held.others:
         return held, wanted
@@ -132,7 +137,9 @@ def _alone(
 def _best(
     wanted: WantedCorrection, table: AxisCompensation, capacity: Capacity
 ) -> AxisCompensation:
-    """Return two curves of least mean square on the nodes of ``table``, of any value."""
+    """Return the two curves (+ and −) on the nodes of ``table`` that fit best, without limits on
+    their values.
+    """
     free = replace(
         capacity,
         curves=2,

@@ -1,4 +1,4 @@
-"""Do the readings of a test agree with its file and its state?
+"""Compare the readings of a test with the sign, unit and state that its file and job state.
 
 The readings as stated are compared with the same readings under another assumption: opposite sign,
 + and - exchanged, targets in the opposite order, positions counted against the machine, or the
@@ -97,8 +97,8 @@ def reading_doubts(
 
 
 def with_known_backlash(result: PositioningResult, bare: ObservedTest) -> PositioningResult:
-    """Return the result with CW-T032 (reversal above zero) as information where the active backlash
-    value explains it.
+    """Return the result with CW-T032 (reversal above zero) as information only, if the active
+    backlash value explains it.
 
     That is: in ``bare``, the test with the active correction subtracted, the reversal is not above
     zero.
@@ -121,8 +121,8 @@ def with_known_backlash(result: PositioningResult, bare: ObservedTest) -> Positi
 def misreading_doubts(
     bare: ObservedTest, axis: Axis, active: ActiveAt | None
 ) -> tuple[Finding, ...]:
-    """Return the doubt (CW-P160) about readings that fit another sign or unit far better than
-    the stated one, with the odds.
+    """Return the doubt CW-P160 about readings that fit another sign or unit far better than the
+    stated one, with the odds.
 
     ``bare``: the test with the active correction subtracted; ``active``: that correction by
     position and direction, mm or deg, None where it is unknown.

@@ -1,5 +1,6 @@
-"""Simulated repeat tests of one axis at newly dithered targets. All come from the same draws, so
-two answers differ only by the requested change, not by chance.
+"""Simulated repeat tests of one axis at new random targets.
+
+All come from the same draws, so two answers differ only by the requested change, not by chance.
 """
 
 from __future__ import annotations
@@ -39,8 +40,10 @@ BAND: Final = 3.29
 
 @dataclass(frozen=True, slots=True)
 class RepeatConditions:
-    """How a fresh test is taken. It has the noise of a test of the axis (its ``place`` among them).
-    Its slope has a standard deviation, mm/mm, from a temperature that is not known better.
+    """The conditions of a simulated test: its noise, and its slope by an uncertain temperature
+    (mm/mm).
+
+    It has the noise of a test of the axis (its ``place`` among them).
     """
 
     place: int = 0
@@ -53,7 +56,7 @@ FIRST: Final = RepeatConditions()
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FreshTests:
-    """Draws of the deviation at new targets, mm or deg.
+    """Random draws of the deviation of an axis at new targets, mm or deg.
 
     ``sets`` (k, m): sets of targets with the ``expected`` deviation (k, m), and ``chosen`` (s,):
     the set of each draw, ascending. Tests like ``result`` add the scatter of the readings, from the
@@ -76,7 +79,7 @@ class FreshTests:
 
     @property
     def targets(self) -> FloatArray:
-        """The targets (s, m) of each draw."""
+        """The targets (s, m) of each simulated test."""
         return self.sets[self.chosen]
 
     def quantiles(
@@ -90,7 +93,8 @@ class FreshTests:
         only: str | None = None,
         waves: FloatArray | None = None,
     ) -> Mapping[str, Quantiles]:
-        """Return the parameters of the tests after a ``change`` of the correction, by name.
+        """Return the quantiles of the tests' parameters after a ``change`` of the correction, by
+        name.
 
         ``known``: whether to include the estimated error and the change, ``unknown``: the
         uncertainty of the estimate, ``warm``: the slopes; ``cured``: parts of the noise to leave
@@ -124,8 +128,8 @@ class FreshTests:
         }
 
     def band(self, change: Correction, *, only: str | None = None) -> Mapping[str, Quantiles]:
-        """Return the parameters of the tests after a ``change`` of the correction, by name, with
-        every period that remains possible.
+        """Return the quantiles of the tests' parameters after a ``change`` of the correction,
+        including all possible periods.
 
         Those that the readings show at all are in the draws, each as often as it is probable. Those
         that they leave open count for the upper end alone: the axis may have none of them.
@@ -144,8 +148,10 @@ class FreshTests:
         }
 
     def open_waves(self) -> FloatArray | None:
-        """Return draws (s, m) of the periods that the readings leave open, each as often as it is
-        probable, mm or deg; None where there are none.
+        """Return random draws (s, m) of the possible hidden periods, mm or deg. None where there
+        are none.
+
+        Each as often as it is probable.
         """
         if not self.waves:
             result, (count, _) = self.result, self.draws.positive.shape
@@ -154,11 +160,14 @@ class FreshTests:
         return self.waves[0] if np.any(self.waves[0]) else None
 
     def with_noise(self, noise: NoiseDraws) -> FreshTests:
-        """Return the same tests with another ``noise``, as many draws of it."""
+        """Return the same simulated tests with another ``noise``.
+
+        As many draws of it.
+        """
         return replace(self, draws=replace(self.draws, noise=noise), drawn={})
 
     def has(self, parts: Sequence[NoisePart]) -> bool:
-        """Whether any draw of the noise has any of its ``parts``."""
+        """Return whether any draw of the noise contains one of its ``parts``."""
         noise = self.draws.noise
         bare = without(noise, *parts)
         return any(
@@ -179,8 +188,10 @@ class FreshTests:
 
 
 def draws_like(result: PositioningResult) -> int:
-    """Return how many fresh tests like ``result`` are drawn. Time and memory of all of them grow no
-    more than its own readings do, and many readings scatter less from test to test.
+    """Return the number of tests like ``result`` to simulate. Tests with many readings need fewer.
+
+    Time and memory of all of them grow no more than its own readings do, and many readings scatter
+    less from test to test.
     """
     readings = result.test.positive.size + result.test.negative.size
     return min(_DRAWS, max(_FEWEST_DRAWS, _DRAWS * _READINGS // max(readings, 1)))
@@ -189,8 +200,8 @@ def draws_like(result: PositioningResult) -> int:
 def fresh_tests(
     result: PositioningResult, posterior: MeasuredError, axis: Axis, like: RepeatConditions = FIRST
 ) -> FreshTests:
-    """Return simulated tests of ``axis`` like ``result`` at newly dithered targets. The same
-    names of axis and test give the same draws.
+    """Return simulated tests of ``axis`` like ``result`` at new random targets. The same names of
+    axis and test give the same draws.
     """
     name, m = result.test.name, result.test.targets.size
     count = draws_like(result)
@@ -245,6 +256,8 @@ def _scatter(
 
 
 def generator(*names: str) -> np.random.Generator:
-    """Return a generator that depends on the names only: the same job predicts the same numbers."""
+    """Return a random generator that depends only on the names, so that the same job predicts the
+    same numbers.
+    """
     digest = hashlib.sha256("\x1f".join(names).encode("utf-8", "surrogatepass")).digest()
     return np.random.default_rng(int.from_bytes(digest[:8], "big"))

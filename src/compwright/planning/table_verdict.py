@@ -1,4 +1,4 @@
-"""Is a table what an axis needs? What it corrects, what no table corrects, and who can help."""
+"""Decide whether a table helps an axis, what no table corrects, and what else would help."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _REMAINING: Final = "what no table of this control takes away"
 def verdict(
     axis: Axis, limiting: LimitingCauses, *, tabled: bool, refused: bool
 ) -> Iterator[Finding]:
-    """Yield a finding where a table improves an axis little (CW-P150), or some while most is
+    """Yield a finding if a table improves an axis little (CW-P150), or if most of the rest is
     scatter (CW-P151).
 
     ``tabled``: a table is written; ``refused``: one was made and improves nothing. A gain counts
@@ -85,7 +85,7 @@ def no_table_finding(axis: Axis, limiting: LimitingCauses) -> Finding:
 
 
 def _what_remains(axis: Axis, limiting: LimitingCauses, scatter: float) -> Iterator[Finding]:
-    """Yield what makes most of the parameter although the table helps."""
+    """Yield the largest remaining cause of the parameter after a table that helps."""
     factor, unit = outside_factor(axis.kind.unit), shown_unit(axis.kind.unit)
     main = _main_cause(limiting, 0.0)
     if main is not None and main.cause != NOISE:
@@ -114,9 +114,7 @@ def _what_remains(axis: Axis, limiting: LimitingCauses, scatter: float) -> Itera
 
 
 def _main_cause(limiting: LimitingCauses, scatter: float) -> LimitingCause | None:
-    """Return the cause that explains why a table does not help; None where there is no advice about
-    it.
-    """
+    """Return the main cause why a table does not help. None where there is no advice about it."""
     known = [cause for cause in limiting.causes if cause.cause in _CURED_ELSEWHERE]
     largest = max(known, key=lambda cause: cause.value, default=None)
     if largest is None or not limiting.then > 0.0:

@@ -1,5 +1,7 @@
-"""The best table of one axis under the limits of the control. It uses the existing grid where that
-is suitable, else a new one, and states what a new one would gain.
+"""Fit the best table of one axis under the limits of the control.
+
+It uses the existing grid where that is suitable, else a new one, and states what a new one would
+gain.
 """
 
 from __future__ import annotations
@@ -37,7 +39,7 @@ NEXT_TO_NOTHING: Final = 0.1
 def fit_within(
     wanted: WantedCorrection, capacity: Capacity, request: TableRequest, axis: Axis
 ) -> FittedTable:
-    """Return the fitted table of an axis, in addition to the tables that stay.
+    """Return the fitted table of an axis. Existing tables that stay are taken into account.
 
     A line and a wave are used where the control has them and they help. Raises CapacityError where
     the control cannot hold it by more than the noise of a reading.
@@ -65,7 +67,7 @@ def fit_remaining(
     *,
     costs: bool = True,
 ) -> FittedTable:
-    """Return the table that, together with the tables that stay, gives the wanted correction.
+    """Return the table that gives the wanted correction together with the tables that stay.
 
     ``costs``: whether to compute what each limit costs. Raises CapacityError where the control
     cannot hold it.
@@ -81,8 +83,8 @@ def fit_keeping_grid(
     request: TableRequest,
     axis: Axis,
 ) -> FittedTable:
-    """Return the result of ``fit`` for the ``request``. Where the existing grid is to stay but is
-    not suitable, a new one is chosen, with a warning and the reason.
+    """Return the result of ``fit`` for the ``request``. If the existing grid is not suitable, a new
+    one is used with a warning.
 
     Raises CapacityError as ``fit`` does, for the new grid where there is one.
     """
@@ -117,8 +119,8 @@ def free_grid_table(
     table: FittedTable,
     axis: Axis,
 ) -> FittedTable | None:
-    """Return the table on a grid that compwright chooses, if ``table`` uses the existing grid
-    and loses too much. Else None.
+    """Return the table on a freely chosen grid, if ``table`` loses too much on the existing grid.
+    Else None.
     """
     held = table.compensation
     own = without_kept_tables(wanted, held.others)
@@ -131,7 +133,8 @@ def free_grid_table(
 
 
 def negligible_loss(kept: TestPrediction, best: TestPrediction) -> bool:
-    """Return whether tests show next to nothing of what one table loses against the ``best`` one.
+    """Return whether a table is almost as good as the ``best`` one in tests.
+
     At the same targets and at new ones, by the parameter that judges tables.
     """
     name = judged_parameter(best.before)
@@ -148,7 +151,7 @@ def negligible_loss(kept: TestPrediction, best: TestPrediction) -> bool:
 
 
 def grid_text(nodes: FloatArray, unit: str) -> Sentence:
-    """Return a grid as people read it: "25 points from 0 to 960 mm, every 40 mm"."""
+    """Return a grid as text: "25 points from 0 to 960 mm, every 40 mm"."""
     if nodes.size < 2:
         return say("grid.few", points=nodes.size)
     steps = np.diff(nodes)
@@ -177,8 +180,8 @@ def new_grid_offer(
     quantum: float,
     written: bool,
 ) -> Finding | None:
-    """Return what the ``chosen`` table would gain over one on the existing grid ``there``
-    (nodes, mm or deg). None where no test would show the gain.
+    """Return the finding about the gain of the ``chosen`` table over one on the existing grid
+    ``there`` (nodes, mm or deg). None without a gain.
 
     ``kept``, ``offered``: the first test's predictions with both; ``written``: False where no table
     on the existing grid improves the axis, and ``kept`` is the prediction without one. A gain

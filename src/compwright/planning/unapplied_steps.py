@@ -1,4 +1,4 @@
-"""Finding where a control never applies a step of the correction."""
+"""Finding about steps of the correction that the control never applies."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from compwright.records.correction import AxisCompensation
 
 
 def unapplied_step_findings(axis: Axis, table: AxisCompensation) -> Iterator[Finding]:
-    """Yield CW-P156 where reversals of a table lie where the control never applies a step. With
-    the axis accelerations that would help.
+    """Yield CW-P156 if an axis reverses where the control never applies a step of its table. It
+    names the axis accelerations that would help.
     """
     found = unapplied_range(table, axis)
     if found is None or axis.unapplied_steps is None:

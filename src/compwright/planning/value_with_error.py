@@ -1,4 +1,4 @@
-"""A value with its standard error, and when two of them disagree."""
+"""A value with its standard error, and the test whether two values disagree."""
 
 from __future__ import annotations
 
@@ -24,19 +24,21 @@ class ValueWithError:
     std_error: float
 
     def differs(self, other: ValueWithError) -> bool:
-        """Whether two values lie further apart than both uncertainties allow."""
+        """Return whether two values differ by more than both uncertainties allow."""
         return abs(self.value - other.value) > SIGNIFICANT * float(
             np.hypot(self.std_error, other.std_error)
         )
 
     def words(self, factor: float, unit: str) -> Sentence:
-        """The value as people read it, with its 95 % uncertainty."""
+        """The value as text, with its 95 % uncertainty."""
         error = SIGNIFICANT * self.std_error * factor
         return say("value_with_error", value=self.value * factor, error=error, unit=unit)
 
 
 def contradictory(scatter: float, free: float) -> bool:
-    """Return whether a sum of squares of ``free`` degrees of freedom is too large for one machine.
+    """Return whether several values contradict each other, from their sum of squares with ``free``
+    degrees of freedom.
+
     The cube root of chi-square is nearly normal (Wilson and Hilferty, Proceedings of the National
     Academy of Sciences 17, 1931).
     """

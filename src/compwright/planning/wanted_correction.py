@@ -1,4 +1,4 @@
-"""From tests and the state of the control to the table that the control shall hold."""
+"""From tests and the state of the control to the wanted correction of an axis."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ UNDECLARED_SLOPE = 11.5e-6
 @dataclass(frozen=True, slots=True)
 class MeasuredError:
     """The error of an axis, estimated from its tests, and the known correction during the first
-    of them.
+    test.
 
     A table may have any shape: it is subtracted before the smooth error is estimated, and added
     again exactly. ``counted``: by test of the axis, its index in the estimate, None where it does
@@ -58,24 +58,24 @@ class MeasuredError:
 
     @property
     def noise(self) -> float:
-        """Standard deviation of one reading of the first test, mm or deg."""
+        """The standard deviation of one reading of the first test, mm or deg."""
         return self.own.noise
 
     @property
     def noise_dof(self) -> float:
-        """Degrees of freedom of ``noise``."""
+        """The degrees of freedom of ``noise``."""
         return self.own.noise_dof
 
     @property
     def reversal_log_odds(self) -> float:
-        """Natural logarithm of the evidence for a reversal of the axis itself that varies with
+        """The natural logarithm of the evidence that the axis' reversal error varies with
         position.
         """
         return self.own.reversal_log_odds
 
     @property
     def hidden(self) -> HiddenPeriods:
-        """The periods that the readings leave open."""
+        """The possible periods that the readings do not show."""
         return self.own.hidden
 
     @property
@@ -84,8 +84,8 @@ class MeasuredError:
         return self.own.findings
 
     def summary(self, positions: FloatArray) -> ErrorEstimate:
-        """Return mean and standard deviation of the deviation at ``positions`` (g,). The
-        correction of the first test counts as active.
+        """Return mean and standard deviation of the deviation at ``positions`` (g,) with the
+        correction of the first test active.
         """
         estimate = self.own.summary(positions)
         if self.active is None:
@@ -99,9 +99,11 @@ class MeasuredError:
     def draw(
         self, positions: FloatArray, count: int, rng: np.random.Generator, test: int = 0
     ) -> Draws:
-        """Return ``count`` joint draws of the deviation at ``positions`` (k,) and of the noise of
-        ``test``. The correction of the first test is active; ``test`` is an index among the tests
-        of the axis.
+        """Return ``count`` random draws of the deviation at ``positions`` (k,) and of the noise of
+        ``test``.
+
+        The correction of the first test is active; ``test`` is an index among the tests of the
+        axis.
         """
         place, own = self.counted[test], self.noises[test]
         draws = self.own.draw(positions, count, rng, place or 0)
@@ -149,8 +151,9 @@ def measured_error(
     axis: Axis,
     active: AxisCompensation | None,
 ) -> MeasuredError:
-    """Return the error of ``axis`` from its tests that count. These are tests with a known
-    active correction (``acted``), or the first test if none has it.
+    """Return the error of ``axis``, estimated from the tests that are in use.
+
+    These are tests with a known active correction (``acted``), or the first test if none has it.
 
     ``observed``: the same tests, as input of the estimation; ``active``: the correction of the
     control during the first, None where it is unknown. The same tests give the same answer.
@@ -176,9 +179,10 @@ def measured_error(
 
 
 def _taken_alike(tests: Sequence[PlannedTest], observed: Sequence[ObservedTest]) -> tuple[int, ...]:
-    """Return which tests count and were taken like the first: same motion, numbers of targets and
-    of readings, so that they lasted as long; with their noise known. Where the scatter differs by
-    more than `_ANOTHER_DAY`, it is not the day that differs.
+    """Return the tests in use that were taken in the same way as the first, with known noise.
+
+    Same motion, numbers of targets and of readings, so that they lasted as long. Where the scatter
+    differs by more than `_ANOTHER_DAY`, it is not the day that differs.
     """
     first = observed[0].noise
     if first is None:
@@ -199,7 +203,7 @@ def _taken_alike(tests: Sequence[PlannedTest], observed: Sequence[ObservedTest])
 
 
 def _nodes_of(active: AxisCompensation) -> tuple[float, ...]:
-    """Return the points where the active tables bend."""
+    """Return the nodes of the active tables."""
     tables = [
         each
         for each in (active, *active.others)
@@ -210,7 +214,7 @@ def _nodes_of(active: AxisCompensation) -> tuple[float, ...]:
 
 
 def _with_own_slopes(tests: Sequence[ObservedTest]) -> list[ObservedTest]:
-    """Return the tests, each with a slope of its own in addition to that of the axis.
+    """Return the tests, each with its own slope in addition to the slope of the axis.
 
     Its standard deviation is the declared one, else `UNDECLARED_SLOPE` relative to the first test
     that covers more than half of the measured range (a short test does not determine a slope).
@@ -235,8 +239,8 @@ def _at(active: AxisCompensation, test: PositioningTest) -> Acted:
 
 
 def check_coverage(file: str, axis: Axis, tests: Sequence[PositioningTest]) -> None:
-    """Raise InputError where the targets of the tests cover less than half of the axis' travel
-    together.
+    """Raise InputError if the targets of all tests together cover less than half of the axis'
+    travel.
 
     The rest is extrapolated, and a table over less than half of the travel would be a guess. A gap
     between two tests is not covered. For an endless axis, the turn minus the largest gap between
@@ -277,7 +281,7 @@ def check_coverage(file: str, axis: Axis, tests: Sequence[PositioningTest]) -> N
 
 
 def covered_travel(tests: Sequence[PositioningTest], low: float, high: float) -> float:
-    """Return how much of the travel lies between the first and the last target of any test."""
+    """Return the share of the travel between the first and the last target of any test."""
     ranges = sorted(
         (max(float(test.targets[0]), low), min(float(test.targets[-1]), high)) for test in tests
     )
@@ -289,16 +293,16 @@ def covered_travel(tests: Sequence[PositioningTest], low: float, high: float) ->
 
 
 def axis_compensation(state: ControlState, axis: Axis) -> AxisCompensation:
-    """Return what a state of the control does on an axis. An axis that the state does not
-    mention has no compensation.
+    """Return the compensation of an axis in a state of the control. An axis that the state does not
+    mention has none.
     """
     none = no_compensation(axis.address, axis.kind, axis.reference_return)
     return applied_compensation(state.axes.get(axis.address, none), axis)
 
 
 def dense_positions(axis: Axis, periods: Sequence[float]) -> FloatArray:
-    """Return equally spaced positions over the travel (one turn from the reference of an endless
-    axis).
+    """Return closely and equally spaced positions over the travel (endless axis: one turn from the
+    reference).
 
     They are close enough for the shortest of the ``periods`` (mm or deg).
     """
@@ -314,8 +318,8 @@ def dense_positions(axis: Axis, periods: Sequence[float]) -> FloatArray:
 def wanted_correction(
     estimate: ErrorEstimate, active: AxisCompensation, axis: Axis, *, reversal_log_odds: float
 ) -> WantedCorrection:
-    """Return the totals that would remove the estimated error: the correction during the test minus
-    the error.
+    """Return the total correction that removes the estimated error: the correction during the test
+    minus the error.
 
     wanted(x, d) = active(x, d) - error(x, d), shifted by one constant so that it is zero at the
     reference approached in the reference-return direction. Where the reference lies outside the
@@ -342,7 +346,7 @@ def wanted_correction(
 def without_kept_tables(
     wanted: WantedCorrection, stays: Sequence[AxisCompensation]
 ) -> WantedCorrection:
-    """Return the part of the wanted correction that the tables that stay do not hold, zero at the
+    """Return the wanted correction without the part of the tables that stay, zero at the
     reference.
     """
     if not stays:
@@ -360,8 +364,8 @@ def without_kept_tables(
 def with_change(
     test: PositioningTest, positive: FloatArray, negative: FloatArray
 ) -> PositioningTest:
-    """Return the test as it would have come out with the correction changed by (m,) ``positive``
-    and ``negative``.
+    """Return the test as it would have been measured with the correction changed by ``positive``
+    and ``negative`` (m,).
     """
     return replace(
         test,

@@ -1,3 +1,1 @@
-"""A virtual machine with known errors: what a laser would measure on it, as records and as
-files.
-"""
+"""A virtual machine with known errors. It gives the readings of a laser as records and as files."""

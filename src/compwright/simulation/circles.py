@@ -1,5 +1,5 @@
-"""The section ``circles`` of a MACHINE.yaml -> virtual circular tests. The schema with an example
-is ``docs/simulation.md``.
+"""Reads the section ``circles`` of a MACHINE.yaml as virtual circular tests. The schema with an
+example is ``docs/simulation.md``.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ _SAMPLES: Final = (36, 100_000)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class VirtualCircle:
-    """A circle to be measured: its plan, its own errors, and the form of its file."""
+    """A circle to be measured: its plan, its own errors, and the format of its file."""
 
     plan: CirclePlan
     errors: CircleErrors
@@ -61,8 +61,8 @@ def circles_schema(data: Mapping[str, Any]) -> cs.CoreSchema:
 
 
 def circle_contradictions(data: Mapping[str, Any], axes: Mapping[str, Axis]) -> Iterator[KeyFault]:
-    """Yield what is wrong with the names of circles, and what does not fit together in one;
-    ``axes`` are the machine's, in whose travel a circle must lie.
+    """Yield the faults of circles: wrong names, contradicting values, or a circle outside the
+    travel. ``axes`` are the machine's.
     """
     for name in data:
         path = ("circles", name)
@@ -96,7 +96,7 @@ def _outside(path: KeyPath, plan: CirclePlan, axes: Mapping[str, Axis]) -> Itera
 
 
 def _plane(letters: str) -> tuple[str, str]:
-    """Return first and second axis."""
+    """Return the first and the second axis of a plane."""
     match = _LETTERS.fullmatch(letters)
     if match is None or match[1] == match[2]:
         expected = "XY, YZ or ZX (first and second axis)"

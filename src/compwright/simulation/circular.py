@@ -1,5 +1,5 @@
-"""A virtual circular test: the exact path of two axes with known errors, and what a ballbar between
-them would read.
+"""Simulate a circular test: the exact path of two axes with known errors, and the readings of a
+ballbar.
 
 Lengths mm, angles rad inside and deg at the door, signs as in the outside contract: deviation =
 measured minus commanded, lost motion > 0 lags the direction of motion, squareness > 0 for more than
@@ -30,7 +30,8 @@ _FEWEST, _MOST = 4, 1_000_000  # samples of a run
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CircleAxis:
-    """Errors of one of the two axes on the circle; u is its commanded position from the centre.
+    """The errors of one of the two axes on the circle, as functions of its commanded position from
+    the centre.
 
     ``scale`` (relative, > 0 travels too far). ``lost_motion`` (mm; at u > 0, at u < 0): the axis
     lags its direction by half of it. ``lag`` (s): dead time. ``gain`` (1/s): Kv of a first-order
@@ -78,7 +79,7 @@ class CircleErrors:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CirclePlan:
-    """How the circle is measured.
+    """How a circle is measured: radius, feed, arc, runs.
 
     ``radius`` mm, ``feed`` mm/min along the path, ``arc`` (start, extent) deg, ``runs`` in each
     direction, the direction ``first`` run; ``sample_rate`` Hz, None for 1500 samples per turn;
@@ -99,26 +100,24 @@ class CirclePlan:
 
     @property
     def samples(self) -> int:
-        """Number of samples of the arc in one run: an exact number of them fills the arc, so the
-        true rate is `rate`.
-        """
+        """The number of samples of the arc in one run. It is whole, so the true rate is `rate`."""
         per_turn = _SAMPLES_PER_TURN if self.sample_rate is None else self.sample_rate * self._turn
         return round(per_turn * self.arc[1] / 360.0)
 
     @property
     def rate(self) -> float:
-        """Samples per second with which `samples` fill the arc at the feed."""
+        """The samples per second for a whole number of samples on the arc at the feed."""
         return self.samples / (self._turn * self.arc[1] / 360.0)
 
     @property
     def _turn(self) -> float:
-        """Time of one turn, s."""
+        """The time of one turn, s."""
         return 2.0 * math.pi * self.radius / (self.feed / 60.0)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Traverse:
-    """One run as the instrument records it: ``readings`` (n,) mm with overshoot; ``start`` to
+    """One run as the instrument records it: ``readings`` (n,) mm, overshoot included. ``start`` to
     ``end`` are the arc.
     """
 
@@ -144,7 +143,7 @@ def record_circle(
     seed: int = 0,
     corrections: CircleCorrection | None = None,
 ) -> CircleRecording:
-    """Return the test with its traverses; ccw and cw take turns.
+    """Return a simulated circular test with its traverses. ccw and cw alternate.
 
     Samples lie at half steps of the commanded angle: k of N at start + (k + 1/2) extent/N in ccw,
     mirrored in cw. ``corrections`` (a control's tables, or errors along the axes) are added to the
@@ -252,8 +251,8 @@ def _radii(
 
 @dataclass(frozen=True, slots=True)
 class _Motion:
-    """Motion of one axis, u = R cos(``angle``): angle (n,) rad, the sense ``d``, ``travelled`` (n,)
-    rad since the start.
+    """The motion of one axis, u = R cos(``angle``): angle (n,) rad, direction ``d``, ``travelled``
+    (n,) rad since the start.
     """
 
     angle: FloatArray
@@ -268,8 +267,8 @@ def _axis(
     motion: _Motion,
     corrections: CircleCorrection | None,
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the actual position of an axis from the centre and how far it shifts the other one,
-    both (n,) mm.
+    """Return the actual position of an axis from the centre, and its displacement of the other
+    axis, both (n,) mm.
     """
     w = plan.feed / 60.0 / plan.radius  # rad/s
     behind, shrunk = w * axis.lag, 1.0
@@ -297,8 +296,8 @@ def _axis(
 
 
 def _spike(axis: CircleAxis, radius: float, angle: FloatArray, motion: _Motion) -> FloatArray:
-    """Return the displacement after the last reversal, outward there; none before the first
-    reversal since the start.
+    """Return the spike after the last reversal, positive outward. None before the first
+    reversal.
     """
     since = np.mod(motion.d * angle, math.pi)
     outward = np.where(np.cos(angle - motion.d * since) > 0.0, 1.0, -1.0)
@@ -323,8 +322,10 @@ def _corrected(
 
 
 def _noise(errors: CircleErrors, count: int, rng: np.random.Generator) -> FloatArray:
-    """Return white noise and first-order autoregressive noise, stationary from the first sample,
-    (count,) mm.
+    """Return simulated noise, (count,) mm: white noise plus noise that is correlated from sample to
+    sample.
+
+    First-order autoregressive, stationary from the first sample.
     """
     white, fresh = rng.standard_normal((2, count))
     rho = errors.correlation

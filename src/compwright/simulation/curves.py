@@ -1,4 +1,4 @@
-"""Smooth error curves over the travel: random by seed, or through given points."""
+"""Smooth error curves over the travel: random by a seed, or through given points."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _GRID: Final = 2001  # points over the travel on which the amplitude is set
 
 
 class DeviationCurve(Protocol):
-    """A deviation by position, mm or deg."""
+    """A curve of the deviation by position, mm or deg."""
 
     def at(self, positions: FloatArray) -> FloatArray:
         """Return the deviation at ``positions`` (any shape)."""
@@ -22,7 +22,7 @@ class DeviationCurve(Protocol):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RandomCurve:
-    """A random smooth curve, the same for the same ``seed``.
+    """A random smooth curve. The same ``seed`` gives the same curve.
 
     A sum of cosines with normally distributed wave numbers of standard deviation 1/``length``:
     values about ``length`` (mm or deg) apart are still related, farther ones are not. Over
@@ -58,8 +58,8 @@ class RandomCurve:
 
 @dataclass(frozen=True, slots=True)
 class PointCurve:
-    """Straight lines through ``values`` at ``positions`` (both in mm or deg, positions ascending),
-    the end values beyond.
+    """Straight lines through ``values`` at ascending ``positions`` (both mm or deg). Beyond them
+    the end values continue.
     """
 
     positions: tuple[float, ...]

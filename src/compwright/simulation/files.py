@@ -1,6 +1,4 @@
-"""A simulated test as the file that an instrument would leave: the plain long CSV of the outside
-contract.
-"""
+"""Write a simulated test as plain long CSV, the file that an instrument would give."""
 
 from __future__ import annotations
 
@@ -48,7 +46,7 @@ def to_csv(test: PositioningTest, extra: Mapping[str, str] | None = None) -> byt
 
 
 def _target(value: float) -> str:
-    """Six decimals where they are needed, three where not."""
+    """Return a target with six decimals where they are needed, else with three."""
     return _number(value, 6).removesuffix("000")
 
 

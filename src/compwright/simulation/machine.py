@@ -27,8 +27,8 @@ Correction = Callable[[FloatArray, Direction], FloatArray]
 
 @dataclass(frozen=True, slots=True)
 class ScrewError:
-    """amplitude * sin(2 pi x / period + phase): ``period``, ``amplitude`` in mm or deg, ``phase``
-    in rad, x from machine zero.
+    """A periodic error: amplitude * sin(2 pi x / period + phase). ``period``, ``amplitude`` in mm
+    or deg, ``phase`` in rad, x from machine zero.
     """
 
     period: float
@@ -60,8 +60,8 @@ class AxisError:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TestPlan:
-    """How an axis is measured: ``targets`` (m,) ascending, ``runs`` per direction, ``datum`` the
-    instrument's zero offset, ``resolution`` the step in which it reads (0: exact), mm or deg.
+    """How an axis is measured: ``targets`` (m,) ascending, ``runs`` per direction, zero offset
+    ``datum`` and ``resolution`` of the instrument; mm or deg.
     """
 
     targets: FloatArray
@@ -78,7 +78,7 @@ class TestPlan:
         return self.runs if self.directions in {"both", direction.value} else 0
 
     def seen(self, deviations: FloatArray) -> FloatArray:
-        """Return deviations as the instrument reads them."""
+        """Return deviations rounded to the resolution of the instrument."""
         if self.resolution == 0.0:
             return deviations
         steps: FloatArray = np.round(deviations / self.resolution) * self.resolution
@@ -87,7 +87,7 @@ class TestPlan:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class VirtualAxis:
-    """An axis, its error, and how it is measured."""
+    """A virtual axis: its properties, its error, and how it is measured."""
 
     axis: Axis
     error: AxisError
@@ -96,8 +96,9 @@ class VirtualAxis:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class VirtualMachine:
-    """Axes and circles by name. ``name``, ``serial`` go into the files; ``format``, ``options``:
-    which control it has.
+    """A virtual machine: its axes and circles by name.
+
+    ``name``, ``serial`` go into the files; ``format``, ``options``: which control it has.
     """
 
     axes: Mapping[str, VirtualAxis]
@@ -132,8 +133,10 @@ class VirtualMachine:
     def measure(
         self, axis: str, *, rng: np.random.Generator, correction: Correction | None = None
     ) -> PositioningTest:
-        """Return one positioning test of ``axis``: error + correction + scatter + drift + datum, in
-        steps of the instrument's resolution.
+        """Return one simulated positioning test of ``axis``, rounded to the resolution of the
+        instrument.
+
+        Error + correction + scatter + drift + datum.
 
         ``rng`` gives the scatter and nothing else, so the same seed gives the same readings with
         any correction. Raises UsageError for an axis that the machine does not have.
@@ -170,8 +173,8 @@ class VirtualMachine:
     def record_circle(
         self, name: str, *, seed: int, corrections: Mapping[str, Correction] | None = None
     ) -> CircleRecording:
-        """Return one circular test: the errors of the circle, those of the axes that the machine
-        has, and ``corrections`` by axis.
+        """Return one simulated circular test, with the errors of the circle and of the axes.
+        ``corrections``: the active corrections by axis.
 
         Raises UsageError for a circle that the machine does not have.
         """
@@ -190,8 +193,8 @@ class VirtualMachine:
         )
 
     def _along(self, corrections: Mapping[str, Correction]) -> CircleCorrection:
-        """Return error and correction of any axis by position and direction of motion; an axis not
-        described has none.
+        """Return the error plus the correction of an axis by position and direction. An axis
+        without a description has none.
         """
 
         def total(axis: str, positions: FloatArray, direction: FloatArray) -> FloatArray:
@@ -222,7 +225,7 @@ class VirtualMachine:
 
 
 def _progress(plan: TestPlan) -> tuple[FloatArray, FloatArray]:
-    """Return when each reading is made, (m, n) for + and for -: 0 at the first reading of the test,
+    """Return the time of each reading, (m, n) for + and for -: 0 at the first reading of the test,
     1 at the last.
 
     Standard cycle (ISO 230-2:1997 figure 1): a traverse up through all targets, then one down, run

@@ -1,4 +1,6 @@
-"""MACHINE.yaml -> virtual machine. The schema with an example is ``docs/simulation.md``."""
+"""Reads a MACHINE.yaml as a virtual machine. The schema with an example is
+``docs/simulation.md``.
+"""
 
 from __future__ import annotations
 
@@ -63,7 +65,9 @@ _SHORTEST, _LONGEST = (
 
 @dataclass(frozen=True, slots=True)
 class _Units:
-    """Names of the units of an axis in keys, and the factor of a deviation to the inside."""
+    """The unit names of an axis in the keys, and the factor that converts a deviation to mm or
+    deg.
+    """
 
     position: str
     deviation: str
@@ -112,7 +116,9 @@ def read_machine(content: bytes, file: str) -> VirtualMachine:
 
 
 def _machine(data: Any, axes: Mapping[str, Axis]) -> cs.CoreSchema:
-    """Return the schema of the whole; ``axes``: as much of them as can be known before."""
+    """Return the schema of a MACHINE.yaml. ``axes``: the axes as far as they are known in
+    advance.
+    """
     names = {"name": ("name", TEXT), "serial": ("serial", TEXT)}
     control = {"format": ("format", TEXT), "options": ("options", cs.dict_schema(strict=True))}
     each = {name: (name, _axis(axis)) for name, axis in axes.items()}
@@ -141,7 +147,7 @@ def _machine(data: Any, axes: Mapping[str, Axis]) -> cs.CoreSchema:
 
 
 def _contradictions(data: Mapping[str, Any], axes: Mapping[str, Axis]) -> Iterator[KeyFault]:
-    """Yield what is wrong with the names, with the version, and between the values of a section."""
+    """Yield faults of names, of the version, and of contradicting values in a section."""
     if usable(_VERSION, data).get("version") != SCHEMA:
         expected, found = str(SCHEMA), shown(data.get("virtual_machine"))
         message = "is not a schema version that this compwright reads"
@@ -215,7 +221,9 @@ def _axis(axis: Axis) -> cs.CoreSchema:
         encoder: Encoder | None = None,
         **own: Any,
     ) -> VirtualAxis:
-        """Without ``encoder`` the control's files say by which measuring system the tables act."""
+        """Return the encoder of the axis. Without ``encoder`` the control's files state the
+        measuring system.
+        """
         plan, motion = test or (
             TestPlan(targets=_spread_targets(axis, _least_targets(axis), 0)),
             "feed",
@@ -297,7 +305,7 @@ def _axis_error(
 
 
 def _points(axis: Axis) -> Keys:
-    """Return the keys of a curve through given points: positions, then values."""
+    """Return the schema of a curve through given points: positions, then values."""
     units = _UNITS[axis.kind]
     return {
         f"positions_{units.position}": ("positions", numbers()),
@@ -330,8 +338,8 @@ def _random(axis: Axis, amplitude: str) -> Keys:
 def _random_curve(
     axis: Axis, stream: int, amplitude: float = 0.0, length: float | None = None, seed: int = 0
 ) -> RandomCurve:
-    """The axis' name is part of the seed, so that two axes of one description do not get the same
-    curve.
+    """Return the random curve of an axis. The axis' name is part of the seed, so that axes
+    differ.
     """
     return RandomCurve(
         amplitude=amplitude,
@@ -379,8 +387,8 @@ def _test(axis: Axis) -> cs.CoreSchema:
 
 
 def _least_targets(axis: Axis) -> int:
-    """Return the smallest number of targets of ISO 230-2:1997: 4.3.2, 4.3.3 (linear axes), table 1
-    and 4.3.5 (rotary axes).
+    """Return the smallest number of targets that ISO 230-2:1997 requires: 4.3.2, 4.3.3 (linear
+    axes), table 1 and 4.3.5 (rotary axes).
     """
     span = axis.travel[1] - axis.travel[0]
     if axis.kind is AxisKind.LINEAR:

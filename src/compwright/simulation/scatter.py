@@ -1,4 +1,4 @@
-"""What differs from one reading to the next: noise, tails, outliers, traverses that stand apart.
+"""Differences between readings: noise, heavy tails, outliers, and shifted traverses.
 
 White noise is what every evaluation hopes for; machines and instruments need not follow.
 """
@@ -15,8 +15,8 @@ from compwright.records.axis import Direction, FloatArray
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TraverseShifts:
-    """What sets one traverse (the readings of one run in one direction) apart from the others, mm
-    or deg, standard deviations.
+    """Shifts of whole traverses (all readings of one run in one direction), as standard deviations
+    in mm or deg.
 
     ``offset``, ``slope`` (mm/mm, deg/deg, about the middle of the travel): drawn for each traverse;
     ``walk``: the step of the offset from one traverse to the next in the order of the cycle.
@@ -29,7 +29,7 @@ class TraverseShifts:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SimulatedScatter:
-    """How readings scatter, mm or deg.
+    """The scatter of simulated readings, mm or deg.
 
     ``noise``: standard deviation of a reading at the lower end of the travel; ``noise_negative``:
     the one of arrivals in -, where it is another; both are ``growth`` times as large at the upper
@@ -52,7 +52,7 @@ class SimulatedScatter:
         travel: tuple[float, float],
         rng: np.random.Generator,
     ) -> dict[Direction, FloatArray]:
-        """Return what comes on top of the error in each direction, (m, runs) of it.
+        """Return random scatter for the readings in each direction, (m, runs).
 
         ``rng`` itself gives the noise, its children all else: what is not asked for changes no
         other number.
@@ -84,9 +84,7 @@ class SimulatedScatter:
         travel: tuple[float, float],
         rng: np.random.Generator,
     ) -> dict[Direction, FloatArray]:
-        """Return what the traverses have of their own, in the order in which they are run: up,
-        down, and again.
-        """
+        """Return the shift of each traverse, in the order of measurement: up, down, and again."""
         own = self.traverses
         order = [(run, way) for run in range(max(runs.values())) for way in Direction]
         middle = 0.5 * (travel[0] + travel[1])

@@ -1,4 +1,4 @@
-"""Schemas of the values in a MACHINE.yaml: numbers, lists of numbers, texts, records by key."""
+"""Schemas of the values in a MACHINE.yaml: numbers, lists of numbers, texts, mappings."""
 
 from __future__ import annotations
 
@@ -28,8 +28,8 @@ def number(
     most: float = _LARGEST,
     below: float | None = None,
 ) -> cs.CoreSchema:
-    """Return the schema of a number of a size that means something. ``least`` and ``most`` are
-    limits with, ``above`` and ``below`` without equality.
+    """Return the schema of a number with limits. ``least`` and ``most`` are included, ``above`` and
+    ``below`` are excluded.
     """
 
     def converted(value: float) -> Any:
@@ -42,7 +42,7 @@ def number(
 
 
 def scaled(factor: float, *, least: float = -_LARGEST, above: float | None = None) -> cs.CoreSchema:
-    """Return the schema of a number that counts ``factor`` times inside."""
+    """Return the schema of a number that is multiplied by ``factor`` after reading."""
     return number(lambda value: value * factor, least=least, above=above)
 
 
@@ -54,8 +54,8 @@ def whole(least: int, most: int) -> cs.CoreSchema:
 def numbers(
     factor: float = 1.0, *, length: int | None = None, at_least: int = 1, ascending: bool = False
 ) -> cs.CoreSchema:
-    """Return the schema of a list of numbers, ``length`` of them or ``at_least`` so many; any
-    fault is one of the whole list.
+    """Return the schema of a list of numbers, ``length`` of them or ``at_least`` so many. A fault
+    concerns the whole list.
     """
     one = SchemaValidator(number())
     wanted = f"a list of {f'at least {at_least}' if length is None else length} numbers"
@@ -73,7 +73,7 @@ def numbers(
 
 
 def _text(value: Any) -> str:
-    """Take a number as written, and blanks as one."""
+    """Return a value as text; a number keeps its written form, and blanks are trimmed."""
     if isinstance(value, bool) or not isinstance(value, str | int | float):
         refuse(KeyFault((), "is not a text", "a text", shown(value)))
     text = " ".join(str(value).split())
@@ -86,12 +86,12 @@ TEXT: Final = cs.no_info_plain_validator_function(_text)
 
 
 def choice(*words: str) -> cs.CoreSchema:
-    """Return the schema of one of these words."""
+    """Return the schema of a text that must be one of these words."""
     return cs.no_info_before_validator_function(_text, cs.literal_schema(list(words)))
 
 
 def either(one: cs.CoreSchema, several: cs.CoreSchema) -> cs.CoreSchema:
-    """Return the schema of a value, or of a list of values."""
+    """Return the schema of a single value or a list of values."""
     return cs.tagged_union_schema(
         {"one": one, "several": several},
         lambda value: "several" if isinstance(value, list) else "one",
@@ -99,7 +99,7 @@ def either(one: cs.CoreSchema, several: cs.CoreSchema) -> cs.CoreSchema:
 
 
 def record(build: Callable[..., Any], keys: Keys, needed: Collection[str] = ()) -> cs.CoreSchema:
-    """Return the schema of a mapping: ``build`` takes the values that are there by their names."""
+    """Return the schema of a mapping. ``build`` gets the existing values as keyword arguments."""
     return mapping(
         {key: schema for key, (_, schema) in keys.items()},
         lambda values: build(**{keys[key][0]: value for key, value in values.items()}),
@@ -108,9 +108,7 @@ def record(build: Callable[..., Any], keys: Keys, needed: Collection[str] = ()) 
 
 
 def usable(keys: Keys, data: Any) -> dict[str, Any]:
-    """Return by their names the values of a mapping that keep to their schemas; the others are
-    reported elsewhere.
-    """
+    """Return the valid values of a mapping by name. Faults of the others are reported elsewhere."""
     given = data if isinstance(data, dict) else {}
     found = {
         name: checked(SchemaValidator(schema), given[key])
@@ -121,14 +119,14 @@ def usable(keys: Keys, data: Any) -> dict[str, Any]:
 
 
 def part(data: Any, *keys: str) -> Mapping[str, Any]:
-    """Return the mapping under these keys, an empty one where there is none."""
+    """Return the mapping under these keys. Empty where there is none."""
     for key in keys:
         data = data.get(key) if isinstance(data, dict) else None
     return data if isinstance(data, dict) else {}
 
 
 def same_but_for_case(path: KeyPath, names: Collection[str]) -> Iterator[KeyFault]:
-    """Yield the fault of names that would make the same file."""
+    """Yield a fault for names that would give the same file name."""
     if len({name.lower() for name in names}) < len(names):
         expected = "names that make different file names"
         yield KeyFault(path, "has names that differ in upper and lower case only", expected)
