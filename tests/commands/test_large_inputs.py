@@ -13,8 +13,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from compwright.controls import control
-from compwright.controls.control import read_files
+from compwright.controls import control_files
+from compwright.controls.control_files import read_files
 from compwright.estimation.circle import _average_neighbours
 from compwright.evaluation.copied_runs import copied_run_findings, copied_runs
 from compwright.evaluation.reading_checks import drift_findings, suspect_traverse_findings
@@ -189,7 +189,7 @@ def test_a_text_longer_than_any_of_a_control_is_refused(tmp_path: Path) -> None:
 def test_texts_longer_together_than_those_of_a_control_are_refused(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(control, "MOST_CONTROL_TEXTS", 1000)
+    monkeypatch.setattr(control_files, "MOST_CONTROL_TEXTS", 1000)
     for number in range(3):
         (tmp_path / f"{number}.cfg").write_bytes(b"0 0 0\n" * 60)
     with pytest.raises(

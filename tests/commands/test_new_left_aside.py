@@ -10,7 +10,8 @@ import pytest
 import yaml
 
 from compwright.cli import run as compwright
-from compwright.controls.control import decode, open_control, read_files
+from compwright.controls.control import decode, open_control
+from compwright.controls.control_files import read_files
 from compwright.controls.definitions import definition_named
 from compwright.formats.text.other_files import holds_no_data, without_other_files
 from compwright.foundations.errors import InputError

@@ -14,7 +14,8 @@ import numpy as np
 import pytest
 
 from compwright.cli import run as compwright
-from compwright.controls.control import open_control, read_files
+from compwright.controls.control import open_control
+from compwright.controls.control_files import read_files
 from compwright.formats.text.container import opened
 from compwright.foundations.session import Session
 from compwright.records.axis import Direction

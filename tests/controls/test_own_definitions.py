@@ -500,7 +500,7 @@ def _carried(plan: Path) -> Any:
 
 
 def _files(folder: Path) -> list[Any]:
-    from compwright.controls.control import read_files
+    from compwright.controls.control_files import read_files
 
     return list(read_files(Session(), [folder]))
 

@@ -6,13 +6,11 @@ Where the two do not agree nothing is done with the files.
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from compwright.controllers.virtual import virtual_control
-from compwright.controls.control_folders import control_entries
 from compwright.controls.decoded_state import DecodedState, SingleReader
 from compwright.controls.definitions import (
     carried_definition,
@@ -26,19 +24,10 @@ from compwright.formats.definition.schema import Definition
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.family import Family
 from compwright.formats.families.shapes import RULES, control_format
-from compwright.formats.text.container import is_container
-from compwright.formats.text.other_files import holds_no_data, without_other_files
+from compwright.formats.text.other_files import without_other_files
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, InputError, UsageError, raise_all
 from compwright.foundations.findings import Finding
-from compwright.foundations.input_sizes import (
-    CONTROL,
-    IN_FOLDER,
-    MOST_CONTROL_TEXT,
-    MOST_CONTROL_TEXTS,
-    MOST_DIGITS,
-    in_words,
-)
 from compwright.foundations.session import Session
 from compwright.records.axis import Axis
 from compwright.records.correction import (
@@ -50,12 +39,10 @@ from compwright.records.correction import (
 from compwright.records.job import Job
 from compwright.records.options import KIND, REFERENCE, REFERENCE_RETURN, TABLE_VALUES
 from compwright.records.plan import Plan, Texts
-from compwright.records.serial_line import from_line, whole
+from compwright.records.serial_line import whole
 from compwright.records.verification import LoadingName
 from compwright.words.sentences import control_text
 
-#: Every digit as 0, every other byte as a blank.
-_DIGITS = bytes(ord("0") if chr(byte) in "0123456789" else ord(" ") for byte in range(256))
 #: Options of decode that the axes of a job say themselves, and that the reading of files without a
 #: job lists itself.
 _STATED_ELSEWHERE = frozenset({KIND, REFERENCE, REFERENCE_RETURN})
@@ -263,112 +250,6 @@ def _definition(
 
 def _not_as_planned(carried: Definition, what: str) -> Finding:
     return Finding.of("CW-S061", "warning", what=what, carried=carried.id)
-
-
-def _endless_number(file: ControlFile) -> Fault | None:
-    """Return the fault of a file with a number that no control holds and no computer reads in
-    reasonable time.
-    """
-    place = file.content.translate(_DIGITS).find(b"0" * (MOST_DIGITS + 1))
-    if place < 0:
-        return None
-    line = 1 + file.content.count(b"\n", 0, place)
-    return Fault(
-        message="this line contains a number with too many digits",
-        file=file.name,
-        place=f"line {line}",
-        expected=f"at most {MOST_DIGITS} digits",
-        found=f"more than {MOST_DIGITS}",
-        hint=(
-            "correct this number in a copy of the file, or export the file from the control again"
-        ),
-    )
-
-
-def _long_text(file: ControlFile) -> Fault | None:
-    """Return the fault of a text that is longer than any of a control; archives may be longer."""
-    if len(file.content) <= MOST_CONTROL_TEXT or is_container(file):
-        return None
-    return Fault(
-        message="the file is too large",
-        file=file.name,
-        expected=f"a file of at most {in_words(MOST_CONTROL_TEXT)}",
-        found=in_words(len(file.content)),
-        hint="split the file, or give only the part with the compensation data",
-    )
-
-
-def _long_together(files: Sequence[ControlFile]) -> Iterator[Fault]:
-    """Yield the fault of texts that are more than any control's together."""
-    sizes = [len(file.content) for file in files if not is_container(file)]
-    if sum(sizes) > MOST_CONTROL_TEXTS:
-        yield Fault(
-            message="the control's files are too large",
-            expected=f"at most {in_words(MOST_CONTROL_TEXTS)} in all files together",
-            found=f"{len(sizes)} files of {in_words(sum(sizes))}",
-            hint="give only the files with compensation data and axis parameters",
-        )
-
-
-def holds_archive(files: Sequence[ControlFile]) -> bool:
-    """Return whether one of the files is an archive, over which small files are loaded."""
-    return any(map(is_container, files))
-
-
-def read_files(session: Session, paths: Sequence[Path]) -> tuple[ControlFile, ...]:
-    """Read control files; a folder stands for all files in it. Raises InputError with every file
-    that cannot be read.
-    """
-    faults: list[Fault] = []
-    files: list[ControlFile] = []
-    for path in paths:
-        try:
-            entries = control_entries(session, path)
-            own = entries == [path]
-            folder, kind = ("", CONTROL) if own else (str(entries[0].parent), IN_FOLDER)
-            files.extend(
-                from_line(entry.name, storage.read_bytes(session, entry, kind), folder)
-                for entry in entries
-            )
-        except InputError as error:
-            faults.extend(error.faults)
-    faults.extend(
-        Fault(
-            message="two of the control's files have this name",
-            file=name,
-            expected="each file once",
-            hint="give each file once, or rename one of them",
-        )
-        for name, times in Counter(file.name for file in files).items()
-        if times > 1
-    )
-    faults.extend(filter(None, map(_long_text, files)))
-    faults.extend(_long_together(files))
-    faults.extend(filter(None, map(_endless_number, files)))
-    raise_all(InputError, faults)
-    return tuple(files)
-
-
-def files_for_job(
-    session: Session, control: Control, files: Sequence[Path]
-) -> tuple[list[Path], tuple[str, ...]]:
-    """Return the files that a job takes, and what it leaves of folders because nothing in it is
-    the control's, one line each. A folder of which all is taken stays a folder; a file that is
-    named is always taken. Raises InputError.
-    """
-    taken: list[Path] = []
-    aside: list[Path] = []
-    for path in files:
-        inside = [one for one in storage.list_files(session, path) if one != path]
-        read = read_files(session, [path]) if inside else ()
-        others = {file.name for file in read if holds_no_data(control.definition, file)}
-        left = [one for one in inside if one.name in others]
-        whole = not left or len(left) == len(inside)
-        taken += [path] if whole else [one for one in inside if one not in left]
-        aside += [] if whole else left
-    return taken, tuple(
-        f"{path} is left aside: no line of it is a statement of {control.id}" for path in aside
-    )
 
 
 def decode(

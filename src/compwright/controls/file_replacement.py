@@ -9,7 +9,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from compwright.controls.control import Control, decode, holds_archive
+from compwright.controls.control import Control, decode
+from compwright.controls.control_files import holds_archive
 from compwright.controls.decoded_state import DecodedState, judged_values
 from compwright.controls.reader_comparison import probe_positions
 from compwright.formats.families.between import merged_files

@@ -11,14 +11,8 @@ from typing import Any
 
 import numpy as np
 
-from compwright.controls.control import (
-    Control,
-    decode,
-    holds_archive,
-    open_control,
-    plan_origin,
-    read_files,
-)
+from compwright.controls.control import Control, decode, open_control, plan_origin
+from compwright.controls.control_files import holds_archive, read_files
 from compwright.controls.cross_tables import write_planned
 from compwright.controls.decoded_state import DecodedState
 from compwright.controls.differences import ComparedSide, compared_side

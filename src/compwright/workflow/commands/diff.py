@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from compwright.controls.control import open_control, read_files
+from compwright.controls.control import open_control
+from compwright.controls.control_files import read_files
 from compwright.controls.differences import CorrectionChange, Placed, compared_side, differences
 from compwright.documents.diff import Changed, EntryDifference, diff_document
 from compwright.foundations.session import Session

@@ -6,13 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from compwright.controls.control import (
-    COMMAND_LINE,
-    Control,
-    decode,
-    open_control,
-    read_files,
-)
+from compwright.controls.control import COMMAND_LINE, Control, decode, open_control
+from compwright.controls.control_files import read_files
 from compwright.controls.cross_tables import write_planned
 from compwright.controls.decoded_state import DecodedState
 from compwright.controls.file_replacement import loadable_files

@@ -6,13 +6,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from compwright.controls.control import (
-    Control,
-    decode,
-    files_for_job,
-    open_control,
-    read_files,
-)
+from compwright.controls.control import Control, decode, open_control
+from compwright.controls.control_files import files_for_job, read_files
 from compwright.controls.definitions import is_path
 from compwright.controls.differences import read_axis_by_axis
 from compwright.foundations import storage
@@ -61,7 +56,7 @@ def new_job(
     control = open_control(session, format_id, options)
     unknown = _unknown_option(control)
     assumed_value = False
-    files, aside = files_for_job(session, control, files)
+    files, aside = files_for_job(session, control.definition, files)
     own = read_files(session, files)
     try:
         state, left_out = _read(control, own, active=active)

@@ -7,12 +7,8 @@ from pathlib import Path
 
 import numpy as np
 
-from compwright.controls.control import (
-    Origin,
-    decode,
-    open_control,
-    read_files,
-)
+from compwright.controls.control import Origin, decode, open_control
+from compwright.controls.control_files import read_files
 from compwright.controls.judged_corrections import active_corrections
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all

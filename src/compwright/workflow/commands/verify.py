@@ -8,14 +8,8 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from compwright.controls.control import (
-    Control,
-    decode,
-    open_control,
-    origin_of,
-    plan_origin,
-    read_files,
-)
+from compwright.controls.control import Control, decode, open_control, origin_of, plan_origin
+from compwright.controls.control_files import read_files
 from compwright.controls.decoded_state import DecodedState
 from compwright.controls.job_completion import completed_by_files, named_axes, with_counted_turns
 from compwright.controls.read_back import not_read_back

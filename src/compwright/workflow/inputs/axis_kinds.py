@@ -12,7 +12,8 @@ from pathlib import Path
 
 import numpy as np
 
-from compwright.controls.control import Control, decode, open_control, read_files
+from compwright.controls.control import Control, decode, open_control
+from compwright.controls.control_files import read_files
 from compwright.controls.decoded_state import DecodedState
 from compwright.documents.plan import read_plan
 from compwright.foundations import storage

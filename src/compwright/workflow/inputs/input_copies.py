@@ -8,7 +8,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
-from compwright.controls.control_folders import control_entries
+from compwright.controls.control_files import control_entries
 from compwright.foundations import storage
 from compwright.foundations.provenance import fingerprint
 from compwright.foundations.session import Session

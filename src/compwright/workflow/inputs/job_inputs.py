@@ -6,7 +6,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from compwright.controls.control import Control, decode, read_files
+from compwright.controls.control import Control, decode
+from compwright.controls.control_files import read_files
 from compwright.controls.decoded_state import DecodedState
 from compwright.controls.gantries import partner_questions
 from compwright.controls.job_completion import length_unit, other_joints

@@ -6,7 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from compwright.controls.control import Control, open_control, origin_of, read_files
+from compwright.controls.control import Control, open_control, origin_of
+from compwright.controls.control_files import read_files
 from compwright.controls.decoded_state import DecodedState
 from compwright.controls.job_completion import (
     completed_by_files,
