@@ -269,6 +269,194 @@ def test_without_contributors_there_is_no_budget() -> None:
     assert b"Budget of the measurement" not in page_of([document])
 
 
+# --- every number of a page
+# --------------------------------------------------------------------------------------------------
+
+MICRONS = "\N{MICRO SIGN}m"
+
+
+def every_table(page: bytes) -> list[tuple[list[str], list[list[str]]]]:
+    """The heads and rows of each table of a page."""
+    return [
+        (
+            [" ".join("".join(cell.itertext()).split()) for cell in table.iterfind("thead/tr/th")],
+            [
+                [" ".join("".join(cell.itertext()).split()) for cell in row]
+                for row in table.iterfind("tbody/tr")
+            ],
+        )
+        for table in ET.fromstring(page.decode()).iter("table")  # noqa: S314  our own page
+    ]
+
+
+def table_with(page: bytes, *heads: str) -> list[list[str]]:
+    """The rows of the one table whose heads end with ``heads``, units included."""
+    found = [rows for has, rows in every_table(page) if has[-len(heads) :] == list(heads)]
+    assert len(found) == 1, heads
+    return found[0]
+
+
+def numbers_of(cells: list[str]) -> list[float]:
+    return [number_in(text) for cell in cells for text in re.findall(r"−?\d+(?:\.\d+)?", cell)]
+
+
+def equal(cells: list[str], values: list[float | None], digits: int = 2) -> None:
+    """What is printed is these values, none more and none less."""
+    expected = [value for value in values if value is not None]
+    assert numbers_of(cells) == pytest.approx(expected, abs=0.5001 * 10.0**-digits)
+
+
+KEYS = {"mean B": "B_mean", "B̄": "B_mean", "A+": "A_positive", "A−": "A_negative"} | {
+    f"{letter}{sign}": f"{letter}_{word}"
+    for letter in "ER"
+    for sign, word in (("+", "positive"), ("−", "negative"))
+}
+
+
+def test_each_number_of_an_evaluation_is_that_of_the_json_with_its_unit() -> None:
+    budget = UncertaintyBudget(
+        device=0.5, device_per_m=0.4, misalignment_mm=2.0, U_theta=0.5, U_alpha=1.0, setup=0.6, E_VE=1.0
+    )  # fmt: skip
+    measured = replace(axis(), positive=axis().positive + 1e-3)
+    result = result_document(
+        evaluate(measured, budget=budget, thermal=Thermal(alpha_m=11.5, T_m=23.0))
+    )
+    for target in result["targets"]:
+        target["expansion_removed"] = target["position"] / 100
+    page = page_of([result])
+    values, U = result["parameters"], {key: one["U"] for key, one in result["uncertainty"].items()}
+    ((_, _, summary, unit),) = table_with(page, "Test", "Standard", "Parameters", "Unit")
+    assert unit == MICRONS
+    equal([summary], [each for key in "AEMRB" for each in (values[key], U[key])])
+    rows = table_with(page, "Parameter ISO 230-2:2014", f"Value {MICRONS}; ± U, k = 2")
+    assert len(rows) == len(values)
+    for letter, _, *cells in rows:
+        key = KEYS.get(letter, letter)
+        equal(cells, [values[key], U[key]])
+    heads = ("Parameter", f"Value {MICRONS}", f"Expanded uncertainty U {MICRONS}")
+    for letter, *cells in table_with(page, *heads, "Coverage factor k"):
+        key = KEYS.get(letter, letter)
+        equal(cells, [values[key], U[key], 2])
+    ends = [(one, name) for name, both in result["extremes"].items() for one in both]
+    for row, (one, name) in zip(
+        table_with(page, "Approach", "Position mm", f"Value {MICRONS}"), ends, strict=True
+    ):
+        assert row[0] == name
+        equal(row[3:], [one["position"], one["value"]])
+    contributed = result["budget"]["contributions"]
+    units = ["µm", "mm", "K", "µm/(m K)", "µm", "µm"]
+    heads = ("Value given", "Distribution", "Sensitivity", f"Contribution u {MICRONS}", "Remark")
+    rows = table_with(page, *heads)
+    for row, one, unit in zip(rows[:-2], contributed, units, strict=True):
+        equal(
+            [row[1].split()[0], *row[3:5]], [one["given"], one["sensitivity"], one["standard"]], 3
+        )
+        assert row[1].split(maxsplit=1)[1] == unit
+    equal([rows[-2][4], rows[-1][4]], [result["budget"]["standard"], result["budget"]["U"]], 3)
+    columns = ["mean +", "mean −", "s +", "s −", "B", "mean ±", "R +", "R −", "R"]
+    keys = ["mean_positive", "mean_negative", "s_positive", "s_negative", "reversal", "mean"]
+    keys = ["position", *keys, "R_positive", "R_negative", "R"]
+    rows = table_with(page, "Position mm", *(f"{one} {MICRONS}" for one in columns))
+    for row, target in zip(rows, result["targets"], strict=True):
+        equal(row, [target[key] for key in keys])
+    every = every_table(page)
+    for sign, key in (("+", "deviations_positive"), ("−", "deviations_negative")):
+        heads = ["Position mm", *(f"{sign}{run} {MICRONS}" for run in range(1, 6))]
+        as_measured, reduced = [rows for has, rows in every if has == heads]
+        for row, less, target in zip(as_measured, reduced, result["targets"], strict=True):
+            place = target["position"]
+            equal(row, [place, *(one + place / 100 for one in target[key])], 8)
+            equal(less, [place, *target[key]], 8)
+    text = " ".join("".join(ET.fromstring(page.decode()).itertext()).split())  # noqa: S314
+    assert "9 target positions, traverses: 5 in +, 5 in −, limits drawn at ± 2 s" in text
+    for letter, key in (("R", "R"), ("R+", "R_positive"), ("R−", "R_negative"), ("B", "B")):
+        assert re.search(rf"[:;] {re.escape(letter)} at {result['at'][key]:g} mm[;.]", text)
+
+
+def verification_of_an_axis_and_a_circle() -> dict[str, Any]:
+    """A view in which no two numbers are the same."""
+    view = verify_view()
+    (before,), (after,) = (
+        view[key]["results"] for key in ("evaluation_before", "evaluation_after")
+    )
+    before["uncertainty"] = {"A": {"U": 1.31, "coverage": 2}, "E": {"U": 1.07, "coverage": 2}}
+    after["uncertainty"] = {"A": {"U": 1.9, "coverage": 2}, "E": {"U": 1.7, "coverage": 2}}
+    axis = view["verification"]["axes"]["X"]
+    for entry in axis["accept"].values():
+        entry["rule"] = "guarded"
+    axis["loading"] |= {"verdict": "shifted", "shift_nodes": -3}
+    circle = {
+        "kind": "circular", "name": "xy", "plane": "XY", "standard": "iso230-4:2005",
+        "nominal_radius": 150.0, "axes": ["X", "Y"], "arc": {"start": 0.0, "extent": 360.0},
+        "uncertainty": {"G_ccw": {"U": 0.83, "coverage": 2}}, "parameters": {},
+        "diagnosis": {
+            "squareness": {"value": -21.4, "std_error": 0.6, "unit": "um/m", "effect": 3.2, "share": 0.7},
+            "servo_mismatch": {"value": 0.123, "std_error": 0.02, "unit": "ms", "effect": 1.1, "share": 0.3},
+        },
+    }  # fmt: skip
+    view["evaluation_before"]["results"].append(circle)
+    view["verification"]["circles"] = {
+        "xy": {
+            "before": {"G_ccw": 11.2, "F_min_ccw": -6.4, "squareness": -21.4, "servo_mismatch": 0.123},
+            "predicted": {
+                "G_ccw": {"median": 5.5, "p05": 4.4, "p95": 6.6},
+                "F_min_ccw": {"median": -2.5, "p05": -3.1, "p95": -1.9},
+                "squareness": {"median": -1.3, "p05": -2.2, "p95": 0.4},
+                "servo_mismatch": {"median": 0.11, "p05": 0.09, "p95": 0.14},
+            },
+            "after": {"G_ccw": 5.7, "F_min_ccw": -2.8, "squareness": -1.7, "servo_mismatch": 0.1},
+            "accept": {"G_ccw": {"limit": 9.3, "value": 5.7, "decision": "accept"}},
+        }
+    }  # fmt: skip
+    return view
+
+
+def test_each_number_of_a_verification_is_that_of_the_json_with_its_unit() -> None:
+    view = verification_of_an_axis_and_a_circle()
+    page = verify_report(view)
+    axis, circle = view["verification"]["axes"]["X"], view["verification"]["circles"]["xy"]
+
+    def stages(one: dict[str, Any], key: str) -> list[float | None]:
+        band = one["predicted"].get(key) or {}
+        return [one["before"].get(key), *(band.get(part) for part in ("median", "p05", "p95"))]
+
+    limited = [(axis, "A"), (axis, "E"), (circle, "G_ccw")]
+    rows = next(rows for heads, rows in every_table(page) if heads[:2] == ["Axis", "Loading"])
+    assert [row[2] for row in rows] == ["A", "E", "G ccw"]
+    for row, (one, key) in zip(rows, limited, strict=True):
+        equal(row[3:8], [*stages(one, key), one["after"][key], one["accept"][key]["limit"]])
+        assert row[8] == MICRONS
+    stated = [
+        view[f"evaluation_{when}"]["results"][0]["uncertainty"] for when in ("before", "after")
+    ]
+    with_U = f"{MICRONS}; ± U, k = 2"
+    heads = (f"Before {with_U}", f"Predicted {MICRONS}; median, 5–95 %", f"After {with_U}")
+    for letter, _, *cells in table_with(page, *heads):
+        key = KEYS.get(letter, letter)
+        U_before, U_after = (of_test.get(key, {}).get("U") for of_test in stated)
+        value, *band = stages(axis, key)
+        equal(cells, [value, U_before, *band, axis["after"].get(key), U_after])
+    heads = (f"After {MICRONS}", f"U {MICRONS}", f"Limit {MICRONS}")
+    for letter, *cells, _ in table_with(page, "Limit on", *heads, "Decision"):
+        equal(cells, [axis["accept"][letter][key] for key in ("value", "U", "limit")])
+    units = {"G ccw": ("G_ccw", MICRONS), "F min ccw": ("F_min_ccw", MICRONS)} | {
+        "Squareness XY": ("squareness", f"{MICRONS}/m"),
+        "Servo mismatch X − Y": ("servo_mismatch", "ms"),
+    }
+    rows = table_with(page, "Before", "U k = 2", "Predicted median", "Predicted 5–95 %", "After", "Limit", "Decision")  # fmt: skip
+    assert [row[0] for row in rows] == list(units)
+    for name, unit, before, U, *cells in rows:
+        key, expected = units[name]
+        assert unit == expected
+        value, *band = stages(circle, key)
+        equal([before], [value])
+        equal([U], [0.83] if key == "G_ccw" else [])
+        equal(cells, [*band, circle["after"][key], *([9.3] if key == "G_ccw" else [])])
+    text = " ".join("".join(ET.fromstring(page.decode()).itertext()).split())  # noqa: S314
+    assert f"U (k = 2) of the test after loading: A 1.90 {MICRONS}, E 1.70 {MICRONS}." in text
+    assert "shift in nodes −3" in text
+
+
 # --- the command
 # --------------------------------------------------------------------------------------------------
 

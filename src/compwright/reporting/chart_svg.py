@@ -34,7 +34,8 @@ _GAP: Final = 17.0
 _BELOW: Final = 70.0
 _NO_LEGEND: Final = 30.0
 _LEGEND_ROW: Final = 11.0
-_HEAD: Final = 18.0  # above them a line of words
+_TOP: Final = 6.0  # above panels
+_HEAD: Final = 18.0  # with a line of words
 _LINE: Final = 12.0  # and another one
 _TITLE: Final = 8.5  # sizes of letters
 _TEXT: Final = 8.0
@@ -83,7 +84,8 @@ class Drawing:
         """Return the picture, its words in the language."""
         charts = [chart.written(language) for chart in self.charts]
         across, up = covered(charts)
-        head = _HEAD + (_LINE if any(chart.note for chart in charts) else 0.0)
+        head = _HEAD if any(chart.title or chart.right or chart.note for chart in charts) else _TOP
+        head += _LINE if any(chart.note for chart in charts) else 0.0
         columns, _ = _legend_columns(charts)
         more = max(map(len, columns), default=0) - 2
         below = _BELOW + _LEGEND_ROW * max(more, 0) if columns else _NO_LEGEND
@@ -193,7 +195,7 @@ def _rings(chart: Chart, x: _Scale, y: _Scale) -> Iterator[str]:
         side, anchor = (-1, "end") if across > middle else (1, "start")
         word = ", ".join(dict.fromkeys(names))
         yield _word(
-            across + side * (_RING + 2.0), up - 2.0, word, anchor=anchor,
+            across + side * (_RING + 2.0), max(up - 2.0, y.last + _TEXT), word, anchor=anchor,
             size=_TEXT, more=' font-weight="bold"',
         )  # fmt: skip
 
@@ -309,7 +311,8 @@ def _words(chart: Chart, x: _Scale, y: _Scale, *, named: bool) -> Iterator[str]:
         yield _word(x.last, above, chart.right, size=_TEXT, anchor="end")
     yield _word((x.first + x.last) / 2, y.first + 23.0, chart.x_label, size=_TEXT, anchor="middle")
     if named:
-        middle = (y.first + y.last) / 2
+        # A name longer than its panel begins at the edge of the picture.
+        middle = max((y.first + y.last) / 2, len(chart.y_label) * _LETTER * _TEXT / 2)
         turned = f' transform="rotate(-90 9 {middle:g})"'
         yield _word(9.0, middle, chart.y_label, size=_TEXT, anchor="middle", more=turned)
 

@@ -263,7 +263,7 @@ def _columns(rows: list[list[dict[str, Any]]], *, narrow: bool) -> list[dict[str
                 longest = max(map(len, re.split("[ \u200b]", text)), default=0)
                 if {"pen", "bar"} & set(cell["class"]):
                     shares[place] = _LONG_COLUMN  # room to write or to draw
-                elif "n" in cell["class"] and len(text) < _LONG_COLUMN:
+                elif {"n", "range"} & set(cell["class"]) and len(text) < _LONG_COLUMN:
                     letters[place] = max(letters[place], longest)
                 else:
                     needed = max(min(len(text), _LONGEST_COLUMN), int(1.4 * longest))
