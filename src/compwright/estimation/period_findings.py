@@ -1,5 +1,5 @@
-"""Findings of a search for periods: their probability, and what to look for on the machine. Source:
-Odds: Kass and Raftery, J. Am. Stat. Assoc. 90, 1995.
+"""Findings of a search for periods: their probability, and what to look for on the machine (odds:
+Kass and Raftery, J. Am. Stat. Assoc. 90, 1995).
 """
 
 from __future__ import annotations

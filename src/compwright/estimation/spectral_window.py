@@ -1,5 +1,5 @@
-"""Waves that have the same values at all targets and so cannot be distinguished (spectral window).
-Source: Deeming, Astrophysics and Space Science 36, 1975.
+"""Waves that have the same values at all targets and so cannot be distinguished (spectral window:
+Deeming, Astrophysics and Space Science 36, 1975).
 """
 
 from __future__ import annotations

@@ -1,7 +1,5 @@
 """Fit the best table of a control that stores whole increments. Reports the cost of rounding and
-the reason for the magnification.
-
-``lattice``: Bellman, Dynamic Programming, 1957.
+the reason for the magnification (search over whole numbers: Bellman, Dynamic Programming, 1957).
 """
 
 from __future__ import annotations
