@@ -99,10 +99,7 @@ def cell_readings(test: PositioningTest) -> CellReadings:
 
 
 def traverse_effects(readings: CellReadings, effects: FloatArray) -> FloatArray:
-    """Return the change of the readings (c, n) by the ``effects`` (4 n,) of the traverses.
-
-    By direction, offset before tilt, run.
-    """
+    """Return the change of the readings (c, n) by the ``effects`` (4 n,) of the traverses."""
     parts = effects.reshape(2, 2, readings.runs)
     m = readings.u.size // 2
     u = readings.u[:m, np.newaxis]

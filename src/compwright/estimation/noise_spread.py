@@ -24,8 +24,6 @@ _ZERO: Final = int(np.argmin(_THERE))
 def spread_shapes(readings: CellReadings) -> FloatArray:
     """Return the patterns in which the log scale of the readings may vary (parts, c): by direction,
     or as waves along the travel.
-
-    Half of +1 or -1.
     """
     m = readings.u.size // 2
     return np.vstack([np.repeat([0.5, -0.5], m), waves(readings.u, _WAVES)])

@@ -253,8 +253,6 @@ class ReducedTraverses:
     def _of_lines(self, lower: FloatArray, mine: FloatArray) -> _Spectrum:
         """Return the eigenvalues of covariances that are products of the columns ``mine`` (rates,
         r) with themselves.
-
-        One axis along the column, and what is left of the scores.
         """
         both = np.stack([mine, np.broadcast_to(self.data.scores, mine.shape)], axis=2)
         column, white = np.moveaxis(np.linalg.solve(lower, both), 2, 0)

@@ -210,8 +210,6 @@ class _ShownLikelihood:
     def odds(self, frequencies: FloatArray, choice: NodeChoice) -> tuple[FloatArray, FloatArray]:
         """Return the log odds (f,) of waves with one harmonic, and with two. -inf: the frequency is
         excluded.
-
-        Those with two as with one where only the second is so.
         """
         one, both = self.likelihood.log_odds(frequencies, choice)
         one = np.where(self._silent(frequencies), -np.inf, one)

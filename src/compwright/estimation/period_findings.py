@@ -92,8 +92,6 @@ def unseen_findings(
 ) -> list[Finding]:
     """Return the findings about known periods (mm or deg) that the readings do not show (CW-E016).
     The stated period may be wrong.
-
-    They show others; ``found``: the others.
     """
     if not unseen or not found:
         return []

@@ -254,8 +254,6 @@ class PeriodLikelihood:
     def _gains(self, frequencies: FloatArray, choice: NodeChoice) -> list[FloatArray]:
         """Return the log gain (a, n, f) of a wave of each amplitude at each grid point, with one
         harmonic and with two.
-
-        Prior of the amplitude counted in.
         """
         steps = AMPLITUDES[choice.amplitudes]
         log_prior = -0.5 * steps**2

@@ -32,8 +32,6 @@ def wave_similarity(targets: FloatArray, frequencies: FloatArray, other: float) 
 class SpectralWindow:
     """The similarity of waves at the ``targets`` (m,), mm or deg, as a table over the difference of
     their frequencies.
-
-    Up to ``highest``, 1 / mm or 1 / deg.
     """
 
     def __init__(self, targets: FloatArray, highest: float) -> None:
@@ -59,8 +57,6 @@ class SpectralWindow:
     def slow(self, frequencies: FloatArray, lowest: float) -> NDArray[np.bool_]:
         """Return which of the ``frequencies`` look like a wave well below the frequency ``lowest``
         at the targets.
-
-        By half of 1 / length.
         """
         right = np.searchsorted(self.peaks, frequencies).clip(0, self.peaks.size - 1)
         left = (right - 1).clip(0)

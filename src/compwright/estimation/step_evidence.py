@@ -42,8 +42,6 @@ _ROUNDED: Final = 6  # decimals of logarithms that are compared
 class FoundStep:
     """A step of the error after the target with the index ``gap``: its ``size``, standard deviation
     ``std`` and ``odds``.
-
-    Against the best explanation without it.
     """
 
     gap: int

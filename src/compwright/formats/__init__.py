@@ -1,3 +1,3 @@
-"""Corrections to and from the text that a control loads, driven by the definitions in
+"""Convert corrections to and from the text that a control loads, by the definitions in
 ``controller_formats``.
 """

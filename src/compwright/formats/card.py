@@ -1,5 +1,7 @@
-"""Steps of the commissioning card that load a table into the control, and checks for a table
-without the planned effect: sentences of the definition with their evidence.
+"""Steps of the commissioning card: how to load a table into the control, and what to check if it
+has no effect.
+
+Sentences of the definition with their evidence.
 """
 
 from __future__ import annotations
@@ -84,7 +86,7 @@ def card_steps_of_all(
 def _for_all(
     forms: Sequence[str], known: Sequence[Mapping[str, str]]
 ) -> tuple[str, tuple[str, ...], tuple[tuple[str, ...], ...]]:
-    """Return the text of a step for all axes, with heads and rows of the values that differ."""
+    """Return the text of a step for all axes. Values that differ between axes become a table."""
     filled = [
         {name: of.get(name, UNKNOWN) for name in field_names(form)}
         for form, of in zip(forms, known, strict=True)
@@ -145,7 +147,7 @@ def typed_backlash(definition: Definition, axis: Axis, values: Mapping[str, str]
 
 
 def gantry_words(axis: Axis) -> str:
-    """Return the card's text on the synchronised axis of a gantry."""
+    """Return the card's text about the slave axis of a gantry."""
     if axis.gantry is None:
         return control_text(
             "The job says that {name} is not a gantry master axis. If it is one, stop: a"
@@ -164,12 +166,12 @@ def gantry_words(axis: Axis) -> str:
 
 
 def _used(form: str, values: Mapping[str, str]) -> dict[str, str]:
-    """Return the values that a form has fields for."""
+    """Return the values for which a text has fields."""
     return {name: values[name] for name in field_names(form)}
 
 
 def points_needed(control: ResolvedDefinition, table: AxisCompensation) -> int | None:
-    """Return how many points the control must have reserved.
+    """Return how many points must be reserved in the control.
 
     None if it reserves none, or if its files show that it has them.
     """
@@ -186,8 +188,8 @@ def points_needed(control: ResolvedDefinition, table: AxisCompensation) -> int |
 def look_at(
     control: Family, axis: Axis, compensation: AxisCompensation
 ) -> Mapping[LoadingName, tuple[str, ...]]:
-    """Return, by verdict of loading, what to check on a control for an axis; empty if its
-    definition does not state it.
+    """Return what to check on a control for an axis, for each verdict about the loading. Empty if
+    its definition does not state it.
 
     ``compensation``: the table that was to be loaded, which decides between texts for one and for
     two curves. A sentence that no manual confirms says so. ``loaded``: the check that the planned

@@ -1,4 +1,4 @@
-"""Read a definition from YAML: exact keys, all faults at once with file, line and key path.
+"""Read a definition from YAML. All faults are reported at once, with file, line and key path.
 
 A missing key is an error, never a default; an unknown key is an error too. The keys are explained
 in docs/definition-keys.md.
@@ -37,7 +37,8 @@ def load_definition(
     *,
     own: bool = False,
 ) -> Definition:
-    """Return the definition in YAML bytes, with what it ``extends`` (see `found_in`).
+    """Return the definition in a YAML file, merged with the definition that it ``extends`` (see
+    `found_in`).
 
     ``file`` is the name for messages; ``own``: brought by a user. Raises InputError with every
     fault: not YAML, newer schema, missing or unknown key, wrong type, a value outside its closed
@@ -48,7 +49,7 @@ def load_definition(
 
 @cache  # by content: a job is checked before it is done, and reading a definition takes a while
 def definition_of(texts: Texts, *, own: bool = False) -> Definition:
-    """Return the definition whose text is first in ``texts``, followed by those it extends.
+    """Return the definition whose text is first in ``texts``. The others are those it extends.
 
     Raises as `load_definition`.
     """
@@ -56,7 +57,7 @@ def definition_of(texts: Texts, *, own: bool = False) -> Definition:
 
 
 def definition_in(text: DefinitionText, own: Texts = ()) -> Definition:
-    """Return the definition in merged data. Raises as `load_definition`."""
+    """Return the definition from merged data. Raises as `load_definition`."""
     _check_version(text)
     quantities = tuple(name for rules in RULES.values() for name in rules.quantities)
     read, wrong = checked(definition_validator(quantities), text.data)
@@ -77,7 +78,8 @@ def definition_in(text: DefinitionText, own: Texts = ()) -> Definition:
 
 
 def definitions_from(files: Iterable[tuple[str, bytes]]) -> dict[str, Definition]:
-    """Return the definitions in ``files`` (name, bytes) by their id; a base alone is not one.
+    """Return the definitions in ``files`` (name, bytes) by their id. A base that others only extend
+    is not included.
 
     Raises InputError with the faults of all files, and when two files give the same id.
     """
@@ -100,7 +102,7 @@ def definitions_from(files: Iterable[tuple[str, bytes]]) -> dict[str, Definition
 
 
 def duplicate_id(definition: Definition, first: str) -> Fault:
-    """Return the fault of a second definition of one id."""
+    """Return the fault of a second definition with the same id."""
     found = f"{definition.id} in {first}"
     return definition.text.fault(("id",), "the id is given twice", found=found)
 

@@ -1,5 +1,7 @@
-"""Checks of a definition: its sample can be read, hand-worked corrections come out, written files
-are read back, and the writer refuses a table beyond each limit.
+"""Check a definition: its sample is readable, its hand-worked corrections are reproduced, and
+limits are enforced.
+
+Written files are read back, and the writer refuses a table beyond each limit.
 """
 
 from __future__ import annotations
@@ -26,7 +28,7 @@ AGREEMENT = 1e-6
 
 
 def check_definition(definition: Definition) -> tuple[Fault, ...]:
-    """Return the faults of a definition; empty if it passes.
+    """Return the faults of a definition. Empty if all checks succeed.
 
     Its keys were checked when it was loaded. Checked here: there are hand-worked expectations that
     show more than zeros at nodes, and each holds; the sample can be read; its tables can be
@@ -68,7 +70,9 @@ def disagreements(
     says: str,
 ) -> Iterator[Fault]:
     """Yield a fault for each hand-worked correction of an expectation that differs from
-    ``correction`` (mm or deg, at positions approached in a direction). ``says``: the sentence, {}
+    ``correction``.
+
+    ``correction``: mm or deg, at positions approached in a direction. ``says``: the sentence, {}
     its place.
     """
     expectation = definition.expect[index]
@@ -87,9 +91,7 @@ def disagreements(
 def _worked_by_hand(
     expectation: Expectation, correction: Callable[[FloatArray, Direction], FloatArray]
 ) -> Iterator[tuple[int, Direction, float, float]]:
-    """Yield row, direction, expected and found correction of each hand-worked value, in the unit of
-    the expectation.
-    """
+    """Yield row, direction, expected and found correction of each hand-worked value."""
     factor = TO_INSIDE[expectation.unit][1]
     for row, point in enumerate(expectation.at):
         for direction, expected in (
@@ -115,7 +117,7 @@ def _files(texts: Mapping[str, str]) -> list[ControlFile]:
 
 
 def read_expectation(definition: Definition, expectation: Expectation) -> AxisCompensation:
-    """Return what the definition reads from the files of an expectation."""
+    """Return the compensation that the definition reads from the files of an expectation."""
     axis = Axis(
         name=expectation.axis,
         kind=expectation.kind,
@@ -129,7 +131,7 @@ def read_expectation(definition: Definition, expectation: Expectation) -> AxisCo
 
 
 def _unproven(definition: Definition, shown: Sequence[AxisCompensation]) -> Iterator[str]:
-    """Yield what the expectations do not prove; ``shown``: the values read for each of them.
+    """Yield facts that the expectations do not prove. ``shown``: the values read for each of them.
 
     Zeros show no sign, nodes alone not the correction between and beyond them, equal directions no
     backlash.
@@ -322,7 +324,7 @@ def _with_value(table: AxisCompensation, node: int, value: float) -> AxisCompens
 
 
 def _longer(table: AxisCompensation, capacity: Capacity) -> AxisCompensation:
-    """Return a table of zeros with more points than allowed, on the same grid."""
+    """Return a table of zeros on the same grid with more points than allowed."""
     step = float(table.positions[1] - table.positions[0])
     count = int(capacity.max_points or 0) + 2
     positions = table.positions[0] + step * np.arange(count)

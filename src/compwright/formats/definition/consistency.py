@@ -1,6 +1,4 @@
-"""Checks that the parts of a definition fit together: every name used in one part exists in
-another.
-"""
+"""Check that the parts of a definition agree: every name used in one part exists in another."""
 
 from __future__ import annotations
 
@@ -68,7 +66,7 @@ _ID = re.compile(r"(?!(?:con|prn|aux|nul|com\d|lpt\d)$)[a-z0-9][a-z0-9_-]{0,63}"
 
 
 def curves(definition: Definition) -> tuple[str, ...]:
-    """Return the quantities of the table's values: one curve, or one for each direction (+
+    """Return the names of the table's value columns: one curve, or one for each direction (+
     first).
     """
     return (
@@ -84,7 +82,7 @@ def has_cross(definition: Definition) -> bool:
 
 
 def contradictions(definition: Definition, shapes: Mapping[str, ShapeRules]) -> tuple[Fault, ...]:
-    """Return the contradictions within a definition whose keys are all well formed.
+    """Return the contradictions within a definition whose keys are all valid.
 
     ``shapes``: the requirements of each shape of tables, given by its family.
     """

@@ -1,4 +1,4 @@
-"""A definition that only states its differences from another one: merged before any check.
+"""Merge a definition that states only its differences from another definition, before any check.
 
 The rules are in docs/formats.md: mappings are merged key by key, everything else (lists too) is
 replaced whole; ``without`` removes keys of the extended text before the merge.
@@ -27,7 +27,9 @@ Find = Callable[[str], tuple[str, bytes] | None]
 
 @dataclass(frozen=True, slots=True)
 class DefinitionText:
-    """A definition's plain data, merged; ``places``: file and line (from 1) of each key path."""
+    """The merged plain data of a definition. ``places``: file and line (from 1) of each key
+    path.
+    """
 
     file: str
     data: Any
@@ -43,7 +45,8 @@ class DefinitionText:
         place: str = "",
         hint: str = "",
     ) -> Fault:
-        """Return a fault at a key path, with file and line of the key or its nearest ancestor.
+        """Return a fault at a key path, with file and line of the key or its nearest existing
+        parent.
 
         ``place``: shown instead of the path.
         """
@@ -75,7 +78,7 @@ NOTHING_ELSE: Find = found_in({})
 
 
 def texts_of(content: bytes, file: str, find: Find) -> Texts:
-    """Return a definition's text with all that it extends.
+    """Return the text of a definition and of all definitions that it extends.
 
     Raises InputError for invalid YAML, for a name that ``find`` does not know, and for a text that
     extends itself.
@@ -112,7 +115,7 @@ def _text(file: str, content: bytes) -> DefinitionText:
 
 
 def _over(under: DefinitionText, over: DefinitionText) -> DefinitionText:
-    """Return ``under`` with the keys of ``over`` on top."""
+    """Return the data ``under`` with the keys of ``over`` added or replaced."""
     gone = _omitted(under, over)
     own = {key: value for key, value in over.data.items() if key not in (EXTENDS, WITHOUT)}
     replaced = set(gone)

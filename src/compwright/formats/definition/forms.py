@@ -1,4 +1,4 @@
-"""YAML forms of a definition where they differ from the fields of its records."""
+"""Schemas of YAML forms of a definition that differ from the fields of its records."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ _PLAIN: Final[Mapping[Any, cs.CoreSchema]] = {
 
 
 def _word(*words: str, gives: Callable[[str], Any] = str) -> cs.CoreSchema:
-    """Return the schema of a word from a list, and the value it stands for."""
+    """Return the schema of a word from a list, and the value that it means."""
     return cs.no_info_after_validator_function(gives, cs.literal_schema(list(words)))
 
 
@@ -69,7 +69,7 @@ def _or_mapping(other: Any, whole: Any) -> cs.CoreSchema:
 
 
 def _or_option(other: cs.CoreSchema) -> cs.CoreSchema:
-    """Return the schema of a value that may come from an option."""
+    """Return the schema of a value that may be the name of an option."""
     return _or_mapping(other, mapping({"option": _TEXT}, lambda values: OptionValue(**values)))
 
 
@@ -130,7 +130,7 @@ def _sign() -> cs.CoreSchema:
 
 
 def _by_curves() -> cs.CoreSchema:
-    """Return the schema of a text for one table, and for one table per direction."""
+    """Return the schema of a text that may differ between one table and a table per direction."""
     both = {"one_curve": _TEXT, "two_curves": _TEXT}
     same = cs.no_info_after_validator_function(lambda text: (text, text), _TEXT)
     return _or_mapping(same, mapping(both, lambda texts: tuple(texts[name] for name in both)))
@@ -160,7 +160,7 @@ def _at_least_three(points: tuple[Expected, ...]) -> tuple[Expected, ...]:
 
 
 def _with_sample(values: Mapping[str, Any]) -> dict[str, Any]:
-    """Replace the word sample by the files of the sample."""
+    """Replace the word ``sample`` by the files of the sample."""
     files = values["sample_files"]
     expect = (
         replace(one, files=files) if one.files == _SAMPLE else one for one in values["expect"]

@@ -1,5 +1,5 @@
 """Options of a control: defaults, values from a job or the command line, and values in the
-control's own files; sections whose missing entries are faults of the definition.
+control's own files.
 """
 
 from __future__ import annotations
@@ -19,8 +19,8 @@ _T = TypeVar("_T")
 
 
 class Required(dict[str, _T]):
-    """A section by name. Reading a missing entry raises InputError with its key path; ``get`` and
-    ``in`` do not.
+    """A named section of a definition. A missing entry raises InputError with its key path; ``get``
+    and ``in`` do not raise.
     """
 
     def __init__(
@@ -34,7 +34,7 @@ class Required(dict[str, _T]):
         self._section, self._file = section, file
 
     def __missing__(self, name: str) -> _T:
-        """Raise InputError."""
+        """Raise InputError for a missing entry."""
         raise InputError(
             Fault(
                 message=f"the section {self._section} of the definition lacks the entry {name}, "
@@ -102,7 +102,9 @@ def resolve_options(
 
 
 def known_kind(options: Mapping[str, object], address: str) -> AxisKind | None:
-    """Return the kind of an axis by the options, for files that do not state it."""
+    """Return the kind of an axis (linear, rotary) by its options, for files that do not state
+    it.
+    """
     given = options[KIND]
     word = given.get(address) if isinstance(given, Mapping) else given
     return None if word is None else AxisKind(str(word))
@@ -115,7 +117,7 @@ def axis_options(
     *,
     unit_needed: bool = True,
 ) -> Mapping[str, object]:
-    """Return the options of one axis; its own override the controller's (``resolved``).
+    """Return the options of one axis. The axis' own options override those of the controller.
 
     ``axis`` None: an axis without a job. ``unit_needed``: False while files that may hold a
     required value are not read yet. Raises UsageError with every fault: unknown option, wrong

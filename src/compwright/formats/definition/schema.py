@@ -44,7 +44,7 @@ class EvidenceNote:
 
     @property
     def text(self) -> str:
-        """The note as one line of several languages; the source stays as it is."""
+        """The note as one line in several languages. The name of the source stays unchanged."""
         if self.state == "unconfirmed":
             return control_text("unconfirmed: {what}", what=self.source)
         if self.state == "inferred":
@@ -54,15 +54,15 @@ class EvidenceNote:
 
 @dataclass(frozen=True, slots=True)
 class OptionValue:
-    """A value that an option of the definition gives."""
+    """One possible value of an option."""
 
     option: str
 
 
 @dataclass(frozen=True, slots=True)
 class Addresses:
-    """How the control names an axis. ``letters``: axis letters, whose index in this list is assumed
-    to be the axis number.
+    """How the control names its axes. ``letters``: axis letters whose index is the assumed axis
+    number.
     """
 
     type: AddressType
@@ -73,8 +73,7 @@ class Addresses:
 
 @dataclass(frozen=True, slots=True)
 class Dialect:
-    """Rules for every line: line ends written and read, letters, a block number before and a
-    checksum after a line.
+    """Rules for every line of a control's files: line ends, letters, block numbers and checksums.
 
     ``blanks_anywhere``: blanks are allowed between any two parts of a line that is read.
     """
@@ -113,8 +112,8 @@ class TextKind:
 
 @dataclass(frozen=True, slots=True)
 class Statement:
-    """A line with typed fields in braces. ``within``: the section in which it counts; ``rest``:
-    what may follow on the line.
+    """A line template with typed fields in braces. ``within``: the section that contains it;
+    ``rest``: what may follow on the line.
     """
 
     name: str
@@ -129,7 +128,7 @@ class Statement:
 
 @dataclass(frozen=True, slots=True)
 class Absent:
-    """The value of a quantity that is not in the files, and whether the user is informed."""
+    """The default of a quantity that is missing in the files, and whether the user is informed."""
 
     value: str
     say: Say
@@ -138,8 +137,9 @@ class Absent:
 
 @dataclass(frozen=True, slots=True)
 class Binding:
-    """The statement that holds a quantity. ``repeated``: which repetition counts within a file;
-    between files they must agree.
+    """The statement that contains a quantity.
+
+    ``repeated``: which repetition counts within a file; between files they must agree.
     """
 
     quantity: str
@@ -152,8 +152,9 @@ class Binding:
 
 @dataclass(frozen=True, slots=True)
 class Measure(Binding):
-    """A length or an angle. ``sign`` may depend on a choice; ``range`` bounds position, correction
-    or backlash in ``unit``.
+    """A length or an angle: unit, sign, range.
+
+    ``sign`` may depend on a choice; ``range`` bounds position, correction or backlash in ``unit``.
 
     ``sign_option``: the option whose value is the sign, where no file states it. ``typed``: how the
     card prints it, with the control's parameter, number and unit.
@@ -172,26 +173,26 @@ class Measure(Binding):
 
 @dataclass(frozen=True, slots=True)
 class Choice(Binding):
-    """A quantity with few values: text in the file -> neutral word. ``writes``: the text to
-    write.
+    """A quantity with a few possible values: text in the file and its meaning. ``writes``: the text
+    to write.
     """
 
     values: Mapping[str, str]
     writes: str | OptionValue
 
     def written(self, options: Mapping[str, object]) -> str:
-        """Return the text to write with these options."""
+        """Return the text to write when these options are set."""
         writes = self.writes
         return str(options[writes.option]) if isinstance(writes, OptionValue) else writes
 
     def text(self, word: str) -> str:
-        """Return the control's text for a neutral word."""
+        """Return the control's text for a value, given by its general name."""
         return next(text for text, meant in self.values.items() if meant == word)
 
 
 @dataclass(frozen=True, slots=True)
 class Plain(Binding):
-    """A count or a file name, taken as written."""
+    """A count or a file name, used as written."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -210,7 +211,7 @@ class Layout:
 
 @dataclass(frozen=True, slots=True)
 class LimitRule:
-    """One limit of the control, from a closed list of predicates."""
+    """One limit of the control: one of a fixed list of rules."""
 
     predicate: Predicate
     number: int | None
@@ -219,8 +220,8 @@ class LimitRule:
 
 @dataclass(frozen=True, slots=True)
 class BetweenAxes:
-    """``instead``: the alternative for a control without tables between axes, a text with fields
-    (see `families.between.instead`).
+    """What a control can do about corrections between axes. ``instead``: the alternative if it has
+    no such tables.
     """
 
     instead: str
@@ -242,7 +243,7 @@ class DiameterRule:
 
 @dataclass(frozen=True, slots=True)
 class ParameterRule:
-    """Meaning, on this control, of parameters that a family knows in addition to the table."""
+    """The meaning of parameters of this control that a family uses in addition to the table."""
 
     here: Here
     evidence: EvidenceNote
@@ -250,8 +251,8 @@ class ParameterRule:
 
 @dataclass(frozen=True, slots=True)
 class OptionRule:
-    """An option. ``settled_by``: the quantity in the control's files that answers it;
-    ``option_wins`` if both differ.
+    """An option of a definition. ``settled_by``: the quantity in the control's files that answers
+    it; ``option_wins`` if both differ.
 
     ``whole_control``: it cannot be set for one axis. ``asked``: for a number that every axis needs,
     the text of the question if it is not given; None: the default is used.
@@ -302,8 +303,9 @@ class CardRule:
 
 @dataclass(frozen=True, slots=True)
 class LookRule:
-    """A sentence on what to check at the control, with ``{name}`` fields. ``two_curves``: its text
-    if each direction has its own table.
+    """A sentence on what to check at the control, with ``{name}`` fields.
+
+    ``two_curves``: its text if each direction has its own table.
     """
 
     text: str
@@ -313,7 +315,7 @@ class LookRule:
 
 @dataclass(frozen=True, slots=True)
 class Expected:
-    """Hand-worked corrections, in the unit of the expectation."""
+    """Corrections worked out by hand, in the unit of the expectation."""
 
     position: float
     positive: float
@@ -322,8 +324,8 @@ class Expected:
 
 @dataclass(frozen=True, slots=True)
 class Expectation:
-    """Control files and the corrections they give at some positions: worked by hand, never computed
-    here.
+    """Control files and the corrections that they give at some positions, worked out by hand and
+    never computed here.
     """
 
     name: str
@@ -338,7 +340,7 @@ class Expectation:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Definition:
-    """Everything that is known about one control's compensation files.
+    """All facts about the compensation files of one control.
 
     Compared by identity: its compiled forms are cached with it.
 
@@ -381,45 +383,45 @@ class Definition:
 
     @property
     def carried(self) -> Texts:
-        """The texts of a user's definition that a plan carries, by their bare names."""
+        """The texts of a user's definition that are copied into a plan, by their bare names."""
         return tuple((PurePath(name).name, text) for name, text in self.own)
 
     @property
     def judged(self) -> Judged:
-        """Whether there is a second reader for this control: for those that ship, never for a
-        user's definition.
+        """Whether a second, independent reader exists for this control. Only for definitions that
+        ship with compwright.
         """
         return "read_back" if self.own else "independent"
 
     @property
     def worked_for(self) -> str:
-        """The file from which a definition inherits its hand-worked corrections; empty if it has
-        its own.
-        """
+        """The file whose hand-worked corrections a definition inherits. Empty if it has its own."""
         file, _ = self.text.places["expect",]
         return "" if file == self.text.file else PurePath(file).name
 
     def measure(self, quantity: str) -> Measure:
-        """Return the binding of a length or an angle. Raises KeyError if there is none."""
+        """Return how a length or an angle is stored. Raises KeyError if the definition has no such
+        quantity.
+        """
         binding = self.bindings[quantity]
         if not isinstance(binding, Measure):
             raise KeyError(quantity)
         return binding
 
     def choice(self, quantity: str) -> Choice:
-        """Return the binding of a choice. Raises KeyError if there is none."""
+        """Return how a choice is stored. Raises KeyError if the definition has no such quantity."""
         binding = self.bindings[quantity]
         if not isinstance(binding, Choice):
             raise KeyError(quantity)
         return binding
 
     def limit(self, predicate: Predicate) -> LimitRule | None:
-        """Return the rule of a predicate, None where the control has no such limit."""
+        """Return the rule of one kind of limit. None where the control has no such limit."""
         return next((rule for rule in self.limits if rule.predicate == predicate), None)
 
     @property
     def fields(self) -> frozenset[str]:
-        """The fields of all its statements."""
+        """The fields of all statements of the definition."""
         return frozenset(name for one in self.statements.values() for name in one.fields)
 
     def limit_number(self, predicate: Predicate) -> int | None:

@@ -1,5 +1,5 @@
-"""Requirements on a definition by the shape of its tables, and the lines of this shape that cannot
-name a person or company.
+"""Rules for a definition by the shape of its tables. Also the lines of this shape that contain no
+private names.
 """
 
 from __future__ import annotations
@@ -17,7 +17,8 @@ AXIS: Final = r"(?:[A-Za-z]{1,2}|AX|M[AXSC]_?[A-Z]?|CA_?[A-Z]|SP)[0-9]{0,2}"
 
 @dataclass(frozen=True, slots=True)
 class KeptLines:
-    """Expressions for the lines of one shape of tables, without blanks around a line.
+    """Patterns for lines of one shape of tables that contain no private names, without surrounding
+    blanks.
 
     ``whole``: lines that may stay unchanged. ``naming``: lines of numbers, marks and names; a name
     is private unless it is an axis name. ``first``: first lines that identify the shape, whatever
@@ -29,11 +30,11 @@ class KeptLines:
     first: str = "(?!)"
 
     def stays(self, line: str) -> bool:
-        """Return whether a line may stay unchanged."""
+        """Return whether a line may stay unchanged in a copy without names."""
         return _compiled(self.whole).fullmatch(line) is not None
 
     def holds_names(self, line: str) -> bool:
-        """Return whether a line has only names that may be private."""
+        """Return whether the names in a line are its only private contents."""
         return _compiled((self.naming,)).fullmatch(line) is not None
 
     def begins(self, content: bytes) -> bool:

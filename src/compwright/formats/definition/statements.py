@@ -1,5 +1,5 @@
-"""Line templates: one form gives a tolerant reader and a strict printer, every token with its place
-in the file.
+"""Line templates: one template serves as a tolerant reader and a strict printer. Each token keeps
+its place in the file.
 
 A form is literal text with ``{fields}``. A blank in it matches any blanks; next to brackets, commas
 and ``=`` blanks are optional, between words and numbers at least one is needed. Printing writes the
@@ -48,8 +48,8 @@ _LINE_NUMBER = re.compile(
 
 # Named tuples where thousands are made for each file: five times as fast as records.
 class Token(NamedTuple):
-    """A piece of a file: its text and its bytes, from ``start`` (counted from 0) up to, but
-    without, ``end``.
+    """A piece of a file: its text and its bytes, from ``start`` (counted from 0) to before
+    ``end``.
     """
 
     text: str
@@ -58,8 +58,8 @@ class Token(NamedTuple):
 
 
 class Occurrence(NamedTuple):
-    """A statement found in a file. ``tokens`` by field name, those of the section too; ``line``
-    counts from 1.
+    """A statement found in a file, with its ``tokens`` by field name (those of the section too).
+    ``line`` counts from 1.
 
     ``form``: index of the statement's form, 0 for the one that is written, then those that are only
     read. ``checksum``: a line checksum with the blanks before it.
@@ -74,19 +74,19 @@ class Occurrence(NamedTuple):
 
     @property
     def variant(self) -> bool:
-        """Whether it has one of the forms that are read but never written."""
+        """Whether the line has a form that is read but never written."""
         return self.form > 0
 
     @property
     def place(self) -> str:
-        """The line, for messages."""
+        """The file and line, for messages."""
         return f"line {self.line}"
 
 
 @dataclass(frozen=True, slots=True)
 class StatementForm:
-    """A compiled form. ``group``: the part that repeats on the line, each time a statement of its
-    own; None: nothing repeats.
+    """A compiled line template. ``group``: the part that repeats on the line, one statement each
+    time; None: nothing repeats.
     """
 
     pattern: re.Pattern[str]
@@ -99,8 +99,10 @@ class StatementForm:
 
 @dataclass(frozen=True, slots=True)
 class Matcher:
-    """A compiled statement: its own form first, then the forms that are only read; ``section``
-    matches the section's name.
+    """The compiled templates of a statement: the one for writing first, then those that are only
+    read.
+
+    ``section`` matches the section's name.
 
     ``number``: the number with which such a line begins (``N00007``), without leading zeros; None
     where the form has none.
@@ -113,7 +115,9 @@ class Matcher:
     number: str | None = None
 
     def match(self, text: str) -> tuple[int, re.Match[str]] | None:
-        """Return the index of the form of a whole line, and its match; None if no form fits."""
+        """Return the index of the template that fits a whole line, and its match. None if no
+        template fits.
+        """
         found = ((place, form.fullmatch(text)) for place, form in enumerate(self.forms))
         return next(((place, match) for place, match in found if match is not None), None)
 
@@ -127,26 +131,28 @@ def line_number(text: str) -> str | None:
 
 
 def readable(form: str) -> str:
-    """Return a form in the way it is shown to people: ``KEY[<axis>]=<value>``."""
+    """Return a line template as shown to people: ``KEY[<axis>]=<value>``."""
     return form.replace("{", "<").replace("}", ">")
 
 
 def name_in_form(form: str) -> str:
-    """Return the control's name in a form: its first word (``$BACKLASH``), or the number of a
-    parameter (``N#00007Q1(A{axis}P{value})*`` -> ``7``).
+    """Return the control's name in a template: its first word or its parameter number.
+
+    ``$BACKLASH``, or ``N#00007Q1(A{axis}P{value})*`` -> ``7``.
     """
     match = _NAME.match(form)
     return "" if match is None else match[1] or match[0]
 
 
 def field_names(form: str) -> tuple[str, ...]:
-    """Return the names of the fields of a form in their order."""
+    """Return the field names of a template in their order."""
     return tuple(piece["field"] for piece in _PIECE.finditer(form) if piece["field"])
 
 
 def print_form(form: str, values: Mapping[str, str]) -> str:
-    """Return a form with its fields filled in; a repeating group is printed once. Raises KeyError
-    for a field without a value.
+    """Return a template with its fields filled in. Raises KeyError for a field without a value.
+
+    A repeating group is printed once.
     """
     return "".join(
         values[piece["field"]] if piece["field"] else piece["padded"] or piece[0]
@@ -155,7 +161,7 @@ def print_form(form: str, values: Mapping[str, str]) -> str:
 
 
 def _once(form: str) -> str:
-    """Return a form with its repeating group printed once."""
+    """Return a template with its repeating group printed once."""
     grouped = _GROUPED.fullmatch(form)
     return f"{grouped['before']}{grouped['group']}" if grouped else form
 
@@ -166,7 +172,7 @@ def field_matches(kind: FieldType, text: str) -> bool:
 
 
 def plain_number(kind: FieldType, text: str) -> str:
-    """Return the text of a field with its exponent of ten (``1.5EX-2``) evaluated."""
+    """Return the number in a field with its power of ten (``1.5EX-2``) evaluated."""
     if kind != "decimal_ex" or "EX" not in text.upper():
         return text
     return format(Decimal(text.upper().replace("EX", "E")), "f")

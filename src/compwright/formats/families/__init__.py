@@ -1,1 +1,1 @@
-"""Shapes of compensation tables, a folder per family behind one protocol."""
+"""Shapes of compensation tables: one folder per family, all with the same interface."""

@@ -1,5 +1,4 @@
-"""Whether the tables of a state were active, if its files end with them switched off or do not
-state it.
+"""Decide whether tables were active, if the control's files switch them off or do not state it.
 
 The job's answer (`active`) holds only for what the files leave open. A table that the files end
 with switched on was active. A table between axes that they switch off was not active if the
@@ -18,9 +17,10 @@ from compwright.words.sentences import control_text
 
 @dataclass(frozen=True, slots=True)
 class Activity:
-    """``stated``: the job's answer (None: no answer). ``asking``: the answer is required, because
-    measurements depend on it. ``carried_out``: all values of programs count, by the answer or
-    because it was checked before.
+    """Whether tables were active by the job. ``stated``: its answer (None: no answer).
+
+    ``asking``: the answer is required, because measurements depend on it. ``carried_out``: all
+    values of programs count, by the answer or because it was checked before.
     """
 
     stated: bool | None = None
@@ -30,8 +30,10 @@ class Activity:
     def was_active(
         self, label: str, switches: str, word: str | None, place: FoundValue | None, notes: Notes
     ) -> bool | None:
-        """Return whether a table that is not zero was active during the test. None if
-        neither the files nor the job state it, and the answer is not required.
+        """Return whether a table that is not zero was active during the test. None if that is
+        unknown and not needed.
+
+        Neither the files nor the job state it, and the answer is not required.
 
         ``word``: the last value of ``switches`` in the files (``yes``, ``no``, None: not in them),
         at ``place``.

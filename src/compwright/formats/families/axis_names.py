@@ -1,5 +1,5 @@
-"""Names of one machine axis in the control's files: by index (AX1), the machine's name (X1), the
-channel's name (X).
+"""The names of one machine axis in the control's files: by index (AX1), by machine (X1), by channel
+(X).
 
 Where the files list the names (SINUMERIK: MD10000, MD20080 with MD20070), all of them are one axis:
 the one that the job names by any of them. Without the list each name is an axis of its own.
@@ -22,8 +22,8 @@ _PLACE = re.compile(r"AX([0-9]{1,2})")
 def axis_names(
     definition: Definition, texts: Iterable[ReadText], wanted: Sequence[str] = ()
 ) -> AxisNames:
-    """Return the names that the files list; ``wanted``: the addresses in a job or on the command
-    line.
+    """Return the names of the axes in the files. ``wanted``: the addresses in a job or on the
+    command line.
 
     Raises InputError where the files give one name to two axes, UsageError where two addresses are
     one axis.
@@ -93,7 +93,7 @@ def _machine(
 def _channel(
     definition: Definition, found: Mapping[str, Mapping[str, Sequence[Occurrence]]]
 ) -> dict[str, str]:
-    """Return the channel's names that mean the same machine axis everywhere in the files."""
+    """Return the channel's axis names that mean the same machine axis everywhere in the files."""
     meant: dict[str, set[str]] = {}
     for index, occurrences in found.get("channel_axis", {}).items():
         used = {

@@ -1,5 +1,5 @@
 """Corrections between axes (squareness, straightness): request to a control, and its answer. Each
-family decides what its control does with them.
+family answers for its controls.
 """
 
 from __future__ import annotations
@@ -20,8 +20,8 @@ _NO_SHIFT = 2e-6
 
 
 class FileReading(Protocol):
-    """Reads control files. ``written``: compwright has just written them, so a contradiction is
-    compwright's own fault.
+    """A function that reads control files. ``written``: compwright wrote them, so a contradiction
+    is compwright's own fault.
     """
 
     def __call__(self, files: tuple[ControlFile, ...], *, written: bool = False) -> ControlState:
@@ -30,7 +30,7 @@ class FileReading(Protocol):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class BetweenRequest:
-    """Corrections between axes that are to be added.
+    """A request to add corrections between axes.
 
     ``axes``: those of the job by name; ``tabled``: the names of those that get a table of their own
     in ``tables``. ``base``: the control's own files with ``tables`` replaced. ``found``: the
@@ -48,7 +48,7 @@ class BetweenRequest:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Between:
-    """A control's answer to corrections between axes.
+    """The answer of a control to a request for corrections between axes.
 
     ``files``: files of ``BetweenRequest.base`` that change, and new ones; None: no file holds them.
     ``held``: the corrections as the files hold them; None: all, as planned. ``sheets``: entry
@@ -65,7 +65,7 @@ class Between:
 
 
 def error_label(entry: PlannedCross) -> Sentence:
-    """Return a name for the corrected error: a squareness, or the slope of the measured deviation.
+    """Return a name for the corrected error: squareness, or the slope of the measured deviation.
 
     For an angle above 90° the output axis deviates towards -.
     """
@@ -78,7 +78,7 @@ def error_label(entry: PlannedCross) -> Sentence:
 def merged_files(
     first: Sequence[ControlFile], then: Sequence[ControlFile]
 ) -> tuple[ControlFile, ...]:
-    """Return the files of both; those of ``then`` replace others of the same name."""
+    """Return the files of both sets. A file in ``then`` replaces one with the same name."""
     return tuple({file.name: file for file in (*first, *then)}.values())
 
 
@@ -95,8 +95,8 @@ def combined_answer(answers: Iterable[Between]) -> Between:
 def entry_sheet_answer(
     entry: PlannedCross, sheet: ControlFile, sentence: Sentence, text: str
 ) -> Between:
-    """Return the answer of a control into which ``sheet`` is typed: form and sign are
-    unconfirmed.
+    """Return the answer that the correction is typed in from ``sheet``, because file form and sign
+    are unconfirmed.
     """
     title = control_text("{output} over {input}: type in", output=entry.output, input=entry.input)
     return Between(
@@ -107,7 +107,9 @@ def entry_sheet_answer(
 
 
 def cannot_hold(entry: PlannedCross, why: str) -> Between:
-    """Return the answer of a control that cannot hold a correction; ``why``, or what would help."""
+    """Return the answer that the control cannot hold a correction, with the reason ``why`` or an
+    alternative.
+    """
     title = control_text("Not corrected: {error}", error=SentenceText(error_label(entry)))
     return Between(
         remarks=(("error", say("CW-P113.not_held", what=error_label(entry), why=why)),),
@@ -116,8 +118,7 @@ def cannot_hold(entry: PlannedCross, why: str) -> Between:
 
 
 def alternative_answer(definition: Definition, planned: Iterable[PlannedCross]) -> Between:
-    """Return the answer of a control without tables between axes: the alternative in its
-    definition.
+    """Return the alternative in the definition of a control without tables between axes.
 
     The text may contain the angle to be removed by kinematics (``{squareness}``, rad), the axes
     (``{input}`` and ``{output}``, lower case), and the shift this also causes (``{shift}``): the

@@ -1,6 +1,4 @@
-"""Texts that the cards of several families share, and the order in which a control loads its
-files.
-"""
+"""Texts that the cards of several families share, and the order for loading the files."""
 
 from __future__ import annotations
 
@@ -47,7 +45,7 @@ REFERENCING = {
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CardRequest:
-    """A table that was written, for the card.
+    """A written table as input of the commissioning card.
 
     ``table``: as it was read back; ``facts``: facts of the axis in the written files. ``check_at``:
     positions at which the axis can be measured, mm or deg, ascending. ``files``: all that were
@@ -63,7 +61,7 @@ class CardRequest:
 
 @dataclass(frozen=True, slots=True)
 class AxisCard:
-    """Contents of the card for one table.
+    """The contents of the commissioning card for one table.
 
     ``values``: by field of the card's texts: points, start, end, spacing and backlash in the
     control's unit, numbers, names of files, the check of the sign. ``numbered``: the number of each
@@ -85,8 +83,9 @@ def table_values(
     compensation: AxisCompensation,
     node: str | None = None,
 ) -> dict[str, str]:
-    """Return points, unit, backlash, start, end and spacing of a table, in the control's units:
-    lengths in that of the positions (``node``: the quantity, where it is not the axis' own table),
+    """Return points, unit, backlash, start, end and spacing of a table, in the control's units.
+
+    Lengths in that of the positions (``node``: the quantity, where it is not the axis' own table),
     the backlash in its own.
     """
     node = node or ("table_start" if "table_start" in definition.bindings else "node_position")
@@ -109,8 +108,10 @@ def table_values(
 
 
 def sign_check(compensation: AxisCompensation, where: FloatArray) -> dict[str, str]:
-    """Return the two of the positions ``where`` (mm or deg, ascending) whose distance the table
-    changes most: the sign shows best there.
+    """Return the two of the positions ``where`` (mm or deg, ascending) that show the sign of the
+    table best.
+
+    The table changes their distance most.
     """
     if compensation.positions.size < 2:
         return {}
@@ -128,8 +129,7 @@ def sign_check(compensation: AxisCompensation, where: FloatArray) -> dict[str, s
 def named_files(
     control: ResolvedDefinition, axis: Axis, files: Sequence[ControlFile]
 ) -> dict[str, str]:
-    """Return the names of the definition's files for an axis where they differ from their own
-    names.
+    """Return the names of an axis' files, where they differ from the names in the definition.
 
     ``files``: all that were written.
     """
@@ -170,14 +170,12 @@ def _new_names(control: ResolvedDefinition, axis: Axis) -> set[str]:
 
 
 def file_stem(control: ResolvedDefinition, address: str) -> str:
-    """Return the part of new file names that stands for an axis at ``address``."""
+    """Return the part of new file names that identifies the axis at ``address``."""
     return control.state.facts_of(address).machine_name or address
 
 
 def numbered_files(definition: Definition, axis: Axis) -> dict[str, str]:
-    """Return the names of the definition's files for an axis, written or not, by field of the
-    card's texts.
-    """
+    """Return the names of the definition's files for an axis, by field of the card's texts."""
     address, _ = normal_address(definition, axis)
     named = {"axis": address, "system": str(axis.encoder.system - 1)}
     return {
@@ -192,8 +190,9 @@ _VALUES = ("value", "cross_value")
 
 
 def loading_order(definition: Definition, files: Sequence[ControlFile]) -> list[str]:
-    """Return the names of files in the order in which a control loads them all: a whole archive
-    before the files over it, values before the switches that protect them.
+    """Return file names in the order in which a control loads them.
+
+    A whole archive before the files over it, values before the switches that protect them.
     """
 
     def holds(file: ControlFile, quantity: str) -> bool:

@@ -1,4 +1,6 @@
-"""Texts of a control's files: containers opened, files given with a container laid over it."""
+"""The texts of a control's files, with containers opened. Separate files replace entries of a
+container.
+"""
 
 from __future__ import annotations
 
@@ -59,7 +61,7 @@ def gathered_files(
 def all_names(
     definition: Definition, files: Sequence[ControlFile], addresses: Sequence[str]
 ) -> set[str]:
-    """Return every name that ``files`` (already read) give to the axes at ``addresses``, with these
+    """Return every name of the axes at ``addresses`` in the read ``files``, with these
     addresses.
     """
     reader, faults = text_reader(definition), list[Fault]()
@@ -119,7 +121,7 @@ def is_listing(definition: Definition, file: ControlFile) -> bool:
 
 
 def _listed(files: Sequence[ControlFile], definition: Definition) -> tuple[ControlFile, ...]:
-    """Return files with decimal points instead of the commas of listings.
+    """Return files with decimal points in place of the decimal commas of printed listings.
 
     Entries without a value in a listing (``n/a``) are removed if another file has them.
     """
@@ -136,8 +138,10 @@ def _listed(files: Sequence[ControlFile], definition: Definition) -> tuple[Contr
 
 
 def _assigned_names(files: Sequence[ControlFile]) -> list[tuple[bytes, int]]:
-    """Return the last word before each value in the files, reversed and in lower case, with the
-    index of its file; sorted, so that words with the same ending are together.
+    """Return the last word before each value in the files, sorted so that words with the same
+    ending are neighbours.
+
+    Reversed and in lower case, with the index of its file.
     """
     return sorted(
         {
@@ -168,7 +172,7 @@ def _without_unknown(
 
 
 class _Over:
-    """Entries in files next to a container, which replace those of the container."""
+    """Entries of separate files next to a container. They replace those of the container."""
 
     def __init__(self, definition: Definition, names: AxisNames, texts: Iterable[ReadText]) -> None:
         self.definition = definition
@@ -199,7 +203,7 @@ class _Over:
         return self._key(one) in self.keys or (row and self._table(one) in self.ended)
 
     def _counts(self, one: Occurrence) -> bool:
-        """Return whether a line belongs to one axis or table, and is not an axis name."""
+        """Return whether a line belongs to one axis or table and is not an axis name."""
         of_one = "axis" in one.tokens or "table" in one.tokens
         return of_one and not self._holds(one, NAMES)
 
@@ -210,12 +214,12 @@ class _Over:
         return entry_key(self.definition, one, self.names)
 
     def _table(self, one: Occurrence) -> tuple[str, str, str]:
-        """Return the table that a line belongs to."""
+        """Return the table to which a line belongs."""
         of = [one.tokens[name].text if name in one.tokens else "" for name in ("system", "table")]
         return self._key(one)[1], of[0].lstrip("0"), of[1].lstrip("0")
 
 
 def _end(content: bytes, place: int) -> int:
-    """Return where the line around a byte ends."""
+    """Return the end of the line that contains a byte, as a byte position."""
     found = content.find(b"\n", place)
     return len(content) if found < 0 else found

@@ -1,4 +1,4 @@
-"""Axes that move together by the control's own files, compared with the job.
+"""Find axes that move together by the control's own files, and compare them with the job.
 
 A table on one of them alone racks the machine. The job names the synchronised axis (``gantry``), or
 states that the axis moves alone where a program or the PLC switches the coupling.
@@ -35,7 +35,7 @@ def whole_number(text: str) -> int | None:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Coupling:
-    """One axis that ``follows`` another by a parameter of the control's files.
+    """One axis that ``follows`` another axis, by a parameter in the control's files.
 
     ``leads``: the addresses of the leading axis; several if the files leave it open, empty if they
     do not state it. ``parameter``: the parameter with its value; ``file``, ``place``: its place.
@@ -107,7 +107,7 @@ def followers(couplings: Sequence[Coupling], address: str) -> tuple[str, ...]:
 
 
 def leader(couplings: Sequence[Coupling], address: str) -> str | None:
-    """Return the axis that the axis at ``address`` follows; None where the files name none."""
+    """Return the axis that leads the axis at ``address``. None where the files name none."""
     found = (one.leads for one in couplings if one.follows == address and not one.unlike)
     return next((leads[0] for leads in found if leads), None)
 
@@ -148,7 +148,7 @@ def _ask_about_followers(
 
 
 def _other_leader(address: str, axis: Axis, couplings: Sequence[Coupling]) -> Iterator[Fault]:
-    """Yield a fault if the synchronised axis of the job follows another axis, or moves
+    """Yield a fault if the gantry slave in the job follows another axis in the files, or moves
     differently.
     """
     for coupling in couplings:
@@ -164,7 +164,7 @@ def _other_leader(address: str, axis: Axis, couplings: Sequence[Coupling]) -> It
 
 @dataclass(frozen=True, slots=True)
 class CouplingParameter:
-    """A parameter that may couple axes: ``words`` with its value, and its place."""
+    """A parameter that may couple axes: ``words`` with its value, and its place in the files."""
 
     words: str
     file: str
@@ -194,8 +194,8 @@ class CouplingParameter:
 
 @dataclass(frozen=True, slots=True)
 class CouplingStatement(CouplingParameter):
-    """Match of a pattern in a text: a parameter that may couple axes; blanks in its words
-    joined.
+    """A match of a search pattern: a parameter that may couple axes. Blanks in its words are
+    removed.
     """
 
     match: re.Match[str]
@@ -204,7 +204,7 @@ class CouplingStatement(CouplingParameter):
 def statements_in(
     files: Iterable[ControlFile], pattern: re.Pattern[str], remark: re.Pattern[str]
 ) -> Iterator[CouplingStatement]:
-    """Yield every match of ``pattern`` in files, in their order, outside of remarks."""
+    """Yield every match of ``pattern`` in the files, in their order, except in remarks."""
     for file in files:
         text = remark.sub(lambda found: " " * len(found[0]), file.content.decode("latin-1"))
         line, place = 1, 0
@@ -228,8 +228,8 @@ def find_partners(
     of_job: bool,
     single: Collection[str] = (),
 ) -> None:
-    """Note differences between the two axes of a gantry, and two axes that look like a gantry which
-    the job does not name.
+    """Note differences between the two axes of a gantry. Also note two axes that look like a gantry
+    missing in the job.
 
     ``partners``: synchronised axis by leading axis; ``read``: the compensations read, by address;
     ``of_job``: a job names these axes; ``single``: those that are in no gantry by the files.
@@ -248,15 +248,15 @@ def find_partners(
 def compare_partners(
     partners: Mapping[str, str], read: Mapping[str, AxisCompensation], notes: Notes
 ) -> None:
-    """Note differences between the two axes of a gantry; arguments as in `find_partners`."""
+    """Note differences between the two axes of a gantry. Arguments as those of `find_partners`."""
     for leading, partner in partners.items():
         if leading in read and partner in read and not _same(read[leading], read[partner]):
             notes.find("CW-S030", "warning", partner=partner, leading=leading)
 
 
 def note_twin(address: str, other: str, notes: Notes, *, single: bool = False) -> None:
-    """Note that an axis of the job and another one hold the same table; ``single``: by the files
-    the axis is in no gantry.
+    """Note that an axis of the job and another axis have the same table. ``single``: no gantry in
+    the files contains the axis.
     """
     if single:
         notes.find("CW-S031.single", "info", address, axis=address, other=other)
@@ -274,7 +274,7 @@ def _same(one: AxisCompensation, other: AxisCompensation) -> bool:
 
 
 def _table(gathered: Gathered, address: str) -> set[tuple[tuple[int, Decimal], ...]]:
-    """Return the values of an axis' tables by index, for each measuring system; a table of zeros is
+    """Return the values of an axis' tables by index, for each measuring system. Tables of zeros are
     left out.
     """
     tables = set()

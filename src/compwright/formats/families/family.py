@@ -1,5 +1,6 @@
-"""Interface of all families of controls, bound to a definition, its options and the contents of the
-control's own files.
+"""The common interface of all families of controls.
+
+Bound to a definition, its options and the contents of the control's own files.
 
 A family is a shape of compensation data (a grid, whole steps by section, columns in the user's own
 tables), never a maker. The single controls differ by their definitions.
@@ -44,7 +45,8 @@ def tables_with_axes(
     compensations: Sequence[AxisCompensation],
     axes: Sequence[tuple[str, Axis]],
 ) -> list[AxisTable]:
-    """Return the tables with their axes (address in the files, axis), in the order of the tables.
+    """Return the tables with their axes (address in the files, job axis), in the order of the
+    tables.
 
     Raises UsageError for every table without an axis, and for two of one axis.
     """
@@ -76,8 +78,8 @@ def tables_with_axes(
 
 
 def with_partners(definition: Definition, pairs: Sequence[AxisTable]) -> list[AxisTable]:
-    """Return the tables with equal ones for gantry partners: a table on one axis alone racks the
-    bridge.
+    """Return the tables, each also for the slave axis of a gantry. A table on one axis alone would
+    rack the bridge.
     """
     result = {address: (address, axis, compensation) for address, axis, compensation in pairs}
     for _, axis, compensation in pairs:
@@ -89,7 +91,7 @@ def with_partners(definition: Definition, pairs: Sequence[AxisTable]) -> list[Ax
 
 
 def writable_tables(tables: Sequence[AxisTable]) -> list[AxisTable]:
-    """Return the tables that can be written: two points or more, finite, ascending."""
+    """Return the valid tables: two points or more, all finite and ascending."""
     return [
         each
         for each in tables
@@ -110,7 +112,7 @@ OwnLimits = Callable[[Axis, AxisCompensation, Capacity, str], Sequence[Fault]]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Listing:
-    """Information in a control's files that does not need a state to be built.
+    """Facts in a control's files that are read without the full state of the control.
 
     ``file_values`` (files, and further ones of the machine that may name its axes): every value in
     the files, active or not, by a unique key; raises InputError. ``value_location`` (one of the
@@ -145,7 +147,7 @@ class Listing:
 
 
 class Family(ResolvedDefinition, ABC):
-    """The compensation of one control."""
+    """The compensation of one control: reading, limits, writing, card."""
 
     listing: ClassVar[Listing] = Listing()
     #: The number without which tables cannot be read, where their control has one.
@@ -162,7 +164,7 @@ class Family(ResolvedDefinition, ABC):
         address: str | None = None,
         activity: Activity = Activity(),  # noqa: B008 - frozen
     ) -> ControlState:
-        """Return the state of a control with ``files``.
+        """Return the state of a control from its ``files``.
 
         ``axes`` (from a job) give kind, measuring system and direction of the reference return, and
         limit the reading to these axes. Without them every axis in the files is read, or only
@@ -174,7 +176,7 @@ class Family(ResolvedDefinition, ABC):
         """
 
     def questions(self, axis: Axis, *, files: bool, given: Collection[str] = ()) -> Iterator[Fault]:
-        """Yield the missing answers for an axis that is to get a table; the place is the key or the
+        """Yield the missing answers for an axis that is to get a table. The place is the key or the
         option.
 
         ``files``: the control's own files are given, and may hold the answer; ``given``: the
@@ -203,8 +205,7 @@ class Family(ResolvedDefinition, ABC):
         axes: Sequence[Axis],
         files: Sequence[ControlFile] = (),
     ) -> tuple[ControlFile, ...]:
-        """Return exactly the files that put ``compensations`` into the control, in the order of the
-        axes.
+        """Return the files that put ``compensations`` into the control, in the order of the axes.
 
         ``axes`` holds the axis of every compensation. ``files``: the control's own, to be patched.
         Same input, same bytes: no dates, no random order. Raises UsageError for a compensation
@@ -218,7 +219,8 @@ class Family(ResolvedDefinition, ABC):
 
     @abstractmethod
     def between(self, request: BetweenRequest) -> Between:
-        """Return the control's answer to corrections between axes, for the state that is bound.
+        """Return the control's answer to a request for corrections between axes, for the present
+        state.
 
         A correction that it cannot hold is reported, with what would help, and not written. Raises
         CompwrightError if its files cannot be read.
@@ -227,8 +229,10 @@ class Family(ResolvedDefinition, ABC):
     def sheets(
         self, compensations: Sequence[AxisCompensation], axes: Sequence[Axis]
     ) -> tuple[ControlFile, ...]:
-        """Return second forms of compensations that were already written: entry sheets, or programs
-        that enter the same values. ``compensations`` belong to ``axes`` one by one.
+        """Return additional forms of written compensations: entry sheets, or programs that enter
+        the same values.
+
+        ``compensations`` belong to ``axes`` one by one.
         """
         del compensations, axes
         return ()
@@ -254,8 +258,10 @@ def in_patched_files(
     axes: Sequence[Axis],
     files: Sequence[ControlFile],
 ) -> F:
-    """Return the control with the limits of the ``files`` that are patched, whatever was known
-    before. Raises UsageError for a table without an axis, InputError for the files.
+    """Return the control with the limits stated in the ``files`` to be patched. Earlier knowledge
+    is replaced.
+
+    Raises UsageError for a table without an axis, InputError for the files.
     """
     if not files:
         return control
@@ -279,7 +285,7 @@ def no_limits(_: Axis, __: AxisCompensation, ___: Capacity, ____: str) -> Sequen
 
 
 def require_files(files: Sequence[ControlFile]) -> None:
-    """Refuse a state without a file. Raises UsageError."""
+    """Raise UsageError for a state without a file."""
     if not files:
         raise UsageError(
             Fault(
@@ -300,7 +306,7 @@ def check_tables(
     axes: Sequence[Axis],
     own_limits: OwnLimits = no_limits,
 ) -> tuple[list[AxisTable], list[Fault]]:
-    """Return the tables with those of gantry partners, and the broken limits.
+    """Return the tables, with those of gantry slaves, and the limits that they break.
 
     ``own_limits``: faults by limits that only one family has, those of endless axes included; with
     the axis in words. Raises UsageError for a table without an axis.
@@ -315,8 +321,7 @@ def check_tables(
 def _broken(
     control: Family, axis: Axis, compensation: AxisCompensation, own_limits: OwnLimits
 ) -> tuple[Fault, ...]:
-    """Return the faults for which the control cannot hold a compensation, apart from single values
-    that are not exact.
+    """Return why the control cannot hold a compensation, except single values that are not exact.
 
     Each names the limit, the excess and what would help.
     """

@@ -1,6 +1,4 @@
-"""Limits that no control can exceed, whatever its family: invalid numbers, too many points, wrong
-ends.
-"""
+"""Limits that apply to every control: invalid numbers, too many points, wrong ends."""
 
 from __future__ import annotations
 
@@ -19,7 +17,7 @@ SAME_TURN = 1e-6
 
 
 def invalid_values(compensation: AxisCompensation) -> str:
-    """Return why a table is invalid, in words; empty for a valid one."""
+    """Return why a table is invalid, as text. Empty for a valid one."""
     positions = compensation.positions
     if (
         not positions.shape == compensation.positive.shape == compensation.negative.shape
@@ -66,7 +64,7 @@ def size(
 
 
 def curves(capacity: Capacity, compensation: AxisCompensation, label: str) -> list[Fault]:
-    """Return a fault for two curves, or a backlash, that the control has no place for."""
+    """Return a fault for two curves, or a backlash, if the control has no place for them."""
     faults = []
     if capacity.curves == 1 and not np.array_equal(compensation.positive, compensation.negative):
         faults.append(
@@ -90,7 +88,7 @@ def curves(capacity: Capacity, compensation: AxisCompensation, label: str) -> li
 
 
 def turn(capacity: Capacity, compensation: AxisCompensation, label: str) -> list[Fault]:
-    """Yield a fault if the table of an endless axis does not span one turn and close, or if another
+    """Yield a fault if the table of an endless axis does not span one closed turn, or if another
     table repeats.
     """
     period = capacity.period
@@ -173,8 +171,8 @@ def spacing(capacity: Capacity, compensation: AxisCompensation, label: str) -> I
 
 
 def ends(definition: Definition, compensation: AxisCompensation, label: str) -> list[Fault]:
-    """Yield a fault if a table's correction outside its range differs from the control's, unless it
-    is zero at that end.
+    """Yield a fault if the table and the control differ in the correction beyond the ends, unless
+    it is zero there.
     """
     faults: list[Fault] = []
     if not compensation.positions.size:
@@ -201,7 +199,7 @@ def ends(definition: Definition, compensation: AxisCompensation, label: str) -> 
 
 
 def kind(axis: Axis, compensation: AxisCompensation, label: str) -> list[Fault]:
-    """Return a fault for a table in mm on an axis in degrees, or the reverse."""
+    """Return a fault if the table is in mm but the axis is in degrees, or the reverse."""
     if compensation.kind is axis.kind:
         return []
     return [

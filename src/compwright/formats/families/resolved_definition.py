@@ -1,4 +1,4 @@
-"""A definition bound to its options and to the contents of the control's files, for every
+"""A definition combined with its options and the contents of the control's files, for every
 family.
 """
 
@@ -16,8 +16,8 @@ from compwright.records.correction import Assumption, ControlState
 
 
 class ResolvedDefinition:
-    """A definition with its options and a ``state``: the contents of the control's own files; empty
-    before they are read.
+    """A definition with its options and a ``state``: the contents of the control's own files, empty
+    before reading.
 
     Raises UsageError for a wrong option, or one that contradicts the control's files.
     """
@@ -36,7 +36,7 @@ class ResolvedDefinition:
         self.options = resolve_options(definition, given, state, strict=strict)
 
     def in_state(self, state: ControlState | None, *, strict: bool = False) -> Self:
-        """Return the control with options taken from its own files where these answer them.
+        """Return the control with options that its own files answer.
 
         ``strict``: every option was given by the user, not by default. Raises UsageError where a
         given option contradicts the files.
@@ -44,21 +44,23 @@ class ResolvedDefinition:
         return type(self)(self.definition, self.given, state, strict=strict)
 
     def address(self, axis: Axis) -> tuple[str, Assumption | None]:
-        """Return the control's address of an axis, and the assumption made to find it.
+        """Return the control's address of an axis, and the assumption behind it.
 
         Raises UsageError for an address that the control cannot have.
         """
         return normal_address(self.definition, axis)
 
     def options_of(self, axis: Axis | None, *, unit_needed: bool = True) -> Mapping[str, object]:
-        """Return the options of an axis; its own override the controller's, which alone count for
-        an axis without a job. ``unit_needed`` as in `axis_options`. Raises UsageError.
+        """Return the options of an axis, its own over those of the controller. Raises UsageError.
+
+        The controller's alone count for an axis without a job. ``unit_needed`` as in
+        `axis_options`.
         """
         return axis_options(self.definition, self.options, axis, unit_needed=unit_needed)
 
     def existing_grid(self, axis: Axis) -> tuple[float, ...]:
         """Return the nodes (ascending, mm or deg) of the table in the control's own files, active
-        or not; empty if they hold none.
+        or not. Empty without one.
         """
         address, _ = self.address(axis)
         existing = self.state.axes.get(address)
@@ -67,7 +69,7 @@ class ResolvedDefinition:
         return self.state.facts_of(address).grid
 
     def scale_of(self, axis: Axis) -> NumberScale:
-        """Return the number scale of an axis, with the choices that its options set."""
+        """Return unit, sign and resolution of an axis' numbers, with the choices of its options."""
         options = self.options_of(axis)
         choices = {
             name: binding.values[binding.written(options)]

@@ -1,6 +1,4 @@
-"""List of the families, by the shape of their tables: a new one is entered here; and the entry to a
-control's format.
-"""
+"""The list of the families, by the shape of their tables, and the entry to a control's format."""
 
 from __future__ import annotations
 
@@ -37,9 +35,7 @@ RULES: Mapping[str, ShapeRules] = {
 
 
 def family_of(definition: Definition) -> type[Family]:
-    """Return the family of a control: that of its shape, with tables between axes if it binds
-    them.
-    """
+    """Return the family of a control. Tables between axes need the extended family."""
     return PairsFamily if has_cross(definition) else _FAMILIES[definition.layout.shape]
 
 
@@ -50,7 +46,7 @@ def control_format(
     *,
     strict: bool = False,
 ) -> Family:
-    """Return the control of a definition with its options resolved.
+    """Return the control of a definition with its options.
 
     ``given`` may hold text from the command line; with a ``state``, an option that the control's
     own files answer takes that answer. ``strict``: every option of ``given`` was given by the user.

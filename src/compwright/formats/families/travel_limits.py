@@ -1,5 +1,7 @@
-"""Compares an axis' limits in the control's files with the job's travel: both must be in machine
-coordinates, or the table is in the wrong place.
+"""Compare an axis' limits in the control's files with the job's travel, which must use the same
+coordinates.
+
+Both must be in machine coordinates, or the table is in the wrong place.
 """
 
 from __future__ import annotations
@@ -25,8 +27,8 @@ def check_travel(
     notes: Notes,
     refuse: Callable[[str, str, str], None],
 ) -> None:
-    """Compare the job's travel with the ``limits`` of the axis (low, high; mm or deg), which the
-    control calls ``names``.
+    """Compare the job's travel with the ``limits`` of the axis (low, high; mm or deg). ``names``:
+    their names on the control.
 
     A travel outside them goes to ``refuse`` (message, expected, found), one that only partly
     exceeds them is a doubt; if the upper limit is not above the lower one, none are set.

@@ -1,1 +1,1 @@
-"""Text of control files: bytes to statements and back, and patches."""
+"""The text of control files: conversion of bytes to statements and back, and patches."""

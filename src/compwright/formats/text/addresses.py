@@ -1,5 +1,5 @@
-"""Addresses of axes in the control's files, all names of one axis there, and the key of the entry
-that a line sets.
+"""The addresses of axes in the control's files, all names of an axis, and the key of the entry in a
+line.
 
 If the files list the names, all of them are one axis, with the name under which it was requested.
 Without the list each name is an axis of its own.
@@ -20,8 +20,7 @@ from compwright.words.sentences import control_text
 
 
 def normal_text(definition: Definition, address: str) -> str:
-    """Return an address in its normal form: one spelling for each axis (``ax1`` -> ``AX1``, ``00``
-    -> ``0``).
+    """Return an address in its standard spelling (``ax1`` -> ``AX1``, ``00`` -> ``0``).
 
     Raises UsageError when the control cannot have such an axis.
     """
@@ -48,7 +47,7 @@ def normal_text(definition: Definition, address: str) -> str:
 
 
 def normal_address(definition: Definition, axis: Axis) -> tuple[str, Assumption | None]:
-    """Return the control's address of an axis, and the assumption made to find it.
+    """Return the control's address of an axis, and the assumption behind it.
 
     If the control numbers its axes and the job gives only an axis letter, the number is the
     letter's index in the list of the definition (such as XYZABCUVW). Raises UsageError when the
@@ -83,7 +82,9 @@ def normal_address(definition: Definition, axis: Axis) -> tuple[str, Assumption 
 
 @dataclass(frozen=True, slots=True)
 class AxisNames:
-    """``places``: name -> place; ``machine``: those of them that are the machine's own names;
+    """The names of the axes in the files, with the place of each.
+
+    ``places``: name -> place; ``machine``: those of them that are the machine's own names;
     ``requested``: place -> the name under which the axis was requested; ``place``: the form of a
     place, None if the control has no such names.
     """
@@ -94,14 +95,14 @@ class AxisNames:
     place: re.Pattern[str] | None = None
 
     def address(self, name: str) -> str:
-        """Return the canonical name of an axis: the requested one, else its place, else ``name``
+        """Return the standard name of an axis: the requested one, else its place, else ``name``
         unchanged.
         """
         place = self.places.get(name, name)
         return self.requested.get(place, place)
 
     def known(self, name: str) -> bool:
-        """Return whether a name is that of a machine axis; if the files list no names, every one
+        """Return whether a name is that of a machine axis. If the files list no names, every name
         is.
         """
         return not self.places or name in self.places or self._is_place(name)
@@ -116,8 +117,10 @@ class AxisNames:
         }
 
     def unplaced(self, address: str, spoken_of: Iterable[str]) -> list[str]:
-        """Return the names in the files that may also mean ``address``: the files give one as a
-        place without a name, the other as names without a place.
+        """Return the names in the files that may also mean ``address``, because the files do not
+        connect them.
+
+        The files give one as a place without a name, the other as names without a place.
         """
         place = self.places.get(address, address)
         named = {one for name, one in self.places.items() if not self._is_place(name)}
@@ -132,7 +135,7 @@ class AxisNames:
         return [name for name in spoken_of if self._is_place(name) and name not in named]
 
     def machine_name(self, address: str) -> str | None:
-        """Return the name of the axis at an address for people; None if the files do not state it.
+        """Return the name of the axis at an address, for people. None if the files do not state it.
 
         The channel's letter if there is one (X), which measurement files have too, else the
         machine's name (X1).
@@ -144,8 +147,9 @@ class AxisNames:
         return next((name for name in names if len(name) == 1), names[0] if names else None)
 
     def written(self, address: str) -> str:
-        """Return the name of an axis for writing lines: ``address`` itself if it is its place or
-        the machine's name, else its place.
+        """Return the name of an axis for written lines.
+
+        ``address`` itself if it is its place or the machine's name, else its place.
         """
         if address in self.machine or self._is_place(address):
             return address
@@ -170,7 +174,7 @@ NAMES = ("machine_axis", "channel_axis", "channel_machine_axis")
 
 
 def entry_key(definition: Definition, occurrence: Occurrence, names: AxisNames) -> Key:
-    """Return the key of the entry in a line; ``names``: the axis names."""
+    """Return the key of the entry in a line. ``names``: the axis names."""
     tokens = occurrence.tokens
     axis = tokens.get("axis")
     address = "" if axis is None else names.address(normal_text(definition, axis.text))
@@ -180,7 +184,7 @@ def entry_key(definition: Definition, occurrence: Occurrence, names: AxisNames) 
 
 
 def which_fields(definition: Definition, statement: str) -> list[str]:
-    """Return the fields that identify the entry of a statement, apart from the axis."""
+    """Return the fields that identify the entry of a statement, except the axis."""
     return [name for name in definition.statements[statement].fields if name in _WHICH]
 
 

@@ -1,4 +1,4 @@
-"""A commissioning archive in one container -> the texts in it that are the control's state.
+"""Open a commissioning archive, and return the texts in it that belong to the control's state.
 
 The container (``@@MMCIBN.``) is a relative of tar: a header of 512 bytes, the content, zeros up to
 the next multiple of 512, member after member up to the end of the file; the first member is a list
@@ -51,8 +51,9 @@ _KEPT = 8
 
 @dataclass(frozen=True, slots=True)
 class Member:
-    """One member: its folder and name as the container shows them, its kind as written there, the
-    seconds of its date, and where its ``size`` bytes begin.
+    """One member of an archive: folder, name, kind, date, and the place of its bytes.
+
+    Its kind as written there, the seconds of its date, and where its ``size`` bytes begin.
     """
 
     folder: str
@@ -64,14 +65,16 @@ class Member:
 
     @property
     def path(self) -> str:
-        """Folder and name."""
+        """The folder and the name of the member."""
         return self.folder + self.name
 
 
 @dataclass(frozen=True, slots=True)
 class Container:
-    """Contents of a container. ``state``: the texts that the control loads, in its order, each
-    named after its container; ``programs``: every other member that is a text.
+    """The contents of an archive.
+
+    ``state``: the texts that the control loads, in its order, each named after its container;
+    ``programs``: every other member that is a text.
     """
 
     state: tuple[ControlFile, ...]
@@ -79,13 +82,14 @@ class Container:
 
 
 def is_container(file: ControlFile) -> bool:
-    """Return whether a file is a container that can be opened."""
+    """Return whether a file is an archive that can be opened."""
     return file.content.startswith(MAGIC)
 
 
 def unpacked(files: Sequence[ControlFile], faults: list[Fault]) -> tuple[ControlFile, ...]:
-    """Return the files with every container replaced by its texts, which come before all others,
-    because these were loaded over it. A container that cannot be opened goes to ``faults``.
+    """Return the files with every archive replaced by its texts, which come first.
+
+    Because all others were loaded over it. A container that cannot be opened goes to ``faults``.
     """
     result: list[ControlFile] = []
     for file in sorted(files, key=is_container, reverse=True):
@@ -99,15 +103,15 @@ def unpacked(files: Sequence[ControlFile], faults: list[Fault]) -> tuple[Control
 
 
 def unknown_container(content: bytes) -> str:
-    """Return the type of a file whose container is known by its first bytes but cannot be opened;
-    empty for other files.
+    """Return the type of an archive that is recognised but cannot be opened. Empty for other
+    files.
     """
     return next((words for start, words in OTHERS.items() if content.startswith(start)), "")
 
 
 @lru_cache(maxsize=_KEPT)
 def programs_setting(file: ControlFile, words: tuple[str, ...]) -> tuple[str, ...]:
-    """Return the programs in a container that set a variable whose name contains one of
+    """Return the programs in an archive that set a variable whose name contains one of
     ``words``.
     """
     container = opened(file)[0] if words else None
@@ -119,8 +123,8 @@ def programs_setting(file: ControlFile, words: tuple[str, ...]) -> tuple[str, ..
 
 @lru_cache(maxsize=_KEPT)
 def opened(file: ControlFile) -> tuple[Container | None, tuple[Fault, ...]]:
-    """Return the contents of a container; None, and the reason, for one that is damaged, cut short,
-    or ambiguous.
+    """Return the contents of an archive. None, with the reason, for a damaged, incomplete or
+    ambiguous one.
     """
     faults: list[Fault] = []
     members = list(_members(file, faults))
@@ -161,7 +165,7 @@ def opened(file: ControlFile) -> tuple[Container | None, tuple[Fault, ...]]:
 
 
 def _members(file: ControlFile, faults: list[Fault]) -> Iterator[Member]:
-    """Yield every member, the list of contents first; stop at the first invalid header."""
+    """Yield every archive member, the list of contents first. Stop at the first invalid header."""
     place, content, behind = 0, file.content, "at its beginning"
     while place < len(content):
         header = content[place : place + _BLOCK]
@@ -200,8 +204,8 @@ def _members(file: ControlFile, faults: list[Fault]) -> Iterator[Member]:
 
 
 def _not_listed(file: ControlFile, members: Sequence[Member]) -> Iterator[Fault]:
-    """Yield the members in the list of contents that are missing: the container was cut short
-    between two members.
+    """Yield missing members that the list of contents names: the archive was cut short between two
+    members.
     """
     contents, *rest = members
     text = file.content[contents.start : contents.start + contents.size]
@@ -217,7 +221,7 @@ def _not_listed(file: ControlFile, members: Sequence[Member]) -> Iterator[Fault]
 
 
 def _text(header: bytes, field: slice) -> bytes:
-    """Return a field of a header without its padding."""
+    """Return a field of an archive header without its padding."""
     return header[field].partition(b"\x00")[0].strip(b" ")
 
 

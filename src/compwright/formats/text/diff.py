@@ -1,5 +1,5 @@
-"""Differences between two sets of control files, entry by entry: old value, new value, and the
-number of unchanged lines.
+"""Compare two sets of control files, entry by entry: old value, new value, number of unchanged
+lines.
 """
 
 from __future__ import annotations
@@ -27,8 +27,9 @@ _KEPT = 32
 
 @dataclass(frozen=True, slots=True)
 class EntryChange:
-    """One entry as the control writes it; ``address`` None: the line names no axis. ``old`` /
-    ``new`` None: not present.
+    """One changed entry as the control writes it. ``old`` or ``new`` None: it does not exist there.
+
+    ``address`` None: the line names no axis.
     """
 
     entry: str
@@ -39,7 +40,7 @@ class EntryChange:
 
 @dataclass(frozen=True, slots=True)
 class FileDiff:
-    """All changes in the order of the new files, then removed entries; ``untouched``: unchanged
+    """All changes in the order of the new files, then removed entries. ``untouched``: unchanged
     lines of the old files.
     """
 
@@ -49,8 +50,10 @@ class FileDiff:
 
 @dataclass(frozen=True, slots=True)
 class DiffEntry:
-    """One value of a statement: its axis, its text. ``label`` returns the control's text up to the
-    value; a function, because few labels of a whole backup are needed.
+    """One value of a statement: its axis and its text.
+
+    ``label`` returns the control's text up to the value; a function, because few labels of a whole
+    backup are needed.
     """
 
     label: Callable[[], str]
@@ -65,8 +68,8 @@ _KeyedEntry = tuple[tuple[str, ...], DiffEntry]
 def compare_files(
     definition: Definition, old: Sequence[ControlFile], new: Sequence[ControlFile]
 ) -> FileDiff:
-    """Return the difference between the entries of two sets of files. Files that hold a table by
-    rows are compared row by row.
+    """Return the differences between the entries of two sets of files. Tables are compared row by
+    row.
 
     Both sets were read before: entries that cannot be read here are left out.
     """
@@ -98,9 +101,7 @@ def _untouched(old: Sequence[ControlFile], new: Sequence[ControlFile]) -> int:
 
 
 def entries_of(definition: Definition, files: Sequence[ControlFile]) -> Iterator[_KeyedEntry]:
-    """Yield the values of all statements, each with its unique key: its scope and its statement
-    first.
-    """
+    """Yield the values of all statements, each with a unique key."""
     reader = text_reader(definition)
     for file in unpacked(files, []):
         yield from _entries(reader, file)
@@ -132,9 +133,7 @@ def _sheet_entries(file: ControlFile) -> Iterator[_KeyedEntry]:
 
 
 def _values(definition: Definition, occurrence: Occurrence, row: int) -> Iterator[_KeyedEntry]:
-    """Yield the values of a statement, the ``row``-th of its kind in its file: a bare number is
-    identified by that alone.
-    """
+    """Yield the values of a statement. A bare number is identified by its ``row`` in the file."""
     statement = definition.statements[occurrence.statement]
     tokens = occurrence.tokens
     identity = [tokens[name].text for name in _IDENTITY if name in tokens]
@@ -155,9 +154,7 @@ def _values(definition: Definition, occurrence: Occurrence, row: int) -> Iterato
 
 
 def _label(statement: Statement, occurrence: Occurrence, field: str, row: int) -> str:
-    """Return the line up to its value, of a bit its number too; file and row if the line starts
-    with the value.
-    """
+    """Return a line up to its value, to name the value."""
     values = {name: token.text for name, token in occurrence.tokens.items()}
     marked = {**values, **{name: "\0" for name in statement.fields if name not in _IDENTITY}}
     text = print_form(

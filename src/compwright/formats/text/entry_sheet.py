@@ -24,7 +24,7 @@ _NUMBER = re.compile(r"[+-]?(?:[0-9]{1,12}(?:\.[0-9]{0,12})?|\.[0-9]{1,12})")
 
 @dataclass(frozen=True, slots=True)
 class SheetRow:
-    """One row: ``position`` empty for a parameter; ``line`` counts from 1."""
+    """One row of an entry sheet. ``position`` is empty for a parameter; ``line`` counts from 1."""
 
     point: str
     position: str
@@ -35,7 +35,7 @@ class SheetRow:
 
 @dataclass(frozen=True, slots=True)
 class EntrySheet:
-    """A sheet: its comments by key (lower case), its rows in order."""
+    """An entry sheet: its comments by key (lower case), and its rows in order."""
 
     name: str
     comments: Mapping[str, str]
@@ -44,8 +44,8 @@ class EntrySheet:
 
     @property
     def axis(self) -> str:
-        """The control's name of the axis: the comment ``address``, else ``axis``, else from the
-        file's name; may be empty.
+        """The axis name in a sheet: the comment ``address``, else ``axis``, else from the file
+        name. It may be empty.
         """
         named = re.fullmatch(r"entry_(.+)\.csv", self.name, re.IGNORECASE)
         return (
@@ -55,9 +55,7 @@ class EntrySheet:
 
 @lru_cache(maxsize=KEPT_SHEETS)
 def is_entry_sheet(file: ControlFile) -> bool:
-    """Return whether a file is a typed-entry sheet: its first line other than comments is the
-    sheet's header.
-    """
+    """Return whether a file is an entry sheet, by its header."""
     for line in file.content[:100_000].decode("latin-1").removeprefix("\xef\xbb\xbf").splitlines():
         if line.strip() and not line.lstrip().startswith("#"):
             return [cell.strip().lower() for cell in line.split(",")] == list(HEADER)
@@ -65,7 +63,7 @@ def is_entry_sheet(file: ControlFile) -> bool:
 
 
 def read_sheet(file: ControlFile, faults: list[Fault]) -> EntrySheet | None:
-    """Return a sheet; None with faults, each with its line, in ``faults``."""
+    """Return an entry sheet. None with faults, which are added to ``faults`` with their lines."""
     sheet, found = _read(file)
     faults.extend(found)
     return sheet
@@ -78,7 +76,7 @@ def _read(file: ControlFile) -> tuple[EntrySheet | None, tuple[Fault, ...]]:
 
 
 def parse_sheet(file: ControlFile, faults: list[Fault]) -> EntrySheet | None:
-    """Return a sheet, without the cache of `read_sheet`."""
+    """Return an entry sheet, without the cache of `read_sheet`."""
     try:
         text = file.content.decode("utf-8-sig")
     except UnicodeDecodeError as error:

@@ -1,5 +1,5 @@
-"""All values in a control's files, known to compwright or not: each by the control's own name, so
-that order, line ends, blanks and block numbers do not matter.
+"""All values in a control's files by the control's own names. Order, line ends, blanks and block
+numbers do not matter.
 """
 
 from __future__ import annotations
@@ -26,8 +26,10 @@ _SECTION = re.compile(r"[ \t]*\[([^\]]+)\][ \t]*")
 
 @dataclass(frozen=True, slots=True)
 class FileValue:
-    """One value. ``name``: the control's text up to the value; ``group``: under which many such
-    entries are counted; ``axis``: the address that the entry names, empty if it names none.
+    """One value in the files, with its name on the control.
+
+    ``name``: the control's text up to the value; ``group``: under which many such entries are
+    counted; ``axis``: the address that the entry names, empty if it names none.
 
     ``relevant``: it belongs to a compensation of an axis, or decides its unit, kind or zero;
     ``meaning``: in words, empty if unknown.
@@ -45,7 +47,7 @@ class FileValue:
 
 @dataclass(frozen=True, slots=True)
 class FileValueChange:
-    """One entry that differs; None: it is not present."""
+    """One entry that differs between two sets of files. None: it does not exist there."""
 
     old: FileValue | None
     new: FileValue | None
@@ -63,8 +65,8 @@ FileValues = Mapping[str, FileValue]
 
 
 def changes(old: FileValues, new: FileValues) -> tuple[FileValueChange, ...]:
-    """Return the differences, in the order of the new files, then entries that only the old ones
-    have.
+    """Return the differences in the order of the new files, then entries that exist only in the old
+    ones.
 
     Numbers are the same whatever their decimals; TRUE is 1.
     """
@@ -84,8 +86,8 @@ def same_text(first: str, second: str) -> bool:
 
 
 def texts_of(files: Sequence[ControlFile]) -> tuple[ControlFile, ...]:
-    """Return the texts in files, containers replaced by their texts, which are named without the
-    container. Raises InputError for one that cannot be opened.
+    """Return the texts in files, archives replaced by their texts. Raises InputError for one that
+    cannot be opened.
     """
     faults: list[Fault] = []
     texts = unpacked(files, faults)
@@ -94,8 +96,9 @@ def texts_of(files: Sequence[ControlFile]) -> tuple[ControlFile, ...]:
 
 
 def by_statements(definition: Definition, files: Sequence[ControlFile]) -> dict[str, FileValue]:
-    """Return the entries of files: by the definition's statements; other lines ``name = value`` by
-    name within their section; the rest line by line.
+    """Return the entries of files: by statements, by ``name = value``, or else line by line.
+
+    By the definition's statements; other lines by name within their section.
     """
     found: dict[str, FileValue] = {}
     texts = texts_of(files)

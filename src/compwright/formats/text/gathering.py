@@ -1,4 +1,4 @@
-"""Statements of several files -> values of each axis and measuring system."""
+"""Collect the statements of several files as values of each axis and measuring system."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _TRUTH = {"TRUE": "1", "FALSE": "0"}
 
 
 class FoundValue(NamedTuple):
-    """One value as written in a file; ``number`` is the index of the file among those given."""
+    """One value as written in a file. ``number``: the index of its file."""
 
     text: str
     occurrence: Occurrence
@@ -33,7 +33,10 @@ class FoundValue(NamedTuple):
 
 @dataclass(slots=True)
 class Gathered:
-    """All values by key. ``singles[key][quantity]`` and ``rows[key]`` in the order of the files."""
+    """All values in the files by axis and measuring system.
+
+    ``singles[key][quantity]`` and ``rows[key]`` in the order of the files.
+    """
 
     definition: Definition
     singles: dict[Key, dict[str, list[FoundValue]]] = field(default_factory=dict)
@@ -48,15 +51,15 @@ class Gathered:
     naming: set[int] = field(default_factory=set)
 
     def axis(self, text: str) -> str:
-        """Return the address of an axis by any of its names."""
+        """Return the address of an axis from any of its names."""
         return self.names.address(normal_text(self.definition, text))
 
     def spelled(self, address: str) -> str:
-        """Return the name of an axis as the files write it; the address itself if they do not."""
+        """Return the name of an axis as the files write it. The address itself if they do not."""
         return self.spellings.get(address, [address])[0]
 
     def addresses(self) -> list[str]:
-        """Return the addresses that the files name, in the order of their first appearance.
+        """Return the axis addresses in the files, in the order of their first appearance.
 
         If the control numbers measuring systems, settings of the axis as a whole (such as its kind)
         do not count as naming it.
@@ -68,7 +71,7 @@ class Gathered:
         return list(dict.fromkeys(address for address, _ in keys if address is not None))
 
     def systems(self, address: str) -> list[str]:
-        """Return the measuring systems that the files name for an address, in order."""
+        """Return the measuring systems of an address in the files, in order."""
         return sorted(
             {
                 system
@@ -91,7 +94,7 @@ class Gathered:
 def gather(
     definition: Definition, texts: Iterable[ReadText], names: AxisNames | None = None
 ) -> Gathered:
-    """Sort the statements of all files by axis and measuring system.
+    """Return the statements of all files, sorted by axis and measuring system.
 
     ``names``: which of the names in the files are one axis; None: each is one of its own.
     """
@@ -133,7 +136,7 @@ def _key(gathered: Gathered, occurrence: Occurrence) -> Key:
 
 
 def _text(definition: Definition, binding: Binding, occurrence: Occurrence) -> str:
-    """Return the value as written; a truth value in words as its number."""
+    """Return a value as written. A truth value in words becomes its number."""
     text = occurrence.tokens[binding.field].text
     if definition.statements[occurrence.statement].fields.get(binding.field) == "truth":
         return _TRUTH.get(text.upper(), text)
@@ -141,7 +144,7 @@ def _text(definition: Definition, binding: Binding, occurrence: Occurrence) -> s
 
 
 def first_set(places: Sequence[FoundValue]) -> list[FoundValue]:
-    """Return the places of the first parameter set (0), if a quantity has several."""
+    """Return the places of the first parameter set (0), if a quantity has several sets."""
     return [
         place
         for place in places
@@ -150,7 +153,7 @@ def first_set(places: Sequence[FoundValue]) -> list[FoundValue]:
 
 
 def same_value(one: str, other: str) -> bool:
-    """Return whether two texts are the same number, or the same text."""
+    """Return whether two texts are the same number or the same text."""
     if one == other:
         return True
     one, other = _TRUTH.get(one.upper(), one), _TRUTH.get(other.upper(), other)

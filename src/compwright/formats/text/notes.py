@@ -1,5 +1,5 @@
-"""Collects findings, assumptions and questions while files are read, and makes the findings that
-several readers share: each code in one place.
+"""Collect findings, assumptions and questions during reading. Findings of several readers are made
+here.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ CORRECT_TRAVEL: Final = (
 
 @dataclass(slots=True)
 class Notes:
-    """Findings, assumptions, questions and faults collected while files are read."""
+    """Findings, assumptions, questions and faults, collected during reading."""
 
     faults: list[Fault] = field(default_factory=list)
     findings: list[Finding] = field(default_factory=list)
@@ -60,44 +60,46 @@ class Notes:
             self.assume(note.fact, note.value, note.evidence)
 
     def ask_contradicted(self) -> None:
-        """Add questions for an answer that no table needed, and that the files contradict."""
+        """Add questions for an answer that no table needs but that the files contradict."""
         if not self.open_answers:
             for fault in self.contradictions:
                 self.ask(fault)
 
     def ask(self, question: Fault) -> None:
-        """Add a question once."""
+        """Add a question, if it is not there yet."""
         if question not in self.questions:
             self.questions.append(question)
 
     def assume(self, fact: str, value: str, evidence: str) -> None:
-        """Add an assumption once."""
+        """Add an assumption, if it is not there yet."""
         note = Assumption(fact, value, evidence)
         if note not in self.assumed:
             self.assumed.append(note)
 
     def find(self, name: str, severity: str, axis: str = "", /, **values: object) -> None:
-        """Add a finding (`Finding.of`); ``axis``: the address of its axis, or its label, after
-        which more may follow (``axis AX1, measuring system 2``).
+        """Add a finding (`Finding.of`). ``axis``: the address of its axis, or its label with
+        further words.
+
+        After which more may follow (``axis AX1, measuring system 2``).
         """
         about = (axis.removeprefix("axis ").partition(",")[0],) if axis else ()
         grave: Severity = "warning" if severity == "warning" else "info"
         self.findings.append(Finding.of(name, grave, about, **values))
 
     def counted_as(self, label: str, name: str, value: str) -> None:
-        """Note that a quantity is not in the files, its assumed value, and what depends on it."""
+        """Note the assumed value of a quantity that is not in the files, and what depends on it."""
         self.find("CW-S005", "warning", label, label=label, quantity=name, value=value)
 
     def switched_off(self, label: str, what: str) -> None:
-        """Note that a table of the files corrects nothing; ``what``: by what it is off."""
+        """Note that a table in the files corrects nothing. ``what``: what switches it off."""
         self.find("CW-S007", "info", label=label, switch=what)
 
     def no_table(self, label: str, *, off: bool = False) -> None:
-        """Note that no file holds a table of an axis; ``off``: by the files none is active."""
+        """Note that no file contains a table of an axis. ``off``: the files activate none."""
         self.find("CW-S008", "info" if off else "warning", label, label=label)
 
     def taken_for(self, axis: str, address: str) -> None:
-        """Note the axis of the control that was assumed for an axis of the job."""
+        """Note which axis of the control was assumed for an axis of the job."""
         self.find("CW-S010", "warning", axis=axis, address=address)
 
     def refuse(
@@ -110,7 +112,7 @@ class Notes:
         hint: str,
         found: str | None = None,
     ) -> None:
-        """Note, once, a fault at the line of ``place`` because of which the files cannot be used.
+        """Note, once, a fault at the line of ``place`` that makes the files unusable.
 
         ``expected``, ``found``: values; ``found`` defaults to the text of the place. ``hint``: the
         next step.
@@ -126,7 +128,7 @@ class Notes:
         self.once(fault)
 
     def once(self, fault: Fault) -> None:
-        """Add a fault once."""
+        """Add a fault, if it is not there yet."""
         if fault not in self.faults:
             self.faults.append(fault)
 
@@ -135,5 +137,5 @@ class Notes:
         self.find("CW-S009", "warning", label=label, what=what, why=why)
 
     def idle_file(self, sentence: Sentence) -> None:
-        """Note a table file that does not fit the files that the control loads."""
+        """Note a table file that does not belong to the files that the control loads."""
         self.findings.append(Finding("CW-S012", "warning", sentence))

@@ -1,4 +1,4 @@
-"""Files in a folder that are no data of the control: lists of its hardware, notes."""
+"""Recognise files in a folder that contain no data of the control: hardware lists, notes."""
 
 from __future__ import annotations
 
@@ -19,8 +19,7 @@ _DATA = re.compile(
 
 
 def holds_no_data(definition: Definition, file: ControlFile) -> bool:
-    """Return whether a file is a text without any statement of the control, or line that looks like
-    data.
+    """Return whether a text contains no statement of the control and no line that looks like data.
 
     Not a file that is damaged in part or has another character set; nor any file of a control on
     which every line is a command, known or not.
@@ -35,20 +34,20 @@ def holds_no_data(definition: Definition, file: ControlFile) -> bool:
 
 
 def _of_commands(kind: TextKind) -> bool:
-    """Return whether every line of a text can be a command, because no word marks commands."""
+    """Return whether every line of a text can be a command."""
     return not (kind.other_lines_refused or kind.claims_at_start or kind.claims_anywhere)
 
 
 def _numbered(definition: Definition) -> bool:
-    """Return whether every statement of a control begins with its number."""
+    """Return whether every statement of a control begins with a number."""
     return all(each.form.startswith("N") for each in definition.statements.values())
 
 
 def without_other_files(
     definition: Definition, files: Sequence[ControlFile]
 ) -> tuple[tuple[ControlFile, ...], tuple[Finding, ...]]:
-    """Return ``files`` without those of a folder that are no data of the control, and the finding
-    that names them (CW-S084).
+    """Return ``files`` of a folder without those that contain no data of the control, and the
+    finding that names them (CW-S084).
 
     A file that was named itself stays. All files stay if none would be left, and for a control that
     does not number its blocks: there any line may be a command.

@@ -1,4 +1,4 @@
-"""The control's own files, changed in place: only what differs.
+"""Change the control's own files in place. Everything else keeps its bytes.
 
 Values keep their decimal places, signs and blanks as far as the new ones allow; rows are added
 after the last one, as a copy of that line; rows that the new table does not use become zero. A
@@ -21,7 +21,7 @@ from compwright.records.correction import ControlFile
 
 @dataclass(frozen=True, slots=True)
 class TablePlaces:
-    """Places of a table: its rows by index, and its single values by quantity.
+    """The places of a table in the files: its rows by index, and its single values by quantity.
 
     ``value``: the quantity of a row's value; ``named``: the fields that every line of the table has
     (axis and system, or table).
@@ -34,12 +34,14 @@ class TablePlaces:
 
     @property
     def anywhere(self) -> bool:
-        """Whether the files hold anything of the table."""
+        """Whether the files contain any value of the table."""
         return bool(self.rows) or any(self.singles.values())
 
 
 class OwnFiles(Patches):
-    """Changes to the control's files by meaning. ``gathered``: the contents of the files."""
+    """Changes to the control's files, addressed by quantity. ``gathered``: the contents of the
+    files.
+    """
 
     def __init__(
         self, definition: Definition, files: Sequence[ControlFile], gathered: Gathered
@@ -49,9 +51,7 @@ class OwnFiles(Patches):
         self.gathered = gathered
 
     def put(self, quantity: str, places: Sequence[FoundValue], text: str) -> bool:
-        """Set a single value where it counts (everywhere, or the first or last of each file); False
-        if it has no place.
-        """
+        """Set a single value at the place that counts. False if it has no place."""
         binding = self.definition.bindings[quantity]
         by_file: dict[int, list[FoundValue]] = {}
         for place in places:
@@ -64,8 +64,9 @@ class OwnFiles(Patches):
     def put_table(
         self, places: TablePlaces, rows: Sequence[str], singles: Mapping[str, str]
     ) -> None:
-        """Set a table that is already in the files: values by index, single values by quantity, all
-        as text.
+        """Set the values of a table that is already in the files.
+
+        Values by index, single values by quantity, all as text.
 
         Missing rows and values are put after the last row, or after the last line of the table if
         there is no row.
@@ -87,7 +88,7 @@ class OwnFiles(Patches):
         self._add(anchor, added)
 
     def put_after_table(self, places: TablePlaces, number: int, quantity: str, text: str) -> None:
-        """Put a single value on a line of its own after all lines of a table in one file."""
+        """Add a single value on its own line after all lines of a table in one file."""
         lines = [
             found
             for group in (*places.rows.values(), *places.singles.values())
@@ -118,8 +119,10 @@ class OwnFiles(Patches):
         self.add_lines(anchor.number, next(iter(anchor.occurrence.tokens.values())).start, lines)
 
     def _row(self, anchor: FoundValue, places: TablePlaces, index: int, text: str) -> str:
-        """Return the line of a new value: the neighbouring row with other index and value, without
-        block number and comment.
+        """Return the line of a new value: a copy of the neighbouring row with another index and
+        value.
+
+        Without block number and comment.
         """
         binding = self.definition.bindings[places.value]
         if not places.rows:
@@ -144,8 +147,7 @@ class OwnFiles(Patches):
 
 
 def styled(old: str, new: str) -> str:
-    """Return a number in the style of the file: at least as many decimal places as before and as it
-    needs, with its plus sign.
+    """Return a number in the style of the file: decimal places and plus sign as before.
 
     Other text is returned unchanged.
     """

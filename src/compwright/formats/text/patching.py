@@ -1,4 +1,4 @@
-"""Changes to files as (start, end, bytes) on the original: every other byte stays.
+"""Changes to files as (start, end, bytes) on the original. All other bytes stay.
 
 A fresh file is a patch of a skeleton, so both cases share the code.
 """
@@ -16,8 +16,8 @@ from compwright.records.correction import ControlFile
 
 @dataclass(frozen=True, slots=True)
 class BytesChange:
-    """The bytes from ``start`` up to but not including ``end`` are replaced; equal: bytes are
-    inserted there.
+    """One change: the bytes from ``start`` to before ``end`` are replaced. If both are equal, bytes
+    are inserted.
     """
 
     start: int
@@ -27,7 +27,9 @@ class BytesChange:
 
 @dataclass(frozen=True, slots=True)
 class BytesPlace:
-    """A line in bytes: its text from ``start`` to ``end``, the following line from ``next``."""
+    """A line as byte positions: its text from ``start`` to ``end``, the following line from
+    ``next``.
+    """
 
     start: int
     end: int
@@ -35,8 +37,8 @@ class BytesPlace:
 
 
 def set_field(occurrence: Occurrence, field: str, text: str) -> tuple[BytesChange, ...]:
-    """Return the changes that put ``text`` into a field of a statement; a line checksum is removed,
-    because it would be wrong.
+    """Return the changes that put ``text`` into a field of a statement. A line checksum is removed,
+    because it becomes wrong.
     """
     token = occurrence.tokens[field]
     changes = [BytesChange(token.start, token.end, text.encode("ascii"))]
@@ -46,7 +48,7 @@ def set_field(occurrence: Occurrence, field: str, text: str) -> tuple[BytesChang
 
 
 def apply_changes(original: bytes, changes: Iterable[BytesChange]) -> bytes:
-    """Return the original with all changes made; everything else stays byte for byte.
+    """Return the original with all changes made. All other bytes stay.
 
     Insertions at one place keep their order. Raises ValueError for changes that overlap or are
     outside of the text.
@@ -64,7 +66,7 @@ def apply_changes(original: bytes, changes: Iterable[BytesChange]) -> bytes:
 
 
 class Patches:
-    """Collects the changes to files, which are identified by their index among those given.
+    """Collects the changes to files, by file index.
 
     If the same bytes are replaced twice, the last text counts.
     """
@@ -83,7 +85,7 @@ class Patches:
         replaced.update({(change.start, change.end): change for change in changes})
 
     def insert(self, number: int, place: int, text: str) -> None:
-        """Insert text before the byte ``place``, after text inserted there before."""
+        """Insert text before the byte ``place``, after earlier insertions there."""
         change = BytesChange(place, place, text.encode("latin-1"))
         self._inserted.setdefault(number, []).append(change)
 
@@ -105,8 +107,8 @@ class Patches:
     def like(
         self, number: int, occurrence: Occurrence, texts: Mapping[str, str], *, end: str = ""
     ) -> str:
-        """Return the line of a statement with other texts in some of its fields; up to the field
-        ``end`` if that is given.
+        """Return the line of a statement with other texts in some of its fields. ``end``: the last
+        field to include.
         """
         line = self.line(number, occurrence.tokens[next(iter(texts))].start)
         stop = occurrence.tokens[end].end if end else line.end
@@ -120,8 +122,7 @@ class Patches:
     def add_lines(
         self, number: int, place: int, lines: Iterable[str], *, before: bool = False
     ) -> None:
-        """Add lines after (or ``before``) the line that contains the byte ``place``, with its line
-        end.
+        """Add lines after (or ``before``) the line with the byte ``place``, with the same line end.
 
         A last line without an end gets one, and the new last line has none.
         """
@@ -140,11 +141,11 @@ class Patches:
         self.replace(number, BytesChange(line.start, line.next, b""))
 
     def changed(self) -> set[int]:
-        """Return the files that change, by their index."""
+        """Return the changed files, by their index."""
         return {*self._replaced, *self._inserted}
 
     def patched(self, numbers: Iterable[int]) -> tuple[ControlFile, ...]:
-        """Return some of the files with all changes made, in the order in which they were given."""
+        """Return some of the files with all changes made, in the given order."""
         return tuple(
             ControlFile(
                 self.files[number].name,
@@ -167,8 +168,8 @@ def fresh_file(
     named: Mapping[str, str],
     rows: Iterable[str],
 ) -> Patches:
-    """Return a fresh file of a definition as a patch of its skeleton: ``rows`` between its header
-    and its footer.
+    """Return a new file made from the template of a definition, with ``rows`` between header and
+    footer.
 
     ``named``: values of the fields in header and footer.
     """

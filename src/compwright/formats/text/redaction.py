@@ -1,5 +1,7 @@
-"""A control's text without private data: statements that are read keep their numbers, and so do
-lines of numbers and keywords; remarks, programs and names are removed.
+"""Copy a control's text without private data: known numbers and keywords stay, names, remarks and
+programs are removed.
+
+Statements that are read keep their numbers, and so do lines of numbers and keywords.
 """
 
 from __future__ import annotations
@@ -46,7 +48,7 @@ _LETTERS: Final = re.compile(r"[A-Za-z0-9]{4,}")
 
 @dataclass(slots=True)
 class RedactedText:
-    """The text of a copy; ``renamed``: old name -> new name; ``words``: its keywords, in lower
+    """The text of a copy. ``renamed``: old name -> new name; ``words``: its keywords, in lower
     case.
     """
 
@@ -56,7 +58,7 @@ class RedactedText:
 
 
 class TextRedactor:
-    """Copies a control's text without private data; file names in it lose their folders.
+    """Copies a control's text without private data. File names in it lose their folders.
 
     ``read``: the statements in it; ``kept``: other lines that may stay.
     """
@@ -101,7 +103,9 @@ class TextRedactor:
         return code + self._remark(line.text[end:])
 
     def _remark(self, text: str) -> str:
-        """Return the replacement of a remark with its mark. Text after its end is removed too."""
+        """Return the replacement of a remark, which keeps only its mark. Text after its end is
+        removed too.
+        """
         mark = next((mark for mark in self.kind.comment_marks if text.startswith(mark)), "")
         if mark != OPEN:
             return f"{mark} {self.cuts.remark(text[len(mark) :])}".rstrip() if mark else ""
@@ -111,7 +115,7 @@ class TextRedactor:
         return f"({self.cuts.remark(inside)}){behind}"
 
     def _statement(self, line: TextLine, code: str, statements: Sequence[Occurrence]) -> str:
-        """Return a line with statements; names in it that may be private are replaced."""
+        """Return a line with statements. Private names in it are replaced."""
         tokens = sorted(self._tokens(line, code, statements), key=lambda one: one[0].start)
         made, end = [], 0
         for token, kind in tokens:
@@ -159,7 +163,7 @@ class TextRedactor:
         return new
 
     def _other(self, code: str) -> str:
-        """Return a line without known statements."""
+        """Return the replacement of a line without known statements."""
         bare = code.strip()
         if self._stays(bare):
             return self._literal(code)
@@ -191,7 +195,7 @@ class TextRedactor:
 
 
 def _path(text: str) -> tuple[str, str, str]:
-    """Return the folder, the stem and the ending of what may be the name of a file."""
+    """Return the folder, the stem and the ending of a text that may be a file name."""
     place = max(text.rfind("/"), text.rfind("\\")) + 1
     match = re.fullmatch(r"(?P<stem>.*?)(?P<ending>\.[A-Za-z0-9]{1,4})?", text[place:])
     assert match is not None  # noqa: S101 - every text has this form
@@ -199,8 +203,8 @@ def _path(text: str) -> tuple[str, str, str]:
 
 
 def same_statements(old: ReadText, new: ReadText, renamed: dict[str, str]) -> bool:
-    """Return whether two texts have the same statements in the same order, with the same tokens
-    apart from replaced names.
+    """Return whether two texts have the same statements in the same order, except replaced
+    names.
     """
     return _comparable(old, renamed) == _comparable(new, {})
 
@@ -220,7 +224,7 @@ def _comparable(text: ReadText, renamed: dict[str, str]) -> list[tuple[object, .
 
 
 def definition_words(definition: Definition) -> frozenset[str]:
-    """Return the words of the statements that a definition knows, in small letters."""
+    """Return the words of the statements in a definition, in lower case."""
     forms = (
         form
         for statement in definition.statements.values()
@@ -240,7 +244,7 @@ _SHEET_CELL: Final = re.compile(
 
 
 def redacted_sheet(content: bytes, cuts: Cuts) -> bytes:
-    """Return a typed-entry sheet without private data. The sheet is UTF-8 text."""
+    """Return an entry sheet without private data, as UTF-8 text."""
     lines = re.split(r"(\r\n|\r|\n)", content.decode("utf-8"))
     return "".join(
         line if place % 2 else _sheet_line(line, cuts) for place, line in enumerate(lines)

@@ -1,4 +1,5 @@
-"""Numbers in the control's text <-> neutral quantities: unit, sign and decimal places, exactly.
+"""Convert numbers in the control's text to and from mm or deg, exactly: unit, sign and decimal
+places.
 
 Reading uses decimal arithmetic, writing whole counts of the last decimal place, so a number that is
 written is read back unchanged.
@@ -31,13 +32,14 @@ EXACTNESS = 1e-3
 
 
 class NotHeld(ValueError):  # noqa: N818 - it says what is the matter, and never leaves the room
-    """A quantity that the control's text cannot hold exactly."""
+    """Raised for a quantity that the control's text cannot represent exactly."""
 
 
 @dataclass(frozen=True, slots=True)
 class NumberScale:
-    """Unit, sign and decimal places of the numbers of one axis. ``choices``: the neutral values on
-    which signs depend.
+    """Unit, sign and decimal places of one axis' numbers.
+
+    ``choices``: the neutral values on which signs depend.
     """
 
     definition: Definition
@@ -46,7 +48,7 @@ class NumberScale:
     choices: Mapping[str, str]
 
     def unit(self, quantity: str) -> str:
-        """Return the unit in the control's text: mm, inch or deg."""
+        """Return the unit of numbers in the control's text: mm, inch or deg."""
         binding = self.definition.measure(quantity)
         if self.kind is AxisKind.ROTARY:
             return binding.rotary_unit
@@ -59,11 +61,11 @@ class NumberScale:
         return Decimal(str(self.options[DETECTION_UNIT])) if unit == "pulse" else _FACTORS[unit]
 
     def quantum(self, quantity: str) -> float:
-        """Return the last decimal place in mm or deg."""
+        """Return the value of the last decimal place in mm or deg."""
         return float(self._step(quantity) * self.factor(quantity))
 
     def range(self, quantity: str) -> tuple[float, float]:
-        """Return the range of the neutral quantity in mm or deg; for an error, with the sign of the
+        """Return the range of the quantity in mm or deg. For an error: with the sign of the
         correction.
         """
         binding = self.definition.measure(quantity)
@@ -72,7 +74,7 @@ class NumberScale:
         return (-high, -low) if self.sign(quantity) == "error" else (low, high)
 
     def sign(self, quantity: str) -> Sign:
-        """Return the meaning (sign) of the number in the text."""
+        """Return the sign of the number in the text: correction or error."""
         binding = self.definition.measure(quantity)
         if binding.sign_option is not None:
             return cast("Sign", self.options[binding.sign_option])
@@ -81,7 +83,7 @@ class NumberScale:
         return binding.sign if binding.sign is not None else "position"
 
     def read(self, quantity: str, text: str, position: Decimal = Decimal(0)) -> Decimal:
-        """Return the neutral quantity in mm or deg. ``position`` (mm or deg) is that of the row."""
+        """Return a number of the text in mm or deg. ``position`` (mm or deg): that of the row."""
         number = Decimal(text) * self.factor(quantity)
         sign = self.sign(quantity)
         if sign == "error":
@@ -89,7 +91,7 @@ class NumberScale:
         return position - number if sign == "actual_position" else number
 
     def write(self, quantity: str, value: float, position: float = 0.0) -> str:
-        """Return the text of a neutral quantity in mm or deg.
+        """Return a quantity in mm or deg as text of the control.
 
         Raises NotHeld when the decimal places or the range do not allow it.
         """
@@ -123,6 +125,6 @@ class NumberScale:
 
 
 def in_range(measure: Measure, scale: NumberScale, value: Decimal) -> bool:
-    """Return whether a neutral value that was read is in the range of its quantity."""
+    """Return whether a value that was read is in the range of its quantity."""
     low, high = scale.range(measure.quantity)
     return low <= value <= high

@@ -1,4 +1,4 @@
-"""Bytes of a control's file -> the statements in it, each token with its byte span.
+"""Read the bytes of a control's file as statements, each token with its bytes in the file.
 
 Characters are read one byte each, so that comments in any 8-bit character set survive and spans fit
 the original. A line that looks like a known statement but cannot be read is a fault; if the
@@ -46,7 +46,7 @@ KEPT_TEXTS, KEPT_READERS = 256, 16
 
 
 class TextLine(NamedTuple):
-    """One line without its end; ``start`` is its place in bytes, ``ended`` whether a line end
+    """One line without its end. ``start``: its place in bytes; ``ended``: whether a line end
     follows.
     """
 
@@ -58,8 +58,10 @@ class TextLine(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class ReadText:
-    """Contents of a file: ``number`` is its index among the files that were given; ``sections`` the
-    names of all sections in it.
+    """The contents of a file.
+
+    ``number`` is its index among the files that were given; ``sections`` the names of all sections
+    in it.
     """
 
     number: int
@@ -71,8 +73,10 @@ class ReadText:
 
 
 def no_text(content: bytes) -> str:
-    """Return the type of a file that cannot be a control's text: two bytes per character (by its
-    byte order mark, or if every second byte of its beginning is 0), or binary.
+    """Return the type of a file that cannot be a control's text: two bytes per character, or
+    binary.
+
+    By its byte order mark, or if every second byte of its beginning is 0.
     """
     head = content[:_HEAD]
     halves = head[::2], head[1::2]
@@ -89,7 +93,7 @@ def no_text(content: bytes) -> str:
 
 @lru_cache(maxsize=KEPT_READERS)
 def text_reader(definition: Definition) -> TextReader:
-    """Return the reader of a definition; cached, with its forms compiled once."""
+    """Return the reader of a definition. It is cached, with its templates compiled once."""
     return TextReader(definition)
 
 
@@ -110,7 +114,7 @@ class TextReader:
         self.concerning = {kind.name: self._concerning(kind) for kind in definition.texts.values()}
 
     def of(self, kind: TextKind) -> list[Matcher]:
-        """Return the matchers of a kind of text, without that of its sections."""
+        """Return the compiled statements of a kind of text, without that of its sections."""
         return [
             m
             for m in self.matchers.values()
@@ -118,8 +122,10 @@ class TextReader:
         ]
 
     def _concerning(self, kind: TextKind) -> re.Pattern[str] | None:
-        """Return the words in every line of a kind that is a statement with one of them, or looks
-        like one; None if other lines are refused too.
+        """Return words that occur in every relevant line of a text. None if other lines are refused
+        too.
+
+        In every line of a kind that is a statement with one of them, or looks like one.
 
         Used to skip lines quickly: an archive has a thousand others for each of them.
         """
@@ -132,7 +138,7 @@ class TextReader:
         return re.compile("|".join(map(re.escape, sorted(words))) or "(?!)", flags)
 
     def read(self, file: ControlFile, faults: list[Fault], number: int = 0) -> ReadText | None:
-        """Return the statements of a file, or None when it cannot be read at all; faults go to
+        """Return the statements of a file. None when it cannot be read; faults are added to
         ``faults``.
         """
         text, found = _read(self, file)
@@ -157,7 +163,7 @@ class TextReader:
         return _KindReader(self, self._kind(lines), file.name, faults).read(lines)
 
     def lines(self, text: str) -> list[TextLine]:
-        """Return the lines of a text; a last line without an end counts when it is not empty."""
+        """Return the lines of a text. A last line without an end counts if it is not empty."""
         result: list[TextLine] = []
         start = 0
         for match in self.newline.finditer(text):
@@ -206,7 +212,7 @@ class _KindReader:
         self.seen_sections: list[str] = []
 
     def _passed_over(self, code: str) -> bool:
-        """Return whether a line is irrelevant here."""
+        """Return whether a line has no meaning here."""
         if self.concerning is None or self.concerning.search(code) is not None:
             return False
         return all(matcher.match(code) is None for matcher in self.wordless)
@@ -242,7 +248,7 @@ class _KindReader:
         )
 
     def _code(self, line: TextLine) -> str:
-        """Return the line up to its comment; places stay as they are."""
+        """Return a line without its comment. Character positions stay."""
         mark = mark_before_statement(self.kind, line.text)
         if mark:
             return line.text.replace(mark, " " * len(mark), 1)
@@ -305,11 +311,11 @@ class _KindReader:
         self._fault(line, "cannot be read" + _hint(code), expected=expected, found=_shown(code))
 
     def _here(self, matcher: Matcher) -> bool:
-        """Return whether a statement counts in the current section."""
+        """Return whether a statement has an effect in the current section."""
         return matcher.section is None or matcher.section.fullmatch(self.section) is not None
 
     def _ours(self, piece: str) -> bool:
-        """Return whether a piece of a line would be a statement if it were alone."""
+        """Return whether a piece of a line would be a valid statement by itself."""
         return line_number(piece) in self.kind.claims_at_start or any(
             form.fullmatch(piece) for matcher in self.matchers for form in matcher.forms
         )
@@ -344,8 +350,9 @@ class _KindReader:
         yield Occurrence(matcher.statement.name, self.file, line.number, tokens, place, checksum)
 
     def _concerns_us(self, probe: str) -> bool:
-        """Return whether the line could be a statement here: a key of the same name in another
-        section is another key.
+        """Return whether a line could be a statement in the current section.
+
+        A key of the same name in another section is another key.
         """
         similar = [matcher for matcher in self.matchers if matcher.head and matcher.head in probe]
         return not similar or any(self._here(matcher) for matcher in similar)
@@ -360,8 +367,9 @@ class _KindReader:
     def _ending(
         self, lines: Sequence[TextLine], last: int, occurrences: Sequence[Occurrence]
     ) -> Iterator[Finding]:
-        """Check the end of a file: without its end mark it may have been cut short; if it ends
-        within a number, it cannot be trusted.
+        """Check the end of a file, which may have been cut short.
+
+        Without its end mark it may have been; if it ends within a number, it cannot be trusted.
         """
         final = lines[last - 1] if last else None
         marked = final is not None and self._code(final).strip(" \t").upper() in self.kind.ends_with
@@ -410,13 +418,17 @@ class _KindReader:
 
 
 def mark_before_statement(kind: TextKind, text: str) -> str:
-    """Return the mark before a statement that is given in a comment; empty for all other lines."""
+    """Return the comment mark before a statement that is given in a comment. Empty for other
+    lines.
+    """
     marks = (mark + word for mark in kind.comment_marks for word in (BY_HAND, AS_IT_IS))
     return next((mark for mark in marks if text.startswith(mark)), "")
 
 
 def comment_start(kind: TextKind, text: str) -> int:
-    """Return where the comment of a line begins, with its mark; its length where it has none."""
+    """Return where the comment of a line begins, with its mark. Without a comment: the length of
+    the line.
+    """
     if not kind.comments_anywhere:
         code = text.lstrip(" \t")
         return len(text) - len(code) if code.startswith(kind.comment_marks) else len(text)
@@ -425,7 +437,7 @@ def comment_start(kind: TextKind, text: str) -> int:
 
 
 def _nearest(matchers: Sequence[Matcher], probe: str) -> str:
-    """Return the form whose first word fits the line best."""
+    """Return the statement template that is most similar to a line, by its first word."""
     fitting = [matcher for matcher in matchers if matcher.head and matcher.head in probe]
     return (
         readable(max(fitting, key=lambda matcher: len(matcher.head)).statement.form)
@@ -435,7 +447,7 @@ def _nearest(matchers: Sequence[Matcher], probe: str) -> str:
 
 
 def _shown(text: str) -> str:
-    """Return a piece of a line in a form that is safe to show."""
+    """Return a piece of a line in a form that is safe to print."""
     shown = text.strip(" \t\r")[:60]
     return repr(shown) if shown else "an empty line"
 

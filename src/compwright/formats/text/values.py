@@ -1,4 +1,6 @@
-"""The value that counts: which of several places in the files, and the default if there is none."""
+"""Select the value that counts from several places in the files, or the default if there is
+none.
+"""
 
 from __future__ import annotations
 
@@ -18,13 +20,13 @@ _ROUNDING = 1e-5
 
 
 def name_of(definition: Definition, quantity: str) -> str:
-    """Return the control's name of a quantity: the first word of its form, or its number."""
+    """Return the control's name of a quantity: the first word of its template, or its number."""
     return name_in_form(definition.statements[definition.bindings[quantity].statement].form)
 
 
 @dataclass(frozen=True, slots=True)
 class Values:
-    """The values of one axis or one table; ``label``: its name in messages."""
+    """The values of one axis or one table. ``label``: its name in messages."""
 
     definition: Definition
     label: str
@@ -37,8 +39,9 @@ class Values:
     def one(
         self, quantity: str, places: Sequence[FoundValue], *, quiet: bool = False
     ) -> FoundValue | None:
-        """Return the place that counts: within a file the first, the last, or any if all have to be
-        the same, as the binding states; several files have to agree.
+        """Return the place of a quantity that counts. Several files must agree.
+
+        Within a file the first, the last, or any if all have to be the same, as the binding states.
 
         None if there is none, and if they contradict, which is a fault at file and line of the
         second. Unless ``quiet``, repetitions are noted.
@@ -71,7 +74,7 @@ class Values:
         return first
 
     def word(self, quantity: str, found: FoundValue | None) -> str | None:
-        """Return the neutral word of a choice; None without a place.
+        """Return the meaning of a choice. None if it is in no file.
 
         A text that the definition does not know is a fault at its line.
         """
@@ -91,8 +94,8 @@ class Values:
         return word
 
     def known_word(self, binding: Choice, text: str) -> str | None:
-        """Return the meaning of a choice's text, whatever its case; None if the definition does not
-        know it.
+        """Return the meaning of a choice's text, in upper or lower case. None if the definition
+        does not know it.
 
         A number that represents a word may be rounded.
         """
@@ -105,8 +108,9 @@ class Values:
         return None
 
     def absent(self, quantity: str, meaning: str = "", *, tell: bool = True) -> str | None:
-        """Return the default of a quantity that is in no file, and report it as its rule states:
-        not at all, in the list of assumptions, or with a warning too.
+        """Return the default of a quantity that is in no file, and report it as its rule states.
+
+        Not at all, in the list of assumptions, or with a warning too.
 
         None without a rule. ``meaning``: the meaning of the name, in words; not ``tell``: no
         report.
@@ -130,7 +134,7 @@ class Values:
 
 
 def _nearly(known: str, text: str) -> bool:
-    """Return whether two texts are fractions that differ only by their rounding."""
+    """Return whether two texts are fractions that differ only by rounding."""
     if "." not in known:
         return False
     try:

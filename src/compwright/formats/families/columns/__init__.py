@@ -1,1 +1,1 @@
-"""Columns in the user's own exported tables."""
+"""Corrections as columns in the user's own exported tables."""

@@ -1,4 +1,4 @@
-"""Which tables are active, and for the motion of which axis."""
+"""Decide which tables are active, and for the motion of which axis."""
 
 from __future__ import annotations
 
@@ -16,8 +16,9 @@ from compwright.records.axis import Axis
 def activate(
     sources: Sources, tables: Sequence[UserTable], axes: Sequence[Axis], faults: list[Fault]
 ) -> None:
-    """Assign each table to the axis whose motion it compensates. The active line of the .CMA
-    file states it, or the names of the tables if there is no such file.
+    """Assign each table to the axis whose motion it compensates.
+
+    The active line of the .CMA file states it, or the names of the tables if there is no such file.
     """
     values = [table for table in tables if table.kind == "values"]
     lines = [table for table in tables if table.kind == "assignments"]
@@ -146,7 +147,7 @@ def _assigned(sources: Sources, values: Sequence[UserTable], faults: list[Fault]
 def _named_axis(
     sources: Sources, table: UserTable, axes: Sequence[Axis], faults: list[Fault]
 ) -> str | None:
-    """Return the moving axis by the table's names; its first line and its file name must agree."""
+    """Return the moving axis by the table's names. The first line and the file name must agree."""
     definition = sources.definition
     names = [
         name for name in (table.name, table.file.rpartition(".")[0]) if field_matches("name", name)

@@ -1,4 +1,4 @@
-"""One axis in the files: its sheet, its own column of its own table, its parameters."""
+"""Read one axis: its entry sheet, its column in its own table, its parameters."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ class ColumnAxisReader:
 
     @property
     def is_mentioned(self) -> bool:
-        """Whether a file holds the axis' correction over itself."""
+        """Whether a file contains a correction of the axis by its own position."""
         given = any((self.address, name) in self.sources.given for name in ("backlash", "slope"))
         return (
             given
@@ -68,13 +68,13 @@ class ColumnAxisReader:
 
     @property
     def idle(self) -> tuple[float, ...]:
-        """Nodes of a table that is not active, mm or deg."""
+        """The nodes of an inactive table, mm or deg."""
         if self.curves is None or self.facts["enabled"]:
             return ()
         return tuple(float(node) for node in self.curves[0])
 
     def read(self) -> AxisCompensation:
-        """Return the active compensation of the axis; faults go to the notes."""
+        """Return the active compensation of the axis. Faults are added to the notes."""
         kind = self.values.kind(self.address)
         scale = self.values.scale(self.address)
         enabled = self._enabled()
@@ -111,9 +111,7 @@ class ColumnAxisReader:
     # --- the table
 
     def _curves(self) -> tuple[FloatArray, FloatArray, FloatArray, float | None] | None:
-        """Return nodes, the curve of each direction and the period; None without a table, or with a
-        faulty one.
-        """
+        """Return nodes, the curve of each direction and the period. None without a valid table."""
         missing = self.sources.missing.get(self.address)
         if missing is not None and (self.address in self.wanted or not self.wanted):
             file = self.sources.assignments.file if self.sources.assignments is not None else ""
@@ -220,12 +218,12 @@ class ColumnAxisReader:
     # --- parameters
 
     def _found(self, quantity: str) -> FoundValue | None:
-        """Return a parameter; several files must agree."""
+        """Return a parameter of the axis. If several files state it, they must agree."""
         given = self.sources.given.get((self.address, quantity), [])
         return self.parameters.one(quantity, given, quiet=True)
 
     def _enabled(self) -> bool:
-        """Return whether the table is active: by the parameter or the active line, else by the
+        """Return whether the table is active, by the parameter or the active line, else by the
         job.
         """
         found = self._found("enabled") if "enabled" in self.definition.bindings else None
@@ -273,7 +271,7 @@ class ColumnAxisReader:
         return self._answer(word, found)
 
     def _zeros(self, found: FoundValue | None) -> bool:
-        """Return whether a table of zeros is active.
+        """Return whether the active table contains only zeros.
 
         It corrects nothing, but if it is not active, the linear error is.
         """
@@ -313,7 +311,7 @@ class ColumnAxisReader:
         return active
 
     def _assume_switch(self, value: str, evidence: str) -> None:
-        """List the assumed value of a switch that no file holds."""
+        """Add the assumed value of a switch that is in no file."""
         self.notes.assume(f"{self.label}: {self._switch}", value, f"in no file; {evidence}")
 
     @property
@@ -322,7 +320,7 @@ class ColumnAxisReader:
         return self.parameters.name("enabled") if known else "the active line of the .CMA"
 
     def _answer(self, word: str | None, found: FoundValue | None) -> bool:
-        """Return whether tables that are not zero are active: by the files (``word``), else by the
+        """Return whether tables that are not zero are active, by the files (``word``), else by the
         job.
 
         The assumption is listed if neither states it.
@@ -335,8 +333,8 @@ class ColumnAxisReader:
         return active is not False
 
     def _column_elsewhere(self) -> bool:
-        """Return whether a table for another axis' motion has a column for this axis: the bit
-        selects that one too.
+        """Return whether the table of another moving axis has a column for this axis. The same bit
+        switches that column.
         """
         column = self.sources.column_of(self.address)
         return any(
@@ -345,8 +343,8 @@ class ColumnAxisReader:
         )
 
     def _other_columns_active(self) -> bool:
-        """Return whether the motion of another axis corrects this one: the same bit selects such a
-        column.
+        """Return whether the motion of another axis corrects this one, because the same bit
+        switches such a column on.
         """
         column = self.sources.column_of(self.address)
         cells = [

@@ -38,7 +38,7 @@ _CHECK = control_text(
 
 
 def columns_between(family: Family, request: BetweenRequest) -> Between:
-    """Return the column of every correction, or why it cannot be active."""
+    """Return the table column of every correction between axes, or why it cannot be active."""
     files = tuple(file for file in request.base if not is_entry_sheet(file))
     own = files
     held: list[PlannedCross] = []
@@ -103,7 +103,7 @@ def _in_the_table(family: Family, request: BetweenRequest, filled: Filled) -> Be
 
 
 def _typed(family: Family, request: BetweenRequest, entry: PlannedCross, why: str) -> Between:
-    """Return the column to be typed in; ``why``: the reason for which no file can hold it."""
+    """Return the column to be typed in. ``why``: the reason why no file can contain it."""
     form = _form(family, request, entry)
     rows = _rows(entry, form)
     where = control_text(
@@ -131,14 +131,14 @@ def _typed(family: Family, request: BetweenRequest, entry: PlannedCross, why: st
 
 
 def _form(family: Family, request: BetweenRequest, entry: PlannedCross) -> str:
-    """Return the meaning of a column's values (error or correction): it is that of the moving axis'
-    table.
+    """Return whether a column contains errors or corrections. All columns of the moving axis' table
+    have the same meaning.
     """
     return str(family.options_of(request.axes.get(entry.input))["table_values"])
 
 
 def _selected(family: Family, entry: PlannedCross) -> str:
-    """Return the sentence on the parameter that selects tables for the bent axis."""
+    """Return the sentence about the parameter that switches tables on for the bent axis."""
     select = _parameter(family, "enabled")
     if not select:
         return ""
@@ -146,8 +146,10 @@ def _selected(family: Family, entry: PlannedCross) -> str:
 
 
 def _by_line(family: Family, request: BetweenRequest, entry: PlannedCross) -> str:
-    """Return why a column cannot correct its axis: the linear error of that axis is active, now or
-    after this job; empty if it can.
+    """Return why a column cannot correct its axis: its linear error is active instead. Empty if it
+    can.
+
+    The linear error of that axis is active, now or after this job.
     """
     axis, linear = request.axes.get(entry.output), _parameter(family, "slope")
     if axis is None:
@@ -171,7 +173,9 @@ def _parameter(family: Family, quantity: str) -> str:
 
 
 def _rows(entry: PlannedCross, form: str) -> list[tuple[float, float]]:
-    """Return positions and values of a column, mm or deg; ``form``: the meaning of the values."""
+    """Return positions and values of a column, mm or deg. ``form``: whether values are errors or
+    corrections.
+    """
     sign = -1.0 if form == "error" else 1.0
     added = entry.added
     return [

@@ -1,5 +1,5 @@
-"""Capacity of one axis of a control with tables of the user's own making (HEIDENHAIN), and faults
-of tables beyond it.
+"""The limits of one axis of a control with user-made tables (HEIDENHAIN), and faults of tables
+beyond them.
 """
 
 from __future__ import annotations
@@ -144,7 +144,7 @@ def _assumed(
 def broken_limits(
     control: Family, axis: Axis, compensation: AxisCompensation, capacity: Capacity
 ) -> Iterator[Fault]:
-    """Yield the broken limits of a compensation other than numbers of points, curves and ends."""
+    """Yield the limits that a compensation breaks, except numbers of points, curves and ends."""
     label, unit = f"axis {axis.name} ({compensation.address})", axis.kind.unit
     if compensation.interpolation != "linear" or compensation.others:
         yield Fault(
@@ -167,7 +167,9 @@ def broken_limits(
 def _line_faults(
     label: str, axis: Axis, compensation: AxisCompensation, capacity: Capacity
 ) -> Iterator[Fault]:
-    """Yield a fault for a linear parameter together with a table: they exclude each other."""
+    """Yield a fault if a linear parameter and a table are both set, because they exclude each
+    other.
+    """
     if capacity.line is not None and compensation.positions.size:
         yield Fault(
             message=f"{label}: the control uses either the linear parameter or a table, not both",
@@ -274,8 +276,8 @@ _NO_NUMBER = control_text("(see the axis list of the machine)")
 
 
 def card_values(control: Family, axis: Axis, compensation: AxisCompensation) -> dict[str, str]:
-    """Return the card's values in addition to the general ones: the table in words, the axis'
-    number, its bit, its parameters.
+    """Return the card's additional values: the table as text, the axis' number, its bit, its
+    parameters.
     """
     own = control.options_of(axis)
     address, _ = control.address(axis)

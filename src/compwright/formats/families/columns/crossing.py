@@ -1,4 +1,4 @@
-"""Correction between axes -> column of the bent axis in the user's own table of the moving axis.
+"""Write a correction between axes into the bent axis' column of the moving axis' table.
 
 Only cells of that column change; the grid stays.
 """
@@ -28,8 +28,8 @@ from compwright.records.plan import PlannedCross
 
 @dataclass(frozen=True, slots=True)
 class Filled:
-    """A correction in the user's table: ``file`` and ``column`` for messages, and the correction as
-    the table holds it, over all rows.
+    """A correction written into the user's table. ``file`` and ``column`` are for messages; values
+    are those of all rows.
     """
 
     file: str
@@ -38,12 +38,12 @@ class Filled:
 
 
 def values_quantum(family: Family) -> float:
-    """Return the rounding of a column's values; the number is the same in mm and deg."""
+    """Return the resolution of a column's values. The number is the same in mm and deg."""
     return float(Decimal(1).scaleb(-family.definition.measure("value").digits))
 
 
 class CrossFiller(Patches):
-    """Fills columns of the tables in ``files``, one correction after the other."""
+    """Writes corrections into columns of the tables in ``files``, one after the other."""
 
     def __init__(
         self, family: Family, axes: Mapping[str, Axis], files: Sequence[ControlFile]
@@ -57,7 +57,7 @@ class CrossFiller(Patches):
         self.values = TableValues(family, self.sources, self.by_address, notes)
 
     def fill(self, entry: PlannedCross) -> Filled:
-        """Record the changes for one correction.
+        """Record the changes to the table for one correction.
 
         Raises NotHeld, with the reason, if the user's files have no place for it.
         """
@@ -98,7 +98,7 @@ class CrossFiller(Patches):
         return table, column
 
     def _gentle(self, table: UserTable, rows: FloatArray, total: FloatArray) -> None:
-        """Raise NotHeld if neighbouring values would differ by more than the control allows."""
+        """Raise NotHeld if neighbouring values differ by more than the control allows."""
         rule = self.family.definition.limit_number("spacing_per_step")
         if rule is not None and np.any(np.abs(np.diff(total)) > np.diff(rows) / rule):
             raise NotHeld(f"neighbouring values of {table.file} would differ too much")
@@ -118,7 +118,7 @@ class CrossFiller(Patches):
 
 
 def _on_rows(added: CrossCompensation, rows: FloatArray, file: str) -> FloatArray:
-    """Return the correction at the rows of a table, mm or deg (k,).
+    """Return the correction at the rows of a table (k,), mm or deg.
 
     A straight line is extended to the ends of the table; a curve must have its bends at rows.
     Raises NotHeld.

@@ -1,4 +1,5 @@
-"""Descriptions of a table's columns that newer controls put between its first line and the names.
+"""Read descriptions of a table's columns. Newer controls put them between its first line and the
+column names.
 
     BEGIN X.COM MM Version: 'Update:110.24'       BEGIN X.COM MM
     #STRUCTBEGIN                                  TableDescription (
@@ -34,8 +35,10 @@ _SETTING = re.compile(r"[ \t]*([A-Za-z-]+)[ \t]*:?=[ \t]*\"?([^\"]*?)\"?[ \t]*,?
 
 @dataclass(frozen=True, slots=True)
 class TableDescription:
-    """The columns that a table describes, by name in capitals; ``key`` names the column with the
-    row number. ``lines``: number of lines of the description; None: it has no end.
+    """The columns that a table describes, by name in capitals. ``key``: the column with the row
+    number; ``lines``: length of the description.
+
+    None: it has no end.
     """
 
     columns: Mapping[str, Described] = field(default_factory=dict)
@@ -47,7 +50,7 @@ class TableDescription:
         return self.columns.get(name.upper())
 
     def fits(self, titles: Sequence[tuple[str, int]]) -> bool:
-        """Return whether the distances of the column names (name, character) agree with the
+        """Return whether the positions of the column names (name, character) agree with the
         described widths.
 
         False if no width is described.

@@ -120,7 +120,7 @@ class ColumnsFamily(Family):
         return AxisCard(values | card_values(self, axis, table) | files | load)
 
     def _loading(self, request: CardRequest, names: Mapping[str, str]) -> str:
-        """Return where the table goes: it is in the user's own file, or is typed from the sheet.
+        """Return how the table is loaded: it is in the user's own file, or is typed from the sheet.
 
         A control has one .COM file by motion, so one that it names for another axis is not free.
         """
@@ -147,11 +147,13 @@ class ColumnsFamily(Family):
         )
 
     def between(self, request: BetweenRequest) -> Between:
-        """See `Family.between`: columns to type in."""
+        """Return the table columns for corrections between axes, to be typed in; arguments as those
+        of `Family.between`.
+        """
         return columns_between(self, request)
 
     def sheets(
         self, compensations: Sequence[AxisCompensation], axes: Sequence[Axis]
     ) -> tuple[ControlFile, ...]:
-        """See `Family.sheets`: the files that are written without any file of the user's own."""
+        """Return files that need none of the user's own; arguments as those of `Family.sheets`."""
         return self.write(compensations, axes)

@@ -1,4 +1,4 @@
-"""Every cell of a HEIDENHAIN's tables and every line of its parameters."""
+"""Read every table cell and every parameter line in the files of a HEIDENHAIN control."""
 
 from __future__ import annotations
 
@@ -87,8 +87,8 @@ def value_location(
     entries: Mapping[str, FileValue],
     _: ControlState | None,
 ) -> tuple[tuple[str, ...], float | None]:
-    """Return the axes that a value belongs to (the axis of its column, the moving axis), and the
-    position of a row.
+    """Return the axes to which a value belongs (axis of its column, moving axis), and the position
+    of its row.
     """
     by_grid = "datum" in definition.fields  # columns are then named by number
     numbers = AxisNumbers(definition, ()).by_number if by_grid else {}

@@ -1,5 +1,7 @@
-"""Write the curve of one axis into its column of the user's table, as text. The rows keep the
-table's own style; datum and spacing are in its first line.
+"""Write the curve of one axis as text into its column of the user's table. The rows keep the
+table's own style.
+
+Datum and spacing are in its first line.
 """
 
 from __future__ import annotations
@@ -40,7 +42,7 @@ from compwright.records.correction import AxisCompensation
 
 
 class ColumnEntry:
-    """Entries for one axis, as text."""
+    """The values to enter for one axis, as text."""
 
     def __init__(self, control: Family, axis: Axis, compensation: AxisCompensation) -> None:
         self.definition = control.definition
@@ -52,11 +54,11 @@ class ColumnEntry:
         self.nodes, self.positive, self.negative = _one_turn(axis, compensation)
 
     def value(self, correction: float) -> str:
-        """Return a correction in mm or deg as the table holds it. Raises NotHeld."""
+        """Return a correction in mm or deg as text of the table. Raises NotHeld."""
         return self.scale.write("value", correction)
 
     def points(self) -> list[SheetRow]:
-        """Return the points of the sheet."""
+        """Return the points of the entry sheet."""
         rows = []
         for number, (node, correction) in enumerate(zip(self.nodes, self.positive, strict=True)):
             position = self.scale.write("node_position", float(node))
@@ -66,7 +68,7 @@ class ColumnEntry:
         return rows
 
     def parameters(self) -> dict[str, str]:
-        """Return the parameters by quantity.
+        """Return the parameters of the axis by quantity.
 
         With a table the linear parameter is 0, so nothing counts twice whichever of them is active.
         """
@@ -85,7 +87,7 @@ class ColumnEntry:
         }
 
     def parameter_rows(self, left: Mapping[str, str]) -> list[SheetRow]:
-        """Return the rows of the sheet for parameters that are entered there."""
+        """Return the rows of the entry sheet for parameters that are entered there."""
         units = {"backlash": self.axis.kind.unit, "slope": "mm/m", "enabled": ""}
         return [
             SheetRow(name_of(self.definition, name), "", text, units[name])
@@ -96,8 +98,8 @@ class ColumnEntry:
 def _one_turn(
     axis: Axis, compensation: AxisCompensation
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Return nodes and curves in the form of the table: those of an endless axis from 0 to 360
-    degrees, wherever its reference is.
+    """Return nodes and curves as the table needs them. For an endless axis: from 0 to 360 degrees,
+    wherever its reference is.
 
     Raises NotHeld when no node is at 0 degrees.
     """
@@ -120,7 +122,7 @@ def _one_turn(
 
 
 class TableFiller:
-    """Puts one axis' curve into its column of the user's table."""
+    """Writes the curve of one axis into its column of the user's table."""
 
     def __init__(
         self, patches: Patches, values: TableValues, address: str, entry: ColumnEntry
@@ -135,7 +137,9 @@ class TableFiller:
         self.number = [file.name for file in patches.files].index(self.table.file)
 
     def fill(self) -> None:
-        """Record all changes. Raises NotHeld and CapacityError for what the table cannot take."""
+        """Record all changes. Raises NotHeld and CapacityError where the table cannot take the
+        values.
+        """
         self._suits()
         positions = self._positions()
         others = self.table.others(self.column, POSITION, SECOND)
@@ -185,8 +189,8 @@ class TableFiller:
         return [float(position) for position in positions or ()]
 
     def _on_the_grid(self, positions: Sequence[float], others: Sequence[str]) -> np.ndarray:
-        """Return for every row the node whose value it gets; the table's grid serves other axes and
-        stays.
+        """Return for every row the node whose value it gets. The table's grid stays, because other
+        axes use it.
         """
         nodes = self.entry.nodes
         slack = EXACTNESS * self.entry.scale.quantum("node_position")
@@ -240,8 +244,8 @@ class TableFiller:
                 self.patches.replace(self.number, BytesChange(cell.start, cell.end, text.encode()))
 
     def _rows(self, grid: FloatArray, held: np.ndarray) -> None:
-        """Fill the existing rows and add the missing ones; ``held`` (k,): the node whose value a
-        row gets.
+        """Fill the existing rows and add missing ones. ``held`` (k,): the node whose value a row
+        gets.
         """
         rows = self.table.rows
         content = self.patches.files[self.number].content
@@ -259,7 +263,7 @@ class TableFiller:
         self.patches.add_lines(self.number, rows[-1].start, added)
 
     def _cells(self, position: float, node: int, row: Row | None) -> dict[str, str]:
-        """Return the cells of a row; a cell with the same number keeps its characters."""
+        """Return the cells of a row. A cell with an unchanged number keeps its characters."""
         entry = self.entry
         cells = {
             self.column: signed(self.table, entry.value(float(entry.positive[node])), self.column)
@@ -279,8 +283,8 @@ class TableFiller:
         }
 
     def _two_columns(self) -> bool:
-        """Return whether the second curve is written: if required, or if the column is filled
-        already (then equal to the first, so that both readings agree).
+        """Return whether the second curve is written: if it is required, or if its column is
+        already filled.
         """
         if self.table.column(SECOND) is None:
             return False
@@ -290,8 +294,8 @@ class TableFiller:
 
 
 def signed(table: UserTable, text: str, column: str) -> str:
-    """Return a number with a plus sign if the column, or for a blank column its table, writes
-    one.
+    """Return a number with a plus sign if the column writes one. A blank column follows its
+    table.
     """
     if text.startswith("-"):
         return text

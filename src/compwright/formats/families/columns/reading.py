@@ -1,4 +1,4 @@
-"""Controls with tables in files of the user's own making (HEIDENHAIN): files -> compensation.
+"""Read the compensation from the files of a control with user-made tables (HEIDENHAIN).
 
 A table belongs to the axis that moves; each of its columns is the correction of one axis by that
 motion: its own column corrects itself, another axis' column corrects that one (facts of the
@@ -58,8 +58,9 @@ def couplings_of(
     wanted: Sequence[str],
     known: Collection[str],
 ) -> Iterator[Coupling]:
-    """Yield which axes follow another one; ``numbers``: the control's axis numbers; ``wanted``:
-    axes under work; ``known``: axes that the job names.
+    """Yield which axes follow another axis. ``numbers``: the control's axis numbers.
+
+    ``wanted``: axes under work; ``known``: axes that the job names.
     """
     last = {found.match[1]: found for found in statements_in(files, _LINE, _REMARK)}
     for index, found in last.items():
@@ -111,7 +112,7 @@ def read_columns(
 
 
 def _paired(facts: Mapping[str, AxisFacts], couplings: Sequence[Coupling]) -> dict[str, AxisFacts]:
-    """Return the facts with the axes that move together."""
+    """Return the facts with the axes that move together added."""
     return {
         address: replace(
             stated, synchronised=followers(couplings, address), leading=leader(couplings, address)
@@ -214,9 +215,7 @@ class _ColumnStateReader:
         return tuple(found)
 
     def _off(self, address: str) -> bool:
-        """Return whether the files, or the job where these leave it open, state that no table is
-        active on an axis.
-        """
+        """Return whether no table is active on an axis, by the files or else by the job."""
         bits = self.sources.given.get((address, "enabled"), [])
         if bits:
             return bits[0].text == "0" and self.activity.stated is not True

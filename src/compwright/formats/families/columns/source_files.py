@@ -1,5 +1,7 @@
-"""Entry sheets and lines of parameters (including bit masks) -> points and parameters of each axis;
-the files of a control with tables of its own (HEIDENHAIN), sorted.
+"""Sort the files of a control with user-made tables (HEIDENHAIN), and read their points and
+parameters for each axis.
+
+Entry sheets and lines of parameters (including bit masks).
 """
 
 from __future__ import annotations
@@ -28,7 +30,7 @@ _UNITS = {"mm": Decimal(1), "um": Decimal("0.001"), "deg": Decimal(1), "mm/m": D
 
 
 def take_sheet(sources: Sources, file: ControlFile, number: int, faults: list[Fault]) -> None:
-    """Add the contents of a sheet to the sources; ``number``: its index among the files."""
+    """Add the contents of an entry sheet to the sources. ``number``: its index among the files."""
     sheet = read_sheet(file, faults)
     address = None if sheet is None else _address(sources, sheet, faults)
     if sheet is None or address is None:
@@ -76,7 +78,7 @@ def _address(sources: Sources, sheet: EntrySheet, faults: list[Fault]) -> str | 
 def _rows(
     sources: Sources, address: str, sheet: EntrySheet, number: int, faults: list[Fault]
 ) -> list[SheetPoint]:
-    """Add the parameters of a sheet to the sources and return its points."""
+    """Add the parameters of an entry sheet to the sources, and return its points."""
     definition = sources.definition
     names = {name_of(definition, name): name for name in PARAMETERS if name in definition.bindings}
     points: list[SheetPoint] = []
@@ -96,8 +98,8 @@ def _rows(
 
 
 def _check_count(sheet: EntrySheet, found: int, faults: list[Fault]) -> None:
-    """Check the number of points against the count in the sheet: a lost last line would go
-    unnoticed.
+    """Check the number of points against the count in the sheet, so that a lost last line is
+    noticed.
     """
     text = sheet.comments.get("points")
     if text is not None and text != str(found):
@@ -199,7 +201,7 @@ def take_parameters(
 
 
 def _parameter_lines(definition: Definition) -> dict[str, str]:
-    """Return the statements of lines that hold parameters, with their quantities."""
+    """Return the statements of lines with parameters, with their quantities."""
     return {
         statement.name: quantity
         for quantity in PARAMETERS
@@ -263,8 +265,8 @@ def _take_mask(sources: Sources, place: Occurrence, file: int, faults: list[Faul
 
 
 def ambiguous(text: str) -> bool:
-    """Return whether digits without ``%`` mean different numbers as bits and as decimal (``11``: 3
-    or 11).
+    """Return whether digits without ``%`` have two meanings, as bits and as decimal (``11``: 3 or
+    11).
     """
     return re.fullmatch("[01]{1,32}", text) is not None and int(text, 2) != int(text)
 
@@ -282,9 +284,7 @@ def mask_of(text: str) -> int | None:
 def find_sources(
     definition: Definition, files: Sequence[ControlFile], axes: Sequence[Axis], faults: list[Fault]
 ) -> Sources:
-    """Return the files sorted; faults of single files and contradictions between them go to
-    ``faults``.
-    """
+    """Return the files sorted by kind. Faults and contradictions are added to ``faults``."""
     sources = Sources(definition, AxisNumbers(definition, axes))
     reader = text_reader(definition)
     tables: list[UserTable] = []

@@ -1,4 +1,4 @@
-"""Contents of the files of a control with its own tables: entry sheets, tables, the active line,
+"""The contents of the files of a control with user-made tables: sheets, tables, the active line,
 parameters, by axis.
 """
 
@@ -51,7 +51,7 @@ class AxisNumbers:
         self.by_number: Mapping[int, str] = {**letters, **numbers}
 
     def address(self, number: int) -> str:
-        """Return the address of an axis; its number if the axis is unknown."""
+        """Return the address of an axis by its number. An unknown number is returned as text."""
         return self.by_number.get(number, str(number))
 
     def follower(self, number: int, known: Collection[str]) -> str:
@@ -71,8 +71,8 @@ class AxisNumbers:
 
 @dataclass(frozen=True, slots=True)
 class SheetPoint:
-    """A point of an entry sheet: position and value in mm or deg; the value is an error or a
-    correction, as in the sheet.
+    """A point of an entry sheet: position and value in mm or deg. The value is an error or a
+    correction, as the sheet states.
     """
 
     position: Decimal
@@ -82,7 +82,7 @@ class SheetPoint:
 
 @dataclass(slots=True)
 class Sources:
-    """Contents of the files. ``tables``: the active ones, by the moving axis; ``idle``: those that
+    """The contents of the files. ``tables``: the active ones, by moving axis; ``idle``: those that
     the active line does not name.
 
     ``given``: parameters by axis and quantity, in the unit of the quantity; those of a sheet have
@@ -106,14 +106,14 @@ class Sources:
 
     @property
     def numbered(self) -> bool:
-        """Whether columns are named by axis numbers on an equally spaced grid; else by axis names,
+        """Whether columns are named by axis numbers on an equally spaced grid. Else by axis names,
         with listed positions.
         """
         return "datum" in self.definition.statements[VALUES].fields
 
     @property
     def starred(self) -> bool:
-        """Whether a mark in the table of assignments makes its tables active; on controls with axis
+        """Whether a mark in the table of assignments makes tables active. On controls with axis
         numbers a parameter does.
         """
         return not self.numbered and self.active is not None
@@ -138,7 +138,7 @@ class Sources:
         return name if table is not None and table.column(name) is not None else None
 
     def mentioned(self) -> tuple[str, ...]:
-        """Return every axis that a file mentions."""
+        """Return every axis that any file mentions."""
         moved = [
             self.axis_of(column.name) for table in self.tables.values() for column in table.columns
         ]

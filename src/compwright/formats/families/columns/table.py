@@ -1,5 +1,5 @@
-"""A table as a control exports it: columns, rows, cells in fixed widths, each cell with its place;
-and rules for changing a cell.
+"""A table as a control exports it: columns, rows and cells of fixed width, each with its place; and
+rules for changes.
 """
 
 from __future__ import annotations
@@ -26,7 +26,9 @@ Kind = Literal["values", "assignments"]
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """One row. ``line`` counts from 1; ``start`` and ``end`` are the bytes of its text."""
+    """One row of a table. ``line`` counts from 1; ``start`` and ``end`` are the bytes of its
+    text.
+    """
 
     line: int
     start: int
@@ -35,15 +37,16 @@ class Row:
 
     @property
     def place(self) -> str:
-        """The line, for messages."""
+        """The file and line, for messages."""
         return f"line {self.line}"
 
 
 @dataclass(frozen=True, slots=True)
 class Described:
-    """Description of one column. ``width`` in characters, without the ``blanks`` that follow;
-    ``decimals`` after the point; ``least`` and ``most``: range of values, as text. None: not
-    described.
+    """The description of one column: its width in characters, decimals, and range of values.
+
+    ``width`` in characters, without the ``blanks`` that follow; ``decimals`` after the point;
+    ``least`` and ``most``: range of values, as text. None: not described.
     """
 
     width: int | None = None
@@ -55,7 +58,7 @@ class Described:
     inch: bool = False
 
     def refuses(self, text: str) -> str:
-        """Return why a cell of this column cannot hold ``text``; empty if it can."""
+        """Return why a cell of this column cannot contain ``text``. Empty if it can."""
         if self.read_only:
             return "is read only by the table's own description"
         if self.width is not None and len(text) > self.width:
@@ -76,8 +79,8 @@ class Described:
 
 @dataclass(frozen=True, slots=True)
 class TableColumn:
-    """A column. Cells reach from ``low`` up to ``high`` (characters of the line; None: to its end),
-    aligned with one of them.
+    """A column of a table. Its cells reach from ``low`` to before ``high`` (characters of the
+    line), aligned with one of them.
 
     ``edge``: the character at which cells begin (``flush`` left) or after which they end (right);
     ``flush`` "free": only blanks separate the cells. ``described``: its description in the table.
@@ -91,7 +94,7 @@ class TableColumn:
     described: Described | None = None
 
     def check(self, text: str, file: str) -> None:
-        """Raise NotHeld when a cell of this column cannot hold ``text``."""
+        """Raise NotHeld if a cell of this column cannot contain ``text``."""
         why = (
             self.described.refuses(text)
             if self.described is not None and self.name != ROW_NUMBER
@@ -123,8 +126,8 @@ class UserTable:
         return next((column for column in self.columns if column.name == name), None)
 
     def others(self, *names: str) -> tuple[str, ...]:
-        """Return the names of the columns that hold something other than zero, apart from ``names``
-        and the row numbers.
+        """Return the names of the columns with values other than zero, except ``names`` and the row
+        numbers.
         """
         return tuple(
             column.name
@@ -139,13 +142,13 @@ class UserTable:
 
 
 def is_number(text: str) -> bool:
-    """Return whether a cell holds a decimal number."""
+    """Return whether a cell contains a decimal number."""
     return _NUMBER.fullmatch(text) is not None
 
 
 def set_cell(table: UserTable, line: str, name: str, text: str) -> str:
-    """Return a line of the table with ``text`` in a column; every other column keeps its place and
-    its characters.
+    """Return a line of the table with ``text`` in one column. All other columns keep their place
+    and characters.
 
     Raises NotHeld when the text does not fit the width of the column.
     """
@@ -181,7 +184,7 @@ def set_cell(table: UserTable, line: str, name: str, text: str) -> str:
 def cell_changes(
     table: UserTable, row: Row, line: str, cells: Mapping[str, str]
 ) -> list[BytesChange]:
-    """Return the changes that put texts into cells of a row, by column name; ``line``: the row's
+    """Return the changes that put texts into cells of a row, by column name. ``line``: the row's
     text.
 
     Raises NotHeld when a text does not fit its column.

@@ -1,5 +1,5 @@
-"""Text of a table that a control exports: one header of columns, rows of cells in fixed widths,
-every cell with its place.
+"""Read the text of a table that a control exports: one header of columns, then rows of cells of
+fixed width.
 
     BEGIN X .COM MM DATUM:-400 DIST:16
     NR   1=F()     2=F()
@@ -47,14 +47,14 @@ _KINDS = ("COM", "CMA", "CMO")
 
 
 def is_user_table(file: ControlFile) -> bool:
-    """Return whether a file is such a table: its first non-blank line begins with BEGIN."""
+    """Return whether a file is an exported table: its first non-blank line begins with BEGIN."""
     lines = file.content[:10_000].decode("latin-1").splitlines()
     first = next((line for line in lines if line.strip()), "")
     return first.split()[:1] != [] and first.split()[0].upper() == "BEGIN"
 
 
 def is_other_table(file: ControlFile) -> bool:
-    """Return whether a table neither holds nor assigns compensation: tools, pallets, datums."""
+    """Return whether a table has nothing to do with compensation: tools, pallets, datums."""
     first = next((line for line in file.content[:10_000].splitlines() if line.strip()), b"")
     match = _KIND.match(first.decode("latin-1"))
     return match is not None and match[1].upper() not in _KINDS
@@ -63,7 +63,9 @@ def is_other_table(file: ControlFile) -> bool:
 def read_table_text(
     definition: Definition, file: ControlFile, faults: list[Fault]
 ) -> UserTable | None:
-    """Return the table in a file; None with faults, each with its line, in ``faults``."""
+    """Return the table in a file. None with faults, which are added to ``faults`` with their
+    lines.
+    """
     table, found = _read(text_reader(definition), file)
     faults.extend(found)
     return table
@@ -76,7 +78,7 @@ def _read(reader: TextReader, file: ControlFile) -> tuple[UserTable | None, tupl
 
 
 def parse_table(reader: TextReader, file: ControlFile, faults: list[Fault]) -> UserTable | None:
-    """Return a table, without the cache of `read_table_text`."""
+    """Return the table in a file, without the cache of `read_table_text`."""
     return _ColumnTableReader(reader, file, faults).read()
 
 
@@ -159,7 +161,9 @@ class _ColumnTableReader:
         return None
 
     def _closed(self, line: TextLine, name: str, ending: str) -> None:
-        """Check the last line: it may name its table; another name is the end of another table."""
+        """Check that the last line ends this table. It may name its table; another name is the end
+        of another table.
+        """
         named = "".join(word.text for word in _words(line)[1:])
         if named and named.upper() != f"{name}.{ending}".upper():
             self._fault(
@@ -240,7 +244,7 @@ class _ColumnTableReader:
     def _assigned(
         self, titles: Sequence[Token], lines: Sequence[TextLine]
     ) -> tuple[list[list[int]] | None, str]:
-        """Return the column of each word in every row, and the alignment of cells: left, right,
+        """Return the column of each word in every row, and the alignment of the cells: left, right,
         free.
 
         None if the columns are ambiguous.
@@ -309,7 +313,7 @@ def _right_slots(titles: Sequence[Token]) -> list[_Slot]:
 
 
 def _places(words: Sequence[Token], slots: Sequence[_Slot]) -> list[int] | None:
-    """Return the slot of each word; None when a word crosses a boundary or two share a slot."""
+    """Return the column of each word. None when a word crosses a boundary or two share a column."""
     places: list[int] = []
     for word in words:
         fitting = (

@@ -1,5 +1,6 @@
-"""Numbers of a user's tables -> positions and corrections in mm or deg: unit, sign, datum and
-spacing, blank cells, one turn.
+"""Convert the numbers of a user's table to positions and corrections in mm or deg.
+
+Unit, sign, datum and spacing, blank cells, one turn.
 """
 
 from __future__ import annotations
@@ -52,14 +53,14 @@ _LETTERS = frozenset("XYZUVWABC")
 def column_scale(
     definition: Definition, kind: AxisKind, options: Mapping[str, object]
 ) -> NumberScale:
-    """Return the number scale of an axis; its option ``table_values`` sets the meaning of table
-    values.
+    """Return unit, sign and resolution of an axis' table values. Its option ``table_values`` sets
+    the meaning.
     """
     return NumberScale(definition, kind, options, {"table_form": str(options[TABLE_VALUES])})
 
 
 class TableValues:
-    """Reads the numbers of tables by the axis that moves; faults go to the notes.
+    """Reads the numbers of tables by moving axis. Faults are added to the notes.
 
     ``axes``: those of the job.
     """
@@ -74,8 +75,8 @@ class TableValues:
         self.notes = notes
 
     def own_options(self, address: str) -> Mapping[str, object]:
-        """Return the options of an axis; its own override the controller's, and its entry sheet's
-        meaning of values overrides both.
+        """Return the options of an axis. The order of precedence is: its entry sheet, its own
+        options, those of the controller.
         """
         axis = self.axes.get(address)
         options = self.control.options if axis is None else self.control.options_of(axis)
@@ -83,8 +84,8 @@ class TableValues:
         return options if sheet is None else {**options, TABLE_VALUES: sheet.comments["value"]}
 
     def scale(self, address: str, kind: AxisKind | None = None) -> NumberScale:
-        """Return the number scale of an axis; ``kind``: of the axis that its table corrects, if
-        that is another.
+        """Return unit, sign and resolution of an axis' numbers. ``kind``: of the axis that its
+        table corrects, if that is another.
         """
         return column_scale(self.definition, kind or self.kind(address), self.own_options(address))
 
@@ -123,7 +124,7 @@ class TableValues:
         return self.kind(address) if known else None
 
     def positions(self, table: UserTable, address: str) -> tuple[Decimal, ...] | None:
-        """Return the positions of a table's rows in mm or deg; None with faults."""
+        """Return the positions of a table's rows in mm or deg. None with faults."""
         kind = self.kind(address)
         scale = self.scale(address, kind)
         found = (
@@ -201,8 +202,7 @@ class TableValues:
     def values(
         self, table: UserTable, name: str, positions: Sequence[Decimal], output: str, moving: str
     ) -> FloatArray | None:
-        """Return the corrections (k,) of a column in mm or deg; None for a blank column or a faulty
-        one.
+        """Return the corrections (k,) of a column in mm or deg. None for a blank or faulty column.
 
         A blank cell between two others is interpolated linearly; at an end of the table it is a
         fault.
@@ -247,8 +247,8 @@ class TableValues:
     def turned(
         self, address: str, positions: FloatArray, values: FloatArray, file: str
     ) -> tuple[FloatArray, FloatArray, float | None]:
-        """Return nodes, values and period of a table: on a rotary axis only 0 to 360 degrees are
-        active, repeated every turn.
+        """Return nodes, values and period of a table. On a rotary axis 0 to 360 degrees are active
+        and repeat every turn.
         """
         axis = self.axes.get(address)
         if self.kind(address) is AxisKind.LINEAR:
@@ -293,7 +293,7 @@ class TableValues:
         return nodes, curve, TURN
 
     def fault(self, file: str, place: str, message: str, expected: str, found: str) -> None:
-        """Note a fault once."""
+        """Note a fault. The same fault is noted only once."""
         fault = Fault(
             message=message,
             file=file,

@@ -1,5 +1,5 @@
-"""Compensation -> the user's own exported tables and parameters, patched in place; the rest ->
-entry sheets.
+"""Write a compensation into the user's own exported tables and parameters. The rest goes to entry
+sheets.
 
 No manual shows the text of these files, so none is invented: only cells of the axis' own column
 change, rows are added in the table's own style, and one bit of a mask that was read. Everything
@@ -65,8 +65,8 @@ def write_columns(
 def _refuse_unknown_backlash(
     control: Family, pairs: Sequence[AxisTable], files: Sequence[ControlFile]
 ) -> None:
-    """Refuse to write a backlash if the present one is in no file: it would be missing in the
-    total.
+    """Refuse to write a backlash if the present backlash is in no file, because it would be missing
+    in the total.
     """
     given = find_sources(control.definition, files, [axis for _, axis, _ in pairs], []).given
     name = name_of(control.definition, "backlash")
@@ -105,7 +105,7 @@ class _OwnTables(Patches):
         self.values = TableValues(control, self.sources, axes, notes)
 
     def put(self, address: str, axis: Axis, compensation: AxisCompensation) -> ControlFile | None:
-        """Record the changes for one axis; return the sheet for the rest, None if nothing is
+        """Record the changes for one axis. Return the entry sheet for the rest, None if nothing is
         left.
         """
         entry = ColumnEntry(self.control, axis, compensation)
@@ -160,7 +160,7 @@ class _OwnTables(Patches):
         self.replace(place.number, *set_field(place.occurrence, "value", text))
 
     def _bit(self, address: str, place: FoundValue, text: str) -> None:
-        """Change one bit of a mask, for several axes one after the other."""
+        """Change one bit of a bit mask. Several axes may do so one after the other."""
         known = self.text(place.number, place.occurrence.tokens["value"])
         number, mask = self.sources.numbers.number(address), mask_of(known)
         if number is None or mask is None or mask >> (number - 1) & 1 == int(text):
@@ -171,7 +171,8 @@ class _OwnTables(Patches):
         self._set(place, f"%{changed:b}" if ambiguous(new) else new)
 
     def _check_other_tables(self, address: str, *, awake: bool) -> None:
-        """Refuse to change the bit of an axis if tables of other axes correct it, or would.
+        """Refuse to change the bit of an axis if tables of other axes correct it with the same bit,
+        or would.
 
         The bit selects every table that corrects the axis, not only its own. Raises NotHeld.
         """

@@ -1,4 +1,4 @@
-"""One axis in the files -> its compensation, with every assumption and doubt."""
+"""Read one axis of the files as a compensation, with every assumption and doubt."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ _DECIMALS = 6
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AxisSource:
-    """One axis of the files. ``axis``: the job's axis, None without a job.
+    """One axis in the files. ``axis``: the job's axis, None without a job.
 
     ``rows``: those of its table if they do not name their axis; None if the text does.
     ``elsewhere``: other tables of the control correct it, so that it needs none of its own.
@@ -51,14 +51,14 @@ class AxisSource:
 
 @dataclass(frozen=True, slots=True)
 class AxisReading:
-    """The compensation of one axis by its own table and backlash, and further facts about it."""
+    """The compensation of one axis from its own table and backlash, and further facts about it."""
 
     compensation: AxisCompensation
     facts: AxisFacts
 
 
 class GridAxisReader:
-    """Reads one axis from the ``gathered`` files."""
+    """Reads one axis from the ``gathered`` values of the files."""
 
     def __init__(
         self,
@@ -96,7 +96,7 @@ class GridAxisReader:
         self.options = self._resolved(options)
 
     def read(self) -> AxisReading:
-        """Return the active compensation of the axis; faults go to the notes."""
+        """Return the active compensation of the axis. Faults are added to the notes."""
         kind = self._kind()
         stated, max_points = self._stated_values(), self.values.single("max_points")
         has_table = bool(self.rows) or any(
@@ -140,7 +140,7 @@ class GridAxisReader:
         return self.axis.reference_return
 
     def _stated_values(self) -> dict[str, Fact]:
-        """Return the values in the files that answer options, or that the card names."""
+        """Return the values in the files that answer options or appear on the card."""
         unit = self._unit()
         stated: dict[str, Fact] = {} if unit is None else {"length_unit": unit}
         for quantity in ("max_points", "gantry_type"):
@@ -194,7 +194,7 @@ class GridAxisReader:
         )
 
     def _factor(self, kind: AxisKind) -> float:
-        """Return mm or deg per unit of the files."""
+        """Return the factor from the length unit of the files to mm or deg."""
         inch = kind is AxisKind.LINEAR and self.options.get("units") == "inch"
         return MILLIMETRES_PER_INCH if inch else 1.0
 
@@ -211,7 +211,7 @@ class GridAxisReader:
         return round(limits[0] * factor, _DECIMALS), round(limits[1] * factor, _DECIMALS)
 
     def _unit(self) -> str | None:
-        """Return the unit of lengths by the files, mm or inch."""
+        """Return the length unit of the files, mm or inch."""
         return next(
             (word for word in map(self.values.stated_word, SAYING) if word is not None), None
         )
@@ -227,7 +227,7 @@ class GridAxisReader:
         return choice.found(asking=self.axis is not None)
 
     def _resolved(self, options: Mapping[str, object]) -> Mapping[str, object]:
-        """Return the options with those that the files answer."""
+        """Return the options, completed by values in the files."""
         resolved = dict(options)
         for name, rule in self.definition.options.items():
             if rule.settled_by is not None and isinstance(
@@ -264,7 +264,9 @@ class GridAxisReader:
         return self.axis.kind
 
     def _scale(self, kind: AxisKind, *, has_table: bool) -> NumberScale | None:
-        """Return the number scale; None when a sign depends on a choice that cannot be read."""
+        """Return unit, sign and resolution of the numbers. None when a sign depends on an
+        unreadable choice.
+        """
         choices: dict[str, str] = {}
         if has_table and "table_form" in self.definition.bindings:
             word = self.values.choice("table_form")
@@ -306,8 +308,8 @@ class GridAxisReader:
         return self.values.stated_word("enabled") != "no"
 
     def _table_enabled(self) -> bool:
-        """Return whether a table is active: by the files or, if it is not zero and they leave it
-        open, by the job.
+        """Return whether a table is active, by the files. If they leave it open and it is not zero,
+        by the job.
         """
         found = self.values.single("enabled")
         if any(
@@ -351,8 +353,8 @@ class GridAxisReader:
         return table
 
     def _idle_nodes(self, scale: NumberScale) -> tuple[float, ...]:
-        """Return the nodes of a table that is not active, mm or deg; empty for an invalid one,
-        which stops nothing while it is off.
+        """Return the nodes of an inactive table, mm or deg. Empty for an invalid one, which is
+        harmless while it is off.
         """
         quiet = replace(self.values, notes=Notes())
         singles = {
@@ -365,7 +367,7 @@ class GridAxisReader:
         return () if table is None else tuple(float(node) for node in table.positions)
 
     def _backlash(self, scale: NumberScale, *, has_table: bool) -> tuple[float, float]:
-        """Return the backlash value, and the constant correction that replaces it where there is no
+        """Return the backlash value, and the constant correction that replaces it if there is no
         table.
         """
         if "backlash" not in self.definition.bindings:
@@ -397,14 +399,14 @@ class GridAxisReader:
         return 0.0, 0.0 if has_table else float(value) / 2.0
 
     def _backlash_factor(self) -> Decimal:
-        """Return the factor on the backlash of the first parameter set; 1 if the files hold
+        """Return the factor on the backlash in the first parameter set. 1 if the files have
         none.
         """
         found = self.values.one("backlash_factor", first_set(self.values.places("backlash_factor")))
         return Decimal(1) if found is None else Decimal(found.text)
 
     def _constant(self, half: float) -> GridTable:
-        """Return no table, or one node (the reference) whose value holds everywhere."""
+        """Return an empty table, or one node (the reference) whose value applies everywhere."""
         if half == 0.0:
             return GridTable(np.empty(0), np.empty(0), np.empty(0))
         reference = self.axis.reference if self.axis else float(str(self.options[REFERENCE]))

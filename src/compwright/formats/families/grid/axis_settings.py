@@ -25,7 +25,7 @@ _FOLLOWS = 10
 
 
 class AxisSettingsReader:
-    """Reads settings of one axis as a whole."""
+    """Reads settings that apply to one axis as a whole."""
 
     def __init__(self, gathered: Gathered, address: str, notes: Notes) -> None:
         self.gathered = gathered
@@ -33,8 +33,11 @@ class AxisSettingsReader:
         self.notes = notes
 
     def facts(self, own: AxisFacts, axis: Axis | None, partners: Mapping[str, str]) -> AxisFacts:
-        """Return the facts of an axis: its ``own`` and those of the axis as a whole; other active
-        functions go to the notes. ``partners``: synchronised axis by leading axis.
+        """Return the facts of an axis from its settings. Other active functions are added to the
+        notes.
+
+        Its ``own`` and those of the axis as a whole. ``partners``: synchronised axis by leading
+        axis.
         """
         turn = self._turn()
         limits = own.limits if turn is None else (turn.start, turn.start + turn.length)
@@ -57,7 +60,9 @@ class AxisSettingsReader:
         )
 
     def _paired(self) -> tuple[tuple[str, ...], str | None]:
-        """Return the axes that follow this one in a gantry (MD37100), and the one that leads it."""
+        """Return the axes that follow this axis in a gantry (MD37100), and the axis that leads
+        it.
+        """
         kind = self._kind(self.address)
         if not kind:
             return (), None
@@ -68,7 +73,7 @@ class AxisSettingsReader:
         return (), next((each for each in others if each not in following), None)
 
     def _others(self, kind: int) -> list[str]:
-        """Return the other axes of the group of a gantry."""
+        """Return the other axes in the same gantry."""
         addresses = (address for address, _ in self.gathered.singles if address is not None)
         return [
             address
@@ -86,17 +91,17 @@ class AxisSettingsReader:
         return Turn(begin, length or _WHOLE_TURN, start is not None)
 
     def last(self, quantity: str, address: str | None = None) -> FoundValue | None:
-        """Return the last place of a setting of an axis as a whole."""
+        """Return the last occurrence of a setting of the whole axis."""
         places = self.gathered.singles.get((address or self.address, None), {}).get(quantity, ())
         return places[-1] if places else None
 
     def number(self, quantity: str) -> float | None:
-        """Return a number set for the axis as a whole."""
+        """Return a number that is set for the whole axis."""
         found = self.last(quantity)
         return None if found is None else float(found.text)
 
     def gantry(self, partners: Mapping[str, str]) -> None:
-        """Check that MD37100 and the job agree: a table on one axis of a gantry alone racks the
+        """Check that MD37100 and the job agree. A table on only one axis of a gantry would rack the
         bridge.
         """
         kind = self._kind(self.address)
@@ -136,7 +141,7 @@ class AxisSettingsReader:
         return None if found is None else int(found.text)
 
     def other_functions(self) -> str:
-        """Note the other active functions of the axis, which stay unchanged; return them in words,
+        """Note the other active functions of the axis, which stay unchanged. Return them as text,
         to compare two states.
         """
         functions = self._temperature()

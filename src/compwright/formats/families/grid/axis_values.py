@@ -1,5 +1,4 @@
-"""Single values of one axis in the files, and the unit of all lengths of linear axes in them (basic
-system, inch or metric).
+"""Single values of one axis in the files, and the length unit of all linear axes (inch or metric).
 
 A number (SINUMERIK's MD10240, LinuxCNC's LINEAR_UNITS) states the unit, or a word on a line of its
 own. If the files hold both, they must agree.
@@ -27,22 +26,22 @@ class GridAxisValues(Values):
     system: str | None
 
     def places(self, quantity: str) -> list[FoundValue]:
-        """Return every place of a quantity."""
+        """Return every place of a quantity in the files."""
         return self.gathered.found(quantity, self.address, self.system)
 
     def single(self, quantity: str, *, quiet: bool = True) -> FoundValue | None:
-        """Return the place that counts. Unless ``quiet``, repetitions are noted: once, where the
-        value is used.
+        """Return the place of a quantity that counts. Unless ``quiet``, repetitions are noted
+        once.
         """
         return self.one(quantity, self.places(quantity), quiet=quiet)
 
     def stated_word(self, quantity: str) -> str | None:
-        """Return the neutral word of a choice in the files, else None."""
+        """Return the meaning of a choice in the files. None if they do not state it."""
         return self.word(quantity, self.single(quantity))
 
     def choice(self, quantity: str) -> str | None:
-        """Return the neutral word of a choice, with its default if it is absent; None if the
-        control does not have it.
+        """Return the meaning of a choice in the files, or its default. None if the control does not
+        have it.
         """
         if quantity not in self.definition.bindings:
             return None
@@ -59,7 +58,7 @@ _USERS_LENGTHS = 1 << 0 | 1 << 1 | 1 << 11 | 1 << 12
 
 
 def basic_system(gathered: Gathered, notes: Notes) -> str | None:
-    """Return mm or inch by the files; None if they do not state it.
+    """Return the length unit of the files, mm or inch. None if they do not state it.
 
     Contradicting files are refused, and an inch of another length.
     """
@@ -96,7 +95,7 @@ def basic_system(gathered: Gathered, notes: Notes) -> str | None:
 
 
 def _places(gathered: Gathered) -> dict[str, FoundValue]:
-    """Return the first place that states each basic system."""
+    """Return the first statement of each length unit in the files."""
     definition = gathered.definition
     places: dict[str, FoundValue] = {}
     values = Values(definition, "basic system", Notes())

@@ -1,6 +1,4 @@
-"""Capacity of one axis of the control, from the definition, the options and the control's own
-files.
-"""
+"""The limits of one axis' table, from the definition, the options and the control's own files."""
 
 from __future__ import annotations
 
@@ -72,7 +70,7 @@ class GridLimits:
         return next(name for name, option in options if option.settled_by == "max_points")
 
     def _period(self) -> float | None:
-        """Return the turn of an endless axis whose table repeats; None on a linear axis, where
+        """Return the turn of an endless axis whose table repeats. None on a linear axis, where
         modulo has no meaning.
         """
         if self.axis.counts_turns:
@@ -82,8 +80,8 @@ class GridLimits:
         return self.axis.modulo if self.axis.kind is AxisKind.ROTARY else None
 
     def _turn_unknown(self) -> list[Assumption]:
-        """Return the assumptions on the turn of an endless axis: that the control wraps it, and
-        where its turn begins.
+        """Return the assumptions about the turn of an endless axis: that the control uses it, and
+        where it begins.
         """
         turn = self.facts.turn
         if (
@@ -106,8 +104,8 @@ class GridLimits:
         ]
 
     def _spacings(self, quantum: float) -> tuple[float, ...] | None:
-        """Return the allowed spacings of an endless axis whose reference is not at the start of its
-        range; None: no such rule.
+        """Return the allowed spacings of an endless axis whose range does not begin at the
+        reference. None: any spacing.
         """
         period, turn = self._period(), self.facts.turn
         if period is None or RANGE_QUANTITY not in self.definition.bindings:

@@ -1,4 +1,5 @@
-"""Tables on one axis: values by index over an even grid, or rows that give their position.
+"""Family of tables on one axis: values by index on an equally spaced grid, or rows with their
+positions.
 
 The form of positions and values in a file is a shape (`tables`), one module each. `pairs` extends
 this family by tables between axes; nothing here depends on it.
@@ -45,7 +46,7 @@ _CORRECTING = re.compile(
 def file_values(
     definition: Definition, files: Sequence[ControlFile], _: Sequence[ControlFile] = ()
 ) -> dict[str, FileValue]:
-    """Return every value of the files."""
+    """Return every value in the files, by name."""
     return {
         key: replace(
             entry, relevant=entry.relevant or _CORRECTING.fullmatch(entry.group) is not None
@@ -55,7 +56,7 @@ def file_values(
 
 
 def _names(control: Family, files: Sequence[ControlFile]) -> Mapping[str, tuple[str, str]]:
-    """Return the joints, by the letters of the kinematics."""
+    """Return the names of the joints, from the letters of the kinematics."""
     definition = control.definition
     if "axis_letters" not in definition.bindings:
         return {}
@@ -79,7 +80,9 @@ def _names(control: Family, files: Sequence[ControlFile]) -> Mapping[str, tuple[
 
 
 class GridFamily(Family):
-    """Values by index, or rows by position. An extension replaces ``reader`` and ``writer``."""
+    """Tables with values by index or rows by position. A derived family replaces ``reader`` and
+    ``writer``.
+    """
 
     reader: type[GridReader] = GridReader
     writer: type[GridWriter] = GridWriter
@@ -102,13 +105,15 @@ class GridFamily(Family):
         return GridLimits(self, axis).capacity()
 
     def between(self, request: BetweenRequest) -> Between:
-        """See `Family.between`: no such table."""
+        """Return that the control has no tables between axes; arguments as those of
+        `Family.between`.
+        """
         return alternative_answer(self.definition, request.planned)
 
     def _own_limits(
         self, axis: Axis, compensation: AxisCompensation, capacity: Capacity, label: str
     ) -> Sequence[Fault]:
-        """Return the faults of the table of an endless axis that can repeat."""
+        """Return the faults of the table of an endless axis whose table can repeat."""
         del axis
         repeats = shape_of(self.definition).repeats
         return limits.turn(capacity, compensation, label) if repeats else ()

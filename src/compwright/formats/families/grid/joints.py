@@ -1,5 +1,5 @@
-"""Joints by which the control drives its axes: their letters, their homing, and steps of their
-correction that the control never applies.
+"""Joints that drive the axes of a control: their letters, their homing, and steps of the correction
+that are never applied.
 """
 
 from __future__ import annotations
@@ -35,8 +35,8 @@ _REMARK = re.compile(r"^[ \t]*[#;][^\r\n]*", re.MULTILINE)
 
 
 def joined_joints(files: Sequence[ControlFile]) -> Iterator[Coupling]:
-    """Yield the joints that a negative HOME_SEQUENCE homes together, if no line of the kinematics
-    states their axes: they may belong to one axis.
+    """Yield joints that are homed together (negative HOME_SEQUENCE) and whose axes are not stated.
+    They may drive one axis.
     """
     if any(True for _ in statements_in(files, _LETTERED, _REMARK)):
         return
@@ -57,7 +57,7 @@ def joined_joints(files: Sequence[ControlFile]) -> Iterator[Coupling]:
 
 
 def joint_letters(kinematics: str, order: str, count: str) -> str:
-    """Return the axis letter of each joint; empty if the default order of letters holds.
+    """Return the axis letter of each joint. Empty if the default order of letters applies.
 
     ``kinematics``: its name with its arguments (``coordinates=XYYZ`` has priority); ``order``: the
     machine's axes, used for kinematics with letters of its own (XYZBC) if there are as many as
@@ -72,8 +72,8 @@ def joint_letters(kinematics: str, order: str, count: str) -> str:
 
 
 def sure_joints(kinematics: str, order: str, count: str) -> str:
-    """Return the letter of each joint as `joint_letters`. For kinematics without letters: the usual
-    ones if all other lines agree with them; empty if that is uncertain.
+    """Return the certain letter of each joint. Without kinematics letters: the usual ones, if all
+    lines agree; empty if uncertain.
     """
     letters = joint_letters(kinematics, order, count)
     name = kinematics.split(maxsplit=1)[0].lower() if kinematics.strip() else ""
@@ -97,8 +97,10 @@ Homing = Literal["", "relative", "absolute"]
 def homing_of(
     values: GridAxisValues, factor: float
 ) -> tuple[Homing, tuple[float, Direction] | None]:
-    """Return how homing changes the correction, and the place (mm or deg) and direction at which it
-    counts as zero. ``factor``: mm or deg per unit of the files.
+    """Return how homing changes the correction. With the place (mm or deg) and direction where the
+    correction is zero.
+
+    ``factor``: mm or deg per unit of the files.
 
     A switch sets the motor offset to the commanded position less the correction that is applied
     there; an encoder's index that resets its counter, an absolute encoder, and homing in place
@@ -125,7 +127,7 @@ def homing_of(
 
 
 def _is_true(values: GridAxisValues, name: str, *, others: bool = False) -> bool:
-    """Return whether a switch is on; ``others``: any number other than 0 counts as on."""
+    """Return whether a switch is on. ``others``: any number other than 0 means on."""
     found = values.single(name)
     if found is None:
         return False
@@ -134,8 +136,10 @@ def _is_true(values: GridAxisValues, name: str, *, others: bool = False) -> bool
 
 
 def unapplied_steps(values: GridAxisValues, factor: float) -> tuple[float, float] | None:
-    """Return the range of steps of the correction that the control never applies, mm or deg.
-    Above the first number, up to the second; None if the files do not state it.
+    """Return the range of correction steps that the control never applies, mm or deg. None if the
+    files do not state it.
+
+    Above the first number, up to the second.
 
     From rest the ramp takes a step up to ``least`` at once; it starts for a step above ``most``
     (control.c, ``compute_screw_comp``).

@@ -1,5 +1,7 @@
-"""The table of an endless axis over the control's modulo range (the same turn, starting where that
-range begins), and checks that job and files agree on the turn.
+"""Shift the table of an endless axis to the control's modulo range, and check that job and files
+agree on the turn.
+
+The same turn, starting where that range begins.
 """
 
 from __future__ import annotations
@@ -35,8 +37,8 @@ _DECIMALS = 9
 def in_modulo_range(
     compensation: AxisCompensation, start: float, name: str, faults: list[Fault]
 ) -> AxisCompensation:
-    """Return a table that repeats, starting at ``start`` (deg): every node keeps its place on the
-    circle and its values.
+    """Return a repeating table that begins at ``start`` (deg). Every node keeps its angle and its
+    values.
 
     It is not known whether the control would find a table with another start. If no node is at
     ``start``, that is a fault, which names a possible spacing.
@@ -79,7 +81,7 @@ def _rolled(curve: FloatArray, shift: int) -> FloatArray:
 
 
 def _common(period: float, offset: float) -> float:
-    """Return the largest common divisor of two angles, deg."""
+    """Return the greatest common divisor of two angles, deg."""
     one, other = (Fraction(round(value * 1e6), 10**6) for value in (period, offset))
     while other:
         one, other = other, one % other
@@ -114,8 +116,8 @@ def over_travel(compensation: AxisCompensation, axis: Axis) -> AxisCompensation:
 
 
 def most_points_of_turn(axis: Axis, rows: int) -> int:
-    """Return how many points one turn may have, both ends counted, so that ``rows`` cover the whole
-    travel. Raises CapacityError if two points do not fit.
+    """Return how many points one turn may have, both ends included, so that ``rows`` cover the
+    whole travel. Raises CapacityError if two do not fit.
     """
     low, high = axis.travel
     sections = int((rows - _EXTRA_ROWS) * float(axis.modulo or 0.0) / (high - low))
@@ -139,7 +141,7 @@ def most_points_of_turn(axis: Axis, rows: int) -> int:
 def spacings_from(
     reference: float, start: float, period: float, quantum: float
 ) -> tuple[float, ...] | None:
-    """Return the spacings (deg) for which nodes lie on the reference and on the start of the range;
+    """Return the spacings (deg) that give a node at the reference and at the start of the range.
     None: any that divides the turn.
     """
     offset = float(np.mod(reference - start, period))
@@ -151,9 +153,7 @@ def spacings_from(
 
 
 def check_modulo(values: GridAxisValues, axis: Axis | None) -> None:
-    """Check that job and control agree: an axis with ends, or an endless axis with the same
-    range.
-    """
+    """Check that job and control agree: the axis has ends, or is endless with the same range."""
     found = values.single("modulo", quiet=False)
     if found is None:
         return
@@ -181,8 +181,9 @@ def check_modulo(values: GridAxisValues, axis: Axis | None) -> None:
 
 
 def _check_range(values: GridAxisValues, axis: Axis, found: FoundValue) -> None:
-    """Check that the turn of an endless axis is that of the control; a job with ends would leave
-    out the rest of the turn.
+    """Check that the turn of an endless axis in the job equals that of the control.
+
+    A job with ends would leave out the rest of the turn.
     """
     length = values.single("modulo_range")
     turn = float(length.text) if length is not None else None
@@ -211,9 +212,7 @@ def _check_range(values: GridAxisValues, axis: Axis, found: FoundValue) -> None:
 def period_of(
     values: GridAxisValues, axis: Axis | None, rows: Sequence[FoundValue], table: GridTable
 ) -> float:
-    """Return the period of a table that repeats: both ends must be equal, so that it repeats
-    without a step.
-    """
+    """Return the period of a repeating table. Both its ends must have the same value."""
     if table.positive[0] != table.positive[-1] or table.negative[0] != table.negative[-1]:
         first, last = rows[0].occurrence, rows[-1].occurrence
         values.notes.faults.append(
@@ -238,8 +237,8 @@ def period_of(
 
 
 def _check_beginning(values: GridAxisValues, table: GridTable) -> None:
-    """Check that a repeating table begins where the control's range begins; it is not known whether
-    the control would find another one.
+    """Check that a repeating table begins where the control's range begins. The effect of another
+    start is unknown.
     """
     found = values.single("modulo_start")
     start = float(found.text) if found is not None else 0.0
@@ -259,8 +258,8 @@ def _check_beginning(values: GridAxisValues, table: GridTable) -> None:
 
 
 def check_turn(axis: Axis, compensation: AxisCompensation, notes: Notes) -> None:
-    """Check that the job and the control's files agree on the turn; note a table that does not fit
-    the job's axis.
+    """Check that the job and the control's files agree on the turn. Note a table that does not fit
+    the axis.
     """
     for table in (compensation, *compensation.others):
         if table.positions.size == 0:

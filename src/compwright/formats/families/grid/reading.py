@@ -1,4 +1,4 @@
-"""A control's own files -> the active compensation, for every axis that they name.
+"""Read a control's own files as the active compensation of every axis that they name.
 
 Missing is not zero: a grid without values, a table that is switched on but was not given, and an
 axis that no file names are errors. Assumptions are listed.
@@ -60,7 +60,7 @@ _CORRECTING = ("backlash", "enabled", "cross_axis_enabled", "dynamic_backlash", 
 
 
 class GridReader:
-    """Reads the files of one control; arguments and errors as `Family.read`.
+    """Reads the files of one control. Arguments and errors as those of `Family.read`.
 
     An extension reads anything in addition to the axes' own tables: the methods without an
     underscore are its hooks.
@@ -156,7 +156,7 @@ class GridReader:
         )
 
     def named(self) -> list[str]:
-        """Return the addresses that lines, sections or the names of table files name."""
+        """Return the axis addresses in lines, sections or names of table files."""
         return list(dict.fromkeys((*self.mentioned, *self.tables.named())))
 
     def between(self) -> Collection[str]:
@@ -168,7 +168,7 @@ class GridReader:
         return tuple(joined_joints(self.files)) if _JOINTS in self.definition.statements else ()
 
     def elsewhere(self, address: str) -> bool:
-        """Return whether further tables correct an axis, so that it needs none of its own."""
+        """Return whether further tables correct an axis, so that it needs no table of its own."""
         del address
         return False
 
@@ -177,22 +177,22 @@ class GridReader:
         return ()
 
     def staying(self, compensation: AxisCompensation) -> tuple[AxisCompensation, ...]:
-        """Return those of an axis' tables that stay whatever is written for it."""
+        """Return those of an axis' tables that stay unchanged when a new table is written."""
         del compensation
         return ()
 
     def pair_tables(self) -> PairTables:
-        """Return the tables between axes that the files hold."""
+        """Return the tables between axes in the files."""
         return PairTables()
 
     def active_lines(self) -> dict[str, FoundValue]:
-        """Return, by the axis name in it, a line that corrects something: a value that is not zero,
-        or a switch that is on.
+        """Return, by axis name, a line with an active correction: a value that is not zero, or a
+        switch that is on.
         """
         return _active_lines(self.gathered)
 
     def axis(self, address: str, axis: Axis | None) -> AxisReading:
-        """Return the active compensation of one axis, and the facts about it."""
+        """Return the active compensation of one axis, and facts about it."""
         self._one_name(address, axis)
         source = AxisSource(
             address=address,
@@ -210,8 +210,9 @@ class GridReader:
         return replace(own, facts=facts)
 
     def _one_name(self, address: str, axis: Axis | None) -> None:
-        """Refuse an axis if active lines under another name may belong to it: X1 and AX1, and no
-        list of names says which of them are one axis.
+        """Refuse an axis if active lines under another name may belong to it (X1 and AX1).
+
+        No list of names says which of them are one axis.
         """
         if axis is None or "machine_axis" not in self.definition.bindings:
             return
@@ -237,7 +238,7 @@ class GridReader:
         )
 
     def _same_systems(self, readings: Mapping[str, AxisReading]) -> None:
-        """Check that both axes of a gantry are written for the same measuring system."""
+        """Check that both axes of a gantry use the same measuring system."""
         for leading, partner in self.partners.items():
             used = [
                 readings[address].facts.encoder_system
@@ -286,7 +287,7 @@ class GridReader:
         return read
 
     def _loaded(self, files: Sequence[ControlFile]) -> list[ControlFile]:
-        """Return the files without those that the control never opens; these are reported."""
+        """Return the files that the control loads. The others are reported."""
         aside = unused_table_files(self.definition, files)
         if "table_file" in self.definition.bindings:
             self.notes.faults.extend(changed_at_run_time(files))
@@ -297,7 +298,9 @@ class GridReader:
         return [file for file in files if file.name not in aside]
 
     def _refuse_unknown(self, files: Sequence[ControlFile]) -> None:
-        """Refuse containers that are known by their first bytes only, with what helps."""
+        """Refuse containers that cannot be opened, and state what would help. They are recognised
+        by their first bytes.
+        """
         for file in files:
             what = "" if is_container(file) else unknown_container(file.content)
             if len(_COLUMNS.findall(file.content)) > _FEW:
@@ -318,8 +321,8 @@ class GridReader:
         raise_all(InputError, self.notes.faults)
 
     def _note_sources(self, files: Sequence[ControlFile]) -> None:
-        """Note listings, and the programs in archives that load or switch tables: they were not
-        executed here.
+        """Note printed listings. Also note programs in archives that load or switch tables, because
+        they were not executed here.
         """
         kinds = self.definition.texts.values()
         words = tuple(sorted({claim for kind in kinds for claim in kind.claims_anywhere}))
@@ -387,7 +390,7 @@ class GridReader:
         )
 
     def _note_files(self) -> None:
-        """Note findings about the files as a whole, and facts that a job would have given."""
+        """Note findings about the files as a whole, and facts that a job would have stated."""
         self.tables.note_idle(self.wanted)
         for text in self.texts:
             variants = [occurrence.line for occurrence in text.occurrences if occurrence.variant]

@@ -1,5 +1,5 @@
-"""Which of two measuring systems of an axis is in use: by the job, else by the control's files,
-else a question.
+"""Choose which of two measuring systems of an axis is in use: by the job, else by the files, else
+ask.
 """
 
 from __future__ import annotations
@@ -24,8 +24,8 @@ class SystemChoice:
         self.systems = gathered.systems(address)
 
     def stated(self, wanted: int, *, by_job: bool) -> str:
-        """Return the given system; it is a fault if the control does not have it, or holds its
-        table under another.
+        """Return the given measuring system. It is a fault if the control does not have it or its
+        table is under another one.
         """
         chosen = str(wanted - 1)
         if (count := self._count()) is not None and wanted > count:
@@ -48,7 +48,7 @@ class SystemChoice:
         return chosen
 
     def _check_tables(self, chosen: str, *, by_job: bool) -> None:
-        """Check that the files hold a table of the given system, and switch it on."""
+        """Check that the files contain a table of the given system and switch it on."""
         number = int(chosen) + 1
         tables = [system for system in self.systems if self._rows(system)]
         active = [system for system in tables if self._switch(system) is not False]
@@ -85,8 +85,8 @@ class SystemChoice:
             )
 
     def found(self, *, asking: bool) -> str:
-        """Return the system in use by the files. ``asking``: if they do not show it, add a
-        question.
+        """Return the measuring system in use by the files. ``asking``: if they do not show it, add
+        a question.
         """
         count = self._count()
         if count == 1 or len(self.systems) == 1:
@@ -161,7 +161,7 @@ class SystemChoice:
         return int(places[-1].text) if places else None
 
     def _switch(self, system: str) -> bool | None:
-        """Return whether the files end with the table of a system switched on; None if they do not
+        """Return whether the files finally switch on the table of a system. None if they do not
         state it.
         """
         places = self.gathered.singles.get((self.address, system), {}).get("enabled", ())
@@ -171,7 +171,7 @@ class SystemChoice:
         return binding.values.get(places[-1].text) != "no"
 
     def _written(self, system: str) -> bool:
-        """Return whether a system's table holds anything other than zeros."""
+        """Return whether a system's table contains values other than zero."""
         fields = [
             self.gathered.definition.bindings[quantity].field
             for quantity in curves(self.gathered.definition)

@@ -1,4 +1,4 @@
-"""Files whose rows do not name their axis: another file names them, or their own file name does."""
+"""Find the axis of table files whose rows do not name it: another file or the file name does."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ _HIDDEN_PIN = re.compile(
 
 
 class TableFiles:
-    """The files of a set that hold only a table; empty if every row names its axis."""
+    """The files of a set that contain only a table. Empty if every row names its axis."""
 
     def __init__(self, gathered: Gathered, texts: Sequence[ReadText], notes: Notes) -> None:
         self.gathered = gathered
@@ -64,7 +64,7 @@ class TableFiles:
         self.used: set[int] = set()
 
     def named(self) -> list[str]:
-        """Return the addresses in the names of the files."""
+        """Return the addresses in the file names."""
         found = (self._address_in_name(text.file) for text in self.tables)
         return [address for address in found if address is not None]
 
@@ -73,13 +73,11 @@ class TableFiles:
         return _address_between(self.definition, before, after, file)
 
     def alone(self) -> bool:
-        """Whether one table file is all that was given: then it belongs to the axis that was
-        given.
-        """
+        """Whether only one table file was given. It then belongs to the given axis."""
         return len(self.texts) == len(self.tables) == 1
 
     def rows(self, address: str, *, mentioned: bool) -> list[FoundValue] | None:
-        """Return the rows of an axis; None if rows name their axis themselves.
+        """Return the table rows of an axis. None if the rows name their axis themselves.
 
         ``mentioned``: other lines name the axis, and would name its file.
         """
@@ -117,7 +115,7 @@ class TableFiles:
         return rows
 
     def _named_by(self, address: str) -> list[ReadText]:
-        """Return the file that other lines name for an axis; a missing one is a fault."""
+        """Return the file that other lines name for an axis. A missing file is a fault."""
         named = self.gathered.found("table_file", address, None)
         if not named:
             return []
@@ -139,7 +137,7 @@ class TableFiles:
         return matching
 
     def note_idle(self, wanted: Collection[str]) -> None:
-        """Note the table files that no axis names, among those of the axes under work."""
+        """Note the table files of the axes under work that no line names."""
         binding = self.definition.bindings.get("table_file")
         named = {
             _base_name(occurrence.tokens[binding.field].text.strip())
@@ -153,8 +151,8 @@ class TableFiles:
 
 
 def unused_table_files(definition: Definition, files: Sequence[ControlFile]) -> list[str]:
-    """Return the names of files other than tables that the control never opens: the files that
-    state what it loads name none of these.
+    """Return the names of other files that the control never opens, because no file that it loads
+    names them.
 
     A machine's folder holds many (its HAL files, its tools). A damaged file that would otherwise
     state what is loaded is not among them.
@@ -181,8 +179,9 @@ def unused_table_files(definition: Definition, files: Sequence[ControlFile]) -> 
 
 
 def offset_at_run_time(files: Sequence[ControlFile], axes: Collection[str]) -> Iterator[Fault]:
-    """Yield the lines of HAL files that add an external offset to one of ``axes`` (letters; an axis
-    with another name may be any).
+    """Yield the lines of HAL files that add an external offset to one of ``axes``.
+
+    Letters; an axis with another name may be any.
     """
     letters = {name.upper() for name in axes}
     known = bool(letters) and all(len(name) == 1 for name in letters)
@@ -205,8 +204,8 @@ def offset_at_run_time(files: Sequence[ControlFile], axes: Collection[str]) -> I
 
 
 def changed_at_run_time(files: Sequence[ControlFile]) -> Iterator[Fault]:
-    """Yield the lines of HAL files that change the correction of a joint while the control runs:
-    then the value in the INI is not active.
+    """Yield the lines of HAL files that change a joint's correction during operation. The value in
+    the INI is then not active.
     """
     known = "a HAL file changes the backlash of a joint while the control runs"
     hidden = (
@@ -232,7 +231,7 @@ def changed_at_run_time(files: Sequence[ControlFile]) -> Iterator[Fault]:
 
 
 def _letters_of(file: ControlFile) -> ControlFile:
-    """Return a file without the bytes that cannot be text."""
+    """Return a file without bytes that cannot be text."""
     return replace(file, content=BINARY.sub(b"", file.content))
 
 

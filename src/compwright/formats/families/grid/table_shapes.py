@@ -1,5 +1,7 @@
-"""The table shapes on one axis: values by index over an even grid (start, end and spacing are given
-once), and rows that give their position.
+"""The two table shapes on one axis: values by index on an equally spaced grid, and rows with
+positions.
+
+Start, end and spacing are given once.
 """
 
 from __future__ import annotations
@@ -40,7 +42,7 @@ _ADDRESS = r"(?-i:(?![A-Z0-9_]*[0-9]{5})[A-Z0-9_]+)"
 
 
 class ByIndex(TableShape):
-    """Values by index, from 0."""
+    """Tables with values by index, from 0."""
 
     rules = ShapeRules(
         kept=KeptLines(
@@ -65,7 +67,9 @@ class ByIndex(TableShape):
     repeats = True
 
     def read(self, source: TableSource) -> GridTable | None:
-        """See `TableShape.read`. Memory that was never written, all zero, is no table."""
+        """Return the table by index; arguments as those of `TableShape.read`. All zeros (never
+        written) count as no table.
+        """
         if not source.rows and not source.singles:
             return None
         if is_blank(source):
@@ -83,8 +87,10 @@ class ByIndex(TableShape):
         return table_of(positions, sound) if len(sound) == len(pairs) else None
 
     def write(self, text: TableText) -> WrittenTable:
-        """See `TableShape.write`. Nodes that are not equally spaced are a fault; an existing grid
-        keeps its text, with all its decimal places.
+        """Return the text of a table by index; arguments as those of `TableShape.write`. Unequal
+        spacing is a fault.
+
+        An existing grid keeps its text, with all its decimal places.
         """
         positions, scale = text.compensation.positions, text.scale
         rows = tuple({"index": str(index), **text.values(index)} for index in range(positions.size))
@@ -111,7 +117,7 @@ class ByIndex(TableShape):
 
 
 def _stays(text: TableText) -> bool:
-    """Return whether a table has exactly the grid in the files."""
+    """Return whether a table uses exactly the grid in the files."""
     if not set(_GRID) <= text.there.keys():
         return False
     start, end, step = (text.scale.read(name, text.there[name]) for name in _GRID)
@@ -127,7 +133,7 @@ def _stays(text: TableText) -> bool:
 
 
 def is_blank(source: TableSource) -> bool:
-    """Return whether all values are zero, the grid too: memory that was never written."""
+    """Return whether all values and the grid are zero: memory that was never written."""
     values = [
         row.occurrence.tokens[name].text for row in source.rows for name in source.value_fields
     ]
@@ -136,7 +142,7 @@ def is_blank(source: TableSource) -> bool:
 
 
 def _whole(source: TableSource) -> bool:
-    """Return whether the files hold both grid and values."""
+    """Return whether the files contain both grid and values."""
     definition = source.scale.definition
     forms = {
         name: definition.statements[definition.bindings[name].statement].form for name in _GRID
@@ -153,7 +159,7 @@ def _whole(source: TableSource) -> bool:
 
 
 def indexed(source: TableSource) -> dict[int, FoundValue] | None:
-    """Return the rows by index; None (with faults) where two of one index differ."""
+    """Return the rows by index. None (with faults) where two rows of one index differ."""
     values: dict[int, FoundValue] = {}
     clean = True
     for row in source.rows:
@@ -170,8 +176,10 @@ def indexed(source: TableSource) -> dict[int, FoundValue] | None:
 
 @dataclass(frozen=True, slots=True)
 class _Grid:
-    """Start, spacing, and the number of spacings that count. ``beyond``: one more point follows
-    with the value of the last one; the control may use it or not.
+    """An equally spaced grid: start, spacing, number of spacings.
+
+    ``beyond``: one more point follows with the value of the last one; the control may use it or
+    not.
     """
 
     start: Decimal
@@ -181,7 +189,7 @@ class _Grid:
 
 
 def _steps(source: TableSource, values: Mapping[int, FoundValue]) -> _Grid | None:
-    """Return the grid.
+    """Return the grid of the table in the files.
 
     If its end lies between two points, it is not known whether the control goes on to the second
     one: both must hold the same value.
@@ -221,8 +229,8 @@ def _steps(source: TableSource, values: Mapping[int, FoundValue]) -> _Grid | Non
 
 
 def _alike(source: TableSource, values: Mapping[int, FoundValue], inside: int) -> bool:
-    """Return whether the last point inside and the first one beyond the end hold the same value, or
-    all points are zero.
+    """Return whether the last point and the first point beyond the end have the same value, or all
+    points are zero.
     """
     held = [
         [Decimal(row.occurrence.tokens[name].text) for name in source.value_fields]
@@ -288,7 +296,7 @@ _SETTINGS = (
 
 
 class ByPosition(TableShape):
-    """Rows of position and values, ascending."""
+    """Tables with rows of position and values, ascending."""
 
     rules = ShapeRules(
         kept=KeptLines(
@@ -307,7 +315,7 @@ class ByPosition(TableShape):
     repeats = False
 
     def read(self, source: TableSource) -> GridTable | None:
-        """See `TableShape.read`."""
+        """Return the table by position; arguments as those of `TableShape.read`."""
         positions: list[Decimal] = []
         pairs: list[tuple[Decimal, Decimal]] = []
         for row in source.rows:
@@ -328,7 +336,7 @@ class ByPosition(TableShape):
         return table_of(positions, pairs) if positions else None
 
     def write(self, text: TableText) -> WrittenTable:
-        """See `TableShape.write`."""
+        """Return the text of a table by position; arguments as those of `TableShape.write`."""
         field = text.scale.definition.bindings["node_position"].field
         rows = [
             {field: text.number("node_position", float(position)), **text.values(index)}

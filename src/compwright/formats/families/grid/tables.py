@@ -1,4 +1,4 @@
-"""One table on one axis: its places in the files, its meaning, and its text.
+"""One table on one axis: its places in the files, its values, and its text.
 
 A shape (`shapes`) combines these. A control whose files hold a table in another way gets a shape of
 its own: a `TableShape` in a module next to `by_index`, a name in the schema's ``Shape`` and an
@@ -37,8 +37,8 @@ class GridTable:
 
 @dataclass(frozen=True, slots=True)
 class WrittenTable:
-    """The fields of each row and the single values (by quantity) that belong to the table, as
-    text.
+    """The text of one table to be written: the fields of each row, and the single values by
+    quantity.
     """
 
     rows: tuple[Mapping[str, str], ...]
@@ -47,8 +47,10 @@ class WrittenTable:
 
 @dataclass(slots=True)
 class TableSource:
-    """Places of one table in the files. ``label``: its name in messages; ``singles``: start, end
-    and spacing. ``ends_at_point``: its end has to be a point, as for an endless axis.
+    """The places of one table in the files. ``label``: its name in messages; ``singles``: start,
+    end and spacing.
+
+    ``ends_at_point``: its end has to be a point, as for an endless axis.
     """
 
     label: str
@@ -60,13 +62,13 @@ class TableSource:
 
     @property
     def value_fields(self) -> list[str]:
-        """The fields of a row that hold values."""
+        """The fields of a row that contain values."""
         return value_fields(self.scale.definition)
 
     def fault(
         self, message: str, found: FoundValue | None = None, *, expected: str = "", what: str = ""
     ) -> None:
-        """Note a fault, at the line of ``found`` or else of the first place of the table."""
+        """Note a fault at the line of ``found``, or else at the first line of the table."""
         place = found or next(iter((*self.rows, *self.singles.values())), None)
         self.notes.faults.append(
             Fault(
@@ -80,7 +82,7 @@ class TableSource:
         )
 
     def position(self, quantity: str, found: FoundValue) -> Decimal | None:
-        """Return a position, mm or deg; None (with a fault) for one that is not plausible."""
+        """Return a position, mm or deg. None (with a fault) if it is not plausible."""
         measure = self.scale.definition.measure(quantity)
         text = found.occurrence.tokens[measure.field].text
         value = self.scale.read(quantity, text)
@@ -93,8 +95,8 @@ class TableSource:
         return None
 
     def values(self, row: FoundValue, position: Decimal) -> tuple[Decimal, Decimal] | None:
-        """Return the corrections (+, -) of a row, mm or deg; None (with a fault) for one that is
-        not plausible.
+        """Return the corrections (+, -) of a row, mm or deg. None (with a fault) if they are not
+        plausible.
         """
         values, unit = [], self.scale.kind.unit
         for quantity in curves(self.scale.definition):
@@ -116,7 +118,8 @@ class TableSource:
 
 @dataclass(frozen=True, slots=True)
 class TableText:
-    """The numbers of one table as text; numbers that the text cannot hold exactly go to ``faults``.
+    """The numbers of one table as text. Numbers that the text cannot represent exactly are added to
+    ``faults``.
 
     ``there``: the text of the existing grid in the files, by quantity; empty if there is none.
     """
@@ -127,7 +130,7 @@ class TableText:
     there: Mapping[str, str] = field(default_factory=dict)
 
     def number(self, quantity: str, value: float, position: float = 0.0) -> str:
-        """Return the text of one number; ``position`` (mm or deg) is that of its row."""
+        """Return the text of one number. ``position`` (mm or deg): that of its row."""
         try:
             return self.scale.write(quantity, value, position)
         except NotHeld as error:
@@ -141,7 +144,7 @@ class TableText:
             return "0"
 
     def values(self, index: int) -> dict[str, str]:
-        """Return the values of a node by their field."""
+        """Return the values of a node, by field."""
         definition, position = self.scale.definition, float(self.compensation.positions[index])
         sides = (self.compensation.positive, self.compensation.negative)
         return {
@@ -151,7 +154,7 @@ class TableText:
 
 
 class TableShape(ABC):
-    """The form of positions and values of a table in a file.
+    """How a table stores positions and values in a file.
 
     ``spacing``: which nodes it can hold. ``repeats``: the table of an endless axis can repeat.
     """
@@ -162,8 +165,8 @@ class TableShape(ABC):
 
     @abstractmethod
     def read(self, source: TableSource) -> GridTable | None:
-        """Return the table; None if there is none, or if it is invalid (then ``source`` has
-        faults).
+        """Return the table in the files. None if there is none, or if it is invalid (then
+        ``source`` has faults).
         """
 
     @abstractmethod
@@ -172,12 +175,12 @@ class TableShape(ABC):
 
 
 def value_fields(definition: Definition) -> list[str]:
-    """Return the fields of a row that hold values."""
+    """Return the fields of a row that contain values."""
     return [definition.bindings[quantity].field for quantity in curves(definition)]
 
 
 def table_of(positions: Sequence[Decimal], values: Sequence[tuple[Decimal, Decimal]]) -> GridTable:
-    """Return a table of positions and corrections (+, -), mm or deg."""
+    """Return a table from positions and corrections (+, -), mm or deg."""
     return GridTable(
         np.array([float(position) for position in positions]),
         np.array([float(value[0]) + 0.0 for value in values]),

@@ -1,5 +1,5 @@
-"""Write the tables of an axis into the control's own files if these contain such tables; else into
-the empty file skeletons of the definition.
+"""Write the tables of an axis into the control's own files. Without such files: into empty
+templates of the definition.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ from compwright.records.correction import AxisCompensation, ControlFile
 
 @dataclass(frozen=True, slots=True)
 class AxisText:
-    """Contents of the control for one axis, as text: rows by field, single values by quantity.
+    """The text to write for one axis: rows by field, single values by quantity.
 
     ``named``: the fields that all its lines have.
     """
@@ -48,7 +48,7 @@ class AxisText:
 
 
 class NewFile:
-    """One file of the definition for one axis."""
+    """One new file for one axis, made from the definition."""
 
     def __init__(self, definition: Definition, file: WrittenFile, text: AxisText) -> None:
         self.definition = definition
@@ -59,7 +59,7 @@ class NewFile:
     def made(
         self, placed: Collection[str], switches: Sequence[str], faults: list[Fault]
     ) -> ControlFile | None:
-        """Return the file; None if it would be empty.
+        """Return the new file. None if it would be empty.
 
         ``placed``: quantities in the control's own files, which are left out. ``switches``: lines
         before the end of a file without rows.
@@ -95,7 +95,7 @@ class NewFile:
         return [print_form(form, {**self.text.named, **row}) for row in self.text.rows]
 
     def _occurrences(self, skeleton: ControlFile) -> tuple[Occurrence, ...]:
-        """Return the places of the single values in the skeleton."""
+        """Return the places of the single values in the empty template."""
         faults: list[Fault] = []
         read = text_reader(self.definition).read(skeleton, faults)
         raise_all(InputError, faults)
@@ -119,8 +119,8 @@ class NewFile:
 
 @dataclass(frozen=True, slots=True)
 class AxisToWrite:
-    """One axis to be written. ``options``: its own over the controller's; ``faults``: values that
-    its text cannot hold.
+    """One axis to be written. ``options``: its own over those of the controller; ``faults``: values
+    that text cannot represent.
     """
 
     address: str
@@ -131,7 +131,7 @@ class AxisToWrite:
 
 
 class GridWriter:
-    """Writes the tables of one control. ``files``: its own ones."""
+    """Writes the tables of one control. ``files``: the control's own files."""
 
     def __init__(
         self, control: Family, files: Sequence[ControlFile], addresses: Iterable[str]
@@ -148,7 +148,7 @@ class GridWriter:
         )
 
     def written(self, tables: Sequence[AxisTable], faults: list[Fault]) -> tuple[ControlFile, ...]:
-        """Return the files of tables within the limits; values that the text cannot hold exactly go
+        """Return the files with the tables. Values that the text cannot represent exactly are added
         to ``faults``.
         """
         fresh: list[ControlFile] = []
@@ -159,7 +159,7 @@ class GridWriter:
         return (*self._own_files([address for address, _, _ in tables]), *fresh)
 
     def axis(self, work: AxisToWrite) -> list[ControlFile]:
-        """Put one axis into the control's own files; return new files with values that have no
+        """Write one axis into the control's own files. Return new files for the values without a
         place there.
         """
         text = self._text(work)
@@ -167,7 +167,7 @@ class GridWriter:
         return self.new_files(self.files_for("one_curve"), text, self._put(text, work), (), work)
 
     def make_room(self, work: AxisToWrite) -> None:
-        """Remove what would be active in addition to a new table."""
+        """Remove corrections that would be active in addition to a new table."""
 
     def files_naming(self, addresses: Collection[str]) -> set[int]:
         """Return those of the control's own files that mention the axes."""
@@ -186,7 +186,7 @@ class GridWriter:
         return {place.number for group in own_values for place in group}
 
     def _own_files(self, addresses: Sequence[str]) -> tuple[ControlFile, ...]:
-        """Return the control's own files that mention the axes, with all changes made."""
+        """Return the control's own files that mention the axes, after all changes."""
         if self.own is None:
             return ()
         gathered, numbers = self.own.gathered, self.files_naming(addresses)
@@ -197,9 +197,7 @@ class GridWriter:
         return self.own.patched(numbers)
 
     def _turned(self, work: AxisToWrite) -> AxisCompensation:
-        """Return the table of an endless axis over the control's own range: from its start, once
-        around.
-        """
+        """Return the table of an endless axis over the control's own range of one turn."""
         compensation, axis = over_travel(work.compensation, work.axis), work.axis
         if compensation.period is None or RANGE_QUANTITY not in self.definition.bindings:
             return compensation
@@ -242,7 +240,7 @@ class GridWriter:
         return replace(text, singles={**text.singles, "repeats": repeats})
 
     def text(self, work: AxisToWrite, scale: NumberScale, table: WrittenTable) -> AxisText:
-        """Return a table with its single values."""
+        """Return a table with its single values as text."""
         spelled = work.address if self.own is None else self.own.gathered.spelled(work.address)
         named = {"axis": spelled, "system": str(work.axis.encoder.system - 1)}
         definition, singles = self.definition, dict(table.singles)
@@ -269,7 +267,7 @@ class GridWriter:
         return AxisText(work.address, named, table.rows, singles)
 
     def files_for(self, when: When) -> list[WrittenFile]:
-        """Return the files of the definition that a set of this kind has."""
+        """Return the definition's files for a set of this kind."""
         return [
             file
             for file in self.definition.writing
@@ -284,7 +282,7 @@ class GridWriter:
         switches: Sequence[str],
         work: AxisToWrite,
     ) -> list[ControlFile]:
-        """Return new files with the values that are not ``placed`` yet; ``switches``: see
+        """Return new files for the values that are not ``placed`` yet. ``switches``: see
         `NewFile.made`.
         """
         made = [
@@ -294,8 +292,8 @@ class GridWriter:
         return [file for file in made if file is not None]
 
     def put_backlash(self, text: AxisText) -> set[str]:
-        """Put the backlash, with factor 1, into the control's own files where it has a place there;
-        return the quantities that have.
+        """Write the backlash, with factor 1, into the control's own files. Return the quantities
+        that have a place there.
         """
         if self.own is None or "backlash" not in text.singles:
             return set()
@@ -309,7 +307,7 @@ class GridWriter:
     def own_values(
         self, text: AxisText, *, whole: bool = False
     ) -> Mapping[str, Sequence[FoundValue]]:
-        """Return the values in the control's own files for the measuring system, or for the
+        """Return the values in the control's own files for one measuring system, or for the
         ``whole`` axis.
         """
         if self.own is None:
@@ -318,8 +316,8 @@ class GridWriter:
         return self.own.gathered.singles.get(key, {})
 
     def _put(self, text: AxisText, work: AxisToWrite) -> set[str]:
-        """Put values into the control's own files where they have a place there; return these
-        quantities.
+        """Write values into the control's own files. Return the quantities that have a place
+        there.
         """
         if self.own is None:
             return set()
@@ -348,8 +346,8 @@ class GridWriter:
         return placed | {value, *names}
 
     def _switch_on(self, switches: Sequence[FoundValue], table: TablePlaces) -> None:
-        """Make the table active if the files end with it switched off; a load sequence counts by
-        its last value.
+        """Switch the table on if the files finally switch it off. In a load sequence the last value
+        counts.
 
         In a file that also holds the values the switch is off before them, as in a maker's program,
         and on after them: a table that is on is protected, and the control would take none of the
@@ -376,8 +374,9 @@ class GridWriter:
     def _reserve(
         self, places: Sequence[FoundValue], count: int, options: Mapping[str, object]
     ) -> None:
-        """Reserve the points if the files reserve fewer than the table has: as many as the option
-        states, or, if none were reserved, as many as the table has.
+        """Reserve points in the control if the files reserve too few for the table.
+
+        As many as the option states, or, if none were reserved, as many as the table has.
 
         Files with a smaller number would remove the memory again when they are loaded.
         """
@@ -388,7 +387,7 @@ class GridWriter:
 
 
 def _first_few(faults: list[Fault], address: str) -> list[Fault]:
-    """Return the first three faults: one wrong rounding gives one for every row."""
+    """Return the first three faults, because one wrong rounding gives a fault in every row."""
     rest = len(faults) - 3
     more = Fault(
         message=f"axis {address} has {rest} more values with the same fault",

@@ -1,5 +1,5 @@
-"""Facts of one axis of a control with increments by section, as records; the lead of its screw,
-suggested by its reference counter.
+"""Facts about one axis of a control with increments by section, and the screw lead that its
+reference counter suggests.
 """
 
 from __future__ import annotations
@@ -82,9 +82,7 @@ def facts_of(values: IncrementAxisValues) -> AxisFacts:
 
 
 def name_of(values: IncrementAxisValues) -> str | None:
-    """Return the control's name of the axis: the letter of 1020 and further characters of 1025 and
-    1026, all by their codes.
-    """
+    """Return the axis name from its character codes in parameters 1020, 1025 and 1026."""
     code = values.integer("axis_name")
     if code is None or not ord("A") <= code <= ord("Z"):
         return None
@@ -96,8 +94,8 @@ def name_of(values: IncrementAxisValues) -> str | None:
 def with_neighbours(
     facts: AxisFacts, own: AxisParameters, options: Mapping[str, object]
 ) -> AxisFacts:
-    """Return the facts with the functions that are active in addition to the table and left
-    alone.
+    """Return the facts with the functions that are active in addition to the table and stay
+    unchanged.
     """
     every = tuple(functions(own))
     alone = left_alone(every, options)
@@ -150,16 +148,16 @@ def _rapid_feed(values: IncrementAxisValues) -> float | None:
 
 
 def _length(values: IncrementAxisValues, quantity: str) -> float | None:
-    """Return 3624 or 3625, mm or deg; None if it cannot be read, which is reported with the
-    table.
+    """Return the length in parameter 3624 or 3625, mm or deg. None if it is unreadable, which is
+    reported with the table.
     """
     length = replace(values, notes=Notes()).length(quantity, values.kind(quiet=True))
     return None if length is None else float(length)
 
 
 def _coordinate(values: IncrementAxisValues, quantity: str, kind: AxisKind) -> float | None:
-    """Return a machine coordinate, mm or deg; None without a decimal point: then its unit is
-    unknown.
+    """Return a machine coordinate, mm or deg. None without a decimal point, because its unit is
+    then unknown.
     """
     found = values.found(quantity)
     if found is None or "." not in found.text:
@@ -173,14 +171,14 @@ _SAME_LENGTH = 1e-3
 
 @dataclass(frozen=True, slots=True)
 class Lead:
-    """Travel of one turn of the motor, mm or deg, and the parameters that suggest it, in words."""
+    """The travel per motor turn, mm or deg, and the parameters that suggest it, as text."""
 
     size: float
     evidence: str
 
 
 def screw_lead(own: AxisParameters, kind: AxisKind) -> Lead | None:
-    """Return the travel between two marks of the encoder on the motor; None if the files do not
+    """Return the travel between two reference marks of the motor encoder. None if the files do not
     state it.
 
     1821 counts detection units from one mark to the next: a turn of the motor, on a screw its lead
@@ -201,7 +199,7 @@ def screw_lead(own: AxisParameters, kind: AxisKind) -> Lead | None:
 
 
 def note_lead(values: IncrementAxisValues, kind: AxisKind) -> None:
-    """Note the suggested lead if the job names no period, or another one."""
+    """Note the suggested screw lead if the job names no period, or a different one."""
     lead = screw_lead(values.own, kind)
     if values.axis is None or lead is None:
         return

@@ -1,4 +1,4 @@
-"""One axis of a control with increments by section: parameters and points -> its compensation."""
+"""Read parameters and points of one axis with increments by section as its compensation."""
 
 from __future__ import annotations
 
@@ -41,8 +41,10 @@ _NO_POINTS = np.empty(0)
 
 @dataclass(frozen=True, slots=True)
 class IncrementReader:
-    """Reads one axis. ``points``: the pitch data of all axes by number; ``options``: those of the
-    axis. ``checks_travel``: its software limits are compared with the job's travel.
+    """Reads one axis of a control with increments by section.
+
+    ``points``: the pitch data of all axes by number; ``options``: those of the axis.
+    ``checks_travel``: its software limits are compared with the job's travel.
     """
 
     values: IncrementAxisValues
@@ -92,7 +94,7 @@ class IncrementReader:
     def _with_counted(
         self, kind: AxisKind, sections: IncrementSections | None, table: AxisCompensation
     ) -> AxisCompensation:
-        """Return the table with the additional functions that the options make counted."""
+        """Return the compensation with additional functions that the options include."""
         functions = counted(self.values, kind, self.options, self._increments)
         unit = float(self._unit(kind)) * self._sign("pitch_sign")
         nodes = table.positions
@@ -118,8 +120,8 @@ class IncrementReader:
         return replace(table, others=tuple(others))
 
     def _check_neighbours(self, kind: AxisKind) -> None:
-        """Refuse or note functions that are active in addition to the table, and open questions of
-        the files.
+        """Refuse or note functions that are active in addition to the table. Add questions that the
+        files leave open.
         """
         values, own, notes = self.values, self.values.own, self.values.notes
         notes.faults.extend((*own.contradictions(), *parameter_checks.refusals(own)))
@@ -145,8 +147,8 @@ class IncrementReader:
         backlash: float,
         period: float | None = None,
     ) -> AxisCompensation:
-        """Return the compensation. ``curves``: positions, and the correction in travel towards +
-        and -, all (n,) mm or deg.
+        """Return the compensation from ``curves``: positions, and the correction in travel towards
+        + and -, all (n,) mm or deg.
         """
         positions, positive, negative = curves
         return AxisCompensation(
@@ -201,7 +203,7 @@ class IncrementReader:
         return float(more * self._unit(self.values.kind(quiet=True))) if separate else 0.0
 
     def _increments(self, numbers: range) -> FloatArray | None:
-        """Return the increments (k,) of some numbers; None if one is missing or too large."""
+        """Return the increments (k,) with some numbers. None if one is missing or too large."""
         notes, label = self.values.notes, self.values.label
         missing = [number for number in numbers if number not in self.points]
         if missing:
@@ -237,8 +239,8 @@ class IncrementReader:
         return np.array(counts, dtype=np.float64)
 
     def _offset(self, sections: IncrementSections, kind: AxisKind) -> float:
-        """Return 3627, mm or deg: the value at the reference against its return direction, added to
-        the curve that is not zero there.
+        """Return parameter 3627, mm or deg: the correction at the reference when it is approached
+        against its return direction.
         """
         values = self.values
         count = values.integer("negative_offset")
@@ -323,5 +325,5 @@ def increment_limit(options: Mapping[str, object]) -> int:
 
 
 def number_list(numbers: list[int]) -> str:
-    """Return numbers with commas; long lists end in dots."""
+    """Return numbers as text with commas. Long lists end in dots."""
     return ", ".join(map(str, numbers[:8])) + (" .." if len(numbers) > 8 else "")

@@ -1,5 +1,5 @@
-"""Single values of one axis of a control with increments by section, and lengths in the form of its
-files.
+"""Single values of one axis of a control with increments by section, and lengths as its files write
+them.
 """
 
 from __future__ import annotations
@@ -29,8 +29,10 @@ def thousandths(definition: Definition) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class IncrementAxisValues(Values):
-    """Single values of one axis. ``own``: parameters other than those of the table; ``axis``: the
-    job's axis, None without a job; ``known_kind``: given for files that do not state it.
+    """Single values of one axis.
+
+    ``own``: parameters other than those of the table; ``axis``: the job's axis, None without a job;
+    ``known_kind``: given for files that do not state it.
     """
 
     gathered: Gathered
@@ -39,7 +41,7 @@ class IncrementAxisValues(Values):
     known_kind: AxisKind | None = None
 
     def found(self, quantity: str) -> FoundValue | None:
-        """Return the place of a quantity, for this axis or for the whole machine."""
+        """Return the place of a quantity for this axis or for the whole machine."""
         if quantity not in self.definition.bindings:
             return None
         return self.one(quantity, self.gathered.found(quantity, self.own.address, None))
@@ -55,8 +57,10 @@ class IncrementAxisValues(Values):
         return None if word is None else word == "yes"
 
     def length(self, quantity: str, kind: AxisKind) -> Decimal | None:
-        """Return a length in mm or deg: M metric, I inch, P the machine's unit; without a point in
-        the control's own small unit. A length that needs a point and has none is a fault.
+        """Return a length in mm or deg.
+
+        M metric, I inch, P the machine's unit; without a point in the control's own small unit. A
+        length that needs a point and has none is a fault.
         """
         found = self.found(quantity)
         if found is None:
@@ -174,7 +178,9 @@ class IncrementAxisValues(Values):
         *,
         hint: str = CORRECT_VALUE,
     ) -> None:
-        """Note a fault at the line of a quantity, with its name; ``hint``: the next step."""
+        """Note a fault at the line of a quantity, with the control's name for it. ``hint``: the
+        next step.
+        """
         name = self.name(quantity)
         named = message if name in f"{message} {expected}" else f"{message} (parameter {name})"
         place = self.found(quantity)
@@ -182,8 +188,10 @@ class IncrementAxisValues(Values):
 
 
 def length_text(value: Decimal, *, inch: bool = False, whole: bool = False) -> str:
-    """Return a length, mm or deg, in the form of the control's own files: with a decimal point and
-    at least one decimal (``50.0``), or ``whole`` in thousandths, of an inch in ten thousandths.
+    """Return a length, mm or deg, as the control's own files write it.
+
+    With a decimal point and at least one decimal (``50.0``), or ``whole`` in thousandths, of an
+    inch in ten thousandths.
     """
     if inch:
         value /= INCH

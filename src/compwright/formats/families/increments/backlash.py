@@ -1,5 +1,5 @@
-"""Backlash at cutting feed (1851) and at rapid traverse (1852, if 1800#4 of the axis' path is 1):
-which of them is active, and how both are written. Smooth backlash.
+"""Backlash at cutting feed (parameter 1851) and at rapid traverse (1852): which is active, and how
+both are written.
 
 Source: FANUC B-64120EN/01 page 116, 21i B-63090EN/02 page 97.
 
@@ -28,13 +28,13 @@ NEAR = 1.0
 
 @dataclass(frozen=True, slots=True)
 class SmoothBacklash:
-    """The parameters that are not zero."""
+    """The parameters of smooth backlash compensation that are not zero."""
 
     values: tuple[ParameterValue, ...]
 
     def note(self, label: str, kind: AxisKind, unit: float, notes: Notes) -> None:
-        """Note its effect, and the fault if it may reach to targets of a test. ``unit``: the
-        detection unit.
+        """Note the effect of smooth backlash. It is a fault if it may reach the targets of a test.
+        ``unit``: the detection unit.
         """
         farthest = max(self.values, key=lambda value: abs(value.whole))
         reach = abs(farthest.whole) * unit
@@ -51,20 +51,22 @@ class SmoothBacklash:
 
 
 def smooth_backlash(own: AxisParameters) -> SmoothBacklash | None:
-    """Return the smooth backlash of an axis; None without one."""
+    """Return the smooth backlash of an axis. None without one."""
     values = (own.get(number) for number in known.SMOOTH_BACKLASH)
     active = tuple(value for value in values if value is not None and value.nonzero)
     return SmoothBacklash(active) if active else None
 
 
 def first_stage(own: AxisParameters) -> int:
-    """Return the part that is output at once (1848), detection units; 0 without."""
+    """Return the part of the backlash that is output at once (1848), in detection units. 0 without
+    it.
+    """
     value = own.get(known.SMOOTH_FIRST)
     return 0 if value is None else value.whole
 
 
 def covers(backlash: int | None, stage: int) -> bool:
-    """Return whether the whole backlash contains the part that is output at once: same sign, and
+    """Return whether the total backlash contains the part that is output at once: same sign, and
     not smaller.
     """
     return stage == 0 or (backlash is not None and backlash * stage >= stage * stage)
@@ -119,9 +121,11 @@ def active_backlash(values: IncrementAxisValues, feed: int) -> int:
 
 
 def both_backlashes(axis: Axis, facts: IncrementFacts, count: int) -> dict[str, int]:
-    """Return 1851, and 1852 where it may be active, for a table whose backlash is ``count``
-    detection units at the motion of the axis' test. The difference of the two stays as in
-    ``facts``.
+    """Return the values of 1851, and of 1852 where it may be active, for a table with this
+    backlash.
+
+    Whose backlash is ``count`` detection units at the motion of the axis' test. The difference of
+    the two stays as in ``facts``.
     """
     rapid, feed = facts.backlash_rapid, facts.backlash or 0
     if rapid is None or facts.separate_rapid is False:

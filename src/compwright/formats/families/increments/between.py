@@ -1,6 +1,8 @@
-"""Corrections between axes by straightness compensation: in the control's own files if they hold
-its parameters at zero, else as an entry sheet. Numbers and signs are from memory, none is confirmed
-by a page.
+"""Corrections between axes by straightness compensation, in the control's own files or as an entry
+sheet.
+
+In the control's own files if they hold its parameters at zero. Numbers and signs are from memory,
+none is confirmed by a page.
 
 Two points of the moving axis' numbers, the amounts absolute in detection units of the compensated
 axis: a straight line. A curve, an axis without a table and a second pair are not written, with a
@@ -34,7 +36,9 @@ from compwright.words.sentences import SentenceText, control_text, say
 
 
 def straightness_between(family: Family, request: BetweenRequest) -> Between:
-    """Return the parameters of one straight line, if the job states that the control has them."""
+    """Return the parameters of one straight line, if the job states that the control has
+    straightness compensation.
+    """
     if family.options.get("straightness") != "available":
         return alternative_answer(family.definition, request.planned)
     (entry, *others) = request.planned
@@ -58,7 +62,7 @@ def straightness_between(family: Family, request: BetweenRequest) -> Between:
 
 
 def _filled(family: Family, request: BetweenRequest, entry: PlannedCross) -> Between | None:
-    """Return the files with one straight line in parameters that they hold with value 0.
+    """Return the files with one straight line in parameters that were 0 before.
 
     None if it has no place there, or would not be exact.
     """
@@ -117,8 +121,10 @@ def _patched(
 def _rows(
     family: Family, request: BetweenRequest, entry: PlannedCross, state: ControlState | None
 ) -> list[tuple[str, str, str]] | None:
-    """Return parameter, value and meaning of each row; None if one straight line over a table
-    cannot hold the correction. ``state``: the state with the tables of this run.
+    """Return parameter, value and meaning of each row. None if one straight line cannot represent
+    the correction.
+
+    ``state``: the state with the tables of this run.
     """
     added, bent = entry.added, request.axes.get(entry.output)
     table = None if state is None else state.axes.get(added.input)

@@ -1,4 +1,4 @@
-"""Capacity of one axis of a control with increments by section (FANUC)."""
+"""The limits of one axis of a control with increments by section (FANUC)."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ MIN_SECTIONS = 2
 
 class IncrementLimits:
     """The limits of one axis' table. ``assumed``: their assumptions; ``shares``: other axes use
-    some of its numbers too.
+    some of its point numbers too.
     """
 
     def __init__(self, family: Family, axis: Axis) -> None:
@@ -93,14 +93,17 @@ class IncrementLimits:
         )
 
     def _nodes(self, numbers: int) -> int:
-        """Return the number of nodes for ``numbers`` in a row: sections have numbers, and a table
-        that starts or ends at the reference needs one more.
+        """Return the number of nodes for ``numbers`` successive point numbers.
+
+        Sections have numbers, and a table that starts or ends at the reference needs one more.
         """
         axis = self.axis
         return numbers + (axis.travel[0] < axis.reference < axis.travel[1])
 
     def _own_points(self) -> int:
-        """Return the number of nodes in the longest row of numbers that only this axis claims."""
+        """Return the number of nodes in the longest block of point numbers that only this axis
+        uses.
+        """
         highest = self.definition.limit_number("max_number") or 0
         rows = (
             longest_gap(min(claimed.stop - 1, highest), self.used, claimed.start)
@@ -110,7 +113,7 @@ class IncrementLimits:
         return self._nodes(most) if most else 0
 
     def _shared_numbers(self) -> int:
-        """Return the length of the longest row of numbers that no axis claims."""
+        """Return the length of the longest block of point numbers that no axis uses."""
         highest = self.definition.limit_number("max_number") or 0
         return longest_gap(highest, [*self.used, *self.facts.claimed], first_point(self.options))
 
@@ -119,7 +122,8 @@ class IncrementLimits:
         self.assumed.append(Assumption(of_axis, value, evidence))
 
     def _wave(self, limit: int, gap: int) -> Wave | None:
-        """Return the capacity of a second table, if the control has it and none exists.
+        """Return the limits of a second (cyclic) table, if the control has this function and no
+        such table exists.
 
         Only on a rotary axis: the only page that describes it is about a worm.
         """
@@ -130,13 +134,13 @@ class IncrementLimits:
         return Wave(unit=self.scale.quantum("value"), increment=limit, room=gap, step=step)
 
     def _may_incline(self) -> bool:
-        """Return whether a line of inclination compensation may be written: the control has it, and
-        there is no other line.
+        """Return whether a line of inclination compensation may be written: the control has it and
+        no other line exists.
         """
         return self.options.get("inclination") == "available" and not self.facts.inclined
 
     def _free_numbers(self) -> int:
-        """Return how many numbers in a row are free; numbers whose contents no file states are not.
+        """Return how many successive point numbers are free. Numbers with unknown contents are not.
 
         Raises UsageError if too few are left for a table.
         """
@@ -175,8 +179,8 @@ class IncrementLimits:
         return gap
 
     def _least_spacing(self) -> tuple[float, Sentence | None]:
-        """Return the smallest interval for the largest feed: the option's, and the rapid traverse
-        in the control's files.
+        """Return the smallest interval for the highest feed, from the option and the rapid traverse
+        in the files.
         """
         rule = self.definition.limit("feed_per_spacing")
         if rule is None or rule.number is None:

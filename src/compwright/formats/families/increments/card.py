@@ -1,4 +1,4 @@
-"""Contents of the card for whole steps by section, and the point number of each section for its
+"""The card's values for increments by section, and the point number of each section for its
 drawing.
 """
 
@@ -36,7 +36,7 @@ _PARAMETERS = {
 def increment_values(
     family: Family, axis: Axis, compensation: AxisCompensation, facts: AxisFacts
 ) -> dict[str, str]:
-    """Return the card's values of one axis; ``facts``: facts of the axis in the written files."""
+    """Return the card's values of one axis. ``facts``: facts of the axis in the written files."""
     scale, own = family.scale_of(axis), increments_of(facts)
     names = ("reference_number", "first_number", "last_number", "magnification")
     words = {name: getattr(own, name) for name in names}
@@ -69,14 +69,15 @@ def increment_values(
 
 
 def _feed_backlash(count: str, facts: AxisFacts) -> str:
-    """Return 1851 as in the files; else ``count``, that of the table."""
+    """Return parameter 1851 as in the files. Without it: ``count``, the backlash of the table."""
     held = increments_of(facts).backlash
     return count if held is None else str(held)
 
 
 def _neighbours(family: Family, axis: Axis, facts: AxisFacts) -> Iterator[str]:
-    """Yield remarks on functions in addition to the table; ``facts``: of the axis in the written
-    files.
+    """Yield remarks on functions that are active in addition to the table.
+
+    ``facts``: of the axis in the written files.
     """
     before = increments_of(family.state.facts_of(family.address(axis)[0]))
     now = increments_of(facts)
@@ -110,8 +111,10 @@ def _neighbours(family: Family, axis: Axis, facts: AxisFacts) -> Iterator[str]:
 
 
 def _further(family: Family, axis: Axis, facts: IncrementFacts) -> str:
-    """Return the parameters needed in addition to the grid and 1851: second set, turn, backlash at
-    rapid traverse. ``facts``: of the axis in the written files, with the turn of an endless axis.
+    """Return further required parameters: second set, turn, backlash at rapid traverse.
+
+    In addition to the grid and 1851. ``facts``: of the axis in the written files, with the turn of
+    an endless axis.
     """
     words = {}
     if "bidirectional" in family.definition.bindings:
@@ -139,8 +142,9 @@ def _further(family: Family, axis: Axis, facts: IncrementFacts) -> str:
 def numbered_sections(
     family: Family, axis: Axis, facts: AxisFacts, table: AxisCompensation
 ) -> NumberedSections | None:
-    """Return the sections by number, from the written files (``facts``, and the ``table`` that was
-    read back); None if those hold no table.
+    """Return the sections by point number, from the written files. None if those contain no table.
+
+    ``facts``, and the ``table`` that was read back.
     """
     increments = increments_of(facts)
     reference, first, last = (
@@ -255,7 +259,7 @@ def _words(
 
 
 def _owning(parameter: str, section: Section, unit: str) -> dict[str, str]:
-    """Return a parameter, its number and the section of it, in words."""
+    """Return a parameter with its number and the section of that point, as text."""
     low, high = f"{section.low:.10g}", f"{section.high:.10g}"
     owns = control_text("owns {low} to {high} {unit}", low=low, high=high, unit=unit)
     return {"parameter": parameter, "number": str(section.number), "owns": owns}

@@ -1,4 +1,4 @@
-"""Axes of a FANUC that move together, by its parameters.
+"""Find the axes of a FANUC that move together, from its parameters.
 
 8311 (axis synchronous control, simple synchronous control, twin table), 1817#6 (tandem control, the
 master has the odd servo number 1023), 8180, 8183 and 8186 (synchronous, composite and superimposed
@@ -32,7 +32,7 @@ _UNLIKE = {
 
 
 def couplings_of(parameters: Parameters, addresses: Sequence[str]) -> tuple[Coupling, ...]:
-    """Return the couplings of axes of a control; ``addresses``: the axes in its files.
+    """Return the coupled axes of a control. ``addresses``: the axes in its files.
 
     A number that names none of them may mean any: then no axis is worked on.
     """
@@ -47,8 +47,8 @@ def couplings_of(parameters: Parameters, addresses: Sequence[str]) -> tuple[Coup
 
 
 def _mastered(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coupling]:
-    """Yield the couplings by 8311, 8180, 8183 and 8186 of an axis with the axis whose number they
-    hold.
+    """Yield the couplings of an axis by parameters 8311, 8180, 8183 and 8186, which contain the
+    number of the other axis.
     """
     for value in parameters.of(known.MASTERS):
         own_number = value.owner == "A" and value.whole in (0, value.index)
@@ -71,7 +71,7 @@ def _mastered(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coup
 def _every(
     addresses: Sequence[str], value: ParameterValue, unlike: str, *, switched: bool = False
 ) -> Iterator[Coupling]:
-    """Yield couplings of every axis by a parameter that does not state which axes it couples."""
+    """Yield a coupling of every axis, for a parameter that does not state which axes it couples."""
     for each in addresses:
         yield _parameter(value).coupling((), each, switched=switched, unlike=unlike)
 
@@ -98,7 +98,9 @@ def _masters(
 
 
 def _tandem(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coupling]:
-    """Yield the pairs of 1817#6: the master has an odd servo number, its slave the next one."""
+    """Yield the tandem axes by 1817#6: the master has an odd servo number, and its slave the next
+    one.
+    """
     bits: dict[int, ParameterValue] = {}
     for value in parameters.of([known.TANDEM]):
         if value.nonzero and not value.is_bits:
@@ -123,7 +125,7 @@ def _tandem(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coupli
 
 
 def _flexible(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coupling]:
-    """Yield the pairs of 5660 to 5667: master and slave, which moves in a ratio to it."""
+    """Yield the master and slave axes by 5660 to 5667; the slave moves in a ratio to the master."""
     unlike = "flexible synchronous control moves it in a ratio with another axis"
     for master_number, slave_number in zip(known.FLEXIBLE[::2], known.FLEXIBLE[1::2], strict=True):
         for whose, slave in parameters.by_owner(slave_number).items():
@@ -138,7 +140,7 @@ def _flexible(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coup
 
 
 def _angular(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coupling]:
-    """Yield the axes of angular axis control; every linear axis if 8211 or 8212 names none."""
+    """Yield the axes of angular axis control. If 8211 or 8212 names none: every linear axis."""
     unlike = "angular axis control moves it together with another axis"
     for value in parameters.of([known.ANGULAR]):
         if value.nonzero and not value.is_bits:

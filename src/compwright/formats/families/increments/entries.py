@@ -1,5 +1,5 @@
-"""Compensation -> parameters and points of one axis of a control with increments by section
-(FANUC): numbers and places.
+"""Convert a compensation to parameters and point numbers of one axis with increments by section
+(FANUC).
 """
 
 from __future__ import annotations
@@ -48,8 +48,7 @@ OFFSETS = (-32767, 32767)
 
 @dataclass(frozen=True, slots=True)
 class Entries:
-    """Contents of the control for one axis: parameters by quantity, as text, a length as mm or deg,
-    and increments by point number.
+    """The values to enter for one axis: parameters by quantity, and increments by point number.
 
     ``cleared``: numbers that the axis no longer uses. ``interval``: that of the points, mm or deg.
     ``switches``: whether 3605#0 has to change for it, by the control's files. ``inch``: its unit by
@@ -74,8 +73,7 @@ class Entries:
 
 
 def all_entries(family: Family, tables: Sequence[AxisTable]) -> tuple[Entries, ...]:
-    """Return the entries of each axis; the axes get point numbers apart from each other and from
-    all others'.
+    """Return the values to enter for each axis. No two axes share a point number.
 
     Raises UsageError if the free numbers are unknown, CapacityError with everything that the
     control cannot hold.
@@ -122,8 +120,10 @@ def all_entries(family: Family, tables: Sequence[AxisTable]) -> tuple[Entries, .
 
 
 def _first_point(family: Family, tables: Sequence[AxisTable]) -> int:
-    """Return the lowest point number for axes without one: the controller's option, else the lowest
-    of the axes'. One axis' is enough: the others follow on from it.
+    """Return the lowest point number for axes without one: from the controller's option, else the
+    lowest of the axes'.
+
+    One axis' is enough: the others follow on from it.
 
     Raises UsageError if neither the control's files nor the job state which numbers are free.
     """
@@ -136,7 +136,7 @@ def _first_point(family: Family, tables: Sequence[AxisTable]) -> int:
 
 
 def free_numbers_question(definition: Definition) -> Fault:
-    """Return the question if neither files nor options state which point numbers are free."""
+    """Return the question about free point numbers, if neither files nor options state them."""
     return Fault(
         message=(
             f"{definition.id}: the free point numbers are unknown. All axes share one "
@@ -156,8 +156,9 @@ def free_numbers_question(definition: Definition) -> Fault:
 
 
 class _WholeNumbers:
-    """One axis' table as whole numbers. ``rapid``: the facts of the axis from which it takes the
-    difference between both backlashes.
+    """One axis' table as whole numbers.
+
+    ``rapid``: the facts of the axis from which it takes the difference between both backlashes.
     """
 
     def __init__(
@@ -182,8 +183,7 @@ class _WholeNumbers:
         self.others = 0 if existing is None else len(existing.others)
 
     def entries(self, used: Sequence[range], start: int) -> Entries:
-        """Return the entries; ``start``: the lowest number for an axis that has none and states
-        none.
+        """Return the values to enter. ``start``: the lowest number for an axis that has none.
 
         Raises NotHeld.
         """
@@ -247,7 +247,7 @@ class _WholeNumbers:
     def _added_functions(
         self, steps: FloatArray, place: NumberPlace, used: Sequence[range], start: int
     ) -> InclinationAndCyclic:
-        """Return the inclination line and the second table that are not in the control yet."""
+        """Return the inclination line and the second table that the control does not have yet."""
         parameters: dict[int, str] = {}
         points: dict[int, int] = {}
         sign = -1 if self.options.get("pitch_sign") == "-" else 1
@@ -339,8 +339,10 @@ class _WholeNumbers:
             )
 
     def _magnification(self, differences: Sequence[FloatArray]) -> int:
-        """Return the existing magnification, if it divides every increment and keeps it within the
-        limit; else the smallest one that does.
+        """Return the existing magnification if it fits every increment, else the smallest one that
+        fits.
+
+        It divides every increment and keeps it within the limit.
         """
         steps = np.concatenate(differences).astype(np.int64)
         limit = increment_limit(self.options)
@@ -360,7 +362,7 @@ class _WholeNumbers:
     def _kept(
         self, low: int, high: int, interval: float, used: Sequence[range], *, two: bool
     ) -> NumberPlace | None:
-        """Return the existing numbers of the axis, if the table has exactly its sections."""
+        """Return the existing point numbers of the axis, if the table has exactly its sections."""
         now = self.facts.interval
         if now is None or abs(now - interval) > _ON_GRID * interval:
             return None
@@ -392,7 +394,9 @@ class _WholeNumbers:
     def _points(
         self, counts: FloatArray, steps: FloatArray, place: NumberPlace, magnification: int
     ) -> dict[int, int]:
-        """Return the increments by number, those of the second set as if it were the first."""
+        """Return the increments by point number. Those of the second set are numbered as if it were
+        the first.
+        """
         reference = place.reference
         sign = -1 if self.options.get("pitch_sign") == "-" else 1
         increments = (np.diff(counts) / magnification).astype(np.int64) * sign
@@ -425,7 +429,7 @@ class _WholeNumbers:
         return str(int(count) * sign)
 
     def _length(self, value: float) -> Decimal:
-        """Return a length in mm or deg exactly. Raises NotHeld."""
+        """Return a length in mm or deg as exact text. Raises NotHeld."""
         count, unit = Decimal(repr(round(value, 9))), self.axis.kind.unit
         step, (low, high) = length_step(self.scale, self.facts), self.scale.range("table_spacing")
         if count % step:
@@ -441,7 +445,7 @@ class _WholeNumbers:
 
 
 def magnifications(definition: Definition, facts: IncrementFacts) -> tuple[int, ...]:
-    """Return the magnifications that may be chosen, ascending.
+    """Return the possible magnifications, ascending.
 
     Only the existing one if another function depends on the table: it is not known whether the
     magnification counts for it.
@@ -452,7 +456,8 @@ def magnifications(definition: Definition, facts: IncrementFacts) -> tuple[int, 
 
 
 def length_step(scale: NumberScale, facts: IncrementFacts) -> Decimal:
-    """Return the last digit of a length of an axis (its ``scale``), mm or deg.
+    """Return the value of the last digit of an axis' lengths, mm or deg. ``scale``: that of the
+    axis.
 
     For linear axes of a control in inches: a tenth of it, in inches.
     """
@@ -461,7 +466,7 @@ def length_step(scale: NumberScale, facts: IncrementFacts) -> Decimal:
 
 
 def first_point(options: Mapping[str, object]) -> int:
-    """Return the lowest point number that may be used; 0 if the control's files state which are
+    """Return the lowest usable point number. 0 if the control's files state which numbers are
     free.
     """
     given = options.get("first_point")

@@ -1,4 +1,6 @@
-"""Whole steps by section, in one array of points that all axes share."""
+"""Family of tables with whole increments by section (FANUC), in one array of points that all axes
+share.
+"""
 
 from __future__ import annotations
 
@@ -52,7 +54,7 @@ RULES = ShapeRules(
 
 
 def _names(control: Family, files: Sequence[ControlFile]) -> Mapping[str, tuple[str, str]]:
-    """Return the axes by the letters of 1020."""
+    """Return the axis names by the letters of parameter 1020."""
     names = StateReader(control, files, (), None).names() if files else {}
     return {
         name: (address, f"1020 of axis {address} in the control's files")
@@ -62,14 +64,14 @@ def _names(control: Family, files: Sequence[ControlFile]) -> Mapping[str, tuple[
 
 
 def _idle(state: ControlState, address: str) -> bool:
-    """Return whether nothing is active on an axis; every reading holds the facts of all axes."""
+    """Return whether nothing is active on an axis. Every reading contains the facts of all axes."""
     facts = state.facts_of(address)
     return not (facts.enabled or increments_of(facts).backlash)
 
 
 def _shown(control: Family) -> Family:
-    """Return the control that counts functions in addition to the table by their best-known
-    meaning, which is listed.
+    """Return the control with additional functions counted by their most probable meaning, which is
+    listed as assumed.
     """
     both = {"inclination", "cyclic"} & control.definition.options.keys()
     options = {**control.options, **dict.fromkeys(both, "available")}
@@ -77,7 +79,7 @@ def _shown(control: Family) -> Family:
 
 
 class IncrementsFamily(Family):
-    """Whole steps by section."""
+    """Tables of whole increments by section."""
 
     listing = Listing(
         file_values=file_values,
@@ -100,13 +102,17 @@ class IncrementsFamily(Family):
         address: str | None = None,
         activity: Activity = Activity(),  # noqa: B008 - frozen
     ) -> ControlState:
-        """See `Family.read`. No file of these controls switches a table off."""
+        """Return the state of the control; arguments as those of `Family.read`. No file of these
+        controls switches a table off.
+        """
         del activity
         return StateReader(self, files, axes, address).read()
 
     def questions(self, axis: Axis, *, files: bool, given: Collection[str] = ()) -> Iterator[Fault]:
-        """See `Family.questions`: also the first free point number, which one axis gives for all,
-        and the position from which points are counted.
+        """Return the missing answers; arguments as those of `Family.questions`.
+
+        Also the first free point number, which one axis gives for all, and the position from which
+        points are counted.
         """
         yield from super().questions(axis, files=files, given=given)
         if not files and self.options.get("first_point") is None and "first_point" not in given:
@@ -137,14 +143,17 @@ class IncrementsFamily(Family):
         return AxisCard(values | files, numbered_sections(self, axis, facts, table))
 
     def between(self, request: BetweenRequest) -> Between:
-        """See `Family.between`: one straight line in parameters to type in, as an option."""
+        """Return one straight line as parameters to type in, as an option; arguments as those of
+        `Family.between`.
+        """
         return straightness_between(self, request)
 
     def sheets(
         self, compensations: Sequence[AxisCompensation], axes: Sequence[Axis]
     ) -> tuple[ControlFile, ...]:
-        """See `Family.sheets`. Raises UsageError for a program that an inch machine would read
-        differently.
+        """Return entry sheets or programs; arguments as those of `Family.sheets`.
+
+        Raises UsageError for a program that an inch machine would read differently.
         """
         own = [
             (self.address(axis)[0], axis, table)

@@ -60,8 +60,9 @@ _WORDS = {
 
 @dataclass(frozen=True, slots=True)
 class _Known:
-    """A parameter in words. ``relevant``: it corrects an axis, refers to the shared numbers, or
-    decides a unit, a kind or the zero.
+    """A parameter with its meaning as text. ``relevant``: the correction of an axis depends on it.
+
+    It corrects an axis, refers to the shared numbers, or decides a unit, a kind or the zero.
     """
 
     words: str
@@ -69,9 +70,7 @@ class _Known:
 
 
 def _known(definition: Definition) -> dict[int, _Known]:
-    """Return every parameter that the definition or the family reads, and those that are active
-    unread.
-    """
+    """Return every parameter that compwright reads, and those that are active but not read."""
     found: dict[int, _Known] = {}
     for name, statement in definition.statements.items():
         match = _NUMBER.match(statement.form)
@@ -91,7 +90,7 @@ def _known(definition: Definition) -> dict[int, _Known]:
 def file_values(
     definition: Definition, files: Sequence[ControlFile], _: Sequence[ControlFile] = ()
 ) -> dict[str, FileValue]:
-    """Return every value of the files."""
+    """Return every value in the files, by name."""
     sheets = [file for file in files if is_entry_sheet(file)]
     found = by_statements(definition, sheets)
     for file in texts_of([file for file in files if file not in sheets]):
@@ -101,7 +100,7 @@ def file_values(
 
 @lru_cache(maxsize=_KEPT)
 def _of_text(definition: Definition, file: ControlFile) -> Mapping[str, FileValue]:
-    """Return every value of a text; cached, because a comparison needs the same texts several
+    """Return every value of a text. The result is cached, because a comparison needs it several
     times.
     """
     known = _known(definition)
@@ -148,7 +147,7 @@ def _values(
 def value_location(
     _: Definition, entry: FileValue, __: Mapping[str, FileValue], state: ControlState | None
 ) -> tuple[tuple[str, ...], float | None]:
-    """Return the axes that a value belongs to, and the position of a point, mm or deg: the node at
+    """Return the axes to which a value belongs, and the position of a point, mm or deg: the node at
     the end of its section.
     """
     if entry.axis:

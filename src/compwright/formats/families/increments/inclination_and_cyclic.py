@@ -1,5 +1,4 @@
-"""Functions in addition to the table that an option makes counted: inclination and the second
-(cyclic) table.
+"""Functions that an option includes in the compensation: inclination and the second (cyclic) table.
 
 Inclination: three straight lines through four point numbers, in detection units, put out at the
 points and added to the pitch data (FANUC B-63522EN/02 page 222); zero at the reference, held
@@ -45,7 +44,9 @@ _EVIDENCE = {
 
 
 class _NotCountedError(Exception):
-    """A parameter for which a function cannot be counted: its state, and what would help."""
+    """Raised for a parameter that prevents the use of a function, with its state and what would
+    help.
+    """
 
     def __init__(self, value: ParameterValue, how: str, expected: str) -> None:
         super().__init__(how)
@@ -60,7 +61,7 @@ def counted(
     options: Mapping[str, object],
     increments: Increments,
 ) -> Counted:
-    """Return the functions of an axis that its options make counted."""
+    """Return the functions of an axis that its options include."""
     wanted = [
         (OPTION_OF[each.words], each)
         for each in functions(values.own)
@@ -73,7 +74,7 @@ def counted(
 
 
 class Counted:
-    """The functions of one axis that are counted."""
+    """The functions of one axis that are included in its compensation."""
 
     def __init__(
         self,
@@ -90,7 +91,7 @@ class Counted:
     def curves(
         self, sections: IncrementSections | None, nodes: FloatArray, zero: float, scale: float
     ) -> Iterator[Curve]:
-        """Yield the corrections by these functions, in the sign of the pitch data.
+        """Yield the corrections by these functions, with the sign of the pitch data.
 
         ``nodes``: those of the table, mm or deg; ``zero``: the reference position; ``scale``: mm or
         deg per detection unit, with that sign. A function that cannot be counted is a fault.
@@ -112,7 +113,7 @@ class Counted:
     def _inclination(
         self, function: Function, sections: IncrementSections | None, nodes: FloatArray, zero: float
     ) -> FloatArray:
-        """Return the lines at the nodes, detection units."""
+        """Return the inclination lines at the nodes, in detection units."""
         own = self.values.own
         points, amounts = (
             [own.get(number) for number in numbers]
@@ -138,8 +139,8 @@ class Counted:
         return np.asarray(line[:-1] - line[-1])
 
     def _cyclic(self, function: Function) -> tuple[float, FloatArray]:
-        """Return the interval, mm or deg, and the sums (k,) at the ends of the sections of one
-        period, detection units.
+        """Return the interval, mm or deg, and the sums (k,) at the section ends of one period, in
+        detection units.
         """
         own, first = self.values.own, function.values[0]
         ends = [own.get(number) for number in (known.CYCLIC_FIRST, known.CYCLIC_LAST)]
@@ -172,15 +173,17 @@ AMOUNTS = (-32767, 32767)
 
 @dataclass(frozen=True, slots=True)
 class InclinationAndCyclic:
-    """Parameters by number, as text, and increments by point number."""
+    """Settings of inclination and second table: parameters by number, as text, and increments by
+    point number.
+    """
 
     parameters: Mapping[int, str] = field(default_factory=dict)
     points: Mapping[int, int] = field(default_factory=dict)
 
 
 def line_parameters(numbers: Sequence[int], amounts: Sequence[int]) -> dict[int, str]:
-    """Return the parameters of the line through two point numbers with their amounts, detection
-    units. Raises NotHeld for amounts beyond the control's range.
+    """Return the parameters of a line through two point numbers. Raises NotHeld for amounts beyond
+    the control's range.
     """
     low, high = AMOUNTS
     if not all(low <= amount <= high for amount in amounts):
@@ -197,8 +200,8 @@ def line_parameters(numbers: Sequence[int], amounts: Sequence[int]) -> dict[int,
 def second_table(
     totals: FloatArray, interval: str, used: Sequence[range], start: int, highest: int
 ) -> InclinationAndCyclic:
-    """Return a second table of ``totals`` (k,), detection units at the section ends of one period,
-    in the first unused numbers from ``start`` on. Raises NotHeld.
+    """Return a second table for the correction ``totals`` (k,), in the first unused numbers from
+    ``start`` on. Raises NotHeld.
 
     ``interval``: the width of its sections, as text.
     """
@@ -217,5 +220,5 @@ def second_table(
 
 
 def repeats_alone(other: AxisCompensation, table: AxisCompensation) -> bool:
-    """Return whether an additional table repeats with a period of its own."""
+    """Return whether an additional table repeats with its own period."""
     return other.period is not None and other.period != table.period

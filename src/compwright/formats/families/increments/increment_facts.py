@@ -1,4 +1,4 @@
-"""Facts in the control's own files about the sections of one axis; used only by this family."""
+"""Facts in the control's own files about the sections of one axis. Only this family uses them."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from compwright.records.facts import AxisFacts
 
 @dataclass(frozen=True, slots=True)
 class PointNumber:
-    """A number of an axis' sections that another function refers to: ``size`` bytes of a file from
-    ``start`` on.
+    """A point number of an axis' table to which another function refers. Its place: ``size`` bytes
+    of a file from ``start`` on.
 
     ``label`` names it with its value; ``parameter`` is its name if it belongs to the axis alone,
     else empty.
@@ -26,8 +26,8 @@ class PointNumber:
 
 @dataclass(frozen=True, slots=True)
 class FunctionOnPoints:
-    """A function that is active in addition to a table and depends on the numbers of its sections;
-    ``points``: which, None if unknown.
+    """A function that is active in addition to a table and refers to its point numbers. ``points``:
+    which, None if unknown.
     """
 
     label: str
@@ -36,7 +36,7 @@ class FunctionOnPoints:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class IncrementFacts:
-    """Whole steps by section of one axis; None: no file states it.
+    """Facts about the increments by section of one axis. None: no file states the fact.
 
     ``reference_number``, ``first_number``, ``last_number``: the numbers of its sections in the
     array that all axes share, ``negative_first`` that of the set for travel towards -, which counts
@@ -74,8 +74,10 @@ class IncrementFacts:
 
     @property
     def claimed(self) -> tuple[range, ...]:
-        """The numbers that the axis claims: one set, or two of the same length; empty if its first
-        is its last. A full turn without the reference's own number claims that too.
+        """The point numbers that the axis uses: one set, or two of the same length. Empty if its
+        first is its last.
+
+        A full turn without the reference's own number claims that too.
         """
         first, last = self.first_number, self.last_number
         if first is None or last is None or first >= last:
@@ -89,6 +91,6 @@ class IncrementFacts:
 
 
 def increments_of(facts: AxisFacts) -> IncrementFacts:
-    """Return the facts in the files about the sections of an axis; empty if they do not name it."""
+    """Return the facts in the files about the sections of an axis. Empty if they do not name it."""
     own = facts.of_family
     return own if isinstance(own, IncrementFacts) else IncrementFacts()

@@ -1,4 +1,4 @@
-"""Comparison of an axis in the files with the job."""
+"""Compare an axis in the control's files with the job."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ SAME_PLACE = 1e-6
 
 
 def check_wrapping(values: IncrementAxisValues, kind: AxisKind) -> None:
-    """Check that the job and the files agree whether the axis is endless, and on its turn."""
+    """Check that job and files agree whether the axis is endless, and on its turn."""
     wraps, bits = values.wraps(), values.own.get(known.KIND)
     if kind is not AxisKind.ROTARY or values.axis is None or wraps is None or bits is None:
         return
@@ -37,8 +37,8 @@ def check_wrapping(values: IncrementAxisValues, kind: AxisKind) -> None:
 
 
 def check_travel_limits(values: IncrementAxisValues, kind: AxisKind) -> None:
-    """Compare 1321 and 1320, the stroke limits, with the job's travel; if 1320 is not above 1321,
-    no limits are set.
+    """Compare the software limits 1321 and 1320 with the job's travel. No limits are set if 1320 is
+    not above 1321.
     """
     if values.axis is None or (kind is AxisKind.ROTARY and values.wraps() is not False):
         return
@@ -59,7 +59,7 @@ def check_travel_limits(values: IncrementAxisValues, kind: AxisKind) -> None:
 def check_reference(
     values: IncrementAxisValues, kind: AxisKind, reference: float, *, unanswered: bool
 ) -> None:
-    """Compare 1240 with the job's reference, and note the evidence of a reference other than zero.
+    """Compare parameter 1240 with the job's reference. Note signs of a reference other than zero.
 
     ``reference``: the position from which the points are counted, mm or deg. ``unanswered``: there
     is a table, and the user did not confirm that the points are counted from there.
@@ -83,8 +83,9 @@ def check_reference(
 
 
 def points_question(axis: Axis, answer: object) -> Iterator[Fault]:
-    """Yield the question for an axis whose reference position is not machine zero (1240), unless
-    the ``answer`` is that the points are counted from it.
+    """Yield the question for an axis whose reference position is not machine zero (1240).
+
+    Unless the ``answer`` is that the points are counted from it.
     """
     if axis.reference == 0 or answer == "reference":
         return
@@ -110,7 +111,7 @@ def points_question(axis: Axis, answer: object) -> Iterator[Fault]:
 
 
 def check_return(values: IncrementAxisValues, *, two: bool) -> None:
-    """Compare 1006#5 with the job.
+    """Compare the reference return direction (1006#5) with the job.
 
     It decides the sign of 3627, so two sets are refused; one set differs by a constant only.
     """
@@ -136,8 +137,10 @@ def check_return(values: IncrementAxisValues, *, two: bool) -> None:
 
 
 def check_diameter(values: IncrementAxisValues, kind: AxisKind) -> None:
-    """Check that the job and 1006#3 agree on diameter programming: else everything may be wrong by
-    a factor of 2. Raises UsageError if no file states it.
+    """Check that the job and 1006#3 agree on diameter programming. Raises UsageError if no file
+    states it.
+
+    Else everything may be wrong by a factor of 2.
     """
     if kind is AxisKind.ROTARY:
         return

@@ -1,5 +1,6 @@
-"""Move the point numbers of a table, with all functions that depend on them. If that is impossible,
-the new table is refused with the parameter's name.
+"""Move the point numbers of a table together with all functions that refer to them.
+
+If that is impossible, the new table is refused with the parameter's name.
 """
 
 from __future__ import annotations
@@ -24,8 +25,8 @@ _HELP = (
 def moved_numbers(
     axis: Axis, facts: IncrementFacts, place: NumberPlace, interval: float, magnification: int
 ) -> tuple[tuple[PointNumber, int], ...]:
-    """Return the point numbers by which other functions mean the same positions under the new
-    grid. Empty if the new grid is equal to the old one over the travel.
+    """Return the new point numbers of the positions to which other functions refer. Empty if the
+    grid does not change.
 
     ``place``, ``interval`` (mm or deg), ``magnification``: those of the new table. Raises NotHeld
     with the first function that the new grid would change.
@@ -43,7 +44,7 @@ def moved_numbers(
 
 
 def check_sets(facts: IncrementFacts, *, two: bool) -> None:
-    """Refuse a change between one set of data and two if a function depends on the table.
+    """Refuse a change between one and two sets of data if a function depends on the table.
 
     Raises NotHeld with the first function: it is not known whether it is active with both kinds.
     """
@@ -62,9 +63,7 @@ def _sets(*, two: bool) -> str:
 
 
 def _stays(axis: Axis, facts: IncrementFacts, place: NumberPlace, interval: float) -> bool:
-    """Return whether every number keeps its position, and both grids end alike, or beyond the
-    travel.
-    """
+    """Return whether every point number keeps its position."""
     if (facts.reference_number, facts.interval) != (place.reference, interval):
         return False
     if axis.modulo is not None:  # a full turn, with or without the reference's own number
@@ -81,8 +80,9 @@ def _stays(axis: Axis, facts: IncrementFacts, place: NumberPlace, interval: floa
 
 
 def _check_kept(each: FunctionOnPoints, facts: IncrementFacts, magnification: int) -> None:
-    """Raise NotHeld if a function depends on a table that is off, or the magnification changes: its
-    effect with the new table would be unknown.
+    """Raise NotHeld if a function refers to an inactive table, or the magnification changes.
+
+    Its effect with the new table would be unknown.
     """
     if not facts.magnification or facts.first_number == facts.last_number:
         raise NotHeld(

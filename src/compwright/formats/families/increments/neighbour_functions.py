@@ -1,5 +1,6 @@
-"""FANUC functions that are active in addition to the table and stay: inclination, straightness, the
-second (cyclic) table, three-dimensional compensation.
+"""FANUC functions that are active in addition to the table and stay unchanged.
+
+Inclination, straightness, the second (cyclic) table, three-dimensional compensation.
 
 A function that was active during a test and stays the same afterwards cancels, whatever its sign
 and unit: the new total is the old one less the error. So it is reported and left alone, as long as
@@ -34,7 +35,7 @@ OPTION_OF = {
 
 @dataclass(frozen=True, slots=True)
 class Function:
-    """A function that corrects the axis, or another axis by its position, with the parameters that
+    """A function that corrects the axis, or another axis by its position. With the parameters that
     set it.
 
     ``points``: the parameters that name a number of the axis' own sections; None: the numbers that
@@ -53,7 +54,9 @@ class Function:
 
 
 def functions(own: AxisParameters) -> Iterator[Function]:
-    """Yield every function that is active in addition to table and backlash, and stays."""
+    """Yield every function that is active in addition to table and backlash, and stays
+    unchanged.
+    """
     yield from _inclination(own)
     cyclic = _nonzero(own, known.CYCLIC)
     if cyclic and cyclic[0].number != known.CYCLIC_FACTOR:
@@ -67,7 +70,7 @@ def functions(own: AxisParameters) -> Iterator[Function]:
 
 
 def left_alone(every: Iterable[Function], options: Mapping[str, object]) -> list[Function]:
-    """Return the functions that compwright neither counts nor writes, by the options."""
+    """Return the functions that the options exclude from reading and writing."""
     return [
         function
         for function in every
@@ -78,8 +81,10 @@ def left_alone(every: Iterable[Function], options: Mapping[str, object]) -> list
 def functions_on_points(
     own: AxisParameters, every: Iterable[Function]
 ) -> tuple[FunctionOnPoints, ...]:
-    """Return the functions that depend on the numbers of the axis' sections, counted or not, for
-    code that moves these numbers. ``every``: the axis' functions.
+    """Return the functions that refer to the point numbers of the axis, for code that moves these
+    numbers.
+
+    ``every``: the axis' functions.
     """
     return tuple(
         FunctionOnPoints(
@@ -97,8 +102,8 @@ def functions_on_points(
 
 
 def straightness_functions(own: AxisParameters, alone: Sequence[Function]) -> str:
-    """Return the functions, left ``alone``, that correct the axis by the positions of others, in
-    words that change with their values; empty without any.
+    """Return the straightness functions that correct the axis and stay unchanged, as text. The text
+    changes with their values.
     """
     if all(each.words != _BENT for each in alone):
         return ""
@@ -133,8 +138,9 @@ def _inclination(own: AxisParameters) -> Iterator[Function]:
 
 
 def _straightness(own: AxisParameters) -> Iterator[Function]:
-    """Yield the pairs of axes that contain the axis: as the moving one, whose sections have the
-    points, or as the corrected one.
+    """Yield the axis pairs of straightness compensation that contain the axis.
+
+    As the moving one, whose sections have the points, or as the corrected one.
     """
     for value in own.all.of(known.STRAIGHTNESS_MOVING):
         if not value.nonzero or not own.named_by(value):
@@ -163,7 +169,7 @@ def _straightness(own: AxisParameters) -> Iterator[Function]:
 
 
 def stays(function: Function) -> str:
-    """Return the remark on a function that is left unchanged."""
+    """Return the remark about a function that stays unchanged."""
     if not function.moves:
         return (
             f"{function.description} is left as it is; it moves the axis by the position of another"

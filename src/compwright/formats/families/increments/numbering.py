@@ -1,5 +1,5 @@
-"""Point numbers in an array that all axes share: an axis keeps its own, or gets the first free
-block.
+"""Assign point numbers in an array that all axes share. An axis keeps its own numbers, or gets the
+first free block.
 """
 
 from __future__ import annotations
@@ -18,9 +18,7 @@ class NoRoom(ValueError):  # noqa: N818 - it says what is the matter, and never 
 
 @dataclass(frozen=True, slots=True)
 class NumberPlace:
-    """Numbers of the reference, of the first and the last section, and of the first of the set for
-    travel towards -, if there is one.
-    """
+    """The point numbers of one axis: reference, first and last section."""
 
     reference: int
     first: int
@@ -29,7 +27,7 @@ class NumberPlace:
 
     @property
     def ranges(self) -> tuple[range, ...]:
-        """All numbers that are used."""
+        """All point numbers in use."""
         own = range(self.first, self.last + 1)
         if self.negative_first is None:
             return (own,)
@@ -48,8 +46,9 @@ def find_place(
     claimed: Sequence[range] = (),
     start: int,
 ) -> NumberPlace:
-    """Return the numbers for a table of nodes ``low`` to ``high`` (whole spacings from the
-    reference, low <= 0 <= high).
+    """Return point numbers for a table with nodes from ``low`` to ``high``.
+
+    Whole spacings from the reference, low <= 0 <= high.
 
     ``reference`` and ``negative``: the existing numbers of the reference and of the first of the
     set for travel towards -, kept if the table still fits there; ``claimed``: all existing numbers
@@ -89,9 +88,10 @@ def kept_place(
     two: bool,
     endless: bool,
 ) -> NumberPlace | None:
-    """Return the existing numbers of an axis if a table of nodes ``low`` to ``high`` (whole
-    spacings from the reference) has exactly its sections; None if it has not, or if other axes use
-    them too.
+    """Return the existing point numbers of an axis, if they fit the new table exactly. Else None.
+
+    Nodes ``low`` to ``high`` (whole spacings from the reference) has exactly its sections; None too
+    if other axes use them.
 
     A second set that does not exist yet gets the first free numbers.
     """
@@ -115,7 +115,7 @@ def kept_place(
 
 
 def first_free(length: int, used: Sequence[range], start: int, highest: int) -> int | None:
-    """Return the first of ``length`` unused numbers in a row, from ``start`` on; None if there are
+    """Return the first of ``length`` successive free numbers, from ``start`` on. None if there are
     none.
     """
     for begin in range(start, highest + 2 - length):
@@ -125,7 +125,7 @@ def first_free(length: int, used: Sequence[range], start: int, highest: int) -> 
 
 
 def longest_gap(highest: int, used: Sequence[range], start: int = 0) -> int:
-    """Return the length of the longest row of unused numbers from ``start`` to ``highest``."""
+    """Return the length of the longest block of free numbers from ``start`` to ``highest``."""
     longest, place = 0, start
     for taken in sorted((one for one in used if len(one)), key=lambda one: one.start):
         longest = max(longest, min(taken.start, highest + 1) - place)
@@ -134,7 +134,7 @@ def longest_gap(highest: int, used: Sequence[range], start: int = 0) -> int:
 
 
 def used_numbers(state: ControlState, without: Iterable[str]) -> list[range]:
-    """Return the point numbers that are not free, apart from those of the axes ``without``.
+    """Return the point numbers in use, except those of the axes ``without``.
 
     Those that other axes claim, including for a table that is switched off; those that hold data,
     unless the axes ``without`` own them; those of a second table, even if the axes claim them.

@@ -1,4 +1,4 @@
-"""Checks of a FANUC axis by its parameters: refusals, references to its point numbers, and notes.
+"""Checks of the parameters of a FANUC axis: refusals, references to its point numbers, and notes.
 
 Functions that are active in addition to the table and stay are in `neighbour_functions`; functions
 of other axes only reserve their point numbers. Sources: `parameters` and docs/controllers/fanuc.md.
@@ -30,8 +30,8 @@ def refusals(own: AxisParameters) -> Iterator[Fault]:
 
 
 def pointed_numbers(parameters: Parameters) -> frozenset[int]:
-    """Return the point numbers that inclination, straightness and cyclic compensation of any axis
-    refer to.
+    """Return the point numbers to which inclination, straightness and cyclic compensation of any
+    axis refer.
     """
     numbers = (*known.INCLINATION_POINTS, *known.STRAIGHTNESS_POINTS, *known.STRAIGHTNESS_MORE)
     values = parameters.of(numbers)
@@ -40,8 +40,9 @@ def pointed_numbers(parameters: Parameters) -> frozenset[int]:
 
 
 def meets(own: AxisParameters, numbers: range) -> Iterator[Fault]:
-    """Yield a fault for a second table whose points are among the axis' own numbers: both would use
-    the same data.
+    """Yield a fault for a second table that uses the axis' own point numbers.
+
+    Both would use the same data.
 
     Inclination and straightness only name sections there.
     """
@@ -57,7 +58,7 @@ def meets(own: AxisParameters, numbers: range) -> Iterator[Fault]:
 
 
 def note_unconfirmed_bits(own: AxisParameters, notes: Notes) -> None:
-    """Note functions that are in use on the axis and left unchanged, because their meaning is not
+    """Note active functions of the axis that stay unchanged, because their meaning is not
     confirmed.
     """
     bits = own.get(known.PITCH_BITS)
@@ -67,7 +68,7 @@ def note_unconfirmed_bits(own: AxisParameters, notes: Notes) -> None:
 
 
 def _deciding_bits(own: AxisParameters, kind: AxisKind) -> dict[int, tuple[int, ...]]:
-    """Return the bits that the axis' table depends on, by parameter."""
+    """Return the parameter bits on which the axis' table depends."""
     return {
         known.INCH: (0,) if kind is AxisKind.LINEAR else (),
         known.BACKLASH_BITS: () if own.get(known.BACKLASH_RAPID) is None else (4,),
@@ -77,9 +78,7 @@ def _deciding_bits(own: AxisParameters, kind: AxisKind) -> dict[int, tuple[int, 
 
 
 def unread_bits(own: AxisParameters, kind: AxisKind) -> Iterator[Fault]:
-    """Yield a fault for each parameter that the axis' table depends on and that is not written as
-    eight bits.
-    """
+    """Yield a fault for each required parameter that is not written as eight bits."""
     for number, bits in _deciding_bits(own, kind).items():
         value = own.get(number)
         if bits and value is not None and value.nonzero and not value.is_bits:
@@ -88,8 +87,10 @@ def unread_bits(own: AxisParameters, kind: AxisKind) -> Iterator[Fault]:
 
 
 def unclear_path(own: AxisParameters, kind: AxisKind) -> Iterator[Fault]:
-    """Yield a fault for each path parameter that decides the table of the axis and differs between
-    paths, where no file gives the path of the axis (parameter 981).
+    """Yield a fault for each path parameter of the table that differs between paths, if the path of
+    the axis is unknown.
+
+    No file gives the path of the axis (parameter 981).
 
     Inches (1001#0) decide lengths and detection unit of a linear axis, the increment system (1004)
     that of an axis without 1013; 1800#4 decides whether 1852 is active, if that is in the files.

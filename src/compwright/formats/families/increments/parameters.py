@@ -1,4 +1,4 @@
-"""Parameters of a control with increments by section (FANUC) that are read and never written.
+"""Parameters of a control with increments by section (FANUC) that are only read.
 
 A backup holds thousands of parameters. Those listed here correct an axis, refer to the point
 numbers that all axes share, or decide a unit, a kind or a direction. Values belong to an axis (A),
@@ -103,8 +103,10 @@ _BITS = re.compile("[01]{8}")
 
 @dataclass(frozen=True, slots=True)
 class ParameterValue:
-    """One value: ``owner`` A (axis), L (path) or empty (the machine), ``index`` its number; ``key``
-    P, M (metric) or I (inch). Its bytes in the file begin at ``start``.
+    """One parameter value with its owner: axis (A), path (L) or machine (empty).
+
+    ``index`` its number; ``key`` P, M (metric) or I (inch). Its bytes in the file begin at
+    ``start``.
     """
 
     number: int
@@ -118,7 +120,7 @@ class ParameterValue:
 
     @property
     def whose(self) -> tuple[str, int]:
-        """The kind and the number of its owner."""
+        """The kind and the number of the owner of the value."""
         return self.owner, self.index
 
     @property
@@ -128,18 +130,18 @@ class ParameterValue:
 
     @property
     def place(self) -> str:
-        """The parameter, its value, and its place."""
+        """The parameter, its value, and its place, as text."""
         return f"{self.label} ({self.file}, line {self.line})"
 
     @property
     def label(self) -> str:
-        """The parameter by its name on the control, and its value."""
+        """The control's name of the parameter, and its value."""
         whose = {"A": f" of axis {self.index}", "L": f" of path {self.index}"}.get(self.owner, "")
         return f"parameter {self.number}{whose} = {self.text}"
 
     @property
     def whole(self) -> int:
-        """The value without decimals."""
+        """The value as a whole number, decimals removed."""
         return int(Decimal(self.text))
 
     @property
@@ -167,7 +169,7 @@ class ParameterValue:
 
 
 class Parameters:
-    """The parameters of all files that a series has.
+    """The parameters of all files, as defined for one series of controls.
 
     ``rules``: the definition's rule for each group. ``another``, ``unknown``: values that are not
     zero, of numbers that are other parameters on this series, or whose meaning is unknown;
@@ -190,8 +192,8 @@ class Parameters:
 
     @cached_property
     def second_tables(self) -> tuple[tuple[ParameterValue, range], ...]:
-        """Point numbers of the second (cyclic) tables that are set, each with the parameter of its
-        first.
+        """The point numbers of the second (cyclic) tables, each with the parameter of its first
+        number.
         """
         ends = [
             (first, AxisParameters(self, str(first.index)).get(CYCLIC_LAST))
@@ -205,7 +207,7 @@ class Parameters:
 
     @cached_property
     def contradictions(self) -> tuple[tuple[ParameterValue, ParameterValue], ...]:
-        """Values that differ from the first one of the same parameter and owner, each with that
+        """Values that contradict the first value of the same parameter and owner, each with that
         first one.
         """
         found = []
@@ -218,15 +220,15 @@ class Parameters:
         return tuple(found)
 
     def of(self, numbers: Iterable[int]) -> list[ParameterValue]:
-        """Return all values of some parameters, of any owner."""
+        """Return all values of some parameters, for any owner."""
         return [value for number in numbers for value in self.values.get(number, ())]
 
     def by_owner(self, number: int) -> Mapping[tuple[str, int], ParameterValue]:
-        """Return the values of a parameter by owner: the last one of each."""
+        """Return the values of a parameter by owner. The last value counts."""
         return self._held.get(number, {})
 
     def counts(self, number: int) -> bool:
-        """Return whether a number has its usual meaning on this series."""
+        """Return whether a parameter number has its usual meaning on this series."""
         return self._here[number] == "read"
 
     def _read(self, file: ControlFile) -> None:
@@ -264,14 +266,14 @@ class Parameters:
 
 @dataclass(frozen=True)
 class AxisParameters:
-    """The parameters of this list as they hold for one axis."""
+    """The parameters that apply to one axis."""
 
     all: Parameters
     address: str
 
     @property
     def label(self) -> str:
-        """Name of the axis in messages."""
+        """The name of the axis in messages."""
         return control_text("axis {address}", address=self.address)
 
     @property
@@ -281,18 +283,18 @@ class AxisParameters:
 
     @property
     def path(self) -> int | None:
-        """The path of the axis (981); None if the files do not state it."""
+        """The path of the axis (parameter 981). None if the files do not state it."""
         path = self.all.by_owner(PATH_OF_AXIS).get(("A", self.index))
         return None if path is None else path.whole or None
 
     @property
     def system(self) -> ParameterValue | None:
-        """The increment system: by axis (1013), on older series of the machine (1004)."""
+        """The increment system: by axis (1013), on older series for the machine (1004)."""
         return self.get(SYSTEM) or self.get(SYSTEM_OF_MACHINE)
 
     def get(self, number: int) -> ParameterValue | None:
-        """Return the value that holds for the axis: its own, else that of its path, else the
-        machine's; None if there is none.
+        """Return the value that applies to the axis: its own, else that of its path, else that of
+        the machine. None without one.
 
         Without 981 the axis is assumed to be in the first path, as in a control that has only one.
         If the paths differ in a parameter that an axis' table depends on, `rivals` reports it and
@@ -302,7 +304,9 @@ class AxisParameters:
         return next((values[whose] for whose in self._owners if whose in values), None)
 
     def another(self, number: int) -> ParameterValue | None:
-        """Return the value for the axis under a number that is another parameter on this series."""
+        """Return the value for the axis under a number that means a different parameter on this
+        series.
+        """
         values = {value.whose: value for value in self.all.another if value.number == number}
         return next((values[whose] for whose in self._owners if whose in values), None)
 
@@ -312,7 +316,7 @@ class AxisParameters:
         return None if value is None else value.bit(bit)
 
     def contradictions(self) -> Iterator[Fault]:
-        """Yield a fault for each parameter of the axis that the files give twice with different
+        """Yield a fault for each parameter of the axis that the files state twice with different
         values.
         """
         for known, value in self.all.contradictions:
@@ -320,7 +324,7 @@ class AxisParameters:
                 yield value.fault(f"contradicts {known.file}, line {known.line}", known.label)
 
     def rivals(self, number: int, bits: Sequence[int]) -> list[ParameterValue]:
-        """Return the values of paths that may hold for an axis of unknown path (981) and whose
+        """Return the values of different paths that may apply to an axis of unknown path and whose
         ``bits`` differ.
         """
         values = self.all.of([number])
@@ -331,8 +335,8 @@ class AxisParameters:
         return [paths[index] for index in sorted(paths)] if differ else []
 
     def named_by(self, value: ParameterValue) -> bool:
-        """Return whether the axis number in ``value`` means the axis: counted over the machine, or
-        within its own path.
+        """Return whether the axis number in ``value`` means this axis, counted over the machine or
+        within its path.
 
         Only 981 states the path of further axes: without it a number of a path may mean any axis.
         """
@@ -353,7 +357,7 @@ class AxisParameters:
 
 
 def _values(number: int, rest: str, where: tuple[str, int, int]) -> list[ParameterValue]:
-    """Return the values of one line.
+    """Return the parameter values in one line.
 
     Pitch data (Q0, or a large number with neither Q1 nor owner) and spindles have none here.
     ``where``: file, line, and the byte at which ``rest`` begins.

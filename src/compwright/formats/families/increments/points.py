@@ -1,6 +1,4 @@
-"""Point records of the array that all axes share: which lines are pitch data, and the value of each
-number.
-"""
+"""Find the pitch data in the files: points of the array that all axes share, by number."""
 
 from __future__ import annotations
 
@@ -23,8 +21,7 @@ _RECORD = re.compile(r"[ \t]*P[ \t]*-?[0-9]{1,4}[ \t]*")
 def point_rows(
     definition: Definition, gathered: Gathered, files: Sequence[ControlFile]
 ) -> list[FoundValue]:
-    """Return the lines that hold pitch data, in the order of the files (``files``: those that were
-    gathered).
+    """Return the lines with pitch data, in the order of the files.
 
     Q0 marks pitch data, Q1 parameters, of which a control has some above 10000 too. Records without
     Q are pitch data if the whole file is a pitch file. In a file with parameters and pitch data
@@ -49,8 +46,9 @@ def point_rows(
 
 
 def _unmarked(file: ControlFile, *, with_parameters: bool) -> bool:
-    """Return whether all records without Q of a file can be pitch data: it holds nothing else, or
-    (``with_parameters``) also parameters.
+    """Return whether all records of a file without Q can be pitch data.
+
+    It holds nothing else, or (``with_parameters``) also parameters.
     """
     found = False
     for line in file.content.decode("latin-1").replace("\r", "\n").split("\n"):
@@ -64,7 +62,7 @@ def _unmarked(file: ControlFile, *, with_parameters: bool) -> bool:
 
 
 def _claims(gathered: Gathered) -> Iterator[range]:
-    """Yield the numbers that the axes claim by 3621 and 3622, if these can be read."""
+    """Yield the point numbers that each axis uses by 3621 and 3622, if these are readable."""
     for singles in gathered.singles.values():
         ends = [
             singles[name][-1].text for name in ("first_number", "last_number") if singles.get(name)

@@ -1,4 +1,4 @@
-"""Controls that store whole increments by section (FANUC): files -> compensation.
+"""Read the files of controls with whole increments by section (FANUC) as compensation.
 
 Every axis claims a range of numbers in one array that all axes share. Number n owns the section ((n
 - r - 1) b, (n - r) b), r the number of the reference position, b the interval; the total at a node
@@ -61,7 +61,9 @@ _COMPENSATION = {*GRID, "turn", "negative_first", "negative_offset", "bidirectio
 
 
 class StateReader:
-    """Reads the state of a control with ``files``; ``axes`` and ``address`` as in `Family.read`."""
+    """Reads the state of a control from its ``files``. ``axes`` and ``address`` as in
+    `Family.read`.
+    """
 
     def __init__(
         self,
@@ -93,7 +95,7 @@ class StateReader:
         self.facts: dict[str, AxisFacts] = {}
 
     def read(self) -> ControlState:
-        """Return the state. Errors as `Family.read`."""
+        """Return the state of the control. Errors as those of `Family.read`."""
         named = [
             address
             for address in self.gathered.addresses()
@@ -147,7 +149,9 @@ class StateReader:
         return {address: name for address, name in names.items() if name is not None}
 
     def _cross(self) -> Iterator[CrossCompensation]:
-        """Yield the corrections between axes by straightness compensation, if it is counted."""
+        """Yield the corrections between axes by straightness compensation, if the options include
+        it.
+        """
         if self.family.options.get("straightness") != "available":
             return
         faults = self.notes.faults
@@ -195,7 +199,7 @@ class StateReader:
         return wanted
 
     def _numbers(self) -> list[str]:
-        """Return the numbers of all axes of the files."""
+        """Return the numbers of all axes in the files."""
         return [address for address in self.gathered.addresses() if address != "0"]
 
     def _values(self, address: str, notes: Notes) -> IncrementAxisValues:
@@ -227,7 +231,9 @@ class StateReader:
             self.compensations[address] = compensation
 
     def _leave_alone(self, address: str) -> None:
-        """Note faults of an axis that is not under work: they stop no work on another one."""
+        """Note faults of an axis that is not part of the job. They do not stop the work on other
+        axes.
+        """
         notes = Notes()
         values = self._values(address, notes)
         facts = with_neighbours(facts_of(values), values.own, self.family.options)
@@ -242,14 +248,14 @@ class StateReader:
             self.notes.find("CW-S042", "warning", axis=address, reasons=dict.fromkeys(reasons))
 
     def _filled(self) -> frozenset[int]:
-        """Return the numbers that hold data, or that another function refers to: none of them is
-        free for a new table.
+        """Return the point numbers that contain data or to which a function refers. A new table
+        must not use them.
         """
         texts = {number: row.occurrence.tokens["value"].text for number, row in self.points.items()}
         return frozenset(number for number, text in texts.items() if text.strip("-0"))
 
     def _unknown(self) -> frozenset[int]:
-        """Return the numbers whose contents no file states, below the first free one that the user
+        """Return the point numbers with unknown contents, below the first free number that the user
         states.
 
         A pitch file that was cut, or not given, does not make numbers free.
@@ -291,8 +297,8 @@ class StateReader:
                 )
 
     def _refuse_one_unit(self) -> Iterator[Fault]:
-        """Check that axes with different multipliers (1820), whose detection units no file states,
-        do not share one of the job.
+        """Check that axes whose files state no detection unit but different multipliers (1820) do
+        not share the job's unit.
         """
         shared: dict[object, ParameterValue] = {}
         for address in filter(self.facts.__contains__, self.wanted):
@@ -338,9 +344,7 @@ class StateReader:
                 )
 
     def _note_unknown(self) -> None:
-        """Note once the values under numbers of other series whose meaning on this one is
-        unknown.
-        """
+        """Note once the values whose parameter number has an unknown meaning on this series."""
         definition, values = self.family.definition, self.parameters.unknown
         numbers = sorted({value.number for value in values})
         if numbers:
@@ -371,8 +375,8 @@ class StateReader:
 def _paired(
     facts: AxisFacts, address: str, couplings: Sequence[Coupling], unread: frozenset[int]
 ) -> AxisFacts:
-    """Return facts with the axes that move with it, and the numbers whose contents no file
-    states.
+    """Return the facts of an axis with its coupled axes, and the point numbers with unknown
+    contents.
     """
     return replace(
         facts,
@@ -385,7 +389,7 @@ def _paired(
 def read_texts(
     definition: Definition, files: Sequence[ControlFile], faults: list[Fault]
 ) -> list[ReadText]:
-    """Return the statements of all files, typed-entry sheets too; unreadable ones go to
+    """Return the statements of all files, entry sheets included. Unreadable files are added to
     ``faults``.
     """
     require_files(files)
@@ -414,7 +418,7 @@ def read_texts(
 
 
 def _as_lines(file: ControlFile, format_id: str) -> ControlFile:
-    """Return a typed-entry sheet as equivalent lines; other files unchanged."""
+    """Return an entry sheet as equivalent parameter lines. Other files stay unchanged."""
     if not is_entry_sheet(file):
         return file
     return ControlFile(file.name, parameter_lines(file, format_id, []))

@@ -1,4 +1,4 @@
-"""Numbers and width of the sections of an axis' table, by its files."""
+"""The point numbers and the width of the sections of an axis' table, from its files."""
 
 from __future__ import annotations
 
@@ -18,8 +18,7 @@ GRID = ("reference_number", "first_number", "last_number", "magnification", "tab
 
 @dataclass(frozen=True, slots=True)
 class IncrementSections:
-    """Numbers of the reference, the first and the last section, interval in mm or deg,
-    magnification.
+    """The point numbers of reference, first and last section; interval in mm or deg; magnification.
 
     ``negative``: first number of the set for travel towards -; None: one set for both directions.
     """
@@ -33,18 +32,18 @@ class IncrementSections:
 
     @property
     def numbers(self) -> range:
-        """The numbers of the sections, without those of the set for travel towards -."""
+        """The point numbers of the sections, without those of the set for travel towards -."""
         return range(self.first, self.last + 1)
 
     @property
     def second(self) -> range | None:
-        """The numbers of the set for travel towards -."""
+        """The point numbers of the set for travel towards -."""
         negative = self.negative
         return None if negative is None else range(negative, negative + len(self.numbers))
 
     def nodes(self, zero: float, *, round_turn: bool) -> FloatArray:
-        """Return the section ends, mm or deg, with the reference at ``zero``; round a turn from the
-        reference on.
+        """Return the section ends, mm or deg, with the reference at ``zero``. An endless axis: one
+        turn from the reference on.
         """
         begin = self.reference if round_turn else self.first - 1
         steps = np.arange(begin, self.last + 1) - self.reference
@@ -57,7 +56,9 @@ class IncrementSections:
 
 
 def read_sections(values: IncrementAxisValues, kind: AxisKind) -> IncrementSections | None:
-    """Return the sections of the table; None without one, or with faults in the notes."""
+    """Return the sections of the table. None without a table, or with faults, which are added to
+    the notes.
+    """
     if values.yes("compensation_off"):
         _note_switched_off(values)
         return None
@@ -86,8 +87,8 @@ def read_sections(values: IncrementAxisValues, kind: AxisKind) -> IncrementSecti
 
 
 def _note_switched_off(values: IncrementAxisValues) -> None:
-    """Note that stored pitch error compensation is off as a whole: no table of an axis under work
-    can be active.
+    """Note that stored pitch error compensation is switched off completely, so no table can be
+    active.
     """
     number = values.name("compensation_off")
     values.notes.switched_off(values.label, f"{number}#0 is 1: pitch error compensation is off")
@@ -106,7 +107,7 @@ def _note_switched_off(values: IncrementAxisValues) -> None:
 
 
 def order(values: IncrementAxisValues) -> str:
-    """Return the required order of the three numbers of an axis, by the names of their
+    """Return the required order of the three point numbers of an axis, by the names of their
     parameters.
     """
     names = ("first_number", "reference_number", "last_number")
@@ -114,8 +115,8 @@ def order(values: IncrementAxisValues) -> str:
 
 
 def repeats(values: IncrementAxisValues, kind: AxisKind, sections: IncrementSections) -> bool:
-    """Return whether the axis is endless: by the job, or the table of a rotary axis starts at the
-    reference and spans a turn.
+    """Return whether the axis is endless: by the job, or by a table that spans a turn from the
+    reference.
 
     Not if the files state that it has ends (1006#1): there a turn need not close.
     """
@@ -129,8 +130,10 @@ def repeats(values: IncrementAxisValues, kind: AxisKind, sections: IncrementSect
 
 
 def idle_nodes(values: IncrementAxisValues, kind: AxisKind) -> tuple[float, ...]:
-    """Return the nodes of a table that is switched off (3623 = 0), mm or deg; empty if its
-    parameters are no table, or no job states where the reference is.
+    """Return the nodes of a table that is switched off (3623 = 0), mm or deg. Empty if they are
+    unknown.
+
+    Its parameters are no table, or no job states where the reference is.
     """
     values = replace(values, notes=Notes())
     numbers = [values.integer(name) for name in GRID[:-1]]
@@ -177,8 +180,9 @@ def _checked(values: IncrementAxisValues, kind: AxisKind) -> IncrementSections |
 def _next_to_reference(
     values: IncrementAxisValues, kind: AxisKind, sections: IncrementSections
 ) -> IncrementSections | None:
-    """Return a full turn that starts with the number after the reference's, with a warning: real
-    controls accept it, the manual has 3621 = 3620.
+    """Return a full turn that begins at the point number after the reference, with a warning.
+
+    Real controls accept it, the manual has 3621 = 3620.
 
     Any other order of the numbers is a fault, and None.
     """
@@ -203,8 +207,8 @@ def _next_to_reference(
 
 
 def _negative_first(values: IncrementAxisValues, own: range, highest: int) -> int | None:
-    """Return the first number of the set for travel towards -; None with one set, or without its
-    number (then with a fault).
+    """Return the first point number of the set for travel towards -. None with one set, or without
+    its number (a fault).
     """
     if not values.yes("bidirectional"):
         return None

@@ -1,6 +1,4 @@
-"""Values typed in at a control with numbered parameters (FANUC): its entry sheet as equivalent
-lines.
-"""
+"""Convert the entry sheet of a control with numbered parameters (FANUC) to equivalent lines."""
 
 from __future__ import annotations
 
@@ -13,8 +11,7 @@ from compwright.records.correction import ControlFile
 
 
 def parameter_lines(file: ControlFile, format_id: str, faults: list[Fault]) -> bytes:
-    """Return the entry sheet of a control with numbered parameters as equivalent lines; faults go
-    to ``faults``.
+    """Return an entry sheet as equivalent parameter lines. Faults are added to ``faults``.
 
     Line k of the result is line k of the sheet, so that messages name the right place.
     """

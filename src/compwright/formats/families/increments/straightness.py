@@ -1,5 +1,5 @@
-"""Straightness compensation that an option makes counted: the correction of one axis by the
-position of another.
+"""Straightness compensation, if an option includes it: the correction of one axis by the position
+of another.
 
 Three pairs of axes (5711 to 5713 moving, 5721 to 5723 compensated), each with four numbers of the
 moving axis' points (5731, 5741, 5751 and on) and four amounts in detection units of the compensated
@@ -42,7 +42,8 @@ _UNKNOWN = (
 
 @dataclass(frozen=True, slots=True)
 class Pair:
-    """One pair of axes by their addresses: ``points`` and ``amounts`` (4,) as in the files;
+    """One pair of axes, by their addresses, with ``points`` and ``amounts`` (4,) as in the files.
+
     ``place``: its parameter for messages.
     """
 
@@ -53,7 +54,7 @@ class Pair:
     place: ParameterValue
 
     def at(self, numbers: FloatArray, reference: int) -> FloatArray:
-        """Return the lines at point numbers (k,), less their value at the reference's."""
+        """Return the correction at point numbers (k,) relative to the reference."""
         keep = np.concatenate([[True], np.diff(self.points) > 0])
         at, levels = np.compress(keep, self.points), np.compress(keep, self.amounts)
         lines = np.interp(np.append(numbers, reference), at, levels)
@@ -61,7 +62,7 @@ class Pair:
 
 
 def row_of(pair: int, *, amounts: bool = False) -> range:
-    """Return the four parameters of the points, or of the amounts, of a pair (from 0)."""
+    """Return the four parameters with the points, or with the amounts, of a pair (from 0)."""
     rows = known.STRAIGHTNESS_AMOUNTS if amounts else known.STRAIGHTNESS_POINTS
     first = rows[0] + 10 * pair
     return range(first, first + known.STRAIGHTNESS_USED)
@@ -70,7 +71,7 @@ def row_of(pair: int, *, amounts: bool = False) -> range:
 def straightness_pairs(
     parameters: Parameters, addresses: list[str], faults: list[Fault]
 ) -> Iterator[Pair]:
-    """Yield the active pairs; one that cannot be counted is a fault with its parameter."""
+    """Yield the active axis pairs. A pair that cannot be used is a fault with its parameter."""
     unknown = (value for value in parameters.of(_UNKNOWN) if value.nonzero)
     faults += [
         value.fault("a straightness compensation that compwright does not know is active", "0")
@@ -103,13 +104,16 @@ def straightness_pairs(
 def _own(
     parameters: Parameters, value: ParameterValue, numbers: range | list[int]
 ) -> list[ParameterValue]:
-    """Return parameters of the same owner (path) as another one, in the order of their numbers."""
+    """Return parameters with the same owner (path) as another one, in the order of their
+    numbers.
+    """
     return [each for each in parameters.of(numbers) if each.whose == value.whose]
 
 
 def free_pair(parameters: Parameters, moving: str) -> dict[int, ParameterValue] | None:
-    """Return the parameters of the first pair that the files hold complete and at zero for the path
-    of an axis, by role: 0 moving, 1 compensated, 2 to 5 points, 6 to 9 amounts.
+    """Return the parameters of the first unused pair for the path of an axis, by role.
+
+    Complete and at zero: 0 moving, 1 compensated, 2 to 5 points, 6 to 9 amounts.
 
     None if there is none, or if an axis number may be counted within the path.
     """

@@ -1,5 +1,5 @@
-"""Compensation -> whole increments by section (FANUC): into the user's own backup if one was given,
-else minimal files.
+"""Write a compensation as whole increments by section (FANUC), into the user's own backup or
+minimal files.
 
 Only what belongs to the axis under work is written: its groups in lines that axes share, single
 bits, its own point numbers. Every other byte of a backup stays.
@@ -36,7 +36,8 @@ _NUMBER = re.compile(r"[0-9]{5}")
 def write_increments(
     family: Family, tables: Sequence[AxisTable], files: Sequence[ControlFile]
 ) -> tuple[ControlFile, ...]:
-    """Return the files that put ``tables`` into the control; ``files``: its own, to be patched.
+    """Return the files that put ``tables`` into the control. ``files``: its own files, to be
+    patched.
 
     Raises CapacityError with everything that the control cannot hold.
     """
@@ -54,8 +55,9 @@ def write_increments(
 
 
 def _homeless(definition: Definition, left: Entries) -> Iterator[Fault]:
-    """Yield a fault for each value that has no place in the control's own files. Only if
-    nothing else proves that the control has such a parameter.
+    """Yield a fault for each value that has no place in the control's own files.
+
+    Only if nothing else proves that the control has such a parameter.
     """
     numbers = [name_of(definition, name) for name in left.parameters]
     numbers += [f"N{POINTS_FROM + number}" for number in left.points]
@@ -90,7 +92,7 @@ class _OwnFiles(Patches):
             self.rows.setdefault(point_number(row), []).append(row)
 
     def put(self, entry: Entries, faults: list[Fault]) -> Entries:
-        """Record the changes for one axis; return the values without a place in the user's
+        """Record the changes for one axis. Return the values without a place in the user's
         files.
         """
         left = {
@@ -135,8 +137,8 @@ class _OwnFiles(Patches):
         return replace(entry, parameters=left, points=missing, added=left_added)
 
     def _put_added(self, address: str, number: int, text: str) -> bool:
-        """Put a parameter of an added function where the files hold it for the axis; return whether
-        they do.
+        """Set a parameter of an added function in the files. Return whether they contain it for the
+        axis.
         """
         names = [file.name for file in self.files]
         places = [
@@ -162,7 +164,7 @@ class _OwnFiles(Patches):
 
     def _existing_length(self, place: FoundValue, entry: Entries, value: Decimal) -> str:
         """Return a length in the unit of the letter in the file: M mm, I inch, P the machine's
-        unit, deg for rotary axes.
+        unit; deg for rotary axes.
         """
         key = place.occurrence.tokens["key"].text.upper()
         inch = key == "I" or (key == "P" and bool(entry.inch))
@@ -170,15 +172,13 @@ class _OwnFiles(Patches):
         return length_text(value, inch=inch and entry.axis.kind is AxisKind.LINEAR, whole=whole)
 
     def _set(self, place: FoundValue, field: str, text: str) -> None:
-        """Change a field, unless it has the same value already: then it keeps its bytes."""
+        """Change a field. If it already has the same value, it keeps its bytes."""
         old = place.occurrence.tokens[field].text
         if ("." in old) != ("." in text) or Decimal(old) != Decimal(text):
             self.replace(place.number, *set_field(place.occurrence, field, text))
 
     def _insert(self, missing: Mapping[int, int]) -> None:
-        """Insert points that the files do not hold after the nearest lower one, in the style of
-        that line.
-        """
+        """Insert missing points after the nearest lower one, in the style of that line."""
         for number, value in sorted(missing.items()):
             below = [one for one in self.rows if one < number]
             neighbour = self.rows[max(below) if below else min(self.rows)][-1]
@@ -199,8 +199,8 @@ class _OwnFiles(Patches):
 
 
 def _fresh(definition: Definition, left: Entries, taken: Collection[str]) -> Iterator[ControlFile]:
-    """Yield minimal files with the values without a place in the user's own; ``taken``: file names
-    not to be used.
+    """Yield minimal files for the values without a place in the user's own files. ``taken``: file
+    names not to be used.
     """
     for file in definition.writing:
         lines = list(_point_lines(definition, left) if file.rows else _lines(definition, left))
@@ -223,7 +223,7 @@ def _file(
 
 
 def _lines(definition: Definition, entry: Entries) -> Iterator[str]:
-    """Yield the lines of the parameters, in the order of the definition."""
+    """Yield the parameter lines, in the order of the definition."""
     linear, whole = entry.axis.kind is AxisKind.LINEAR, thousandths(definition)
     # Where the control's own files say its unit, a fresh line has the letter that they have; else M
     # says that it is in mm.
@@ -251,8 +251,8 @@ def _point_lines(definition: Definition, entry: Entries) -> Iterator[str]:
 
 
 def write_programs(definition: Definition, entries: Sequence[Entries]) -> tuple[ControlFile, ...]:
-    """Return one program per axis that enters the same values when it runs (G10), by the
-    definition's optional files.
+    """Return one program (G10) per axis that enters the same values. The definition names these
+    optional files.
     """
     return tuple(
         _file(definition, file, entry, list(_program(definition, file, entry)))
@@ -315,7 +315,7 @@ _PULSE = (
 
 
 def increment_sheets(family: Family, own: Sequence[AxisTable]) -> tuple[ControlFile, ...]:
-    """Return the entry sheets, and programs if the options require them.
+    """Return the entry sheets, and the programs if the options require them.
 
     ``own``: the tables of leading axes; those of gantry partners are derived from them.
     """

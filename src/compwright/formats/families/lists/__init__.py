@@ -1,1 +1,1 @@
-"""Entries by index in one list per axis, whose header names the axis."""
+"""Family of tables in one list per axis. Entries have an index; the header names the axis."""

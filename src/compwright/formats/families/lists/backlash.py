@@ -1,4 +1,4 @@
-"""Backlash in the lists of an axis, and refusal of unknown compensation."""
+"""Read the backlash from the lists of an axis, and refuse unknown kinds of compensation."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _MOST = 32767
 
 
 def backlash_of(of: AxisStatements, *, two: bool) -> float:
-    """Return the backlash, mm or deg; ``two``: a table with two columns is active."""
+    """Return the backlash, mm or deg. ``two``: a table with two columns is active."""
     switch = of.one("backlash_switch")
     gears = of.rows("backlash")
     lose = gears.get(0)
@@ -86,7 +86,7 @@ def _check_gears(of: AxisStatements, gears: Mapping[int, FoundValue]) -> None:
 
 
 def check_others(of: AxisStatements) -> None:
-    """Refuse, by name, compensation of the axis other than table, backlash and one table from
+    """Refuse, by name, any compensation of the axis other than table, backlash and one table from
     another axis.
     """
     for found in of.lists.places(of.address, "other"):

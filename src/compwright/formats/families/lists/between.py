@@ -1,4 +1,6 @@
-"""Corrections between axes in the list of the corrected axis, and how to load them."""
+"""Write corrections between axes into the list of the corrected axis, with the steps to load
+them.
+"""
 
 from __future__ import annotations
 
@@ -30,8 +32,8 @@ _STRAIGHT = 1e-9
 
 
 def lists_between(family: Family, request: BetweenRequest) -> Between:
-    """Return the lists with the tables between axes, and the steps that load them; or why the
-    control cannot hold them. Raises UsageError if the meaning of the values is not given.
+    """Return the lists with the tables between axes and the loading steps, or why the control
+    cannot hold them. Raises UsageError.
     """
     signs = {entry.output: _sign(family, request, entry) for entry in request.planned}
     before = request.read(request.base)
@@ -85,7 +87,7 @@ def _write(
     before: ControlState,
     planned: Sequence[PlannedCross],
 ) -> None:
-    """Write the existing correction plus the added one as one table. Raises CapacityError."""
+    """Write the sum of the existing and the added correction as one table. Raises CapacityError."""
     added = entry.added
     rivals = {each.input for each in before.cross if each.output == added.output} | {
         each.added.input for each in planned if each.added.output == added.output
@@ -149,7 +151,7 @@ def _sum(tables: Sequence[CrossCompensation], where: FloatArray) -> FloatArray:
 
 
 def _corners(positions: FloatArray, values: FloatArray) -> list[int]:
-    """Return the points between which the curve is straight: for a straight line its ends."""
+    """Return the points where the curve bends. For a straight line: its ends."""
     kept = [0]
     for index in range(1, positions.size - 1):
         around = np.array([kept[-1], index + 1])
@@ -160,7 +162,7 @@ def _corners(positions: FloatArray, values: FloatArray) -> list[int]:
 
 
 def _steps(entry: PlannedCross, files: Sequence[ControlFile], meaning: str) -> list[dict[str, str]]:
-    """Return the steps that load a table: the sign first, then the data."""
+    """Return the loading steps of a table: first the sign, then the data."""
     added = entry.added
     axes = {"output": entry.output, "input": entry.input}
     loading = control_text(
@@ -185,7 +187,7 @@ def _steps(entry: PlannedCross, files: Sequence[ControlFile], meaning: str) -> l
 
 
 def _checking(entry: PlannedCross, meaning: str) -> str:
-    """Return the experiment that shows the effect of a value in the list."""
+    """Return the experiment that shows the sign of a value in the list."""
     added = entry.added
     factor, unit = outside_factor(added.output_kind.unit), shown_unit(added.output_kind.unit)
     low, high = (float(value) for value in added.positive[[0, -1]])

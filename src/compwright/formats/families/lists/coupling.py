@@ -1,6 +1,8 @@
-"""Axes of an ISG kernel that move together: kenngr.gantry_ax_nr in the list of the slave names its
-master (P-AXIS-00070), kenngr.multi_link a leading axis with a factor (P-AXIS-00383),
-synchro_data of a channel pairs of master and slave (P-CHAN-00037, P-CHAN-00038).
+"""Find the axes of an ISG kernel that move together, from its lists.
+
+kenngr.gantry_ax_nr in the list of the slave names its master (P-AXIS-00070), kenngr.multi_link a
+leading axis with a factor (P-AXIS-00383), synchro_data of a channel pairs of master and slave
+(P-CHAN-00037, P-CHAN-00038).
 """
 
 from __future__ import annotations
@@ -33,8 +35,9 @@ _REMARK = re.compile(r"(?!)")  # without_remarks has taken them
 def couplings_of(
     files: Sequence[ControlFile], owners: Mapping[str, int], wanted: Sequence[str]
 ) -> tuple[Coupling, ...]:
-    """Return which axes follow another one; ``owners``: file name -> number of the axis whose list
-    it is; ``wanted``: the axes under work.
+    """Return which axes follow another axis. ``owners``: axis number by file name.
+
+    ``wanted``: the axes under work.
     """
     plain = [ControlFile(file.name, without_remarks(file.content)) for file in files]
     return (*_of_axes(plain, owners, wanted), *_of_channels(plain, wanted))

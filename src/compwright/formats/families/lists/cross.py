@@ -1,4 +1,4 @@
-"""Table by which another axis corrects this one, in the list of the corrected axis."""
+"""The table by which another axis corrects this one, in the list of the corrected axis."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ CROSS_STATEMENTS = (
 def read_cross(
     lists: AxisStatements, kind_of: Callable[[str], AxisKind]
 ) -> CrossCompensation | None:
-    """Return the correction of this axis by another one, mm or deg.
+    """Return the correction of this axis by the position of another axis, mm or deg.
 
     None without an active table, and if the meaning of its values is unknown, which is noted.
     Faults go to the notes.
@@ -79,14 +79,12 @@ def read_cross(
 
 
 def left_out(notes: Notes, label: str, why: str) -> None:
-    """Note a table between axes that is left unchanged."""
+    """Note a table between axes that stays unchanged."""
     notes.find("CW-S050.list", "warning", label=label, why=why)
 
 
 def _entries(lists: AxisStatements) -> list[tuple[Decimal, Decimal]]:
-    """Return position and value of every entry, as written; empty without a table, and with faults,
-    which go to the notes.
-    """
+    """Return position and value of every entry, as written. Empty without a valid table."""
     given = [
         place for name in CROSS_STATEMENTS for place in lists.lists.places(lists.address, name)
     ]

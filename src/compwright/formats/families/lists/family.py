@@ -1,5 +1,5 @@
-"""Entries by index in one list per axis, whose header names the axis; also one table by which
-another axis corrects it.
+"""Family of tables in one list per axis, with one optional table by which another axis corrects
+it.
 """
 
 from __future__ import annotations
@@ -45,9 +45,7 @@ RULES = ShapeRules(
 def _own_limits(
     axis: Axis, compensation: AxisCompensation, capacity: Capacity, label: str
 ) -> Sequence[Fault]:
-    """Return the faults of the table of an endless axis, and of values that the number type does
-    not hold.
-    """
+    """Return the faults of the table of an endless axis, and of values outside the number type."""
     faults = limits.turn(capacity, compensation, label)
     low, high = capacity.value_range
     values = (*compensation.positive, *compensation.negative)
@@ -66,7 +64,7 @@ def _own_limits(
 
 
 class ListsFamily(Family):
-    """Entries by index in one list per axis."""
+    """Tables with entries by index in one list per axis."""
 
     unanswered_option = UnansweredOption(
         "encoder_increment",
@@ -87,12 +85,12 @@ class ListsFamily(Family):
         return ListStateReader(self, axes, address, activity).read(files)
 
     def unit_of(self, axis: Axis) -> str:
-        """Return the unit of an axis' list (a word); new lists count in tenths."""
+        """Return the unit of an axis' list as a word. New lists use tenths."""
         address, _ = self.address(axis)
         return str(self.state.facts_of(address).stated.get("table_form", "tenths"))
 
     def scale_of(self, axis: Axis) -> NumberScale:
-        """Return the number scale of an axis. Raises UsageError if its list counts in increments of
+        """Return unit, sign and resolution of an axis' numbers. Raises UsageError for increments of
         unknown size.
         """
         options = self.options_of(axis)
@@ -115,8 +113,10 @@ class ListsFamily(Family):
         return counted(NumberScale(self.definition, axis.kind, options, {}), options, increment)
 
     def capacity(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
-        """See `Family.capacity`. The reversal goes into the two columns: it is not known in which
-        direction the control adds its backlash.
+        """Return the limits of an axis; arguments as those of `Family.capacity`. Two columns hold
+        the reversal error.
+
+        It is not known in which direction the control adds its backlash.
         """
         del one_curve
         scale = self.scale_of(axis)
@@ -179,5 +179,7 @@ class ListsFamily(Family):
         return AxisCard(values | named_files(self, axis, request.files))
 
     def between(self, request: BetweenRequest) -> Between:
-        """See `Family.between`: into the list of the corrected axis."""
+        """Return the list of the corrected axis with the added correction; arguments as those of
+        `Family.between`.
+        """
         return lists_between(self, request)

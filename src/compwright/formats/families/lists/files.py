@@ -1,4 +1,5 @@
-"""Value lists, axis parameter lists and the start-up list -> the statements that count for an axis.
+"""Read value lists, axis parameter lists and the start-up list, and return the statements that
+apply to each axis.
 
 The header of a list names its axis; without a header the start-up list does. If there is a start-up
 list, a value list that it does not name is not loaded.
@@ -29,13 +30,15 @@ _REMARK = re.compile(rb"/\*.*?(?:\*/|\Z)|#[^\r\n]*", re.DOTALL)
 
 
 def without_remarks(content: bytes) -> bytes:
-    """Return a file with blanks in place of remarks, so that every other byte keeps its place."""
+    """Return a file with its remarks blanked, so that all other bytes keep their place."""
     return _REMARK.sub(lambda remark: re.sub(rb"[^\r\n]", b" ", remark[0]), content)
 
 
 @dataclass(slots=True)
 class ListsByAxis:
-    """All lists, sorted by axis: ``statements[address][statement]`` in the order of the files.
+    """The statements of all lists, sorted by axis and statement.
+
+    ``statements[address][statement]`` in the order of the files.
 
     ``files``: the indices of an axis' files among those given; ``start_up``: those of start-up
     lists. ``unlisted``: axes whose lists are not named in the given start-up list. ``missing``: by
@@ -61,7 +64,7 @@ class ListsByAxis:
         return f"{name_in_form(head)}[..]{tail.split()[0]}" if bracket else name_in_form(form)
 
     def value_files(self, address: str) -> set[int]:
-        """Return the indices of the loaded value lists of an axis among the files."""
+        """Return the file indices of an axis' loaded value lists."""
         return {
             found.number
             for name, places in self.statements.get(address, {}).items()
@@ -75,7 +78,7 @@ def _in_value_list(definition: Definition, statement: str) -> bool:
 
 
 def read_lists(definition: Definition, files: Sequence[ControlFile], notes: Notes) -> ListsByAxis:
-    """Return the statements of each axis; unreadable lines, and lists of an unknown axis, go to the
+    """Return the statements of each axis. Unreadable lines and lists of an unknown axis become
     faults of ``notes``.
     """
     reader = text_reader(definition)
@@ -116,7 +119,7 @@ class _Sorter:
         self._check_count()
 
     def _check_count(self) -> None:
-        """Refuse entries of the start-up list beyond its own number of lists: they are not
+        """Refuse entries of the start-up list beyond its number of lists, because they are not
         loaded.
         """
         counts: Sequence[FoundValue] = self.lists.start_up.get(LISTED_COUNT, ())
@@ -138,7 +141,9 @@ class _Sorter:
                 )
 
     def _by_index(self, statement: str) -> Mapping[int, FoundValue]:
-        """Return the entries of the start-up list; two that differ are a fault."""
+        """Return the entries of the start-up list. Two different entries with one index are a
+        fault.
+        """
         entries: dict[int, FoundValue] = {}
         for found in self.lists.start_up.get(statement, ()):
             first = entries.setdefault(int(found.occurrence.tokens["index"].text), found)
@@ -151,7 +156,7 @@ class _Sorter:
         return entries
 
     def sort(self, text: ReadText) -> None:
-        """Sort the statements of one file under its axis."""
+        """Assign the statements of one file to its axis."""
         own = [each for each in text.occurrences if each.statement not in _START_UP]
         values = any(_in_value_list(self.lists.definition, each.statement) for each in own)
         indices = [i for i, name in self.names.items() if base_name(name.text) == _low(text)]
@@ -170,7 +175,7 @@ class _Sorter:
     def _address(
         self, text: ReadText, own: Sequence[Occurrence], indices: Sequence[int]
     ) -> str | None:
-        """Return the axis of a list, by its header and by the start-up list, which must agree."""
+        """Return the axis of a list. Its header and the start-up list must agree."""
         headers = [
             FoundValue(each.tokens["axis"].text, each, text.number)
             for each in own
@@ -209,7 +214,7 @@ class _Sorter:
         return str(numbers.pop()) if len(numbers) == 1 else None
 
     def find_missing(self) -> None:
-        """Note the lists that the start-up list names and that were not given."""
+        """Note lists that the start-up list names but that were not given."""
         given = {_low(text) for text in self.texts}
         for index, name in self.names.items():
             if index in self.axes and base_name(name.text) not in given:
@@ -217,7 +222,7 @@ class _Sorter:
 
 
 def base_name(path: str) -> str:
-    """Return the bare name of a file in lower case: the controls run on Windows."""
+    """Return a file name without folder, in lower case, because the controls run on Windows."""
     return re.split(r"[/\\]", path.strip().strip("\"'"))[-1].casefold()
 
 
@@ -232,6 +237,6 @@ def _value(occurrence: Occurrence) -> str:
 
 
 def entries(places: Sequence[FoundValue]) -> Iterator[tuple[int, FoundValue]]:
-    """Yield index and place of each entry."""
+    """Yield index and place of each entry of a table."""
     for found in places:
         yield int(found.occurrence.tokens["index"].text), found

@@ -1,4 +1,4 @@
-"""A control's own lists -> the active compensation, for every axis that they name.
+"""Read a control's own lists as the active compensation of every axis that they name.
 
 Missing is not zero. Assumptions are listed; faults of an axis that is not under work stop nothing.
 """
@@ -43,8 +43,8 @@ from compwright.words.sentences import control_text, unconfirmed
 
 @dataclass(frozen=True, slots=True)
 class AxisList:
-    """The active compensation of an axis, whether its table is active (None: it has none), and the
-    nodes of an inactive table, mm or deg.
+    """The active compensation of an axis, whether its table is active, and the nodes of an inactive
+    table, mm or deg.
     """
 
     compensation: AxisCompensation
@@ -53,7 +53,7 @@ class AxisList:
 
 
 def read_axis(of: AxisStatements) -> AxisList:
-    """Return the compensation in the lists of an axis. Faults go to the notes of ``of``."""
+    """Return the compensation in the lists of an axis. Faults are added to its notes."""
     table = TableReader(of).read()
     active = None
     if table is not None:
@@ -87,7 +87,9 @@ def read_axis(of: AxisStatements) -> AxisList:
 
 
 class ListStateReader:
-    """Reads the state of a control from its lists; arguments and errors as `Family.read`."""
+    """Reads the state of a control from its lists. Arguments and errors as those of
+    `Family.read`.
+    """
 
     def __init__(
         self, family: Family, axes: Sequence[Axis], address: str | None, activity: Activity
@@ -112,7 +114,7 @@ class ListStateReader:
         self.cross: list[CrossCompensation] = []
 
     def read(self, files: Sequence[ControlFile]) -> ControlState:
-        """Return the state of a control with ``files``."""
+        """Return the state of a control from its ``files``."""
         lists = read_lists(self.definition, files, self.notes)
         raise_all(InputError, self.notes.faults)
         wanted = self.wanted or dict.fromkeys(lists.statements)
@@ -204,7 +206,7 @@ class ListStateReader:
         )
 
     def _axis(self, lists: ListsByAxis, address: str, axis: Axis | None) -> None:
-        """Read an axis under work."""
+        """Read an axis that is part of the job."""
         reader = self._reader(lists, address, axis, self.notes, self.activity)
         own = read_axis(reader)
         self.compensations[address] = own.compensation
@@ -223,8 +225,8 @@ class ListStateReader:
             self._check_turn(axis, self.compensations[address])
 
     def _unasked(self, lists: ListsByAxis, address: str) -> None:
-        """Read the correction of an axis that is not under work by another one; with faults it is
-        left out, and noted.
+        """Read the correction by another axis, for an axis that is not part of the job. With faults
+        it is left out and noted.
         """
         own, notes = Notes(), Notes()
         activity = Activity(stated=self.activity.stated)
@@ -240,7 +242,7 @@ class ListStateReader:
         self.cross.extend([between] if between is not None else [])
 
     def _twins(self, other: str, table: AxisCompensation) -> None:
-        """Note an axis that is not under work with the same table as one of the job."""
+        """Note an axis outside the job with the same table as an axis of the job."""
         if not np.any(table.positive) and not np.any(table.negative):
             return
         for address, mine in self.compensations.items():

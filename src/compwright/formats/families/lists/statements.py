@@ -1,4 +1,4 @@
-"""Statements of one axis in the lists; every contradiction is noted once."""
+"""The statements of one axis in the lists. Each contradiction is noted once."""
 
 from __future__ import annotations
 
@@ -30,8 +30,9 @@ _KINDS: Mapping[int | str, AxisKind] = {
 
 
 class AxisStatements:
-    """The statements of one axis. ``axis``: that of a job, None without one; ``stated``: values
-    that later readers of the lists need, by neutral name. Faults go to ``notes``.
+    """The statements of one axis, with the values that later steps need.
+
+    ``axis``: that of a job, None without one; ``stated``: by neutral name. Faults go to ``notes``.
     """
 
     def __init__(
@@ -63,7 +64,8 @@ class AxisStatements:
         self.kind = known or self.stated_kind or AxisKind.LINEAR
 
     def _stated_kind(self) -> AxisKind | None:
-        """Return the kind of the axis by its list; None if the list does not state it.
+        """Return the kind of the axis (linear, rotary) by its list. None if the list does not state
+        it.
 
         A kind that is not known, or differs from that of the job, is a fault.
         """
@@ -90,7 +92,7 @@ class AxisStatements:
         return kind
 
     def one(self, statement: str) -> FoundValue | None:
-        """Return the place of a statement; two different values are a fault."""
+        """Return the place of a statement. Two different values are a fault."""
         return self._agreed(statement, self.lists.places(self.address, statement))
 
     def _agreed(self, what: str, places: Sequence[FoundValue]) -> FoundValue | None:
@@ -104,7 +106,7 @@ class AxisStatements:
         return places[0] if places else None
 
     def needed(self, statement: str, given: FoundValue | None) -> FoundValue | None:
-        """Return the place of a statement that is required because ``given`` is there."""
+        """Return the place of a statement that is required because ``given`` exists."""
         found = self.one(statement)
         if found is None and not self.lists.places(self.address, statement):
             name = self.lists.name(statement)
@@ -115,13 +117,12 @@ class AxisStatements:
         return found
 
     def word(self, quantity: str) -> str | None:
-        """Return the neutral word of a choice, with its default if the lists do not hold it."""
+        """Return the meaning of a choice, or its default if the lists do not contain it."""
         found = self.one(self.definition.bindings[quantity].statement)
         return self.values.word(quantity, found) if found else self.values.absent(quantity)
 
     def is_active(self, switch: str, manual: str, *, zero: bool, label: str) -> bool:
-        """Return whether a table is active, by the switch of the axis and its own manual
-        activation.
+        """Return whether a table is active, by the switch of the axis and its manual activation.
 
         A switch in no list counts as on; if it is off, the job's answer is required where
         measurements depend on it. ``zero``: the table holds only zeros.
@@ -165,7 +166,7 @@ class AxisStatements:
         return next((found for places in statements.values() for found in places), None)
 
     def rows(self, column: str) -> dict[int, FoundValue]:
-        """Return the entries of one column by index; two that differ are a fault."""
+        """Return the entries of one column by index. Two different entries are a fault."""
         by_index: dict[int, list[FoundValue]] = {}
         for index, found in entries(self.lists.places(self.address, column)):
             by_index.setdefault(index, []).append(found)
@@ -189,7 +190,7 @@ class AxisStatements:
         *,
         needed: bool = True,
     ) -> None:
-        """Check that every entry is there, and none beyond the last one."""
+        """Check that every entry exists and none is beyond the last one."""
         name = self.lists.name(column)
         missing = count - sum(index < count for index in rows) if needed else 0
         if missing:
@@ -210,7 +211,7 @@ class AxisStatements:
     def check_ascending(
         self, places: Sequence[Decimal], setpoints: Mapping[int, FoundValue], otherwise: FoundValue
     ) -> None:
-        """Refuse the first of some positions that is not above the one before it."""
+        """Raise a fault for the first position that is not above the one before it."""
         for index in range(1, len(places)):
             if places[index] <= places[index - 1]:
                 message = f"the positions do not ascend at entry {index}"

@@ -1,5 +1,4 @@
-"""Tables -> lists: the control's own, changed in place, or new ones by the same changes on their
-skeleton.
+"""Write tables into the control's own lists, or into new lists made from templates.
 
 A value keeps its line. If the entries change in number, place or form, the old ones are removed and
 the new ones are put at the place of the first of them. Every other byte stays.
@@ -38,7 +37,7 @@ _CROSS_COLUMNS = ("cross_setpoint", "cross_correction")
 
 
 class ListsWriter:
-    """Changes to the lists of a control. Raises InputError if they cannot be read."""
+    """Records changes to the lists of a control. Raises InputError if they cannot be read."""
 
     def __init__(self, definition: Definition, files: Sequence[ControlFile]) -> None:
         self.definition = definition
@@ -54,7 +53,7 @@ class ListsWriter:
     def put_table(
         self, address: str, table: AxisCompensation, scale: NumberScale, faults: list[Fault]
     ) -> None:
-        """Put the table of an axis into its list; numbers that the list cannot hold go to
+        """Write the table of an axis into its list. Numbers that do not fit are added to
         ``faults``.
         """
         label = f"axis {address}"
@@ -86,7 +85,7 @@ class ListsWriter:
             self._put(self.lists.places(address, "backlash"), "0")
 
     def _words(self, address: str) -> dict[str, str]:
-        """Return the unit of a new list, and two columns for every table."""
+        """Set the unit of a new list, and two columns for every table."""
         bindings = self.definition
         unit = self.lists.places(address, "unit")
         return {
@@ -97,8 +96,8 @@ class ListsWriter:
     def put_cross(
         self, address: str, master: str, positions: Sequence[str], values: Sequence[str]
     ) -> None:
-        """Put the table by which ``master`` corrects an axis into the list of that axis; numbers as
-        text.
+        """Write the table by which ``master`` corrects an axis into the list of that axis. Numbers
+        are text.
         """
         self._home(address)
         single = {
@@ -111,7 +110,7 @@ class ListsWriter:
         self._activate(address, "cross_switch", "cross_manual")
 
     def files_of(self, addresses: Iterable[str]) -> tuple[ControlFile, ...]:
-        """Return the lists of some axes, with the start-up list, with all changes made."""
+        """Return the lists of some axes and the start-up list, with all changes."""
         numbers = {number for each in addresses for number in self.lists.files.get(each, ())}
         numbers |= {place.number for places in self.lists.start_up.values() for place in places}
         return self.patches.patched(numbers)
@@ -119,7 +118,7 @@ class ListsWriter:
     # --- where a table stands
 
     def _home(self, address: str) -> None:
-        """Create a list for an axis that has none, and name it in the start-up list."""
+        """Create a list for an axis without one, and name it in the start-up list."""
         if self.lists.value_files(address):
             return
         file = self.definition.writing[0]
@@ -156,8 +155,8 @@ class ListsWriter:
             self._put([place], str(int(place.text) + 1))
 
     def _interval(self, address: str, counts: Sequence[int]) -> int:
-        """Return the interval if the axis' own list has one and the positions allow it; else 0:
-        every entry gets its setpoint.
+        """Return the interval if the axis' list uses one and the positions allow it. Else 0: every
+        entry has its position.
         """
         own = self.lists.places(address, "interval")
         steps = set(np.diff(counts).tolist())
@@ -208,8 +207,8 @@ class ListsWriter:
         new: Mapping[Entry, str],
         known: Sequence[str],
     ) -> bool:
-        """Return whether the existing entries are at the places of the new ones: then values change
-        in their lines.
+        """Return whether the entries keep their places, so that only values change in their
+        lines.
         """
         old = {
             (column, index): found
@@ -247,19 +246,19 @@ class ListsWriter:
         return print_form(self.definition.statements[statement].form, fields)
 
     def _put(self, places: Sequence[FoundValue], text: str) -> bool:
-        """Set a value at all its places; False if it has none."""
+        """Set a value at all its places. False if it has none."""
         for place in places:
             if not same_value(place.text, text):
                 self.patches.replace(place.number, *set_field(place.occurrence, "value", text))
         return bool(places)
 
     def _activate(self, address: str, switch: str, manual: str) -> None:
-        """Switch on a table if the lists end with it off."""
+        """Switch on a table if the lists finally switch it off."""
         self._put(self.lists.places(address, switch), "1")
         self._put(self.lists.places(address, manual), "0")
 
     def _take_out(self, found: FoundValue) -> None:
-        """Remove an old entry with its line; a remark over several lines stays."""
+        """Remove an old entry with its line. A remark over several lines stays."""
         line = self.patches.line(found.number, _start(found))
         content = self.patches.files[found.number].content
         raw = content[line.start : line.end]
@@ -273,14 +272,14 @@ class ListsWriter:
 
 
 def _start(found: FoundValue) -> int:
-    """Return a byte within the line of a statement."""
+    """Return a byte position within the line of a statement."""
     return next(iter(found.occurrence.tokens.values())).start
 
 
 def _texts(
     scale: NumberScale, quantity: str, values: FloatArray, label: str, faults: list[Fault]
 ) -> list[str]:
-    """Return numbers as whole counts; other numbers go to ``faults``."""
+    """Return numbers as whole counts. Other numbers are added to ``faults``."""
     texts = []
     for value in values:
         try:

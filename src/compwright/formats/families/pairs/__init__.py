@@ -1,1 +1,1 @@
-"""Tables between axes in addition to those of a grid: an axis over itself, or over another."""
+"""Extension of the grid family: tables between axes, and tables of an axis over itself."""

@@ -1,5 +1,5 @@
-"""Corrections between axes (squareness, straightness) -> free tables of their own, in addition to
-the existing ones, and how to load them.
+"""Write corrections between axes (squareness, straightness) into free tables, with the steps to
+load them.
 """
 
 from __future__ import annotations
@@ -46,8 +46,7 @@ from compwright.words.sentences import SentenceText, control_text, say
 def write_cross(
     control: Family, cross: Sequence[CrossCompensation], files: Sequence[ControlFile] = ()
 ) -> tuple[ControlFile, ...]:
-    """Return the files that add ``cross`` to the existing corrections: those of ``files`` that
-    change, and new ones.
+    """Return the files that add ``cross`` to the existing corrections: changed files, and new ones.
 
     Each entry goes into free tables of its own (one for both directions, or one for each) in
     addition to the existing ones; values are what is added to the output axis, mm or deg. Two
@@ -96,8 +95,8 @@ def write_cross(
 
 
 def _put(writer: CecWriter, entry: CrossCompensation, faults: list[Fault]) -> list[PairEntry]:
-    """Put the table, or the two tables, by which one axis corrects another; return those without a
-    place in the files.
+    """Write the one or two tables by which one axis corrects another. Return those without a place
+    in the files.
     """
     tables = writer.tables
     pair = tables.axis(entry.input), tables.axis(entry.output)
@@ -124,7 +123,7 @@ def _put(writer: CecWriter, entry: CrossCompensation, faults: list[Fault]) -> li
 
 
 def _beyond_sum(writer: CecWriter, entry: CrossCompensation) -> list[Fault]:
-    """Return the fault of a table if the sum on its output axis would exceed CEC_MAX_SUM."""
+    """Return a fault if the sum of all tables on the output axis would exceed CEC_MAX_SUM."""
     output = writer.tables.axis(entry.output)
     state = writer.control.state
     facts = state.facts_of(output).pairs
@@ -215,8 +214,10 @@ _OWN = "own files/"
 
 
 def pairs_between(family: Family, request: BetweenRequest, *, small: bool) -> Between:
-    """Return the tables between axes with the steps that load them, or why the control has no room
-    for them. ``small``: the result is delivered in small files.
+    """Return the tables between axes with the loading steps, or why the control has no room for
+    them.
+
+    ``small``: the result is delivered in small files.
     """
     before = request.read(request.base)
     try:
@@ -236,7 +237,7 @@ def pairs_between(family: Family, request: BetweenRequest, *, small: bool) -> Be
 def _written(
     family: Family, request: BetweenRequest, before: ControlState
 ) -> tuple[ControlFile, ...]:
-    """Return the files of the base that change, and new ones under names that no file of it has.
+    """Return the changed files, and new ones with unused names.
 
     A new file may have the same name as one that a former round left in the control: it must not
     replace that one.
@@ -257,7 +258,7 @@ def _written(
 
 
 def _named(family: Family, entry: PlannedCross, new: Sequence[ControlFile], *, small: bool) -> str:
-    """Return the names of the delivered files that hold a new table."""
+    """Return the names of the delivered files that contain a new table."""
     if not small:
         return and_joined([file.name for file in new])
     form = next(file.name for file in family.definition.writing if file.when == "cross")
@@ -271,7 +272,7 @@ def _steps(
     before: ControlState,
     after: ControlState,
 ) -> list[dict[str, str]]:
-    """Return the steps that load the new tables between two axes: sign first, then the data, the
+    """Return the loading steps of new tables between two axes: sign first, then the data, the
     switches last.
 
     Existing tables of the same axes belong to others, and stay unchanged.

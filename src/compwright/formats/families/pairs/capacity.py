@@ -1,4 +1,4 @@
-"""Capacity of a pair of tables of an axis over itself, one for each direction."""
+"""The limits of a pair of tables by which an axis corrects itself, one for each direction."""
 
 from __future__ import annotations
 
@@ -25,12 +25,12 @@ from compwright.words.sentences import control_text, unconfirmed
 
 
 class PairLimits(GridLimits):
-    """The limits of one axis' pair of tables, which replace one table and backlash. A gantry needs
-    a pair for each of its axes.
+    """The limits of one axis' pair of tables, which replaces a table with backlash. A gantry needs
+    one pair per axis.
     """
 
     def capacity(self) -> Capacity:
-        """Return the limits in mm or deg. Raises CapacityError when too few indices may be
+        """Return the limits in mm or deg. Raises CapacityError when too few tables may be
         written.
         """
         label, kinds = f"axis {self.axis.name}", [self.axis.kind]
@@ -89,7 +89,7 @@ class PairLimits(GridLimits):
         return assumed
 
     def _points(self, addresses: Sequence[str]) -> int | None:
-        """Return how many points each of the tables may have; None: any number."""
+        """Return how many points each of the tables may have. None: any number."""
         tables = self.control.state.tables
         taken = self._tables(addresses, tables)
         fixed = self.definition.limit_number("cross_points")
@@ -100,7 +100,7 @@ class PairLimits(GridLimits):
         return resolved_number(self.definition, self.points_option(), self.options, fact)
 
     def _tables(self, addresses: Sequence[str], tables: PairTables) -> list[int]:
-        """Return the indices that the tables of these axes will take."""
+        """Return the table indices that these axes will use."""
         allowed = allowed_tables(self.definition, self.options)
         taken: list[int] = []
         for address in addresses:
@@ -113,7 +113,7 @@ class PairLimits(GridLimits):
         return taken
 
     def _room(self, address: str) -> float:
-        """Return the part of CEC_MAX_SUM that the tables from other axes leave, mm or deg."""
+        """Return the part of CEC_MAX_SUM that tables from other axes leave, mm or deg."""
         state = self.control.state
         facts = state.facts_of(address).pairs
         if facts.max_sum is None:

@@ -1,6 +1,7 @@
-"""Couplings of a SINUMERIK's axes other than gantries (MD37100): master and slave drives (MD37250,
-MD37252, MD37262), coupling in the machine coordinate system (MD63000), and a transformation of
-coordinates that is active after reset (MD20140).
+"""Find the axes of a SINUMERIK that move together, except gantries (MD37100).
+
+Master and slave drives (MD37250, MD37252, MD37262), coupling in the machine coordinate system
+(MD63000), and a transformation of coordinates that is active after reset (MD20140).
 """
 
 from __future__ import annotations
@@ -44,9 +45,7 @@ _TRANSFORMATIONS = {256: "TRANSMIT", 257: "TRANSMIT", 1 << 10: "TRAANG"} | dict.
 def couplings_of(
     files: Sequence[ControlFile], address: Callable[[str], str], wanted: Sequence[str]
 ) -> tuple[Coupling, ...]:
-    """Return the couplings of axes; ``address``: function from any name of an axis to its address;
-    ``wanted``: those under work.
-    """
+    """Return the coupled axes. ``address``: function from any name of an axis to its address."""
     return (*_masters(files, address, wanted), *_transformed(files, wanted))
 
 

@@ -1,4 +1,4 @@
-"""Tables between axes in the control's own files, for writing in addition to them."""
+"""The existing tables between axes in the control's own files, to which new ones are added."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from compwright.foundations.errors import Fault
 
 
 class ExistingTables:
-    """The tables of one control. ``own``: its files, None if none are patched.
+    """The tables between axes of one control. ``own``: its files, None if no file is patched.
 
     ``allowed``: indices that may be written; ``in_use``: input and output axis of every existing
     table; ``kept``: the indices of compwright's own tables; ``stay``: those over an axis itself
@@ -55,13 +55,13 @@ class ExistingTables:
         return self.axis(found[-1].text) if found else ""
 
     def axis(self, name: str) -> str:
-        """Return the canonical name of an axis."""
+        """Return the standard name of an axis."""
         if self.own is None:
             return normal_text(self.definition, name)
         return self.own.gathered.axis(name)
 
     def spelling(self, address: str) -> str:
-        """Return the name of an axis as the files write it."""
+        """Return the name of an axis as the files spell it."""
         return address if self.own is None else self.own.gathered.spelled(address)
 
     def places_of(self, index: int, quantity: str) -> Sequence[FoundValue]:
@@ -69,7 +69,7 @@ class ExistingTables:
         return self.places.get(index, {}).get(quantity, ())
 
     def unnamed(self, index: int, quantity: str) -> list[FoundValue]:
-        """Return the places of one table with ``()`` instead of the axis."""
+        """Return the places of one table's values, with ``()`` instead of the axis."""
         statements, bindings = self.definition.statements, self.definition.bindings
         own = name_in_form(statements[bindings[quantity].statement].form)
         before = statements[bindings["cross_other"].statement].form.partition("{")[0]
@@ -81,11 +81,11 @@ class ExistingTables:
         ]
 
     def axis_places(self, output: str, quantity: str) -> Sequence[FoundValue]:
-        """Return the places of a quantity that all tables on one axis share."""
+        """Return the places of a quantity that all tables of one axis share."""
         return () if self.own is None else of_axis(self.own.gathered, output).get(quantity, ())
 
     def factors(self, changed: Collection[int]) -> Iterator[Fault]:
-        """Yield where one of these tables, which change, multiplies another one."""
+        """Yield the places where one of these changed tables multiplies another table."""
         for index in self.places:
             for place in self.places_of(index, "cross_multiplier")[-1:]:
                 if index in changed or int(place.text) - 1 not in changed or self.is_empty(index):
@@ -103,12 +103,13 @@ class ExistingTables:
                 )
 
     def is_empty(self, index: int) -> bool:
-        """Return whether a table in the files holds only zeros."""
+        """Return whether a table in the files contains only zeros."""
         return index in self.places and is_zero(self.places[index])
 
     def off(self, index: int, output: str = "") -> bool:
-        """Return whether the files end with a table switched off: by SD41300, or by MD32710 of its
-        output axis if that is given.
+        """Return whether the files finally switch a table off.
+
+        By SD41300, or by MD32710 of its output axis if that is given.
         """
         ends = [self.places_of(index, "cross_table_enabled")]
         if output:
@@ -128,7 +129,7 @@ class ExistingTables:
         )
 
     def first_values(self, indices: Collection[int]) -> dict[int, int]:
-        """Return the line of the first value of these tables, by the index of the file."""
+        """Return the line of the first value of these tables, by file index."""
         first: dict[int, int] = {}
         for index in indices:
             for row in self.places_of(index, "cross_value"):
@@ -137,8 +138,8 @@ class ExistingTables:
         return first
 
     def check_protected(self, index: int, output: str, faults: list[Fault]) -> None:
-        """Refuse a file that switches a table on before its values: the control would take none of
-        them when it is loaded.
+        """Refuse a file that switches a table on before its values. The control would then not load
+        them.
         """
         for switches in (
             self.places_of(index, "cross_table_enabled"),

@@ -1,5 +1,5 @@
-"""Tables between axes in addition to those of a grid: an axis over itself, one table for each
-direction, or over another one.
+"""Family of tables between axes in addition to those of a grid: an axis over itself, or over
+another axis.
 """
 
 from __future__ import annotations
@@ -53,8 +53,8 @@ from compwright.words.sentences import control_text, unconfirmed
 
 
 def with_sign_unknown(state: ControlState) -> ControlState:
-    """Return a state that was read as corrections, with the note that the sign of its tables
-    between axes is unknown.
+    """Return a state with the note that the sign of its tables between axes is unknown. They were
+    read as corrections.
     """
     if not state.tables.used:
         return state
@@ -82,9 +82,7 @@ _LISTING = "a listing with decimal commas, which the control does not take"
 
 
 def _shown(control: Family) -> Family:
-    """Return the control that shows tables between axes as corrections if their sign is not
-    given.
-    """
+    """Return the control that shows tables between axes as corrections if their sign is unknown."""
     if control.options.get("cec_sign", "") is not None:
         return control
     shown = PairsFamily(control.definition, {**control.options, "cec_sign": "correction"})
@@ -93,7 +91,7 @@ def _shown(control: Family) -> Family:
 
 
 def _drafted(control: Family) -> Family:
-    """Return the control that reads files for the draft of a job."""
+    """Return the control that reads files for a new job file."""
     shown = _shown(control)
     draft = PairsFamily(control.definition, shown.options)
     draft.sign_assumed, draft.drafting = shown is not control, True
@@ -101,13 +99,14 @@ def _drafted(control: Family) -> Family:
 
 
 def _alone(control: Family, files: Sequence[ControlFile]) -> Sequence[str]:
-    """Return every axis: each line names its own axis, and each axis has its own table."""
+    """Return every axis separately. Each line names its axis, and each axis has its own table."""
     return PairsReader(_shown(control), files, (), None, Activity()).named()
 
 
 class PairsFamily(GridFamily):
-    """A grid with tables between axes. ``sign_assumed``: its files are only shown, and the sign of
-    these tables is unknown.
+    """A grid with tables between axes.
+
+    ``sign_assumed``: its files are only shown, and the sign of these tables is unknown.
     """
 
     reader = PairsReader
@@ -150,7 +149,9 @@ class PairsFamily(GridFamily):
         own: Sequence[ControlFile],
         axes: Sequence[Axis],
     ) -> Delivery:
-        """See `Family.delivered`: small files, or the control's own ones as patched."""
+        """Return the files to load: small files or the patched ones; arguments as those of
+        `Family.delivered`.
+        """
         self._check_form(own)
         faults: list[Fault] = []
         texts = texts_of(self.definition, own, faults)
@@ -163,14 +164,14 @@ class PairsFamily(GridFamily):
         return Delivery(tuple(files), small.back())
 
     def _small_files(self, own: Sequence[ControlFile]) -> bool:
-        """Return whether changes to the control's ``own`` files are delivered in small ones."""
+        """Return whether changes to the control's ``own`` files are delivered in small files."""
         form = self.options.get("files")
         if any(self._unpatched(file) for file in own) or form == "patched":
             return form != "patched"
         return bool(own) and (form == "small" or any(map(self._holds_others, own)))
 
     def _holds_others(self, file: ControlFile) -> bool:
-        """Return whether a file holds tables behind several switches.
+        """Return whether a file has tables after several switches.
 
         Loaded whole, it would assign again tables that are on, which the control protects. Tables
         between axes, such as one for each direction, share the switch of the axis that they
@@ -204,7 +205,7 @@ class PairsFamily(GridFamily):
         return {self.definition.bindings[name].statement for name in quantities}
 
     def _check_form(self, own: Sequence[ControlFile]) -> None:
-        """Refuse to patch files that the control would not take."""
+        """Refuse to patch files that the control would not load."""
         if self.options.get("files") != "patched":
             return
         reasons = {file.name: why for file in own if (why := self._unpatched(file))}
@@ -223,7 +224,7 @@ class PairsFamily(GridFamily):
         )
 
     def _unpatched(self, file: ControlFile) -> str:
-        """Return why a file is not patched; empty for one that is."""
+        """Return why a file cannot be patched. Empty if it can."""
         if is_container(file):
             return _ARCHIVE
         if is_listing(self.definition, file):
@@ -238,21 +239,26 @@ class PairsFamily(GridFamily):
         return _BLANK if blank else ""
 
     def capacity(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
-        """See `Family.capacity`: a pair of tables between axes holds two curves."""
+        """Return the limits of an axis; arguments as those of `Family.capacity`. A pair of tables
+        holds two curves.
+        """
         if one_curve or not available(self.options_of(axis)):
             return super().capacity(axis)
         return PairLimits(self, axis).capacity()
 
     def between(self, request: BetweenRequest) -> Between:
-        """See `Family.between`: tables of their own, where the control has them."""
+        """Return separate tables between axes, if the control has them; arguments as those of
+        `Family.between`.
+        """
         if not available(self.options):
             return super().between(request)
         return pairs_between(self, request, small=self._small_files(request.found))
 
     def _named_files(self, request: CardRequest) -> dict[str, str]:
-        """Return the names of the files on the card: of one table on an axis, and of those over
-        itself that it empties; of a pair one table may be in a new file, the other in the control's
-        own.
+        """Return the file names on the card, for a written table and for tables that become empty.
+
+        Of one table on an axis, and of those over itself that it empties; of a pair one table may
+        be in a new file, the other in the control's own.
         """
         axis, files = request.axis, request.files
         names, written = named_files(self, axis, files), [file.name for file in files]
@@ -274,8 +280,9 @@ class PairsFamily(GridFamily):
         return names
 
     def _around_emptied(self, axis: Axis) -> dict[str, str]:
-        """Return the card's text on an axis' tables over itself that one table replaces: while on,
-        they are protected, and would keep their values.
+        """Return the card's text about old tables of an axis over itself that a new table replaces.
+
+        While on, they are protected, and would keep their values.
         """
         address = self.address(axis)[0]
         allowed = allowed_tables(self.definition, self.options_of(axis))

@@ -1,5 +1,7 @@
-"""Every assignment of a SINUMERIK's files (machine and setting data, tables, all others in an
-archive), by variable, index and axis; X1 and AX1 are one axis if MD10000 states it.
+"""Read every assignment in a SINUMERIK's files, by variable, index and axis.
+
+Machine and setting data, tables, all others in an archive; X1 and AX1 are one axis if MD10000
+states it.
 """
 
 from __future__ import annotations
@@ -83,8 +85,9 @@ _SILENT = ("$MA_POS_LIMIT",)
 def file_values(
     definition: Definition, files: Sequence[ControlFile], naming: Sequence[ControlFile] = ()
 ) -> dict[str, FileValue]:
-    """Return every assignment of the files; the last one counts. ``naming``: further files that may
-    list the names of the axes.
+    """Return every assignment in the files. The last one counts.
+
+    ``naming``: further files that may list the names of the axes.
     """
     sheets = [file for file in files if is_entry_sheet(file)]
     lines = list(_lines([file for file in files if file not in sheets]))
@@ -115,9 +118,7 @@ def _lines(files: Sequence[ControlFile]) -> Iterator[tuple[str, int, str]]:
 
 
 def _units(lines: Sequence[tuple[str, int, str]]) -> Iterator[FileValue]:
-    """Yield the unit of numbers stated in most files, once; and by name each file that states
-    another unit.
-    """
+    """Yield the unit that most files state, once, and each file with another unit."""
     units_stated = [
         (file, number, match[1].upper())
         for file, number, line in lines
@@ -134,7 +135,7 @@ def _units(lines: Sequence[tuple[str, int, str]]) -> Iterator[FileValue]:
 
 
 def _named(lines: Iterator[str]) -> Iterator[tuple[str, str]]:
-    """Yield the machine's name of each axis, and its index."""
+    """Yield each axis name of the machine with its index."""
     for line in lines:
         if _NAMES not in line.upper():
             continue
@@ -169,7 +170,7 @@ def _meaning(group: str) -> str:
 def value_location(
     _: Definition, entry: FileValue, entries: Mapping[str, FileValue], __: ControlState | None
 ) -> tuple[tuple[str, ...], float | None]:
-    """Return the axes that a value belongs to, and the position of a table value, in the unit of
+    """Return the axes to which a value belongs, and the position of a table value, in the unit of
     its file.
     """
     index = entry.name.partition("[")[2].rstrip("]").split(",")

@@ -1,4 +1,4 @@
-"""Lines of tables between axes, value by value, and whether a table is active."""
+"""Read the values of one table between axes, and decide whether it is active."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ _SWITCHES = "SD41300 $SN_CEC_TABLE_ENABLE, MD32710 $MA_CEC_ENABLE"
 
 @dataclass(frozen=True, slots=True)
 class Units:
-    """Units of the numbers in tables and machine data. ``inch``: the basic system; ``kind``: kind
+    """The units of numbers in tables and machine data. ``inch``: the basic system; ``kind``: kind
     of an axis by its address.
     """
 
@@ -38,7 +38,7 @@ class Units:
     kind: Callable[[str], AxisKind]
 
     def basic(self, address: str) -> float:
-        """Return mm or deg per unit of the machine data of an axis."""
+        """Return the factor from machine data of an axis to mm or deg."""
         linear = self.kind(address) is not AxisKind.ROTARY
         return MILLIMETRES_PER_INCH if self.inch and linear else 1.0
 
@@ -48,7 +48,7 @@ class Units:
 
 
 class SingleValues:
-    """Reads single values of the ``gathered`` files."""
+    """Reads single values from the ``gathered`` files."""
 
     def __init__(self, gathered: Gathered, notes: Notes) -> None:
         self.gathered = gathered
@@ -56,14 +56,14 @@ class SingleValues:
         self.notes = notes
 
     def values(self, label: str) -> Values:
-        """Return the values of one table or axis, named by ``label``."""
+        """Return the values of one table or axis. ``label``: its name in messages."""
         return Values(self.definition, label, self.notes)
 
     def word(
         self, label: str, quantity: str, found: FoundValue | None, *, tell: bool = True
     ) -> str | None:
-        """Return the neutral word of a choice, or its default if it is absent, which is listed
-        (``tell``).
+        """Return the meaning of a choice, or its default if it is missing. ``tell``: list the
+        default.
 
         An unknown value is a fault.
         """
@@ -81,7 +81,7 @@ class SingleValues:
 
 @dataclass(frozen=True, slots=True)
 class _Switch:
-    """Last state of one switch in the files: ``word`` None if they do not hold it."""
+    """The last state of one switch in the files. ``word`` is None if they do not contain it."""
 
     quantity: str
     owner: str
@@ -91,7 +91,7 @@ class _Switch:
 
 @dataclass(frozen=True, slots=True)
 class _Leadscrew:
-    """Leadscrew tables of an axis in the files.
+    """The leadscrew error tables of an axis in the files.
 
     ``on``: one is switched on at the end. ``word``: last state of those that are not zero (``yes``,
     ``no``, ``unsaid``; empty: there is none).
@@ -119,12 +119,12 @@ class TableLines(SingleValues):
 
     @property
     def itself(self) -> bool:
-        """Whether the table corrects an axis over itself."""
+        """Whether the table corrects an axis by its own position."""
         return self.pair[0] == self.pair[1]
 
     def on(self) -> bool:
-        """Return whether the files end with both switches of the table on: its own, and that of the
-        sum on its output axis. Nothing is noted.
+        """Return whether the files finally switch the table on, by both its switches. Nothing is
+        noted.
         """
         ends = (
             ("cross_table_enabled", self.places),
@@ -133,7 +133,7 @@ class TableLines(SingleValues):
         return all(self._ends_on(quantity, last(quantity, places)) for quantity, places in ends)
 
     def known_on(self) -> bool:
-        """Return whether the table is known to be on, by the files or, if they do not state it, by
+        """Return whether the table is certainly on, by the files or, if they do not state it, by
         the job.
 
         If no answer is required, a missing switch counts as on.
@@ -152,8 +152,7 @@ class TableLines(SingleValues):
         return values.known_word(binding, found.text) == "yes"
 
     def is_active(self, *, under_work: bool, stays: bool) -> bool:
-        """Return whether no file switches the table off, by its own switch or by that of the sum on
-        its output axis.
+        """Return whether no file switches the table off, by one of its two switches.
 
         Values of an unknown unit are refused. ``under_work``: its output axis is under work.
         ``stays``: its index is not to be written; then nothing depends on whether a table that no
@@ -184,8 +183,8 @@ class TableLines(SingleValues):
         return active is not False
 
     def to_millimetres(self) -> tuple[float, float]:
-        """Return the factors of positions and values to mm or deg: MD32711 = 0 of the output axis
-        means that lengths are in inch.
+        """Return the factors of positions and values to mm or deg. MD32711 = 0 of the output axis
+        means inch.
         """
         metric = last("cross_metric", of_axis(self.gathered, self.pair[1]))
         if metric is None or self._ends_on("cross_metric", metric):
@@ -219,8 +218,8 @@ class TableLines(SingleValues):
         self.notes.find("CW-S034", severity, self.pair[1], label=label, switches=switches)
 
     def _was_active(self, ends: list[_Switch]) -> bool | None:
-        """Return whether a table of an axis over itself was active, by the leadscrew table of that
-        axis and the job; None if neither files nor job state it.
+        """Return whether a table of an axis over itself was active, by the axis' leadscrew table
+        and the job. None if unknown.
         """
         words = [end.word for end in ends]
         word = "no" if "no" in words else None if None in words else "yes"
@@ -232,7 +231,8 @@ class TableLines(SingleValues):
         return self.activity.was_active(owner, _SWITCHES, word, place, self.notes)
 
     def _was_inactive(self, owner: str, word: str | None, place: FoundValue | None) -> bool:
-        """Return whether the table was not active because the leadscrew table of its axis was.
+        """Return whether the table was inactive because the leadscrew table of its axis was
+        inactive.
 
         If the switch is in another file than the values, no program that loads the values switched
         it off.
@@ -280,7 +280,7 @@ class TableLines(SingleValues):
         )
 
     def _leadscrew(self) -> _Leadscrew:
-        """Return the leadscrew tables of the output axis in the files."""
+        """Return the leadscrew error tables of the output axis in the files."""
         address, fields = self.pair[1], value_fields(self.definition)
         tables = {
             system: rows

@@ -33,18 +33,19 @@ def available(options: Mapping[str, object]) -> bool:
 
 
 def holds_two_curves(options: Mapping[str, object], compensation: AxisCompensation) -> bool:
-    """Return whether a compensation goes into a pair of tables, one for each direction."""
+    """Return whether a compensation needs a pair of tables, one for each direction."""
     return available(options) and not np.array_equal(compensation.positive, compensation.negative)
 
 
 def sign_known(control: Family) -> bool:
-    """Return whether the meaning of a value is given."""
+    """Return whether the sign of table values is given: correction or error."""
     return "cec_sign" not in control.definition.options or control.options["cec_sign"] is not None
 
 
 def sign_question(why: str, moved: str = "the axis") -> Fault:
-    """Return the question if the meaning of table values is not given; ``why`` it matters,
-    ``moved``: what a value moves.
+    """Return the question about the sign of table values, if it is not given.
+
+    ``why`` it matters, ``moved``: what a value moves.
     """
     return Fault(
         message=(
@@ -64,8 +65,8 @@ def sign_question(why: str, moved: str = "the axis") -> Fault:
 
 
 def allowed_tables(definition: Definition, options: Mapping[str, object]) -> tuple[int, ...]:
-    """Return the option ``cec_tables``. Raises UsageError unless it holds indices of tables that
-    the control has.
+    """Return the table indices in the option ``cec_tables``. Raises UsageError for indices that the
+    control does not have.
     """
     given = options.get("cec_tables", ())
     if not isinstance(given, (tuple, list)) or not all(isinstance(index, int) for index in given):
@@ -94,7 +95,7 @@ def allowed_tables(definition: Definition, options: Mapping[str, object]) -> tup
 
 
 def tables_in_words(indices: Sequence[str]) -> str:
-    """Return the name of one table or of several by their indices."""
+    """Return the names of tables as text, by their indices."""
     tables = and_joined(indices)
     if len(indices) == 1:
         return control_text("table {tables}", tables=tables)
@@ -102,7 +103,9 @@ def tables_in_words(indices: Sequence[str]) -> str:
 
 
 def reserving(definition: Definition, points: int, which: str) -> str:
-    """Return the instruction to reserve memory for ``points`` in tables (``which``, in words)."""
+    """Return the instruction to reserve memory for ``points`` in tables. ``which``: the tables, as
+    text.
+    """
     fixed = definition.limit_number("cross_points")
     if fixed is None:
         return control_text(
@@ -120,15 +123,15 @@ def reserving(definition: Definition, points: int, which: str) -> str:
 
 
 def free_tables(allowed: Sequence[int], in_use: Mapping[int, Pair], address: str) -> list[int]:
-    """Return the indices for the tables of an axis over itself: its own ones first, then free ones,
-    as allowed.
+    """Return the table indices for an axis over itself: its existing ones first, then free ones
+    that are allowed.
     """
     own = [index for index in allowed if in_use.get(index) == (address, address)]
     return [*own, *(index for index in dict.fromkeys(allowed) if index not in in_use)]
 
 
 def too_few(name: str, format_id: str, needed: int, found: int, allowed: tuple[int, ...]) -> Fault:
-    """Return the fault of an axis with too few tables."""
+    """Return the fault that an axis has too few tables."""
     return Fault(
         message=(
             f"axis {name}: {format_id} needs {needed} CEC tables that are free or "
@@ -151,8 +154,10 @@ def too_few(name: str, format_id: str, needed: int, found: int, allowed: tuple[i
 def unit_unknown(
     control: Family, label: str, output: str, kinds: Iterable[AxisKind]
 ) -> Iterator[Fault]:
-    """Yield why a table between axes of these ``kinds`` that corrects ``output`` is not written:
-    its values are in inch, or the control works in inch and no file states their unit.
+    """Yield why a table between axes that corrects ``output`` is not written: its unit is inch or
+    unknown.
+
+    These ``kinds``; the control works in inch and no file states their unit.
     """
     metric = control.state.facts_of(output).pairs.metric
     unknown = metric is None and control.options.get("units") == "inch"
@@ -169,7 +174,7 @@ def unit_unknown(
 
 
 def scale_of_pairs(control: Family, kind: AxisKind) -> NumberScale:
-    """Return the number scale of such a table, as if it were one on one axis.
+    """Return unit, sign and resolution of a table between axes.
 
     If the sign is not known, its structure can still be read.
     """

@@ -1,4 +1,4 @@
-"""Places of tables between axes in the control's files: by index and quantity."""
+"""The places of tables between axes in the control's files, by index and quantity."""
 
 from __future__ import annotations
 
@@ -34,8 +34,8 @@ Places = Mapping[str, Sequence[FoundValue]]
 
 
 def as_table(definition: Definition) -> Definition:
-    """Return the definition as if its tables between axes were tables on one axis: the same code
-    reads them.
+    """Return the definition with its tables between axes described as tables on one axis, so that
+    the same code reads them.
     """
     bindings = {
         name: replace(definition.bindings[cross], quantity=name) for cross, name in AS_TABLE.items()
@@ -55,42 +55,38 @@ def places_of(gathered: Gathered) -> dict[int, dict[str, list[FoundValue]]]:
 
 
 def last(quantity: str, places: Places) -> FoundValue | None:
-    """Return the last place of a quantity."""
+    """Return the last place of a quantity in the files."""
     found = places.get(quantity, ())
     return found[-1] if found else None
 
 
 def of_axis(gathered: Gathered, address: str) -> Places:
-    """Return the settings that all tables correcting an axis share."""
+    """Return the settings that all tables with the same corrected axis share."""
     return gathered.singles.get((address, None), {})
 
 
 def is_whole(places: Places) -> bool:
-    """Return whether a table was not cut short: it has all of its single values, and its points
-    without a gap.
-    """
+    """Return whether a table is complete: all its single values, and its points without a gap."""
     points = {int(row.occurrence.tokens["index"].text) for row in places.get("cross_value", ())}
     return all(name in places for name in NEEDED) and points == set(range(len(points)))
 
 
 def is_unused(places: Places) -> bool:
-    """Return whether a table holds only zeros, values and grid: the control's own default, which
-    means no table.
+    """Return whether a table contains only zeros, grid included: the control's default, no
+    table.
     """
     numbers = [place.text for name in AS_TABLE for place in places.get(name, ())]
     return bool(numbers) and all(Decimal(number) == 0 for number in numbers)
 
 
 def is_zero(places: Places) -> bool:
-    """Return whether every value of a table is zero: it corrects nothing, whatever its grid and
-    axes.
-    """
+    """Return whether every value of a table is zero, so that it corrects nothing."""
     added = [found for name in ADDED for found in places.get(name, ())[-1:]]
     return all(Decimal(row.text) == 0 for row in (*places.get("cross_value", ()), *added))
 
 
 def print_of(places: Places) -> str:
-    """Return eight characters that identify a table's values, grid, axes, direction and weight."""
+    """Return a code of eight characters that identifies the contents of a table."""
     lines = [
         f"{name} {found.occurrence.tokens.get('index', found).text} {found.text}"
         for name in (*DATA, "cross_weight", "cross_type", *ADDED)

@@ -1,5 +1,5 @@
-"""Calls among the programs of a control's files. Which calls are followed, which programs may never
-be called, and which assignment is the last one in the order of the calls.
+"""Calls between the programs in a control's files: which programs are executed, and which
+assignment is the last.
 """
 
 from __future__ import annotations
@@ -26,8 +26,8 @@ from compwright.records.correction import ControlFile
 
 @dataclass(frozen=True, slots=True)
 class StartDoubt:
-    """A line of ``file`` that may keep a whole program from being executed; ``call``: the line that
-    calls the program, if the doubt is about that line.
+    """A line of ``file`` that may prevent the execution of a whole program. ``call``: the doubtful
+    line that calls the program.
     """
 
     file: str
@@ -37,9 +37,11 @@ class StartDoubt:
 
 @dataclass(frozen=True, slots=True)
 class Found:
-    """A program of ``file``. ``computed``: faults of values known only while the program runs;
-    ``start``: what may keep all of it from being executed; ``called``: another one calls it;
-    ``loaders``: the programs of the files that hold values, directly or by calls.
+    """A program in a file, with doubts about its execution.
+
+    ``computed``: faults of values known only while the program runs; ``start``: what may keep all
+    of it from being executed; ``called``: another one calls it; ``loaders``: the programs of the
+    files that hold values, directly or by calls.
     """
 
     file: str
@@ -51,22 +53,22 @@ class Found:
 
     @property
     def ways(self) -> ProgramRuns:
-        """The possible runs through it."""
+        """The possible runs through the program."""
         return self.program.ways(self.loaders)
 
     @property
     def doubted(self) -> bool:
-        """Whether some of its values may not have been executed."""
+        """Whether some values of the program may not have been executed."""
         return bool(self.program.values) and (self.start is not None or bool(self.program.flow))
 
     @property
     def forks(self) -> bool:
-        """Whether a statement before one of its values or calls may skip it."""
+        """Whether a statement may skip one of the program's values or calls."""
         return bool(self.program.flow) or any(call.doubt for call in self.program.calls)
 
 
 def programs_of(definition: Definition, files: Sequence[ControlFile]) -> tuple[Found, ...]:
-    """Return the programs of ``files``; calls among them are followed."""
+    """Return the programs in ``files``. Calls between them are followed."""
     names, returning = frozenset[str](), frozenset[str]()
     while True:
         read = [(file.name, _scanned(definition, file, names, returning)) for file in files]
@@ -95,7 +97,9 @@ def programs_of(definition: Definition, files: Sequence[ControlFile]) -> tuple[F
 def _scanned(
     definition: Definition, file: ControlFile, names: frozenset[str], returning: frozenset[str]
 ) -> Scanned:
-    """Return the program flow of a file, with its calls of those ``names`` that it mentions."""
+    """Return the possible runs through the program in a file, with its calls of the programs
+    ``names``.
+    """
     content = file.content.upper() if names else b""
     known = frozenset(one for one in names if one.encode() in content)
     return scanned(definition, file, known, known & returning)
@@ -117,9 +121,7 @@ def _loaders(programs: Sequence[ProgramFlow]) -> frozenset[str]:
 def _start_doubts(
     programs: Sequence[tuple[str, ProgramFlow]], count: Mapping[str, int]
 ) -> dict[int, StartDoubt]:
-    """Return by program what may keep it from being executed at all: it has to be called and is
-    not, or every call of it is doubtful.
-    """
+    """Return what may prevent the execution of each program: no call, or only doubtful calls."""
     sites: dict[str, list[tuple[int, Call]]] = {}
     for place, (_, program) in enumerate(programs):
         for call in program.calls:
@@ -150,8 +152,8 @@ def _start_doubts(
 
 @dataclass(slots=True)
 class CallEnds:
-    """The last assignment of each entry, with its file, in a run of a program that executes all of
-    its lines and calls.
+    """The last assignment of each variable, with its file, when a program executes all its lines
+    and calls.
     """
 
     gathered: Gathered
@@ -159,7 +161,7 @@ class CallEnds:
     known: dict[str, dict[Key, tuple[str, Occurrence]]] = field(default_factory=dict)
 
     def key(self, value: Occurrence) -> Key:
-        """Return the entry that a value assigns."""
+        """Return the variable that a line assigns, as a key."""
         return entry_key(self.gathered.definition, value, self.gathered.names)
 
     def of(self, found: Found) -> dict[Key, tuple[str, Occurrence]]:

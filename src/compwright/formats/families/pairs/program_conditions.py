@@ -1,6 +1,8 @@
-"""Conditions of a SINUMERIK's program that depend on each other: a run in which ``R1==1`` is true
-in one line has it true in the other one too, and ``R1<>1`` false, as long as R1 is not assigned
-between them.
+"""Conditions of a SINUMERIK program that depend on each other: equal conditions have equal answers
+in one run.
+
+A run in which ``R1==1`` is true in one line has it true in the other one too, and ``R1<>1`` false,
+as long as R1 is not assigned between them.
 
 Conditions with a variable of the control (``$..``), an index or a call are left out: their value
 may change at any time.
@@ -49,9 +51,11 @@ _RELATIONS: Mapping[str, Callable[[float, float], bool]] = {
 
 @dataclass(frozen=True, slots=True)
 class Condition:
-    """A condition as a relation of its ``subject`` and a number: of a variable, or of a whole text
-    that is 1 if it is true. ``names``: the variables in it; ``truth``: its value is true or false,
-    and no other number; ``text``: as written, without blanks.
+    """A condition as a comparison of its ``subject`` with a number.
+
+    Of a variable, or of a whole text that is 1 if it is true. ``names``: the variables in it;
+    ``truth``: its value is true or false, and no other number; ``text``: as written, without
+    blanks.
     """
 
     subject: str
@@ -62,27 +66,27 @@ class Condition:
     text: str = ""
 
     def holds(self, value: float) -> bool:
-        """Return whether it is true for the subject ``value``."""
+        """Return whether the condition is true for the subject ``value``."""
         return _RELATIONS[self.relation](value, self.value)
 
 
 @dataclass(frozen=True, slots=True)
 class Decision:
-    """A step that continues at ``yes`` if its condition is true, else at ``no``."""
+    """A step of a program that continues at ``yes`` if its condition is true, else at ``no``."""
 
     condition: Condition
     yes: frozenset[int]
     no: frozenset[int]
 
     def continues(self, values: Mapping[str, float]) -> frozenset[int] | None:
-        """Return where it continues with these values; None if they do not decide it."""
+        """Return the next step with these values. None if they do not decide it."""
         value = value_of(self.condition.text, values)
         return None if value is None else self.yes if value else self.no
 
 
 @dataclass(frozen=True, slots=True)
 class Case:
-    """A step (CASE) that continues in ``by_number`` at the number of the expression ``text``, else
+    """A CASE step, which continues in ``by_number`` at the number of the expression ``text``, else
     at ``other``.
     """
 
@@ -91,7 +95,7 @@ class Case:
     other: frozenset[int]
 
     def continues(self, values: Mapping[str, float]) -> frozenset[int] | None:
-        """Return where it continues with these values; None if they do not decide it."""
+        """Return the next step with these values. None if they do not decide it."""
         value = value_of(self.text, values)
         if value is None or value % 1.0 != 0.0:  # rounded, by a rule that is not confirmed
             return None
@@ -99,8 +103,8 @@ class Case:
 
 
 def expression_of(text: str) -> str | None:
-    """Return an expression without blanks that do not matter; None if its value may change from
-    line to line, or if it is long.
+    """Return an expression without irrelevant blanks. None if its value may change between lines,
+    or if it is long.
     """
     if len(text) > _LONGEST:
         return None
@@ -111,7 +115,7 @@ def expression_of(text: str) -> str | None:
 
 
 def condition_of(text: str) -> Condition | None:
-    """Return the condition in a text; None if its value may change from line to line."""
+    """Return the condition in a text. None if its value may change between lines."""
     expression = expression_of(text)
     if expression is None:
         return None
@@ -140,9 +144,10 @@ def number_of(word: str) -> float | None:
 
 
 def value_of(text: str, values: Mapping[str, float]) -> float | None:
-    """Return the value of an expression without blanks, a true condition as 1; None if it is
-    unknown, or if it depends on the order of operators without brackets: two comparisons, a
-    comparison and AND or OR, XOR and AND, NOT and a calculation.
+    """Return the value of an expression, 1 for a true condition. None if it is unknown.
+
+    Without blanks; None too if it depends on the order of operators without brackets: two
+    comparisons, a comparison and AND or OR, XOR and AND, NOT and a calculation.
     """
     text = _bare(text)
     masked = _masked(text)
@@ -178,8 +183,10 @@ def value_of(text: str, values: Mapping[str, float]) -> float | None:
 
 
 def _calculated(text: str, masked: str, values: Mapping[str, float]) -> float | None:
-    """Return a variable, or a sum, difference, product or quotient; None if it is unknown or no
-    whole number: what a variable of whole numbers makes of it depends on its type.
+    """Return the whole number of a variable, sum, difference, product or quotient. None if it is
+    unknown or not whole.
+
+    What a variable of whole numbers makes of it depends on its type.
     """
     for pattern in (_SUMS, _PRODUCTS):
         if found := pattern.fullmatch(masked):
@@ -209,8 +216,9 @@ def without_known_answers(
     decisions: Mapping[int, Decision | Case],
     setting: Sequence[Mapping[str, str | None]],
 ) -> list[frozenset[int]]:
-    """Return where steps continue, without the answers that no run gives: every run that comes to
-    the condition has set its variables to the same numbers before.
+    """Return the possible next steps, without answers to conditions that never occur.
+
+    Every run that comes to the condition has set its variables to the same numbers before.
 
     ``follow``: where each step may continue; ``setting``: the variables that it sets, with their
     expressions.
@@ -243,12 +251,12 @@ def without_known_answers(
 
 
 def _depths(text: str) -> list[int]:
-    """Return how many brackets are open behind each sign."""
+    """Return how many brackets are open at each character."""
     return list(accumulate({"(": 1, ")": -1}.get(sign, 0) for sign in text))
 
 
 def _masked(text: str) -> str:
-    """Return a text with zeros in place of what is in brackets."""
+    """Return a text with its bracket contents replaced by zeros."""
     depths = _depths(text)
     return "".join(
         "0" if depth > 0 and before > 0 else sign
@@ -257,7 +265,7 @@ def _masked(text: str) -> str:
 
 
 def _bare(text: str) -> str:
-    """Return a text without brackets around all of it."""
+    """Return a text without brackets around the whole."""
     while text[:1] == "(" and text[-1:] == ")" and 0 not in _depths(text)[:-1]:
         text = text[1:-1]
     return text
@@ -268,8 +276,8 @@ def together(
     setting: Mapping[int, Collection[str]],
     reached: Callable[[int], set[int]],
 ) -> Iterator[dict[int, frozenset[int]]]:
-    """Yield, for each consistent set of answers to dependent conditions, where the steps with such
-    a condition continue.
+    """Yield, for each consistent set of answers to dependent conditions, the next step after each
+    condition.
 
     ``setting``: the variables that steps set; ``reached``: the steps that may follow a step.
     """
@@ -308,9 +316,7 @@ def _changes(
     setting: Mapping[int, Collection[str]],
     reached: Callable[[int], set[int]],
 ) -> bool:
-    """Return whether a run may set a variable of the conditions in ``places`` between two of
-    them.
-    """
+    """Return whether a run may change a variable between two of the conditions in ``places``."""
     variables = condition.names | {ANY}
     behind = set().union(*map(reached, places))
     between = (place for place, names in setting.items() if not variables.isdisjoint(names))
@@ -318,7 +324,7 @@ def _changes(
 
 
 def _values(conditions: Sequence[Condition]) -> list[float]:
-    """Return values of a subject for which its conditions get every possible set of answers."""
+    """Return values of a subject that give every possible set of answers to its conditions."""
     if any(one.truth for one in conditions):
         return [0.0, 1.0]
     numbers = sorted({one.value for one in conditions})

@@ -1,4 +1,4 @@
-"""Statements that can keep the values in a SINUMERIK's file from being executed: such a file is a
+"""Find statements that can prevent the execution of values in a SINUMERIK file. Such a file is a
 program.
 
 The list of harmless statements is closed; everything else counts as program flow, so that no kind
@@ -138,8 +138,8 @@ _UNIT = re.compile(r"(?<![A-Z_$])G(?:(?P<inch>70|700)|71|710)(?!\d)", re.IGNOREC
 
 @dataclass(frozen=True, slots=True)
 class FlowLine:
-    """A line that can change what is executed, as written; ``missing``: the program that it calls,
-    if that is not among the files.
+    """A line that can change the order of execution, as written. ``missing``: the called program,
+    if it is not among the files.
     """
 
     line: int
@@ -149,8 +149,9 @@ class FlowLine:
 
 @dataclass(frozen=True, slots=True)
 class Call:
-    """A line that calls the program ``name``, always or on a condition (``conditional``);
-    ``doubt``: what in its own program may keep it from being executed.
+    """A line that calls the program ``name``, always or on a condition.
+
+    ``conditional``; ``doubt``: what in its own program may keep it from being executed.
     """
 
     name: str
@@ -161,7 +162,7 @@ class Call:
 
 @dataclass(slots=True)
 class ProgramFlow:
-    """Flow of one program with ``values``.
+    """The order of execution of one program with ``values``.
 
     ``called``: the evidence that it runs only if another program calls or starts it; ``flow``:
     lines that may skip values, before the last one; ``late``: such lines after it; ``dividing``:
@@ -186,7 +187,9 @@ class ProgramFlow:
     followed: frozenset[str] = frozenset()
 
     def ways(self, loaders: frozenset[str]) -> ProgramRuns:
-        """Return the runs through it to its values and to the calls of ``loaders``."""
+        """Return the possible runs through the program to its values and to its calls of
+        ``loaders``.
+        """
         return possible_runs(
             _step(number, code, self.followed, marked=value or not loaders.isdisjoint(calls))
             for number, code, value, calls in self.lines
@@ -194,12 +197,13 @@ class ProgramFlow:
 
     @property
     def span(self) -> str:
-        """The lines of its values in words."""
+        """The line numbers of the program's values, as text."""
         lines = [value.line for value in (*self.values, *self.behind)]
         return f"lines {lines[0]} to {lines[-1]}"
 
     def branches(self, keys: Callable[[Occurrence], Key]) -> Iterator[tuple[Occurrence, int]]:
-        """Yield assignments of one entry in two branches: the second with the line of the first.
+        """Yield variables that two branches assign: the second assignment with the line of the
+        first.
 
         Before the first branch, repeated assignments are a sequence.
         """
@@ -214,8 +218,8 @@ class ProgramFlow:
 
 @dataclass(frozen=True, slots=True)
 class Scanned:
-    """The programs of a file with values, and the faults of lines whose value or index is known
-    only while the program runs.
+    """The programs of a file with values, and faults of lines whose value is known only during
+    execution.
     """
 
     programs: tuple[ProgramFlow, ...]
@@ -223,7 +227,7 @@ class Scanned:
 
     @property
     def leaves_out(self) -> bool:
-        """Whether a statement in the file can keep a value from being executed."""
+        """Whether a statement can prevent the execution of a value."""
         return any(one.values and (one.called or one.flow) for one in self.programs)
 
 
@@ -234,7 +238,7 @@ def scanned(
     known: frozenset[str] = frozenset(),
     returning: frozenset[str] = frozenset(),
 ) -> Scanned:
-    """Return the flow of the programs in a file, as far as it can be read.
+    """Return the order of execution of the programs in a file, as far as it can be read.
 
     ``known``: names of programs whose calls are wanted; ``returning``: those of them whose call
     changes nothing in what is executed after it.
@@ -248,7 +252,7 @@ def scanned(
 
 
 def program_name(text: str) -> str:
-    """Return the name by which a program is called; empty if ``text`` holds none."""
+    """Return the name by which a program is called. Empty if ``text`` contains none."""
     found = _PROGRAM_NAME.fullmatch(text.split(";", 1)[0].strip())
     return "" if found is None else found["name"].upper()
 
@@ -309,7 +313,7 @@ def _noted_calls(
 
 
 def _plain_call(code: str) -> str:
-    """Return the program that a line may call as its whole statement; empty for any other line."""
+    """Return the program that a line may call, if the call is its whole statement. Else empty."""
     bare = _bare(code)
     label = _LABEL.match(bare)
     bare = bare[0 if label is None else label.end() :]
@@ -321,7 +325,7 @@ def _plain_call(code: str) -> str:
 
 
 def _calls(code: str, known: frozenset[str]) -> tuple[str, ...]:
-    """Return the programs that a line calls, of those ``known``."""
+    """Return the ``known`` programs that a line calls."""
     bare = _SKIPPED.sub("", _bare(code), count=1) if _bare(code)[:1] == "/" else _bare(code)
     label = _LABEL.match(bare)
     bare = bare[0 if label is None else label.end() :]
@@ -355,9 +359,10 @@ def _step(number: int, code: str, followed: Collection[str], *, marked: bool) ->
 
 
 def _sets(code: str) -> dict[str, str | None]:
-    """Return the variables that a statement assigns, each with its expression, None if its value
-    may change from line to line; any variable, if the statement is not known, or stops until the
-    operator goes on.
+    """Return the variables that a statement assigns, each with its expression.
+
+    None if its value may change from line to line; any variable, if the statement is not known, or
+    stops until the operator goes on.
     """
     if code and not harmless(code):
         if (loop := FOR.fullmatch(code)) is not None:
@@ -384,7 +389,7 @@ def _sets(code: str) -> dict[str, str | None]:
 
 
 def _note(code: str, number: int, program: ProgramFlow, known: Collection[str]) -> None:
-    """Record a line without a value."""
+    """Record a program line without a value."""
     bare = _bare(code)
     label = _LABEL.match(bare)
     if label is not None:
@@ -411,15 +416,13 @@ def _note(code: str, number: int, program: ProgramFlow, known: Collection[str]) 
 
 
 def _bare(code: str) -> str:
-    """Return a line without block number and line checksum."""
+    """Return a line without block number and checksum."""
     number = _BLOCK_NUMBER.match(code)
     return _CHECKSUM.sub("", code[0 if number is None else number.end() :]).strip()
 
 
 def harmless(code: str) -> bool:
-    """Return whether a statement, without block number and comment, changes nothing in what is
-    executed.
-    """
+    """Return whether a statement does not affect which lines are executed."""
     known = _HARMLESS.fullmatch(code)
     if known is not None:
         message = (known["message"] or "").strip()
@@ -434,7 +437,7 @@ def harmless(code: str) -> bool:
 
 
 def _defined(known: re.Match[str]) -> list[str | None]:
-    """Return the variables that a statement defines; None for other words in the list."""
+    """Return the variables that a statement defines. None if the list contains other words."""
     pieces = re.split(r",(?![^\[]*\])", known["defined"] or "")
     found = [_DEFINED.fullmatch(piece.strip()) for piece in pieces if known["defined"]]
     return [None if one is None else one[1].upper() for one in found]
@@ -465,8 +468,10 @@ def _plain(text: str) -> bool:
 def _codes(
     definition: Definition, file: ControlFile, needed: Collection[int]
 ) -> Iterator[tuple[int, str]]:
-    """Yield the lines of a file without their comments: those ``needed``, and all that are not
-    plain lines of an export; of these, only the variables that the definition reads.
+    """Yield the relevant lines of a file, without their comments.
+
+    Those ``needed``, and all that are not plain lines of an export; of these, only the variables
+    that the definition reads.
     """
     known = _names(definition)
     for line in text_reader(definition).lines(file.content.decode("latin-1")):

@@ -1,4 +1,4 @@
-"""Possible runs through a SINUMERIK's program: which values a run can execute, and which it must.
+"""Possible runs through a SINUMERIK program: which values a run can execute, and which it must.
 
 A condition may be true or false, but the same for others of the same variable; an unknown statement
 may end the program. Values play no part here.
@@ -54,11 +54,12 @@ _CLOSING = {"ENDIF": "IF", "ENDWHILE": "WHILE", "ENDFOR": "FOR", "ENDLOOP": "LOO
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """A line of a program. ``names``: its label and block number; ``code``: what it does, strings
-    emptied, empty if it does not affect the order of lines; ``marked``: it is one of those in
-    question (a value, a call); ``skipped``: on the control's block skip; ``until``: the last of the
-    lines that certainly follow it; ``sets``: the variables that it assigns, with their
-    expressions.
+    """One line of a program, reduced to its effect on the order of execution.
+
+    ``names``: its label and block number; ``code``: what it does, strings emptied, empty if it does
+    not affect the order of lines; ``marked``: it is one of those in question (a value, a call);
+    ``skipped``: on the control's block skip; ``until``: the last of the lines that certainly follow
+    it; ``sets``: the variables that it assigns, with their expressions.
     """
 
     line: int
@@ -72,9 +73,10 @@ class Step:
 
 @dataclass(frozen=True, slots=True)
 class ProgramRuns:
-    """Steps of one program with the steps that may follow each. After the last one are its end,
-    from where the calling program continues, and the place where everything stops: by M2, an alarm,
-    or an unknown statement.
+    """The steps of one program, with the steps that may follow each of them.
+
+    After the last one are its end, from where the calling program continues, and the place where
+    everything stops: by M2, an alarm, or an unknown statement.
 
     ``unclear``: lines of jumps with more than one possible label. ``decisions``: by place, steps
     with a known condition.
@@ -102,8 +104,8 @@ class ProgramRuns:
             yield replace(self, next=tuple(follow), decisions={})
 
     def left_out(self) -> int | None:
-        """Return the line of a marked step that no run executes together with all others, because
-        of dependent conditions; None if a run can execute all of them.
+        """Return the line of a marked step that no run can execute together with all others. None
+        if a run can execute all.
         """
         first: int | None = None
         for ways in self.consistent():
@@ -115,16 +117,14 @@ class ProgramRuns:
         return first
 
     def unreached(self) -> Iterator[tuple[int, int]]:
-        """Yield the lines of marked steps that no run reaches, each with the line that leads past
-        it.
-        """
+        """Yield the marked lines that no run reaches, each with the line that leads past it."""
         reached = self._reached()
         for place, step in enumerate(self.steps):
             if step.marked and place not in reached:
                 yield step.line, self._passing(place)
 
     def exclusive(self) -> tuple[int, int] | None:
-        """Return the lines of two marked steps that no run reaches both; None without such."""
+        """Return two marked lines of which every run reaches at most one. None without such."""
         marked = [place for place, step in enumerate(self.steps) if step.marked]
         after = {place: self._reached(place) for place in marked}
         for i, one in enumerate(marked):
@@ -134,9 +134,9 @@ class ProgramRuns:
         return None
 
     def unavoidable(self, lines: Collection[int]) -> list[int]:
-        """Return those of ``lines`` of marked steps of which every run that comes to the end
-        executes at least one: a single one that all runs execute, else those that may be the first
-        in a run.
+        """Return marked ``lines`` of which every complete run executes at least one.
+
+        A single one that all runs execute, else those that may be the first in a run.
 
         Empty if a run can skip all of them.
         """
@@ -164,7 +164,7 @@ class ProgramRuns:
         return [among[place] for place in first]
 
     def returns(self) -> bool:
-        """Return whether every run comes to the end, or never ends."""
+        """Return whether every run reaches the end of the program or never ends."""
         return len(self.steps) + 1 not in self._reached()
 
     def _reached(self, start: int = 0, without: Collection[int] = ()) -> set[int]:
@@ -211,9 +211,7 @@ def possible_runs(steps: Iterable[Step]) -> ProgramRuns:
 
 
 def _decision(step: Step, follow: frozenset[int], after: int) -> Decision | None:
-    """Return where a line with a condition continues; None if that does not depend on its condition
-    alone.
-    """
+    """Return the possible next steps after a condition. None if other facts decide too."""
     found = _ASKING.fullmatch(step.code)
     jumps = len(_GO.findall(step.code))
     condition = None if found is None or step.skipped else condition_of(found["condition"])
@@ -226,8 +224,8 @@ def _decision(step: Step, follow: frozenset[int], after: int) -> Decision | None
 def _choice(
     step: Step, place: int, places: Mapping[str, Sequence[int]], follow: frozenset[int], stop: int
 ) -> Decision | Case | None:
-    """Return where a CASE continues by the number of its expression, and a FOR whose first number
-    is beyond its last one; None for other lines.
+    """Return the next step after a CASE with a known number, or after a FOR that is never executed.
+    None for other lines.
     """
     loop = None if step.skipped else FOR.fullmatch(step.code)
     if loop is not None:
@@ -253,7 +251,7 @@ def _choice(
 
 
 def _merged(steps: list[Step]) -> list[Step]:
-    """Return the steps with consecutive marked ones merged: an export has thousands.
+    """Return the steps with neighbouring marked steps merged, because an export has thousands.
 
     Block numbers to which no jump leads are not kept as names.
     """
@@ -286,7 +284,9 @@ def _word(step: Step) -> str:
 
 @dataclass(slots=True)
 class _Blocks:
-    """``ends``: by the index of an opening line, and of ELSE, the closing line; ``elses``: by an IF
+    """The block structure of a program: opening, ELSE and closing lines, by index.
+
+    ``ends``: by the index of an opening line, and of ELSE, the closing line; ``elses``: by an IF
     its ELSE; ``starts``: by a closing line the opening one.
     """
 
@@ -315,7 +315,7 @@ def _blocks(steps: Sequence[Step]) -> _Blocks:
 def _following(
     steps: Sequence[Step], place: int, places: Mapping[str, Sequence[int]], blocks: _Blocks
 ) -> set[int]:
-    """Return the places at which a run may continue after a line that is not a plain one."""
+    """Return the possible next lines after a line that affects the order of execution."""
     step, word, after, end = steps[place], _word(steps[place]), place + 1, len(steps)
     stop = end + 1
     if "GOTO" in step.code.upper():
@@ -347,7 +347,7 @@ def _following(
 def _destinations(
     code: str, place: int, places: Mapping[str, Sequence[int]]
 ) -> Iterator[Sequence[int]]:
-    """Yield for each jump and repetition of a line the places of its possible labels."""
+    """Yield the possible target lines of each jump and repetition in a line."""
     for go in _GO.finditer(code):
         yield _destinations_of(go, place, places)
     repeated = _REPEATED.match(code)
@@ -358,8 +358,10 @@ def _destinations(
 def _destinations_of(
     go: re.Match[str], place: int, places: Mapping[str, Sequence[int]]
 ) -> Sequence[int]:
-    """Return the possible labels of a jump. GOTOF searches from its line to the end of the program,
-    GOTOB from its line to the start, GOTO and GOTOC to the end and then elsewhere.
+    """Return the possible labels of a jump, by its direction.
+
+    GOTOF searches from its line to the end of the program, GOTOB from its line to the start, GOTO
+    and GOTOC to the end and then elsewhere.
     """
     labels = places.get((go["target"] or "").upper(), ())
     ahead = [one for one in labels if one > place]
@@ -373,8 +375,10 @@ def _destinations_of(
 def _targets(
     go: re.Match[str], place: int, places: Mapping[str, Sequence[int]], stop: int
 ) -> set[int]:
-    """Return the destinations of a jump: every label if it is computed while the program runs; a
-    stop if the control gives an alarm, because there is no such label in that direction.
+    """Return the targets of a jump. A computed jump may reach every label; a missing label stops
+    the program.
+
+    A stop if the control gives an alarm, because there is no such label in that direction.
     """
     if go["way"].upper() == "S":
         return {0}

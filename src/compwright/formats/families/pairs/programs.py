@@ -1,4 +1,4 @@
-"""Programs among a control's files: a question to the user whether their values were executed."""
+"""Programs among a control's files: decide or ask whether their values were executed."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ _CORRECTING = frozenset({"value", "backlash", "cross_value"})
 def not_carried_out(
     definition: Definition, files: Sequence[ControlFile]
 ) -> tuple[tuple[ControlFile, ...], tuple[Finding, ...]]:
-    """Return ``files`` without those whose values were not executed by the job's answer (active:
-    no), and the findings that name these (CW-S073).
+    """Return ``files`` without programs that were not executed by the job's answer, and findings
+    that name these (CW-S073).
 
     Raises InputError if that is impossible: a value that every run of the program executes, or a
     file that also holds other values, to which the answer does not apply.
@@ -72,9 +72,7 @@ def _two_kinds(found: Found) -> Fault:
 
 
 def _executed_in_any_case(definition: Definition, programs: Sequence[Found]) -> Iterator[Fault]:
-    """Yield the faults of programs of which every run executes a value other than 0, their own or
-    one of the programs that they call.
-    """
+    """Yield the faults of programs that execute a value other than 0 in every run."""
     correcting = {
         place: {one.line for one in found.program.values if _corrects(definition, one)}
         for place, found in enumerate(programs)
@@ -119,7 +117,7 @@ def _corrects(definition: Definition, value: Occurrence) -> bool:
 
 
 def _unclear(found: Found) -> Iterator[Fault]:
-    """Yield the faults of jumps to a label that occurs more than once."""
+    """Yield a fault for each jump to a label that occurs more than once."""
     for line in found.ways.unclear if found.forks else ():
         yield Fault(
             message="a jump in this line can lead to several lines, because the program "
@@ -142,8 +140,9 @@ def check_programs(
     activity: Activity,
     notes: Notes,
 ) -> None:
-    """Check whether the values of programs were executed, for axes that are ``wanted`` (empty: all)
-    and for tables; raise a question if that is open.
+    """Check whether the values of programs were executed. Raise a question if that is open.
+
+    For axes that are ``wanted`` (empty: all) and for tables.
 
     Values that no run executes, or that two branches assign, are refused. ``unit``: of lengths, mm
     or inch.
@@ -172,8 +171,8 @@ def check_programs(
 
 
 def _unlisted(gathered: Gathered, programs: Sequence[Found]) -> Iterator[Fault]:
-    """Yield a fault for each name of an axis that the files' lists do not have: it may be a
-    variable of type AXIS, which means any axis.
+    """Yield a fault for each axis name that the files do not list. It may be a variable that means
+    any axis.
     """
     names, seen = gathered.names, set[str]()
     for found in programs:
@@ -202,7 +201,7 @@ def _unlisted(gathered: Gathered, programs: Sequence[Found]) -> Iterator[Fault]:
 
 
 def _omitted_value(found: Found) -> Iterator[Fault]:
-    """Yield the faults of values, or calls, that cannot all have been executed."""
+    """Yield the faults of values, or calls, that one run cannot all execute."""
     program = found.program
     if not (program.flow or program.calls):
         return
@@ -256,7 +255,7 @@ def _omitted_value(found: Found) -> Iterator[Fault]:
 
 
 def _twice(gathered: Gathered, file: str, program: ProgramFlow) -> Iterator[Fault]:
-    """Yield the faults of entries that are assigned in two branches."""
+    """Yield the faults of variables that are assigned in two branches."""
 
     def key(one: Occurrence) -> Key:
         return entry_key(gathered.definition, one, gathered.names)
@@ -282,9 +281,7 @@ def _twice(gathered: Gathered, file: str, program: ProgramFlow) -> Iterator[Faul
 def _called_late(
     gathered: Gathered, programs: Sequence[Found], concerns: Callable[[Occurrence], bool]
 ) -> Iterator[Fault]:
-    """Yield the faults of entries whose last value in the order of calls differs from that in the
-    order of lines.
-    """
+    """Yield the faults of variables whose last value depends on the order of calls."""
     if not any(one.program.calls for one in programs):
         return
 
@@ -351,7 +348,7 @@ def _never(found: Found, unit: str) -> Iterator[Fault]:
 
 
 def _question(found: Found) -> Fault:
-    """Return the question about a program: whether all of its values were executed."""
+    """Return the question whether all values of a program were executed."""
     program, start, lines = found.program, found.start, found.program.span
     file, doubts = found.file, program.flow
     message = f"this line decides about those in {lines}"

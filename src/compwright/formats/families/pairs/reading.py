@@ -1,4 +1,4 @@
-"""Tables between axes (SINUMERIK's CEC) in the control's files -> curves.
+"""Read the tables between axes (SINUMERIK CEC) from the control's files as curves.
 
 A pair of tables with one input and output axis, one for each direction, is how such a control holds
 a reversal that varies. Active tables of one pair of axes add up; one that is multiplied by another
@@ -50,9 +50,10 @@ _DIRECTIONS = {"0": tuple(Direction), "1": (Direction.POSITIVE,), "-1": (Directi
 
 @dataclass(frozen=True, slots=True)
 class Writable:
-    """Tables that may be written, by the address of each axis of a job. ``sign_known``: the meaning
-    of a value is known. ``drafted``: those that may be written on any other axis; None if the files
-    are only shown.
+    """The tables that may be written, by the address of each axis of a job.
+
+    ``sign_known``: the meaning of a value is known. ``drafted``: those that may be written on any
+    other axis; None if the files are only shown.
     """
 
     indices: Mapping[str, Collection[int]]
@@ -60,21 +61,20 @@ class Writable:
     drafted: Collection[int] | None = None
 
     def stays(self, one: TableLines) -> bool:
-        """Return whether a table of a job's axis over itself stays unchanged: its index is not
-        among those to be written, and it is known to be on.
+        """Return whether a table of a job's axis over itself stays unchanged.
+
+        Its index is not among those to be written, and it is known to be on.
         """
         return self.not_ours(one.index, one.pair[1]) and one.known_on()
 
     def not_ours(self, index: int, output: str) -> bool:
-        """Return whether a job works on the axis ``output``, and the index is not one to be
-        written.
-        """
+        """Return whether a table on the job's axis ``output`` must not be written."""
         given = self.indices.get(output, self.drafted)
         return given is not None and index not in given
 
 
 def _largest(places: Places) -> float:
-    """Return the largest amount of a table, weighted, in the unit of the files."""
+    """Return the largest weighted value of a table, in the unit of the files."""
     weight = last("cross_weight", places)
     factor = abs(float(weight.text)) if weight is not None else 1.0
     amounts = [abs(float(row.text)) for row in places.get("cross_value", ())]
@@ -83,7 +83,7 @@ def _largest(places: Places) -> float:
 
 
 class CecReader(SingleValues):
-    """Reads the tables between axes; faults go to ``notes``.
+    """Reads the tables between axes. Faults are added to ``notes``.
 
     ``scale``: that of a table on one axis (`places.as_table`). ``wanted``: the axes under work
     (none: all). ``units``: units of the numbers. Some tables cannot be read as a curve: the range
@@ -138,7 +138,7 @@ class CecReader(SingleValues):
         )
 
     def _table(self, index: int, places: Places) -> CecTable | None:
-        """Return one table; None if there is none, if it has faults, and if it is left alone."""
+        """Return one table. None if there is no usable table."""
         if not any(name in places for name in DATA) or is_unused(places):
             return None
         one = _CrossTableReader(self.gathered, index, places, self.activity, self.units)
@@ -160,13 +160,13 @@ class CecReader(SingleValues):
         return None
 
     def _note_empty(self) -> None:
-        """Note the tables that hold only zeros on a grid that cannot be read."""
+        """Note tables of zeros whose grid cannot be read."""
         if self.quiet:
             self.notes.find("CW-S054", "info", tables=self.quiet)
 
     def _leave_alone(self, one: _CrossTableReader) -> None:
-        """Keep an unreadable table that does not affect the axes under work; else its faults are
-        those of the files.
+        """Keep an unreadable table that does not affect the job's axes. Else its faults are those
+        of the files.
         """
         faults = one.notes.faults
         damaged = "cross_value" not in one.places or not is_whole(one.places) or one.damaged
@@ -180,7 +180,7 @@ class CecReader(SingleValues):
         return not self.wanted or any(self._touches(one.pair, each) for each in self.wanted)
 
     def _note_left_alone(self, one: _CrossTableReader, why: str) -> None:
-        """Keep a table unchanged, and note it with the largest correction that it adds."""
+        """Keep a table unchanged, and note the largest correction that it adds."""
         active, product, touched = one.on(), one.times is not None, self._touched(one)
         largest = one.to_millimetres()[1] * _largest(one.places) if active else 0.0
         if one.times is not None:
@@ -198,8 +198,9 @@ class CecReader(SingleValues):
         )
 
     def _touches(self, pair: Pair, address: str) -> bool:
-        """Return whether a table corrects an axis; a name that is no machine axis may be another
-        name of the axis with that letter.
+        """Return whether a table corrects an axis.
+
+        A name that is no machine axis may be another name of the axis with that letter.
         """
         if pair[1] == address:
             return True
@@ -227,7 +228,9 @@ class CecReader(SingleValues):
         return sums
 
     def _metric(self) -> dict[str, bool]:
-        """Return by output axis whether the values of its tables are in mm, if a file states it."""
+        """Return, by output axis, whether the values of its tables are in mm, if a file states
+        it.
+        """
         stated = {
             address: self.word(f"axis {address}", "cross_metric", places["cross_metric"][-1])
             for (address, _), places in self.gathered.singles.items()
@@ -237,23 +240,21 @@ class CecReader(SingleValues):
 
 
 class _CrossTableReader(TableLines):
-    """Reads one table."""
+    """Reads one table between axes."""
 
     @property
     def damaged(self) -> bool:
-        """Whether its lines contradict each other."""
+        """Whether the lines of the table contradict each other."""
         return any("contradicts" in fault.message for fault in self.notes.faults)
 
     @property
     def times(self) -> int | None:
-        """The table by which it is multiplied; None: by none."""
+        """The table that multiplies this one. None: no table does."""
         found = last("cross_multiplier", self.places)
         return None if found is None or int(found.text) == 0 else int(found.text) - 1
 
     def curve(self, scale: NumberScale, *, under_work: bool, stays: bool) -> CecTable | None:
-        """Return the table as a curve; the reasons why it is not one go to the notes. See
-        `TableLines.is_active`.
-        """
+        """Return the table as a curve. The reasons why it is not one are added to the notes."""
         singles = {name: self._one(name) for name in DATA if name != "cross_value"}
         count, anything = self.definition.limit_number("cross_tables"), next(iter(self.places))
         if count is not None and self.index >= count:
@@ -331,7 +332,7 @@ class _CrossTableReader(TableLines):
             self._wrong(message, found, expected=expected)
 
     def _unsupported_settings(self) -> None:
-        """Refuse settings that change a table other than by a curve, a weight and a switch."""
+        """Refuse settings whose effect is more than a curve, a weight and a switch."""
         for quantity, what, expected in _ODD:
             found = self._one(quantity)
             if found is not None and Decimal(found.text) not in expected:
@@ -346,7 +347,7 @@ class _CrossTableReader(TableLines):
         return None
 
     def _simple(self, multiplier: FoundValue | None) -> bool:
-        """Return whether the table is not multiplied by another one."""
+        """Return whether no other table multiplies the table."""
         if multiplier is None or int(multiplier.text) == 0:
             return True
         message = (

@@ -1,4 +1,4 @@
-"""Small files for the axes under work, made from the control's own files before and after patching.
+"""Write small files with only the changed values of the axes under work.
 
 An archive in a container is never written back: what changes goes into files that the control loads
 in addition to it, and the same entries with their old values into files that restore them. Each
@@ -45,8 +45,8 @@ _CHANNEL = re.compile(rb"^[ \t]*CHANDATA\([0-9]+\)", re.MULTILINE | re.IGNORECAS
 
 @dataclass(frozen=True, slots=True)
 class _FilesSide:
-    """Contents of one set of files: the last occurrence of each entry, and the names of the
-    axes.
+    """The contents of one set of files: the last occurrence of each variable, and the axis
+    names.
     """
 
     entries: Mapping[Key, Occurrence]
@@ -55,8 +55,9 @@ class _FilesSide:
 
 @dataclass(frozen=True, slots=True)
 class _Plan:
-    """One small file: its name, the lines before and after its entries, the entries that it enters,
-    those that are done by hand, and those that it only shows.
+    """The plan of one small file: its name, header, footer and entries.
+
+    The entries that it enters, those that are done by hand, and those that it only shows.
     """
 
     name: str
@@ -68,8 +69,10 @@ class _Plan:
 
 
 class SmallFiles:
-    """The small files of some axes. ``own``: the control's files, containers opened; ``patched``:
-    those of them that change, and new ones.
+    """The small files of some axes.
+
+    ``own``: the control's files, containers opened; ``patched``: those of them that change, and new
+    ones.
     """
 
     def __init__(
@@ -97,11 +100,11 @@ class SmallFiles:
         self.plans = [plan for plan in self._plans() if plan.enters or plan.by_hand]
 
     def files(self) -> tuple[ControlFile, ...]:
-        """Return the files that enter the new values."""
+        """Return the small files that enter the new values."""
         return tuple(self._file(plan, self._new_text) for plan in self.plans)
 
     def back(self) -> tuple[ControlFile, ...]:
-        """Return the files that enter the old values in the same places."""
+        """Return the small files that restore the old values."""
         plans = [replace(plan, name=BACK + plan.name, as_it_is=()) for plan in self.plans]
         return tuple(self._file(plan, self._old_text) for plan in plans)
 
@@ -191,7 +194,7 @@ class SmallFiles:
     def _multiplied_by(
         self, tables: Mapping[str, Sequence[Key]], others: Sequence[str], written: Sequence[str]
     ) -> list[str]:
-        """Return the further tables that multiply the ``others`` (index + 1)."""
+        """Return the further tables that multiply the tables ``others``."""
         numbers = (
             int(value_of(self.new.entries[key])) - 1
             for table in others
@@ -208,7 +211,7 @@ class SmallFiles:
         pairs: Mapping[str, tuple[str, str]],
         machine_wide: Sequence[Key],
     ) -> _Plan:
-        """Return the file of new tables from other axes on an axis."""
+        """Return the file with new tables by which other axes correct an axis."""
         mine = [
             table
             for table, (base, corrected) in pairs.items()
@@ -279,7 +282,7 @@ class SmallFiles:
         return named.get("cross_input", ""), named.get("cross_output", "")
 
     def _moves(self, keys: Sequence[Key]) -> bool:
-        """Return whether a table holds a value that is not zero."""
+        """Return whether a table contains a value other than zero."""
         values = [key for key in keys if self._is(key, ("cross_value",))]
         return any(not same_value(value_of(self.new.entries[key]), "0") for key in values)
 
@@ -290,8 +293,9 @@ class SmallFiles:
         return self._is(key, ("cross_table_enabled", "cross_weight", "cross_max_points"))
 
     def _is_hand(self, key: Key, *, pair: bool) -> bool:
-        """Return whether an entry has to be set by hand at the control: it changes memory, or
-        switches all tables on an axis for which a table is written.
+        """Return whether an entry must be set by hand at the control.
+
+        It changes memory, or switches all tables on an axis for which a table is written.
         """
         return self._is(key, _HANDS) and (
             self._changed(key) or (pair and self._is(key, ("cross_axis_enabled",)))
@@ -351,7 +355,7 @@ class SmallFiles:
         return ControlFile(plan.name, content.encode("ascii"))
 
     def _marked(self, header: Sequence[str]) -> Iterator[str]:
-        """Yield a header with the channel named in the control's own files."""
+        """Yield a file header with the channel named in the control's own files."""
         found = next((found for file in self.own if (found := _CHANNEL.search(file.content))), None)
         own = None if found is None else found[0].decode().strip()
         for line in header:
@@ -377,7 +381,7 @@ class SmallFiles:
         return self._text(key, self.new.entries[key])
 
     def _text(self, key: Key, occurrence: Occurrence) -> str:
-        """Return a value; an axis under work by the name used in the other lines."""
+        """Return a value. An axis under work has the same name as in the other lines."""
         text = value_of(occurrence)
         if not self._is(key, _BETWEEN):
             return text
@@ -385,7 +389,7 @@ class SmallFiles:
         return self.new.names.written(address) if address in self.systems else text
 
     def _old_text(self, key: Key) -> str | None:
-        """Return the old value of an entry.
+        """Return the old value of an entry, as text.
 
         A value that was in no file goes back to its assumed value, and a switch to whether the
         table was active, which the job may state differently from the files.
@@ -406,7 +410,7 @@ class SmallFiles:
 
 
 def ordered(keys: Sequence[Key]) -> list[Key]:
-    """Return entries of tables in their order, the values of each by index."""
+    """Return table entries in order, with the values of each table by index."""
     rows: dict[str, list[Key]] = {}
     for key in keys:
         rows.setdefault(key[0], []).append(key)

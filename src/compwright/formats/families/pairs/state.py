@@ -1,5 +1,7 @@
-"""A control's own files with tables between axes -> active compensation of the axes, and between
-them. Values in two members of a commissioning archive must agree.
+"""Read a control's own files with tables between axes as compensation of the axes, and between
+them.
+
+Values in two members of a commissioning archive must agree.
 """
 
 from __future__ import annotations
@@ -46,7 +48,7 @@ from compwright.records.facts import PairTables
 
 
 class PairsReader(GridReader):
-    """Reads the tables between axes too."""
+    """Reads the files of a control, tables between axes included."""
 
     export_instead = (
         "the tables and the machine data as text (AX_EEC.INI, NC_CEC.INI, INITIAL.INI), or the"
@@ -103,22 +105,24 @@ class PairsReader(GridReader):
         )
 
     def named(self) -> list[str]:
-        """See `GridReader.named`."""
+        """Return the axis addresses in the files, as `GridReader.named` does."""
         return list(dict.fromkeys((*super().named(), *self.cec.own_axes())))
 
     def couplings(self) -> Sequence[Coupling]:
-        """See `GridReader.couplings`."""
+        """Return the couplings of axes, as `GridReader.couplings` does."""
         texts = texts_of(self.definition, self.files, [])
         return couplings_of(texts, self.gathered.axis, list(self.wanted))
 
     def between(self) -> Collection[str]:
-        """See `GridReader.between`."""
+        """Return the axes that occur only in tables between axes, as `GridReader.between` does."""
         return {
             name for table in self.cec.tables if table.input != table.output for name in table.pair
         }
 
     def elsewhere(self, address: str) -> bool:
-        """See `GridReader.elsewhere`. Without the sign of its tables the correction is unknown."""
+        """Return whether further tables correct an axis, as `GridReader.elsewhere` does. Without
+        their sign the correction is unknown.
+        """
         active = self.cec.active((address, address))
         if active and not self.sign_known:
             named = " and ".join(str(table.index) for table in active)
@@ -127,7 +131,9 @@ class PairsReader(GridReader):
         return bool(active) or bool(self.cec.uncounted(address))
 
     def axis(self, address: str, axis: Axis | None) -> AxisReading:
-        """See `GridReader.axis`: its own table, and those of the axis over itself."""
+        """Return the compensation of an axis, as `GridReader.axis` does, with its tables over
+        itself.
+        """
         own = super().axis(address, axis)
         pairs = self.cec.facts(address, sign_known=self.sign_known)
         compensation = with_own_tables(self.cec, own.compensation)
@@ -148,8 +154,8 @@ class PairsReader(GridReader):
         )
 
     def _others_protected(self, address: str, system: int | None) -> str:
-        """Return the switches of all other tables that are on in the files with those of an axis,
-        separated by ``;``: these tables are protected while such a file is loaded.
+        """Return the switches of all other tables in the same file that are on, separated by ``;``.
+        These tables are protected during loading.
         """
         own = None if system is None else str(system - 1)
         ours = {row.number for row in self.gathered.rows.get((address, own), ())}
@@ -174,13 +180,13 @@ class PairsReader(GridReader):
         )
 
     def staying(self, compensation: AxisCompensation) -> tuple[AxisCompensation, ...]:
-        """See `GridReader.staying`: tables of the axis over itself whose index is not to be
-        written.
-        """
+        """Return the tables of an axis over itself that stay, as `GridReader.staying` does."""
         return staying(self.cec, compensation)
 
     def cross(self) -> tuple[CrossCompensation, ...]:
-        """See `GridReader.cross`. Without their sign such tables are left unchanged."""
+        """Return the corrections between axes, as `GridReader.cross` does. Tables of unknown sign
+        stay unchanged.
+        """
         cross = cross_tables(self.cec, self._kind)
         if self.sign_known or not cross:
             return cross
@@ -189,11 +195,13 @@ class PairsReader(GridReader):
         return ()
 
     def pair_tables(self) -> PairTables:
-        """See `GridReader.pair_tables`."""
+        """Return the tables between axes in the files, as `GridReader.pair_tables` does."""
         return PairTables(self.cec.occupied, self.cec.reserved, self.cec.stay())
 
     def active_lines(self) -> dict[str, FoundValue]:
-        """See `GridReader.active_lines`: also the values of a table of an axis over itself."""
+        """Return lines with an active correction, as `GridReader.active_lines` does. Tables of an
+        axis over itself are included.
+        """
         lines = super().active_lines()
         for places in places_of(self.gathered).values():
             base, corrected = (last(name, places) for name in ("cross_input", "cross_output"))
@@ -206,8 +214,8 @@ class PairsReader(GridReader):
         return lines
 
     def _kind(self, address: str) -> AxisKind:
-        """Return the kind of an axis of a table between axes: the job's, else the files', else
-        linear, which only affects units.
+        """Return the kind of an axis (linear, rotary): by the job, else by the files, else linear.
+        It only affects units.
         """
         axis = self.wanted.get(address)
         if axis is not None:
@@ -232,7 +240,7 @@ _SHOWN = 2
 
 @lru_cache(maxsize=8)
 def contradictions(file: ControlFile) -> tuple[Fault, ...]:
-    """Return the faults of variables with two values in two members of an archive, with both
+    """Return the faults of variables with different values in two members of an archive, with both
     lines.
     """
     container, _ = opened(file)
@@ -260,7 +268,7 @@ def contradictions(file: ControlFile) -> tuple[Fault, ...]:
 
 
 def _assigned(content: bytes) -> dict[str, tuple[str, int]]:
-    """Return the last value of every system variable of a member, and its line."""
+    """Return the last value of every system variable in an archive member, and its line."""
     found: dict[str, tuple[str, int]] = {}
     line, place = 1, 0
     for match in _LINE.finditer(content):
@@ -273,8 +281,9 @@ def _assigned(content: bytes) -> dict[str, tuple[str, int]]:
 
 
 def compared(gathered: Gathered, address: str, system: str, unit: str) -> str:
-    """Return the three values of an axis to be compared with the control's display, as in the
-    archive, in ``unit``: the largest and the smallest of its table, and the backlash.
+    """Return three values of an axis for comparison with the control's display, in ``unit``.
+
+    As in the archive: the largest and the smallest of its table, and the backlash.
     """
     definition = gathered.definition
     rows = gathered.rows.get((address, system), [])

@@ -1,5 +1,5 @@
-"""Sums of the tables between axes (SINUMERIK's CEC) by pair of axes, as curves, under the limit of
-the control.
+"""Add the tables between axes (SINUMERIK CEC) of each axis pair to one curve, within the control's
+limit.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ def without_cut_sums(
     may_stay: Callable[[CecTable], bool],
     wanted: Iterable[str] = (),
 ) -> Cec:
-    """Return the tables without those whose sum on their output axis exceeds the control's limit.
+    """Return the tables without those whose sum on the output axis exceeds the control's limit.
 
     The control cuts such a sum off: it is not a curve, but the same before and after if all of them
     ``may_stay``. Otherwise it is a fault of the state. ``wanted``: the axes under work (none: all);
@@ -63,7 +63,7 @@ def without_cut_sums(
 
 
 def _reach(cec: Cec, tables: Sequence[CecTable]) -> tuple[float, float]:
-    """Return the smallest and the largest possible sum of all ``tables`` of one output axis."""
+    """Return the smallest and the largest possible sum of all ``tables`` on one output axis."""
     low = high = 0.0
     for pair in dict.fromkeys(table.pair for table in tables):
         curves = [curve for _, _, *both in _merged(cec.active(pair)) for curve in both]
@@ -75,8 +75,7 @@ def _reach(cec: Cec, tables: Sequence[CecTable]) -> tuple[float, float]:
 def _merged(
     tables: Sequence[CecTable],
 ) -> list[tuple[float | None, FloatArray, FloatArray, FloatArray]]:
-    """Return period, nodes and the sum of all tables by direction, for tables without a period and
-    for each period and start.
+    """Return period, nodes and sum of all tables by direction, for each period and start.
 
     The sum of curves that are straight between their nodes is straight between the nodes of all of
     them.
@@ -101,7 +100,7 @@ def _merged(
 
 
 def with_own_tables(cec: Cec, compensation: AxisCompensation) -> AxisCompensation:
-    """Return the compensation of an axis with its tables over itself: they are its table if it has
+    """Return the compensation of an axis with its tables over itself. They are its table if it has
     no other one.
     """
     mine = cec.active((compensation.address, compensation.address))
@@ -113,7 +112,7 @@ def with_own_tables(cec: Cec, compensation: AxisCompensation) -> AxisCompensatio
 
 
 def staying(cec: Cec, compensation: AxisCompensation) -> tuple[AxisCompensation, ...]:
-    """Return the tables of an axis over itself that stay whatever is written."""
+    """Return the tables of an axis over itself that stay unchanged."""
     mine = cec.active((compensation.address, compensation.address))
     return _as_tables(compensation, [table for table in mine if table.stays])
 
@@ -121,7 +120,7 @@ def staying(cec: Cec, compensation: AxisCompensation) -> tuple[AxisCompensation,
 def _as_tables(
     compensation: AxisCompensation, tables: Sequence[CecTable]
 ) -> tuple[AxisCompensation, ...]:
-    """Return tables over an axis itself as tables of that axis."""
+    """Return tables of an axis over itself as tables of that axis."""
     return tuple(
         replace(
             compensation,
@@ -139,8 +138,8 @@ def _as_tables(
 
 
 def cross_tables(cec: Cec, kind: Callable[[str], AxisKind]) -> tuple[CrossCompensation, ...]:
-    """Return the corrections between axes, in the order of the indices; tables of one pair with
-    different periods are separate.
+    """Return the corrections between axes, in the order of the indices. Tables with different
+    periods are separate.
 
     A table that cannot be read as a curve stays unchanged and is not included: its effect is the
     same before and after.

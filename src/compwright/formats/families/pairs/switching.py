@@ -1,4 +1,4 @@
-"""Switches new tables between axes on in the control's own files, without activating others."""
+"""Switch on new tables between axes in the control's own files, without activating others."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from compwright.foundations.errors import Fault
 
 
 class Switches:
-    """The switches of ``tables``: one of each table, one of all on an axis."""
+    """The switches of ``tables``: one of each table, and one for all tables on an axis."""
 
     def __init__(self, tables: ExistingTables) -> None:
         self.tables = tables
         self.own = tables.own
 
     def table_on(self, index: int) -> None:
-        """Make compwright's own table active with its own values if the files state otherwise."""
+        """Switch on a new table of compwright if the files switch it off."""
         if self.own is None:
             return
         switches = self.tables.places_of(index, "cross_table_enabled")
@@ -29,8 +29,8 @@ class Switches:
             self.own.put(quantity, self.tables.places_of(index, quantity), "0")
 
     def sum_on(self, output: str, faults: list[Fault]) -> None:
-        """Switch the sum on an axis on if the files switch it off, unless that would activate
-        tables of others.
+        """Switch on the sum on an axis if the files switch it off, unless that would activate other
+        tables.
 
         If no file states whether it is on, it will be switched on by hand: the same tables must not
         be inactive there either.
@@ -75,8 +75,9 @@ class Switches:
         indices: Collection[int],
         named: Mapping[str, str],
     ) -> None:
-        """Switch tables on by the last switch of each file; or after their values if the switch
-        comes before them: there it has to stay off.
+        """Switch tables on by the last switch of each file.
+
+        Or after their values if the switch comes before them: there it has to stay off.
         """
         first = self.tables.first_values(indices)
         early = set()
@@ -118,8 +119,9 @@ class Switches:
         )
 
     def _may_activate(self, index: int, output: str) -> bool:
-        """Return whether another's table begins to correct ``output`` when MD32710 is switched
-        on, or may: one that is switched on while its values are in no file.
+        """Return whether switching MD32710 on may activate a table of others on ``output``.
+
+        One that is switched on while its values are in no file.
         """
         tables = self.tables
         if index in tables.kept or tables.off(index):
@@ -134,19 +136,19 @@ class Switches:
         return corrected == output or unlisted
 
     def _is_unread(self, index: int) -> bool:
-        """Return whether the files switch a table but hold none of its values."""
+        """Return whether the files switch a table but contain none of its values."""
         places = self.tables.places[index]
         return "cross_table_enabled" in places and not any(name in places for name in DATA)
 
     def _listed(self, indices: Sequence[int]) -> str:
-        """Return table numbers, and which of them are without values in the files."""
+        """Return table numbers as text, marking those without values in the files."""
         unread = ", ".join(str(index) for index in indices if self._is_unread(index))
         return ", ".join(map(str, indices)) + (
             f" (values in no given file: {unread})" if unread else ""
         )
 
     def _check_shared(self, output: str, faults: list[Fault]) -> None:
-        """Check that our tables multiply no others, and that the axis takes values in mm."""
+        """Check that our tables multiply no others, and that the axis has values in mm."""
         tables = self.tables
         faults.extend(tables.factors(tables.kept))
         faults.extend(

@@ -1,6 +1,4 @@
-"""Tables between axes in the files: by index, each with its input and output axis and its
-direction.
-"""
+"""The tables between axes in the files, by index, with input axis, output axis and direction."""
 
 from __future__ import annotations
 
@@ -16,7 +14,7 @@ from compwright.records.facts import PairFacts
 
 @dataclass(frozen=True, slots=True)
 class CecTable:
-    """One table in the files. ``values`` (k,): what it adds to ``output``, weighted, at
+    """One table in the files. ``values`` (k,): the weighted correction of ``output`` at
     ``positions`` (k,) of ``input``.
 
     ``directions``: in which it is active. ``period``: the table repeats. ``active``: no file
@@ -35,14 +33,16 @@ class CecTable:
 
     @property
     def pair(self) -> Pair:
-        """Input and output axis."""
+        """The input and the output axis."""
         return self.input, self.output
 
 
 @dataclass(frozen=True, slots=True)
 class OddTable:
-    """A table that cannot be counted, and why. ``largest``: its largest amount, weighted, mm or
-    deg, 0 where it is off. ``times``: the table by which it is multiplied.
+    """A table that cannot be used, and why.
+
+    ``largest``: its largest amount, weighted, mm or deg, 0 where it is off. ``times``: the table by
+    which it is multiplied.
     """
 
     index: int
@@ -54,14 +54,14 @@ class OddTable:
 
     @property
     def pair(self) -> Pair:
-        """Input and output axis."""
+        """The input and the output axis."""
         return self.input, self.output
 
 
 @dataclass(frozen=True, slots=True)
 class Cec:
-    """All such tables in the files. ``reserved``: points by index; ``max_sum``: by output axis, mm
-    or deg.
+    """All tables between axes in the files. ``reserved``: points by index; ``max_sum``: by output
+    axis, mm or deg.
 
     ``metric``: by output axis, whether values are in mm.
 
@@ -79,7 +79,7 @@ class Cec:
     prints: Mapping[int, str] = field(default_factory=dict)
 
     def left_alone(self, tables: Sequence[CecTable], why: str) -> Cec:
-        """Return a copy with these ``tables`` among the odd ones."""
+        """Return a copy with ``tables`` moved to those that cannot be used."""
         odd = [
             OddTable(one.index, *one.pair, why, float(np.max(np.abs(one.values)))) for one in tables
         ]
@@ -93,12 +93,12 @@ class Cec:
         return list(dict.fromkeys(output for base, output in pairs if base == output))
 
     def stay(self) -> frozenset[int]:
-        """Return the tables over an axis itself that stay whatever is written."""
+        """Return the tables of an axis over itself that stay unchanged."""
         counted = (table.index for table in self.tables if table.stays)
         return frozenset((*counted, *(table.index for table in self.odd if table.largest)))
 
     def active(self, pair: Pair) -> list[CecTable]:
-        """Return the active tables of a pair of axes."""
+        """Return the active tables of an axis pair."""
         return [table for table in self.tables if table.pair == pair and table.active]
 
     def facts(self, address: str, *, sign_known: bool) -> PairFacts:
@@ -116,8 +116,8 @@ class Cec:
         )
 
     def uncounted(self, address: str) -> str:
-        """Return the active tables of an axis over itself, and products on it, that are not
-        counted, in words that change with their values.
+        """Return the active tables of an axis over itself that are not used, as text. The text
+        changes with their values.
         """
         mine = [table for table in self.odd if table.largest and table.output == address]
         return ", ".join(
@@ -131,8 +131,8 @@ class Cec:
         return ", ".join(self.prints.get(index, "-") for index in parts if index is not None)
 
     def _uncounted_tables(self, address: str, *, sign_known: bool) -> str:
-        """Return the active tables from other axes on one axis that cannot be counted, in words
-        that change with their values.
+        """Return the active tables from other axes on one axis that cannot be used, as text. The
+        text changes with their values.
         """
         active: list[CecTable | OddTable] = [table for table in self.odd if table.largest]
         if not sign_known:

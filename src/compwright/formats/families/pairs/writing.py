@@ -1,4 +1,4 @@
-"""Tables between axes (CEC) -> the control's files.
+"""Write tables between axes (CEC) into the control's files.
 
 Only indices that the option ``cec_tables`` allows are written, and of these only free ones or an
 axis' own pair: tables of the machine's builder stay as they are.
@@ -40,7 +40,7 @@ _DIRECTIONS = {None: "0", Direction.POSITIVE: "1", Direction.NEGATIVE: "-1"}
 
 @dataclass(frozen=True, slots=True)
 class PairEntry:
-    """Contents of one table, as text: values by point, single values by quantity."""
+    """The contents of one table, as text: values by point, single values by quantity."""
 
     index: int
     rows: tuple[str, ...]
@@ -48,8 +48,8 @@ class PairEntry:
 
 
 class CecWriter:
-    """Puts tables into the control's own files where they have a place there, and keeps the others
-    for new files.
+    """Writes tables into the control's own files where they have a place. The others go to new
+    files.
     """
 
     def __init__(self, control: Family, own: OwnFiles | None) -> None:
@@ -60,7 +60,7 @@ class CecWriter:
         self.switches = Switches(self.tables)
 
     def own_pair(self, work: AxisToWrite) -> list[PairEntry]:
-        """Put the two tables of an axis over itself; return those without a place in the files.
+        """Write the two tables of an axis over itself. Return those without a place in the files.
 
         Raises UsageError if the meaning of a value is not given.
         """
@@ -85,8 +85,8 @@ class CecWriter:
         label: str,
         faults: list[Fault],
     ) -> list[PairEntry]:
-        """Put curves over the first axis of a pair into tables, by direction (None: both); return
-        those without a place in the files.
+        """Write curves over the first axis of a pair into tables, by direction (None: both). Return
+        those without a place.
 
         Raises UsageError if the meaning of a value is not given: one of the two answers doubles the
         error.
@@ -102,7 +102,7 @@ class CecWriter:
         return left
 
     def _by_direction(self, indices: list[int]) -> list[int]:
-        """Return the indices so that a table for the + direction keeps it, and likewise for -."""
+        """Return the table indices, so that a table for one direction keeps that direction."""
 
         def holds(index: int, text: str) -> bool:
             places = self.tables.places_of(index, "cross_direction")
@@ -116,8 +116,8 @@ class CecWriter:
         return indices if second is None or not rest else [rest[0], second, *rest[1:]]
 
     def empty_own(self, work: AxisToWrite) -> None:
-        """Set the values of an axis' old tables over itself to zero, if they are active and not
-        used again.
+        """Set the old tables of an axis over itself to zero, if they are active and not used
+        again.
         """
         tables, address = self.tables, work.address
         for index, pair in tables.in_use.items():
@@ -182,8 +182,9 @@ class CecWriter:
         return PairEntry(index, tuple(row[field] for row in table.rows), singles)
 
     def _reserve(self, index: int, count: int, faults: list[Fault]) -> None:
-        """Reserve the points of a table if the files reserve fewer than it has: as many as the
-        option states, or as many as it has if none were reserved.
+        """Reserve points for a table if the files reserve too few.
+
+        As many as the option states, or as many as it has if none were reserved.
 
         Files with a smaller number would remove the memory again when they are loaded.
         """
@@ -220,7 +221,7 @@ class CecWriter:
             self.own.put("cross_max_points", places, str(needed))
 
     def _placed(self, entry: PairEntry, pair: Pair, faults: list[Fault]) -> bool:
-        """Put a table where the control's own files hold one; return whether they do."""
+        """Write a table into the control's own files. Return whether they contain it."""
         places = self.tables.table_places(entry.index)
         # a switch alone is no place for a table
         held = self.own is not None and places.anywhere
@@ -238,7 +239,7 @@ class CecWriter:
         return held
 
     def _spelled(self, entry: PairEntry, places: TablePlaces) -> dict[str, str]:
-        """Return the single values; an axis in the file keeps its spelling."""
+        """Return the single values. Each axis name keeps its spelling in the file."""
         singles, axis = dict(entry.singles), self.tables.axis
         for name in BETWEEN:
             for place in places.singles.get(name, ()):
@@ -247,7 +248,7 @@ class CecWriter:
         return singles
 
     def new_file(self, when: When, address: str, entries: Sequence[PairEntry]) -> ControlFile:
-        """Return the definition's file for tables that no file of the control holds."""
+        """Return a new file of the definition for tables that no file of the control contains."""
         file = next(
             file for file in self.definition.writing if file.when == when and file.rows is not None
         )
@@ -269,8 +270,8 @@ class CecWriter:
         return ControlFile(print_form(file.name, named), content)
 
     def missing_switches(self, entries: Iterable[PairEntry]) -> list[str]:
-        """Return the lines that switch new tables on if the control's own files hold no switch:
-        they come last.
+        """Return the lines that switch new tables on, if the control's own files have no switch.
+        They come last.
         """
         on = self.definition.choice("cross_table_enabled").text("yes")
         return [
@@ -286,7 +287,7 @@ class CecWriter:
 
 
 class PairsWriter(GridWriter):
-    """Writes a pair of tables instead of one table and backlash if there are two curves."""
+    """Writes a pair of tables instead of one table and backlash, if there are two curves."""
 
     def __init__(
         self, control: Family, files: Sequence[ControlFile], addresses: Iterable[str]
@@ -295,7 +296,7 @@ class PairsWriter(GridWriter):
         self.cec = CecWriter(control, self.own)
 
     def axis(self, work: AxisToWrite) -> list[ControlFile]:
-        """See `GridWriter.axis`."""
+        """Write one axis, as `GridWriter.axis` does."""
         self.cec.tables.allowed = allowed_tables(self.definition, work.options)
         if not holds_two_curves(work.options, work.compensation):
             return super().axis(work)
@@ -312,12 +313,12 @@ class PairsWriter(GridWriter):
         return [*fresh, *made]  # what switches tables on is loaded last
 
     def make_room(self, work: AxisToWrite) -> None:
-        """See `GridWriter.make_room`."""
+        """Remove corrections that a new table replaces, as `GridWriter.make_room` does."""
         self.cec.empty_own(work)
 
     def _put_pair(self, text: AxisText) -> set[str]:
-        """Put the single values of a pair into the control's own files where they have a place
-        there; return these quantities.
+        """Write the single values of a pair into the control's own files. Return the quantities
+        that have a place there.
         """
         placed = self.put_backlash(text)
         if self.own is None:
@@ -331,7 +332,7 @@ class PairsWriter(GridWriter):
         return placed
 
     def files_naming(self, addresses: Collection[str]) -> set[int]:
-        """See `GridWriter.files_naming`."""
+        """Return the files that mention the axes, as `GridWriter.files_naming` does."""
         tables = self.cec.tables
         pairs = {(address, address) for address in addresses}
         return super().files_naming(addresses) | {

@@ -1,1 +1,1 @@
-"""Whole parts of a count over a length that repeats, defined by the commands of a script."""
+"""Family of scripts with repeating tables. Values are whole fractions of an encoder count."""

@@ -1,5 +1,8 @@
-"""State of a card after scripts: tables, settings, and every number with its place; the order in
-which the card allows tables to be defined and deleted (ERR003), and in which scripts are sent.
+"""The state of a motion control card after scripts: tables, settings, and the place of every
+number.
+
+The order in which the card allows tables to be defined and deleted (ERR003), and in which scripts
+are sent.
 """
 
 from __future__ import annotations
@@ -21,8 +24,10 @@ Kind = Literal["COMP", "BLCOMP", "TCOMP"]
 
 @dataclass(frozen=True, slots=True)
 class Word:
-    """A piece of a script: its text and its place, ``start`` and ``end`` in bytes of the file that
-    is the ``number``-th of those given. ``value``: its number, if it has one.
+    """A piece of a script: its text, its number value, and its place.
+
+    ``start`` and ``end`` in bytes of the file that is the ``number``-th of those given. ``value``:
+    its number, if it has one.
     """
 
     text: str
@@ -35,7 +40,7 @@ class Word:
 
     @property
     def found(self) -> FoundValue:
-        """The piece in the form used by the notes."""
+        """The piece in the form used for notes."""
         return FoundValue(self.text, Occurrence("script", self.file, self.line, {}), self.number)
 
     def fault(self, message: str, *, expected: str = "", found: str | None = None) -> Fault:
@@ -55,7 +60,8 @@ class Word:
 
 @dataclass(slots=True)
 class MemoryTable:
-    """A table in the memory of a motor: ``needed`` entries, with their places in ``values``.
+    """A table in the memory of a motor: the number of ``needed`` entries, and the places of its
+    ``values``.
 
     ``desired``: looked up by the commanded position. ``plane``: over two motors.
     """
@@ -74,23 +80,23 @@ class MemoryTable:
 
     @property
     def counts(self) -> int:
-        """Its length in counts of the source."""
+        """The length of the table in encoder counts of the source."""
         return 0 if self.length is None else int(self.length.text)
 
     @property
     def numbers(self) -> tuple[int, ...]:
-        """Its entries; entry i is at i * length / entries, counted from 1."""
+        """The entries of the table. Entry i is at i * length / entries, counted from 1."""
         return tuple(int(word.text) for word in self.values)
 
     @property
     def label(self) -> str:
-        """Name of the table in messages."""
+        """The name of the table in messages."""
         return f"#{self.motor} {self.kind}"
 
 
 @dataclass(slots=True)
 class Script:
-    """State of a control after executing scripts one after the other.
+    """The state of a control after executing scripts one after the other.
 
     ``tables``: by kind and motor; ``settings``: all assignments to compensation quantities, by
     quantity and motor (0: all motors), the last one counts; ``programs``: those in programs.
@@ -115,7 +121,7 @@ class Script:
         return [table for (name, _), table in sorted(self.tables.items()) if name == kind]
 
     def setting(self, quantity: str, motor: int = 0) -> Word | None:
-        """Return the assignment that counts, the last one; None if there is none."""
+        """Return the assignment that counts, which is the last one. None without one."""
         found = self.settings.get((quantity, motor))
         return found[-1] if found else None
 
@@ -144,7 +150,7 @@ _SHORT = {"ROT": "ROTARY", "LOOK": "LOOKAHEAD", "GAT": "GATHER"}
 
 
 class Buffers:
-    """The buffers that scripts have defined so far, by name; for tables the motors."""
+    """The buffers that scripts have defined so far, by name. For tables: the motors."""
 
     def __init__(self) -> None:
         self.motors: dict[str, set[int]] = {}
@@ -159,7 +165,7 @@ class Buffers:
         found -= {motor, 0}
 
     def refuses(self, kind: str, motor: int) -> str:
-        """Return why the card does not define a table; empty if it does."""
+        """Return why the card refuses to define a table. Empty if it accepts."""
         mine = self.motors.get(kind, set())
         if motor in mine:
             return f"#{motor} has a {kind} already; delete it first"
@@ -169,7 +175,7 @@ class Buffers:
         return f"{', '.join(there)} was defined before it" if there else ""
 
     def keeps(self, kind: str, motor: int) -> str:
-        """Return why the card does not delete a table; empty if it does."""
+        """Return why the card refuses to delete a table. Empty if it accepts."""
         mine = self.motors.get(kind, set())
         if motor in mine and any(other < motor for other in mine):
             return f"#{min(mine)}, a lower motor, has a {kind}"
@@ -185,8 +191,9 @@ _NAMES = {"enabled": "I51", "take_up_rate": "I{}85", "backlash": "I{}86"}
 
 
 def order_dependent_values(script: Script) -> Iterator[Fault]:
-    """Yield a fault for each value that depends on the order of scripts given by their folder: that
-    order is by name, and scripts are not sent by name.
+    """Yield a fault for each value that depends on the order of the scripts in a folder.
+
+    That order is by name, and scripts are not sent by name.
     """
     for (quantity, motor), words in script.settings.items():
         name = _NAMES[quantity].format(motor)
@@ -213,8 +220,9 @@ def _tables(script: Script) -> Mapping[tuple[str, int], list[tuple[str, Word]]]:
 def _other_ends(
     script: Script, name: str, words: Sequence[Word], ends: Sequence[str]
 ) -> Iterator[Fault]:
-    """Yield a fault if the last of several ``words`` of ``name`` is the last only by the name of
-    its file; ``ends``: the result of each.
+    """Yield a fault if only file names decide which of several ``words`` of ``name`` is last.
+
+    ``ends``: the result of each.
     """
     folder = script.files[words[-1].number].folder
     last_of = {word.number: (word, end) for word, end in zip(words, ends, strict=True)}

@@ -1,4 +1,6 @@
-"""Counts of a motor <-> mm or deg of its axis, exactly: entries are whole parts of a count."""
+"""Convert encoder counts of a motor to mm or deg of its axis and back, exactly. Table entries are
+whole fractions of a count.
+"""
 
 from __future__ import annotations
 
@@ -26,34 +28,34 @@ _SIGN = {"correction": 1, "error": -1, "lost_motion": -1}
 
 @dataclass(frozen=True, slots=True)
 class Counts:
-    """``per_unit``: counts of the motor for a mm or degree, with the sign of the motor."""
+    """The counts of a motor per mm or degree, with the sign of its direction."""
 
     definition: Definition
     per_unit: float
 
     @property
     def quantum(self) -> float:
-        """The value of 1 in a table, mm or deg."""
+        """The size of the value 1 in a table, mm or deg."""
         return 1.0 / (PARTS * abs(self.per_unit))
 
     @property
     def count(self) -> float:
-        """One count, mm or deg."""
+        """The size of one encoder count, mm or deg."""
         return 1.0 / abs(self.per_unit)
 
     @property
     def forward(self) -> Direction:
-        """The direction of the axis in which its motor counts up: only the table is active."""
+        """The axis direction in which the motor counts up. There only the table is active."""
         return Direction.POSITIVE if self.per_unit > 0 else Direction.NEGATIVE
 
     def added(self, quantity: str, numbers: FloatArray) -> FloatArray:
-        """Return the correction of the axis by entries (k,), mm or deg; for backlash, against
-        `forward`.
+        """Return the correction of the axis, mm or deg, by table entries (k,). For backlash:
+        against `forward`.
         """
         return numbers * (_SIGN[self._sign(quantity)] / (PARTS * self.per_unit)) + 0.0
 
     def entries(self, quantity: str, added: FloatArray, what: str) -> list[int]:
-        """Return the entries for the correction ``added`` (k,), mm or deg.
+        """Return the table entries for the correction ``added`` (k,), mm or deg.
 
         Raises NotHeld for values that are not whole parts of a count, or beyond the range of
         ``quantity``.
@@ -86,8 +88,8 @@ def counts_of(definition: Definition, options: Mapping[str, object], name: str) 
 
 
 def wrong_counts(counts: Counts, defined: float, place: CouplingStatement) -> Iterator[Fault]:
-    """Yield a fault where the counts of a motor are not those that the definition of its axis
-    states, per mm, inch or degree.
+    """Yield a fault where the counts of a motor contradict the definition of its axis, per mm, inch
+    or degree.
     """
     ratios = (defined / counts.per_unit / unit for unit in (1.0, MILLIMETRES_PER_INCH))
     if all(abs(ratio - 1.0) > _SAME_COUNTS for ratio in ratios):
@@ -105,7 +107,7 @@ def wrong_counts(counts: Counts, defined: float, place: CouplingStatement) -> It
 
 
 def counts_question(name: str, given: object) -> Fault:
-    """Return the question if the counts of an axis' motor are unknown."""
+    """Return the question about the counts per unit of an axis' motor, if they are unknown."""
     return Fault(
         message=f"axis {name}: the counts per mm or deg of its motor are not given, and the "
         "scripts do not contain them reliably",
@@ -122,8 +124,9 @@ def counts_question(name: str, given: object) -> Fault:
 
 
 def around(axis: Axis | None, zero: float, step: float) -> tuple[float, int]:
-    """Return the node from which the table is shown, and its number from motor zero: the last one
-    below the travel of an axis with ends.
+    """Return the first node of the table as shown, and its number from motor zero.
+
+    The last one below the travel of an axis with ends.
     """
     if axis is None or axis.modulo is not None:
         return zero, 0
@@ -132,7 +135,7 @@ def around(axis: Axis | None, zero: float, step: float) -> tuple[float, int]:
 
 
 def turned_about(curve: FloatArray, first: int, counts: Counts) -> FloatArray:
-    """Return values (n + 1,) ordered by position of the motor from its zero.
+    """Return table values (n + 1,) ordered by motor position, beginning at motor zero.
 
     Given: by position of the axis from the node ``first``.
     """

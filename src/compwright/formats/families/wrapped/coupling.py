@@ -1,6 +1,7 @@
-"""Motors of a PMAC that move together: two motors on one axis of a coordinate system (`#1->1000X`,
-`#2->1000X`), motors that a kinematics program places (`#1->I`), and position following (Ixx06, of
-the register that Ixx05 points to).
+"""Find the motors of a PMAC that move together, from its scripts.
+
+Two motors on one axis of a coordinate system (`#1->1000X`, `#2->1000X`), motors that a kinematics
+program places (`#1->I`), and position following (Ixx06, of the register that Ixx05 points to).
 """
 
 from __future__ import annotations
@@ -45,9 +46,7 @@ _SCALE = 96
 
 
 def couplings_of(files: Sequence[ControlFile]) -> tuple[Coupling, ...]:
-    """Return which motors move together; the last statement about a motor counts, and with it those
-    that a conditional block may leave as the last.
-    """
+    """Return which motors move together. The last statement about a motor counts."""
     plain = _without_macros(files)
     assigned = statements_in(plain, _ASSIGNED, _REMARK)
     motors = {int(found.match["motor"]) for found in assigned if found.match["motor"]}
@@ -59,8 +58,8 @@ def couplings_of(files: Sequence[ControlFile]) -> tuple[Coupling, ...]:
 def axis_scales(
     files: Sequence[ControlFile],
 ) -> Mapping[int, Sequence[tuple[float, CouplingStatement]]]:
-    """Return the counts per unit of its axis for each motor on one axis alone, with the statement
-    (`#1->10000X`); several where conditional blocks decide.
+    """Return the counts per axis unit of each motor that drives an axis alone, with the statement
+    (`#1->10000X`).
 
     Without a number the axis counts in the motor's own counts; its unit is then no length.
     """
@@ -74,7 +73,7 @@ def axis_scales(
 
 
 def _without_macros(files: Sequence[ControlFile]) -> list[ControlFile]:
-    """Return the files with their macros expanded, but for those that have several values."""
+    """Return the files with their macros expanded, except macros with several values."""
     texts = [(file.name, file.content.decode("latin-1")) for file in files]
     values: dict[str, set[str]] = {}
     for found in (found for _, text in texts for found in _MACRO.finditer(text)):
@@ -87,7 +86,9 @@ def _without_macros(files: Sequence[ControlFile]) -> list[ControlFile]:
 
 
 def _definitions(files: Sequence[ControlFile]) -> dict[int, list[tuple[str, CouplingStatement]]]:
-    """Return the coordinate system and each definition of a motor's axis that may be its last."""
+    """Return each axis definition of a motor that may be its last one, with its coordinate
+    system.
+    """
     system, last = "1", dict[int, list[tuple[str, CouplingStatement]]]()
     for found in statements_in(files, _ASSIGNED, _REMARK):
         if found.match["system"]:
@@ -107,7 +108,7 @@ def _is_conditional(found: CouplingStatement) -> bool:
 
 
 def _terms(found: CouplingStatement) -> list[tuple[str, str]]:
-    """Return factor and axis of each term of a definition."""
+    """Return factor and axis of each term in an axis definition."""
     return _TERM.findall("".join((found.match["axis"] or "").split()).upper())
 
 
@@ -116,7 +117,7 @@ def _factor(text: str) -> float:
 
 
 def _assigned(files: Sequence[ControlFile]) -> Iterator[Coupling]:
-    """Yield the motors of one axis, the lowest leads; and those that a program places."""
+    """Yield the motors of one axis, of which the lowest leads. Also those that a program places."""
     axes: dict[tuple[str, str], tuple[int, float]] = {}
     definitions = sorted(_definitions(files).items())
     for motor, own, found in ((motor, *one) for motor, some in definitions for one in some):
@@ -139,7 +140,7 @@ def _assigned(files: Sequence[ControlFile]) -> Iterator[Coupling]:
 
 
 def _following(files: Sequence[ControlFile], motors: Iterable[int]) -> Iterator[Coupling]:
-    """Yield the motors whose position following is on or unknown; ``motors``: those of the files.
+    """Yield the motors whose position following is on or unknown. ``motors``: those of the files.
 
     If no file explains the register, each of them may lead.
     """
@@ -173,8 +174,10 @@ def _sources(
     motor: int,
     register: int | None,
 ) -> list[int]:
-    """Return the motors that a register belongs to: by their feedback (Ixx03, Ixx04), or because it
-    is one of their own (motor n has $80 of them from n times $80 on).
+    """Return the motors to which a register belongs.
+
+    By their feedback (Ixx03, Ixx04), or because it is one of their own (motor n has $80 of them
+    from n times $80 on).
     """
     if register is None:
         return []

@@ -1,5 +1,5 @@
-"""Whole parts of a count over a length that repeats, from motor zero, and a table of backlash. A
-script defines them.
+"""Family of repeating tables in fractions of an encoder count from motor zero, with a backlash
+table. A script defines them.
 """
 
 from __future__ import annotations
@@ -44,9 +44,7 @@ from compwright.words.sentences import control_text
 
 
 def table_words(axis: Axis, table: MotorTable, counts: Counts, rate: str) -> dict[str, str]:
-    """Return the values of the card's fields: entries, length, spacing, the gap, the backlash and
-    its rate.
-    """
+    """Return the card's values: entries, length, spacing, gap, backlash and its rate."""
     unit = axis.kind.unit
     spacing = table.length / len(table.entries) * counts.count
     gap = control_text("the length is one turn, and there is no gap")
@@ -92,7 +90,7 @@ RULES = ShapeRules(
 
 
 class WrappedFamily(Family):
-    """Parts of a count over a length that repeats."""
+    """Repeating tables in fractions of an encoder count."""
 
     unanswered_option = UnansweredOption(
         COUNTS,
@@ -102,7 +100,7 @@ class WrappedFamily(Family):
     )
 
     def address(self, axis: Axis) -> tuple[str, Assumption | None]:
-        """See `Family.address`: the number of the motor."""
+        """Return the number of the motor; arguments as those of `Family.address`."""
         address, assumption = super().address(axis)
         if not 1 <= int(address) <= MOST_MOTORS:
             raise UsageError(
@@ -130,14 +128,18 @@ class WrappedFamily(Family):
         ).read()
 
     def questions(self, axis: Axis, *, files: bool, given: Collection[str] = ()) -> Iterator[Fault]:
-        """See `Family.questions`: also the counts of the motor, which no file states."""
+        """Return the missing answers; arguments as those of `Family.questions`. No file states the
+        counts of the motor.
+        """
         yield from super().questions(axis, files=files, given=given)
         counts = {**self.options, **axis.options}.get(COUNTS)
         if not counts:
             yield counts_question(axis.name, counts)
 
     def capacity(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
-        """See `Family.capacity`. Raises UsageError if the counts of the motor are unknown."""
+        """Return the limits of an axis; arguments as those of `Family.capacity`. Raises UsageError
+        for unknown motor counts.
+        """
         del one_curve
         self.address(axis)
         counts = self._counts(axis)
@@ -164,8 +166,10 @@ class WrappedFamily(Family):
         )
 
     def _existing_nodes(self, axis: Axis) -> tuple[tuple[float, ...], str]:
-        """Return the nodes of the table in the scripts, over the travel and the reference of an
-        axis with ends (the rest is in the gap where it repeats), and why they cannot be used.
+        """Return the nodes of the table in the scripts, and why a new table cannot use them.
+
+        Over the travel and the reference of an axis with ends (the rest is in the gap where it
+        repeats).
         """
         ring = self.existing_grid(axis)
         if axis.modulo is not None or len(ring) < 2:
@@ -180,8 +184,8 @@ class WrappedFamily(Family):
     def _own_limits(
         self, axis: Axis, compensation: AxisCompensation, capacity: Capacity, label: str
     ) -> Sequence[Fault]:
-        """Return the faults of the table of an endless axis, and of values that the entries of the
-        motor cannot hold.
+        """Return the faults of an endless axis' table, and of values outside the range of
+        entries.
         """
         faults = limits.turn(capacity, compensation, label)
         if compensation.positions.size >= 2:
@@ -194,7 +198,9 @@ class WrappedFamily(Family):
         axes: Sequence[Axis],
         files: Sequence[ControlFile] = (),
     ) -> tuple[ControlFile, ...]:
-        """See `Family.write`: one script, or the user's own ones, all of them in their order."""
+        """Return one script, or all the user's own in their order; arguments as those of
+        `Family.write`.
+        """
         tables, faults = check_tables(self, compensations, axes, self._own_limits)
         raise_all(CapacityError, faults)
         motors = [self._motor_table(axis, table) for _, axis, table in writable_tables(tables)]
@@ -233,5 +239,7 @@ class WrappedFamily(Family):
         return AxisCard(words | sign_check(table, request.check_at) | files)
 
     def between(self, request: BetweenRequest) -> Between:
-        """See `Family.between`: it needs a table of a third motor, which is left to the user."""
+        """Return that a table of a third motor is needed, which the user has to add; arguments as
+        those of `Family.between`.
+        """
         return alternative_answer(self.definition, request.planned)

@@ -1,5 +1,5 @@
-"""What the sending program does to scripts before the card gets them: remarks, macros, conditional
-blocks; and expressions, which the card evaluates.
+"""Process scripts as the sending program does before the card gets them: remarks, macros,
+conditional blocks.
 
 Sources: scripts of a machine as they are sent (github dhidas/IDCommon_ivu23_2.8m), for ``//``,
 ``#define`` and expressions; the manuals for operators.
@@ -35,10 +35,11 @@ _LONGEST = 2000
 
 @dataclass(slots=True)
 class ConditionalBlock:
-    """A conditional block: where it began, and which of its branches is read. ``asks``: the subject
-    of its condition, with a number that grows whenever that may have changed; ``truth``: the answer
-    for which its first branch is sent; ``awaited``: the macro whose definition, as the next
-    directive, makes it an include guard; ``guards``: it is one.
+    """A conditional block of a script: where it began, and which branch is read.
+
+    ``asks``: the subject of its condition, with a number that grows whenever that may have changed;
+    ``truth``: the answer for which its first branch is sent; ``awaited``: the macro whose
+    definition, as the next directive, makes it an include guard; ``guards``: it is one.
     """
 
     line: int
@@ -52,9 +53,10 @@ class ConditionalBlock:
 
 @dataclass(slots=True)
 class Conditions:
-    """The macros that are defined, how often each was defined or removed, and the conditional
-    blocks that are open. ``chosen``: the macros that were last defined or removed in one;
-    ``guarded``: by name, the include guard in which a macro was last defined.
+    """The state of the preprocessor: defined macros and open conditional blocks.
+
+    How often each was defined or removed. ``chosen``: the macros that were last defined or removed
+    in one; ``guarded``: by name, the include guard in which a macro was last defined.
     """
 
     macros: dict[str, str] = field(default_factory=dict)
@@ -109,13 +111,13 @@ class Conditions:
             self.guarded[name] = self.open[0]
 
     def undecided(self, text: str) -> str:
-        """Return a macro of ``text``, or in its macros, that a conditional block may have changed;
-        an empty text where there is none.
+        """Return a macro in ``text`` that a conditional block may have changed. Empty without
+        one.
         """
         return next((name for name in self._names_in(text) if name in self.chosen), "")
 
     def guard_of(self, text: str) -> ConditionalBlock | None:
-        """Return the include guard in which a macro of ``text``, or in its macros, was defined."""
+        """Return the include guard that contains the definition of a macro in ``text``."""
         return next((self.guarded[n] for n in self._names_in(text) if n in self.guarded), None)
 
     def _names_in(self, text: str) -> Iterator[str]:
@@ -126,15 +128,17 @@ class Conditions:
 
     @property
     def here(self) -> tuple[tuple[ConditionalBlock, int], ...]:
-        """The blocks that are open, each with its branch."""
+        """The open blocks, each with its branch."""
         return tuple((block, block.branch) for block in self.open)
 
 
 def in_two_branches(
     one: tuple[tuple[ConditionalBlock, int], ...], other: tuple[tuple[ConditionalBlock, int], ...]
 ) -> bool:
-    """Return whether two places are in different branches of one block, or in branches of two
-    blocks for opposite answers to one question: they are not both sent.
+    """Return whether two places exclude each other, because they are in different branches.
+
+    In different branches of one block, or in branches of two blocks for opposite answers to one
+    question: they are not both sent.
     """
     return any(
         branch != another
@@ -150,7 +154,7 @@ def _answer(block: ConditionalBlock, branch: int) -> bool:
 
 
 def expanded(text: str, macros: Mapping[str, str]) -> str:
-    """Return a text with its macros expanded, also those in macros."""
+    """Return a text with its macros expanded, nested macros included."""
     for _ in range(_DEPTH):
         found = _NAME.sub(lambda name: macros.get(name[0], name[0]), text)
         if found == text or len(found) > _LONGEST:
@@ -160,7 +164,7 @@ def expanded(text: str, macros: Mapping[str, str]) -> str:
 
 
 def expression_end(text: str, place: int) -> int:
-    """Return where the expression that begins at ``place`` ends; ``place`` itself if there is none.
+    """Return where the expression that begins at ``place`` ends. ``place`` itself if there is none.
 
     Blanks are allowed around operators, but not before ``&`` and ``%``, which are commands.
     """
@@ -194,7 +198,7 @@ def _blanks(text: str, place: int) -> int:
 
 
 def _closing(text: str, place: int) -> int | None:
-    """Return the place behind the bracket that closes the one at ``place``, on its line."""
+    """Return the position after the bracket that closes the one at ``place``, on its line."""
     depth = 0
     for at in range(place, len(text)):
         if text[at] in "\r\n":
@@ -206,9 +210,7 @@ def _closing(text: str, place: int) -> int | None:
 
 
 def whole_value(text: str, macros: Mapping[str, str]) -> int | None:
-    """Return the whole number of an expression; None if it has none, or if only the card knows
-    it.
-    """
+    """Return the whole number of an expression. None if it has none, or only the card knows it."""
     text = expanded(text, macros)
     tokens: list[str] = []
     place = 0

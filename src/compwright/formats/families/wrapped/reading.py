@@ -1,4 +1,4 @@
-"""Scripts -> the active compensation, for every motor that they name.
+"""Read scripts as the active compensation of every motor that they name.
 
 The table is looked up by the position of the source before correction and repeats after its length;
 the correction at motor zero is 0. Against the counting direction of the motor the constant backlash
@@ -49,7 +49,9 @@ from compwright.records.options import REFERENCE, REFERENCE_RETURN
 
 
 class WrappedStateReader:
-    """Reads the state of a control from its scripts; arguments and errors as `Family.read`."""
+    """Reads the state of a control from its scripts. Arguments and errors as those of
+    `Family.read`.
+    """
 
     def __init__(
         self,
@@ -145,8 +147,8 @@ class WrappedStateReader:
         )
 
     def _ask_about_blocks(self) -> None:
-        """Add a question whether commands in conditional blocks were sent, if they concern a motor
-        under work.
+        """Ask whether commands in conditional blocks were sent, if they concern a motor of the
+        job.
         """
 
         def concerns(motor: int) -> bool:
@@ -293,7 +295,7 @@ class WrappedStateReader:
         grids: Mapping[tuple[int, int], tuple[FloatArray, FloatArray]],
         step: float,
     ) -> AxisCompensation:
-        """Return the tables as one compensation; those on other grids are its ``others``."""
+        """Return the tables as one compensation. Tables on other grids are its ``others``."""
         parts: list[AxisCompensation] = []
         for (needed, length), (ahead, back) in grids.items():
             against = back + (0.0 if parts else step)
@@ -320,8 +322,8 @@ class WrappedStateReader:
         return replace(parts[0], others=tuple(parts[1:]))
 
     def _idle_nodes(self, motor: int, tables: Sequence[MemoryTable]) -> tuple[float, ...]:
-        """Return one round of the nodes of a motor's first table, mm or deg; empty if its counts
-        are unknown, which is a question if the table is active.
+        """Return one round of the nodes of a motor's first table, mm or deg. Empty if its counts
+        are unknown.
         """
         axis = self.axes.get(str(motor))
         if not tables or axis is None:
@@ -354,7 +356,7 @@ class WrappedStateReader:
     # --- what switches
 
     def _on(self, label: str, *, needed: bool) -> bool:
-        """Return whether tables are active (the switch of all tables)."""
+        """Return whether tables are active, by the switch of all tables."""
         place = self.script.setting("enabled")
         binding = self.definition.bindings["enabled"]
         name = "I51"
@@ -378,7 +380,7 @@ class WrappedStateReader:
         return word is None
 
     def _takes_up(self, label: str, motor: int, *, needed: bool) -> bool:
-        """Return whether backlash compensation is active: its take-up rate is not 0."""
+        """Return whether backlash compensation is active: its rate is not 0."""
         if not needed:
             return False
         name, place = f"I{motor}85", self.script.setting("take_up_rate", motor)
@@ -405,7 +407,7 @@ class WrappedStateReader:
         return False
 
     def _constant(self, motor: int, *, with_table: bool) -> int:
-        """Return the constant backlash, in parts of a count."""
+        """Return the constant backlash, in fractions of a count."""
         name, place = f"I{motor}86", self.script.setting("backlash", motor)
         if place is not None:
             return self._ranged(place, name)
@@ -481,7 +483,9 @@ class WrappedStateReader:
 
 
 def _closed(table: MemoryTable) -> FloatArray:
-    """Return the entries (n + 1,) from motor zero, where the value is 0, to the length."""
+    """Return the table entries (n + 1,) from motor zero, where the value is 0, to the end of the
+    table.
+    """
     return np.array([0, *table.numbers], dtype=np.float64)
 
 
@@ -492,7 +496,7 @@ def _add(
     *,
     both: bool,
 ) -> None:
-    """Add a table to the others on its grid, in the counting direction (``both``) and against
+    """Add a table to the others on its grid: in the counting direction (``both``) and against
     it.
     """
     none = (np.zeros(table.needed + 1), np.zeros(table.needed + 1))

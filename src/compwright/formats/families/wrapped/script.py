@@ -1,5 +1,4 @@
-"""Scripts of on-line commands -> tables, settings and programs in them, every number with its
-place.
+"""Read scripts of on-line commands: tables, settings and programs, with the place of every number.
 
 Commands follow one another regardless of lines; the numbers of a table follow its definition. An
 unknown command is refused, because it may change the compensation.
@@ -79,7 +78,7 @@ _COMPUTED = re.compile(r"(?<![A-Z0-9(])I[ \t]*\([^=\r\n]*\)[ \t]*=(?!=)", re.IGN
 
 
 def read_script(definition: Definition, files: Sequence[ControlFile]) -> Script:
-    """Return the state of a control after executing ``files`` in this order; faults are in its
+    """Return the state of a control after executing ``files`` in this order. Faults are in its
     ``faults``.
     """
     reader = _ScriptReader(definition, files)
@@ -110,7 +109,7 @@ class _ScriptReader:
         self.line_ends: list[int] = []  # of the text: counting them for each word takes its square
 
     def read(self, number: int) -> None:
-        """Execute the commands of one file; the addressed motor stays the same from file to
+        """Execute the commands of one file. The addressed motor stays the same from file to
         file.
         """
         file = self.script.files[number]
@@ -140,7 +139,7 @@ class _ScriptReader:
                 place = match.end()
 
     def _separator(self, place: int) -> bool:
-        """Return whether there is a comma between two entries."""
+        """Return whether a comma separates two entries."""
         table = self.open
         return (
             self.text[place] == ","
@@ -150,7 +149,7 @@ class _ScriptReader:
         )
 
     def _directive(self, place: int) -> re.Match[str] | None:
-        """Return the directive of the sending program that is alone on its line."""
+        """Return the preprocessor directive of a line."""
         before = self.text[self.text.rfind("\n", 0, place) + 1 : place]
         return DIRECTIVE.match(self.text, place) if not before.strip(" \t\r") else None
 
@@ -163,7 +162,7 @@ class _ScriptReader:
     def _carried_out(
         self, key: tuple[str, int], word: Word, guard: ConditionalBlock | None = None
     ) -> bool:
-        """Record a compensation command with the blocks around it, or the ``guard`` of its macro.
+        """Record a compensation command with its surrounding blocks or the ``guard`` of its macro.
 
         False, with a fault, if another branch of a block has the same: they are not both sent.
         """
@@ -191,7 +190,7 @@ class _ScriptReader:
         return True
 
     def complete(self) -> None:
-        """Note a table that the scripts leave incomplete."""
+        """Note a table that the scripts do not complete."""
         table, self.open = self.open, None
         if table is not None and len(table.values) < table.needed:
             self._fault(
@@ -224,7 +223,7 @@ class _ScriptReader:
         return word.end
 
     def _idle_by_macro(self, word: Word) -> bool:
-        """Return whether a line is irrelevant once its macros are expanded."""
+        """Return whether a line has no effect after its macros are expanded."""
         expanded_text = expanded(word.text, self.conditions.macros).rstrip()
         known = expanded_text != word.text.rstrip() and not self.conditions.undecided(word.text)
         match = _COMMAND.match(expanded_text) if known else None
@@ -332,7 +331,7 @@ class _ScriptReader:
     # --- settings
 
     def _assigned(self, match: re.Match[str]) -> int:
-        """Record an assignment; return where it ends."""
+        """Record an assignment. Return where it ends."""
         end = expression_end(self.text, match.end())
         if end == match.end():
             word = re.compile(r"\S*").match(self.text, end)
@@ -382,7 +381,7 @@ class _ScriptReader:
                     yield name, motor
 
     def _program(self, place: int) -> int:
-        """Skip a program; note the compensation quantities that it sets."""
+        """Skip a program, and note the compensation quantities that it sets."""
         self.complete()
         end = _END.search(self.text, place)
         if end is None:
@@ -393,7 +392,7 @@ class _ScriptReader:
         return end.end()
 
     def _in_program(self, place: int, end: int) -> None:
-        """Note the compensation quantities that a program sets, in macros too, line by line."""
+        """Note the compensation quantities that a program sets, line by line, macros included."""
         for line in re.compile(r"[^\r\n]+").finditer(self.text, place, end):
             directive = DIRECTIVE.match(line[0].lstrip(" \t"))
             if directive is not None:

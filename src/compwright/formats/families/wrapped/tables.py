@@ -1,5 +1,6 @@
-"""A correction -> the entries of one motor: a table for both directions, and what is subtracted
-from it against the counting direction.
+"""Convert a correction to the table entries of one motor.
+
+A table for both directions, and what is subtracted from it against the counting direction.
 
 Entry i is at i * length / entries from motor zero; the table repeats after the length. The length
 is more than the whole travel, so that no place of the table serves two places of the axis: between
@@ -27,8 +28,9 @@ HELD = 3
 
 @dataclass(frozen=True, slots=True)
 class MotorTable:
-    """The entries of a motor, whole parts of a count. ``length`` in counts; ``lost``: the backlash
-    table in addition to ``constant``.
+    """The table entries of a motor, whole fractions of a count.
+
+    ``length`` in counts; ``lost``: the backlash table in addition to ``constant``.
 
     ``gap``: the places of the axis between which there is no travel, mm or deg; None: an endless
     axis.
@@ -54,8 +56,8 @@ class MotorTable:
 
 @dataclass(frozen=True, slots=True)
 class _Nodes:
-    """Nodes by their number from the reference: ``first`` and ``last`` of the correction, ``low``
-    and ``high`` of the table.
+    """Numbers of nodes from the reference: ``first`` and ``last`` of the correction, ``low`` and
+    ``high`` of the table.
     """
 
     step: float
@@ -66,8 +68,9 @@ class _Nodes:
 
 
 def over_travel(ring: Sequence[float], axis: Axis) -> tuple[float, ...]:
-    """Return those nodes of ``ring`` that an axis with ends needs: over its travel and its
-    reference; all if a round is too short for that.
+    """Return the nodes of ``ring`` that an axis with ends needs: over its travel and its reference.
+
+    All if a round is too short for that.
 
     ``ring``: one round of nodes of a table that repeats, both ends, from below the travel.
     """
@@ -90,7 +93,7 @@ def motor_table(
     *,
     ring: Sequence[float] = (),
 ) -> MotorTable | None:
-    """Return the entries of an axis, or None with the reasons in ``faults``.
+    """Return the table entries of an axis. None with reasons in ``faults``.
 
     ``ring``: one round of nodes, both ends, of the existing table; if the nodes are on it and it is
     long enough, number of entries and length stay the same.
@@ -124,7 +127,7 @@ def motor_table(
 def _numbers(
     compensation: AxisCompensation, nodes: _Nodes, counts: Counts, label: str
 ) -> tuple[tuple[int, ...], tuple[int, ...], int]:
-    """Return the entries of both tables and the constant. Raises NotHeld."""
+    """Return the entries of both tables and the constant backlash. Raises NotHeld."""
     ahead, against = (
         _entries_of(compensation.curve(direction), nodes, counts)
         for direction in (counts.forward, counts.forward.opposite)
@@ -194,7 +197,7 @@ def _nodes(
 
 
 def _beyond_shape(compensation: AxisCompensation, label: str) -> list[Fault]:
-    """Return a fault for everything in addition to a table with straight lines."""
+    """Return a fault for properties that a table of straight lines does not have."""
     more = compensation.others or compensation.slope or compensation.backlash
     if compensation.interpolation == "linear" and not more:
         return []
@@ -210,7 +213,7 @@ def _beyond_shape(compensation: AxisCompensation, label: str) -> list[Fault]:
 
 
 def _entries_of(curve: FloatArray, nodes: _Nodes, counts: Counts) -> FloatArray:
-    """Return the correction (size,) at the entries 1 to size, mm or deg; the last one is motor
+    """Return the correction (size,) at the entries 1 to size, mm or deg. The last one is at motor
     zero.
 
     Outside, the ends of ``curve`` are held.

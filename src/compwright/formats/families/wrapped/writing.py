@@ -1,4 +1,4 @@
-"""Tables of motors -> scripts: a fresh one, or the user's own with new numbers in their place.
+"""Write tables of motors as scripts: a new one, or the user's own with new numbers.
 
 In the user's own scripts every other byte stays. New commands are put where the card accepts them:
 tables from the highest motor down, all COMP before the buffers that must follow them. The result is
@@ -38,7 +38,7 @@ TAKE_UP = "take_up_rate"
 def fresh_script(
     definition: Definition, tables: Sequence[MotorTable], rates: Mapping[int, int]
 ) -> ControlFile:
-    """Return the script that defines ``tables`` in a card without any; ``rates``: take-up rate by
+    """Return the script that defines ``tables`` in a card without any. ``rates``: backlash rate by
     motor.
     """
     file = definition.writing[0]
@@ -82,7 +82,7 @@ def patched_scripts(
     rates: Mapping[int, int],
     faults: list[Fault],
 ) -> tuple[ControlFile, ...]:
-    """Return the user's own scripts with ``tables`` in them; obstacles go to ``faults``."""
+    """Return the user's own scripts with ``tables`` in them. Obstacles are added to ``faults``."""
     patcher = _Patcher(definition, files, tables)
     for table in sorted(tables, key=lambda table: -table.motor):
         patcher.put(table, rates[table.motor])
@@ -105,7 +105,7 @@ class _Patcher:
         self.faults: list[Fault] = []
 
     def put(self, table: MotorTable, rate: int) -> None:
-        """Put the tables and settings of a motor in their places."""
+        """Write the tables and settings of a motor into their places."""
         own = over_itself(self.script, table.motor)
         if own:
             first = next((one for one in own if one.motor == table.motor), own[0])
@@ -133,7 +133,7 @@ class _Patcher:
         self.faults.append(other.word.fault(message, expected=expected))
 
     def _replace(self, place: MemoryTable, entries: Sequence[int], length: int) -> None:
-        """Replace the numbers of a table; a number that stays the same keeps its bytes."""
+        """Replace the numbers of a table. An unchanged number keeps its bytes."""
         for word, value in ((place.entries, len(entries)), (place.length, length)):
             if word is not None:
                 self._number(word, value)
@@ -151,7 +151,7 @@ class _Patcher:
             self.patches.insert(last.number, last.end, text)
 
     def _remove(self, before: Word, word: Word) -> None:
-        """Remove an entry, with the comma before it."""
+        """Remove an entry and the comma before it."""
         between = self.patches.files[word.number].content[before.end : word.start]
         start = before.end + between.rfind(b",") if b"," in between else word.start
         if b"," in between and between[start - before.end + 1 :].strip():
@@ -171,7 +171,7 @@ class _Patcher:
             )
 
     def _assigned(self, word: Word, value: int) -> bool:
-        """Set an assignment to ``value``; False if it would change other variables too."""
+        """Set an assignment to ``value``. False if it would change other variables too."""
         if word in self.script.shared and number_of(word) != value:
             return False
         self._number(word, value)
@@ -198,7 +198,7 @@ class _Patcher:
             self._at_the_end(lines)
 
     def _before(self, word: Word, lines: Sequence[str]) -> None:
-        """Put lines before a command and before the line that addresses its motor."""
+        """Insert lines before a command and before the line that addresses its motor."""
         line = self.patches.line(word.number, word.start)
         content = self.patches.files[word.number].content
         if re.fullmatch(rb"\s*(#\s*\d+)?\s*", content[line.start : word.start]):
@@ -209,7 +209,7 @@ class _Patcher:
             self.patches.insert(word.number, word.start, "\n" + "\n".join(lines) + again)
 
     def _insert_after(self, word: Word, lines: Sequence[str]) -> None:
-        """Put lines after the last number of a table.
+        """Insert lines after the last number of a table.
 
         The motor addressed before is addressed again if the next command relies on it.
         """
@@ -227,7 +227,7 @@ class _Patcher:
         return next(one.motor for one in self.script.tables.values() if word in one.values)
 
     def _at_the_end(self, lines: Sequence[str]) -> None:
-        """Put lines at the end, but before a SAVE, which would otherwise not save them."""
+        """Add lines at the end, but before a SAVE, which would otherwise not save them."""
         number = len(self.patches.files) - 1
         content = self.patches.files[number].content.removesuffix(b"\x1a")
         if (saved := _SAVE.search(content)) is not None:
@@ -255,7 +255,7 @@ class _Patcher:
             self._at_the_end(lines)
 
     def switch_on(self) -> None:
-        """Make tables active if the scripts end with all of them off; this must not activate
+        """Switch tables on if the scripts finally switch all of them off. That must not activate
         others.
         """
         switch = self.script.setting("enabled")
@@ -287,7 +287,7 @@ class _Patcher:
 
 
 def _read_otherwise(before: Script, after: Script, tables: Sequence[MotorTable]) -> list[Fault]:
-    """Return the differences between the patched scripts and the intended result."""
+    """Return the differences between the patched scripts, as read back, and the intended result."""
     if after.faults:
         help_ = "the tables of these motors defined once, deletions before definitions"
         return [
