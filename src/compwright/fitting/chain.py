@@ -84,10 +84,7 @@ class CurveChain:
         return float(0.5 * self.diagonal @ e**2 + self.off @ (e[1:] * e[:-1]))
 
     def value(self, v: FloatArray, constant: float) -> float:
-        """Return the objective for node values ``v`` (m,) and the constant, mm or deg.
-
-        The square of the module docstring.
-        """
+        """Return the objective for node values ``v`` (m,) and the constant, mm or deg."""
         e, c = v - self.optimum, constant - self.constant
         return (
             self.least

@@ -231,10 +231,7 @@ class _Best:
 
 @dataclass(frozen=True, slots=True)
 class _Fit:
-    """The data of one fit: the sampled wanted correction, the order of the unknowns, the limits.
-
-    ``aim``: the wish.
-    """
+    """The data of one fit: the sampled wanted correction, the order of the unknowns, the limits."""
 
     data: SampledCorrection
     layout: UnknownsLayout

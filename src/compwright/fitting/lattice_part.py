@@ -72,8 +72,6 @@ class LatticePart:
     def shifts(self, unit: float, magnification: int) -> FloatArray:
         """Return the possible offsets of the second table's values from whole multiples of the unit
         (n,), mm or deg.
-
-        Magnification times unit.
         """
         if self.offsets is None or self.magnified:
             return np.zeros(1)

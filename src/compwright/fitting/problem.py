@@ -152,8 +152,6 @@ class UnknownsLayout:
     def columns(self, matrix: SparseMatrix, direction: Direction) -> SparseMatrix:
         """Return the matrix (p, size) that computes the correction in ``direction`` from all
         unknowns.
-
-        From the table's own ``matrix`` (p, k).
         """
         k, shape = self.nodes.size, (matrix.shape[0], self.size)
         if self.shape == "bidirectional":

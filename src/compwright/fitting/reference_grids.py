@@ -43,8 +43,6 @@ def reference_grids(
 def _over(step: int, reach: tuple[float, float], origin: float) -> GridCandidate:
     """Return the grid of ``step`` that covers ``reach``, a range in resolution steps (quanta) from
     the reference.
-
-    The reference itself included.
     """
     first = min(0, int(np.floor(reach[0] / step + 1e-6)))
     last = max(0, int(np.ceil(reach[1] / step - 1e-6)))

@@ -107,8 +107,6 @@ def start_circle(
 ) -> CircleWork:
     """Evaluate and diagnose one circular test. Raises InputError where it cannot be evaluated or
     its centre does not fit.
-
-    With what the job declares of its uncertainty.
     """
     test = in_job_names(test, axes)
     given = request.centre if request.centre is not None else test.centre

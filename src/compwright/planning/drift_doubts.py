@@ -68,8 +68,6 @@ def drift_or_reversal(work: AxisWork, fresh: FreshTests) -> Iterator[Finding]:
 def drift_of_one_test(work: AxisWork, new: Correction, fresh: FreshTests) -> Iterator[Finding]:
     """Yield the finding CW-P165: a second test would show whether the drift repeats, as the
     prediction assumes.
-
-    Or each test has a drift of its own of that size.
     """
     noise, name = fresh.draws.noise, judged_parameter(work.results[0])
     certain = float(np.mean(noise.drift != 0.0)) >= _CERTAIN

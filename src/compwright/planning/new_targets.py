@@ -32,8 +32,6 @@ def decide_limits(
 ) -> tuple[Mapping[str, AcceptDecision], tuple[Finding, ...]]:
     """Return the decisions about the limits of an axis, from the prediction for each of its
     ``tests``.
-
-    With the decisions that new targets make undecided.
     """
     if entry.accept is None:
         return {}, ()

@@ -31,8 +31,6 @@ _SHAPELESS: Final = 0.5
 class InterpretedTest:
     """One interpretation of a test. ``error``: the resulting error of the axis; ``table``: the
     known table at the targets, (m,) by direction, mm or deg.
-
-    And its ``smooth`` part. None where there is none.
     """
 
     way: Interpretation

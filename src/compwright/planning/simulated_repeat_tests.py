@@ -150,8 +150,6 @@ class FreshTests:
     def open_waves(self) -> FloatArray | None:
         """Return random draws (s, m) of the possible hidden periods, mm or deg. None where there
         are none.
-
-        Each as often as it is probable.
         """
         if not self.waves:
             result, (count, _) = self.result, self.draws.positive.shape
@@ -160,10 +158,7 @@ class FreshTests:
         return self.waves[0] if np.any(self.waves[0]) else None
 
     def with_noise(self, noise: NoiseDraws) -> FreshTests:
-        """Return the same simulated tests with another ``noise``.
-
-        As many draws of it.
-        """
+        """Return the same simulated tests with another ``noise``."""
         return replace(self, draws=replace(self.draws, noise=noise), drawn={})
 
     def has(self, parts: Sequence[NoisePart]) -> bool:
