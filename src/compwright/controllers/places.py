@@ -1,4 +1,4 @@
-"""Places in a file, for faults."""
+"""Places in a file, as used by faults."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ class OfLine:
 
     @property
     def shown(self) -> str:
-        """Text that a fault shows as found, unless it gives another."""
+        """The text that a fault shows as found, unless the fault states another."""
         return ""
 
     def fault(self, message: str, *, expected: str = "", found: str = "") -> Fault:

@@ -16,7 +16,8 @@ Entry = TypeVar("Entry")
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Request:
-    """Facts by axis address that the files of a control do not hold; case does not matter.
+    """Facts by axis address that the files of a control do not contain. Upper and lower case are
+    equal.
 
     ``reference_return``: direction in which the reference is approached; ``encoder``: active
     measuring system, 1 or 2; ``kinds``: linear or rotary; ``modulo``: the turn of an endless axis,
@@ -41,13 +42,13 @@ class Request:
     axis_number: Mapping[str, int] = field(default_factory=dict)
 
     def is_under_work(self, address: str) -> bool:
-        """Return whether the axis is under work; without a list all axes are."""
+        """Return whether the axis is part of the job. Without a list every axis is."""
         return not self.axes_under_work or address.casefold() in {
             one.casefold() for one in self.axes_under_work
         }
 
     def is_active(self, switches: Sequence[float | None]) -> bool:
-        """Return whether a table is active, given the last values of its ``switches``.
+        """Return whether a table is active, by the last values of its ``switches``.
 
         None: not in the files, counts as on unless `active` states otherwise.
         """
@@ -56,12 +57,12 @@ class Request:
         return all(switch is None or switch != 0.0 for switch in switches)
 
     def options_of(self, address: str) -> Mapping[str, object]:
-        """Return the options of one axis; its own override the controller's."""
+        """Return the options of one axis. Its own options override those of the controller."""
         return {**self.options, **(by_address(self.axis_options, address) or {})}
 
     def returning(self, address: str) -> tuple[Direction, Assumption | None]:
-        """Return the referencing direction of an axis; with an assumption if it is not given
-        (option, else ``+``).
+        """Return the referencing direction of an axis, by its option. Without it: ``+``, as an
+        assumption.
 
         Raises UsageError when the option ``reference_return`` is neither ``+`` nor ``-``.
         """
@@ -84,8 +85,8 @@ class Request:
         return direction, Assumption(f"reference_return of {address}", direction.value, evidence)
 
     def referenced(self, address: str) -> tuple[float, Assumption | None]:
-        """Return an axis' reference (machine coordinate, mm or deg); with an assumption if it is
-        not given (option, else 0).
+        """Return an axis' reference (machine coordinate, mm or deg), by its option. Without it: 0,
+        as an assumption.
 
         Raises UsageError when it is not a finite number.
         """
@@ -109,8 +110,8 @@ class Request:
 
 
 def finite_number(value: object) -> float | None:
-    """Return an option's number, given as a number or as text; None for anything else, infinity and
-    NaN included.
+    """Return the number in an option, given as a number or as text. None for anything else,
+    infinity and NaN included.
     """
     if isinstance(value, bool) or not isinstance(value, int | float | str):
         return None
@@ -122,8 +123,8 @@ def finite_number(value: object) -> float | None:
 
 
 def by_address(table: Mapping[str, Entry], address: str) -> Entry | None:
-    """Return the entry of an address, exact spelling first, then whatever its case; None without
-    one.
+    """Return the entry of an address: exact spelling first, then in any case of its letters. None
+    without one.
     """
     if address in table:
         return table[address]

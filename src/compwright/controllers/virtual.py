@@ -21,7 +21,7 @@ from compwright.records.correction import Assumption, ControlFile
 
 
 class VirtualControl(Protocol):
-    """A control with files loaded.
+    """The interface of a control with loaded files.
 
     ``assumed``: facts that the files do not hold. ``notes``: what the control ignores or changes
     without a message, one sentence each with file and line (a caller that needs exactly what was
@@ -30,12 +30,12 @@ class VirtualControl(Protocol):
 
     @property
     def assumed(self) -> tuple[Assumption, ...]:
-        """Facts that were not in the files."""
+        """The facts that were assumed because the files do not state them."""
         ...
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """Parts of the files that the control drops or ignores."""
+        """Notes about parts of the files that the control drops or ignores."""
         ...
 
     def addresses(self) -> tuple[str, ...]:
@@ -43,7 +43,9 @@ class VirtualControl(Protocol):
         ...
 
     def nodes(self, address: str) -> FloatArray:
-        """Return the positions (k,) of the table, ascending, mm or deg; empty without a table."""
+        """Return the positions (k,) of the table points, ascending, mm or deg. Empty without a
+        table.
+        """
         ...
 
     def correction(self, address: str, positions: FloatArray, direction: Direction) -> FloatArray:
@@ -55,7 +57,7 @@ class VirtualControl(Protocol):
         ...
 
     def cross(self) -> tuple[tuple[str, str], ...]:
-        """Return (input, output) of the tables by which one axis corrects another; empty without
+        """Return (input, output) of the tables by which one axis corrects another. Empty without
         any.
         """
         ...
@@ -112,7 +114,8 @@ def virtual_control(
     axes_under_work: Sequence[str] = (),
     axis_number: Mapping[str, int] | None = None,
 ) -> VirtualControl:
-    """Return the virtual control of ``format_id`` with ``files`` (bare names, raw bytes) loaded.
+    """Return the virtual control ``format_id`` with ``files`` (names without folders, raw bytes)
+    loaded.
 
     By axis address: ``reference_return`` is the direction in which the reference is approached,
     ``encoder`` the active measuring system (1 or 2), ``kinds`` linear or rotary where no file

@@ -60,7 +60,7 @@ _LARGEST = 32767
 
 @dataclass(frozen=True, slots=True)
 class InclinedLines:
-    """Straight lines through ``amounts`` (detection units) at ``points`` (numbers, ascending).
+    """Straight lines through ``amounts`` (detection units) at ascending point numbers ``points``.
 
     Outside, the end values hold.
     """
@@ -69,8 +69,8 @@ class InclinedLines:
     amounts: tuple[int, ...]
 
     def at(self, numbers: FloatArray, reference: int) -> FloatArray:
-        """Return detection units at point ``numbers`` (any shape), relative to the reference's
-        number.
+        """Return detection units at point ``numbers`` (any shape), relative to the point number of
+        the reference.
         """
         corners = dict(zip(self.points, self.amounts, strict=True))
         here, there = (
@@ -82,15 +82,19 @@ class InclinedLines:
 
 @dataclass(frozen=True, slots=True)
 class Cycle:
-    """The second (cyclic) table. ``totals`` (n + 1,): detection units at the section ends, first
-    and last 0; ``interval``: mm or deg. It repeats in both directions.
+    """The second (cyclic) table, which repeats in both directions.
+
+    ``totals`` (n + 1,): detection units at the section ends, first and last 0; ``interval``: mm or
+    deg.
     """
 
     interval: float
     totals: FloatArray
 
     def pulses(self, positions: FloatArray, *, ramp: bool) -> FloatArray:
-        """Return the total at ``positions`` (any shape, mm or deg from the reference)."""
+        """Return the total in detection units at ``positions`` (any shape, mm or deg from the
+        reference).
+        """
         sections = np.mod(positions / self.interval, self.totals.size - 1)
         if ramp:
             return np.asarray(
@@ -103,7 +107,9 @@ class Cycle:
 
 @dataclass(frozen=True, slots=True)
 class Bend:
-    """``lines`` of the axis ``moving`` bend the axis ``bent``; ``entry`` names the pair."""
+    """Straightness compensation: ``lines`` over the axis ``moving`` shift the axis ``bent``.
+    ``entry``: the parameter of the pair.
+    """
 
     moving: int
     bent: int
@@ -112,7 +118,9 @@ class Bend:
 
 
 def inclination(machine: Machine, axis: int, faults: list[Fault]) -> InclinedLines | None:
-    """Return the inclination of an axis; None if every amount is 0, or with a fault."""
+    """Return the inclination compensation of an axis. None if every amount is 0, or with a
+    fault.
+    """
     at = [machine.entry(number, axis) for number in _INCLINED_AT]
     amounts = [machine.entry(number, axis) for number in _INCLINED]
     return _lines(at, amounts, f"inclination of axis {axis}", faults)
@@ -126,14 +134,14 @@ def cyclic_numbers(machine: Machine, axis: int) -> range:
 
 
 def inclined(machine: Machine, axis: int) -> MachineEntry | None:
-    """Return an inclination amount that is not 0; None if all are 0."""
+    """Return an inclination amount that is not 0. None if all are 0."""
     found = (machine.entry(number, axis) for number in _INCLINED)
     return next((entry for entry in found if entry is not None and not entry.zero), None)
 
 
 def bends(machine: Machine, faults: list[Fault]) -> Iterator[Bend]:
-    """Yield the straightness pairs with an amount other than 0; add a fault for each invalid
-    pair.
+    """Yield the axis pairs of straightness compensation with an amount other than 0. Each invalid
+    pair is a fault.
     """
     more = _any(machine, _MORE_STRAIGHT)
     if more is not None:
@@ -172,7 +180,7 @@ def refusing(machine: Machine, axis: int) -> Iterator[Fault]:
 
 
 def left_out(machine: Machine, axis: int, counted: frozenset[str]) -> Iterator[str]:
-    """Yield a remark for each function that is active on an axis and not counted."""
+    """Yield a remark for each function that is active on an axis but not included here."""
     by_axis = {
         "inclination": ("inclination compensation", _INCLINED),
         "cyclic": ("the second (cyclic) pitch error table", CYCLIC[1:]),
@@ -205,7 +213,7 @@ def _lines(
     what: str,
     faults: list[Fault],
 ) -> InclinedLines | None:
-    """Return the lines through four numbers and four amounts; None if all are 0, or with a
+    """Return the lines through four numbers and four amounts. None if all are 0, or with a
     fault.
     """
     nonzero = [entry for entry in amounts if entry is not None and not entry.zero]
@@ -232,7 +240,7 @@ def _lines(
 
 
 def _of(machine: Machine, number: int, owner: Owner) -> MachineEntry | None:
-    """Return the value of one path, else that of the machine."""
+    """Return the value for one path, else the value for the machine."""
     found = machine.entries.get(number, {})
     return found.get(owner, found.get(MACHINE))
 
@@ -240,7 +248,9 @@ def _of(machine: Machine, number: int, owner: Owner) -> MachineEntry | None:
 def _one_axis(
     machine: Machine, owner: Owner, entry: MachineEntry, faults: list[Fault]
 ) -> int | None:
-    """Return the axis that an axis number names; None with a fault if it may also name another."""
+    """Return the axis that an axis number means. None with a fault if it may also mean another
+    axis.
+    """
     axes = () if entry.whole is None else machine.named(owner, entry.whole)
     if len(axes) == 1:
         return axes[0]
@@ -254,7 +264,7 @@ def _one_axis(
 
 
 def _naming(machine: Machine, numbers: Iterable[int], axis: int) -> Iterator[MachineEntry]:
-    """Yield the values that are an axis number and may mean this axis."""
+    """Yield the values that are axis numbers and may mean this axis."""
     for number in numbers:
         for owner, entry in machine.entries.get(number, {}).items():
             if entry.zero:
@@ -265,7 +275,7 @@ def _naming(machine: Machine, numbers: Iterable[int], axis: int) -> Iterator[Mac
 
 
 def _any(machine: Machine, numbers: Iterable[int]) -> MachineEntry | None:
-    """Return a value other than 0 of these parameters, of any owner; None if there is none."""
+    """Return a value other than 0 of these parameters, for any owner. None if all are 0."""
     found = (entry for number in numbers for entry in machine.entries.get(number, {}).values())
     return next((entry for entry in found if not entry.zero), None)
 

@@ -1,4 +1,4 @@
-"""Grid of one FANUC axis, from its parameters and points: which numbers it uses and whether they
+"""The grid of one FANUC axis from its parameters and points: its point numbers, and whether they
 are consistent.
 
 Contradictions in the files become faults of the memory; open points become notes or assumptions.
@@ -28,7 +28,9 @@ _WHOLE_TURN = 1e-6
 
 
 class AxisLoader:
-    """Builds axes from the memory, which also collects faults, notes and assumptions."""
+    """Builds axes from the parameter memory. The memory also collects faults, notes and
+    assumptions.
+    """
 
     def __init__(self, memory: Memory, request: Request) -> None:
         self.memory = memory
@@ -39,12 +41,14 @@ class AxisLoader:
         self.memory.notes.append(f"axis {axis}: {text}")
 
     def under_work(self, axis: int) -> bool:
-        """Return whether the axis is under work; faults of other axes stop nothing."""
+        """Return whether the axis is part of the job. Faults of other axes do not stop the
+        reading.
+        """
         return self.request.is_under_work(str(axis))
 
     @contextmanager
     def stopping_nothing(self, axis: int) -> Iterator[None]:
-        """Turn faults that arise in this context into a note, unless the axis is under work."""
+        """Turn faults in this context into notes, unless the axis is part of the job."""
         before = len(self.memory.faults)
         yield
         odd = self.memory.faults[before:]
@@ -53,16 +57,12 @@ class AxisLoader:
             self.note(axis, f"is odd and left alone: {odd[0].message}")
 
     def neighbour(self, axis: int, options: Options) -> IncrementGrid | None:
-        """Return the grid of an axis that is not under work; None, with a note, if it has
-        faults.
-        """
+        """Return the grid of an axis outside the job. None, with a note, if it has faults."""
         with self.stopping_nothing(axis):
             return self.grid(axis, options)
 
     def grid(self, axis: int, options: Options) -> IncrementGrid | None:
-        """Return the grid of an axis; None without pitch compensation, or with a fault that says
-        why.
-        """
+        """Return the grid of an axis. None without pitch compensation, or with a fault."""
         before = len(self.memory.faults)
         for remark in left_out(self.memory.machine, axis, options.counted):
             self.note(axis, remark)
@@ -163,7 +163,7 @@ class AxisLoader:
         return rotary
 
     def _endless(self, grid: IncrementGrid, *, rotary: bool) -> IncrementGrid:
-        """Return the grid with its turn if its numbers are those of an endless axis.
+        """Return the grid with its turn, if its point numbers are those of an endless axis.
 
         Numbers that nearly are become a fault.
         """
@@ -225,15 +225,13 @@ class AxisLoader:
         return grid
 
     def _is_endless(self, axis: int) -> bool:
-        """Return whether the files define an endless axis: a turn in 3625, and 1006#1 (linear type;
-        practice) not set.
-        """
+        """Return whether the files define an endless axis: a turn in 3625, and 1006#1 not set."""
         return bool(self.memory.length(3625, axis, rotary=True)) and not self.memory.bit(
             1006, 1, axis
         )
 
     def _bidirectional(self, grid: IncrementGrid) -> IncrementGrid:
-        """Return the grid with its second set, for travel towards -, if 3605#0 = 1."""
+        """Return the grid with a second set of points for travel towards -, if 3605#0 = 1."""
         bit = self.memory.bit(3605, 0, grid.axis)
         if bit is None:
             self.memory.assumed.append(
@@ -271,7 +269,7 @@ class AxisLoader:
         return replace(grid, negative_from=start, offset=offset)
 
     def _remarks(self, axis: int) -> None:
-        """Note settings that concern the table and are not evaluated."""
+        """Note settings of the table that are not evaluated."""
         if self.memory.bit(1006, 3, axis):
             self.note(
                 axis,

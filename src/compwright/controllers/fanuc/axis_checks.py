@@ -1,4 +1,4 @@
-"""Faults that stop a FANUC axis before its table is read: contradicting paths, switches, unknown
+"""Faults that prevent the reading of a FANUC axis: contradicting paths, switches, unknown
 functions.
 """
 
@@ -15,7 +15,7 @@ _TOTALS = 3602
 
 
 def stopping(memory: Memory, axis: int, *, rotary: bool) -> Iterator[Fault]:
-    """Yield a fault for each setting around an axis that makes its compensation unknown."""
+    """Yield a fault for each setting that makes the compensation of an axis unknown."""
     yield from memory.machine.contradicting(axis)
     yield from refusing(memory.machine, axis)
     yield from _deciding_bits(memory, axis, rotary=rotary)
@@ -37,9 +37,7 @@ def inclined_without_grid(memory: Memory, axis: int) -> Iterator[Fault]:
 
 
 def not_used(memory: Memory, axis: int) -> Iterator[Fault]:
-    """Yield a fault if the control does not use the table in the files, or uses it in an unknown
-    way.
-    """
+    """Yield a fault if the control does not use the table in the files, or its use is unknown."""
     series, machine = memory.series, memory.machine
     totals, apart = machine.entry(_TOTALS, axis), machine.either(_TOTALS, axis)
     if apart is not None:
@@ -66,8 +64,8 @@ def not_used(memory: Memory, axis: int) -> Iterator[Fault]:
 
 
 def _deciding_bits(memory: Memory, axis: int, *, rotary: bool) -> Iterator[Fault]:
-    """Yield a fault for each bit that the compensation depends on and that cannot be read, or in
-    which paths differ where 981 does not state the axis' path.
+    """Yield a fault for each required bit that is unreadable, or that differs between paths if the
+    axis' path is unknown.
     """
     machine = memory.machine
     moves = memory.moves(axis)

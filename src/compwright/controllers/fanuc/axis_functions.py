@@ -1,4 +1,4 @@
-"""Compensation of one FANUC axis: totals of the pitch data, backlash, second (cyclic) table.
+"""The compensation of one FANUC axis: totals of the pitch data, backlash, second (cyclic) table.
 
 Contradictions in the files become faults of the memory; open points become notes or assumptions.
 Sources: ``control``, ``additional_functions``.
@@ -29,7 +29,7 @@ _WHOLE_PERIODS = 1e-6
 def pitch_table(
     loader: AxisLoader, grid: IncrementGrid, options: Options, returning: Direction
 ) -> PitchTable | None:
-    """Return the totals of a grid, with its inclination where that is counted.
+    """Return the totals of the pitch data, with the inclination where it is included.
 
     The set of the reference-return direction is 0 at the reference; the other set is offset by
     3627. None where points of the grid are missing or faulty.
@@ -103,8 +103,8 @@ def backlash(loader: AxisLoader, axis: int, options: Options) -> int:
 def cycle(
     loader: AxisLoader, axis: int, grid: IncrementGrid | None, options: Options
 ) -> Cycle | None:
-    """Return the second (cyclic) table of an axis; None if it has none, it is not counted, or it is
-    at fault.
+    """Return the second (cyclic) table of an axis. None if it has none, it is not included, or it
+    has a fault.
 
     ``grid``: the grid of the axis' main table.
     """
@@ -173,7 +173,7 @@ def cycle(
 
 
 def _rapid_unknown(loader: AxisLoader, axis: int, feed: int, options: Options) -> None:
-    """Add a fault for 1852 on a series whose switching bit for it is unknown."""
+    """Add a fault for parameter 1852 on a series whose switch for it is unknown."""
     rapid = loader.memory.whole_if_sound(1852, axis)
     if options.rapid and rapid is not None and rapid != feed:
         loader.memory.faults.append(

@@ -1,4 +1,4 @@
-"""Straightness compensation of a FANUC: one axis corrected by the position of another.
+"""Straightness compensation of a FANUC: one axis is corrected by the position of another.
 
 The amounts are put out at the pitch points of the moving axis; here they are straight lines between
 them (unconfirmed, and reported as an assumption). Sources: ``additional_functions``.
@@ -21,8 +21,10 @@ from compwright.records.correction import Assumption
 
 @dataclass(frozen=True, slots=True)
 class Bending:
-    """``shifts`` (k,) of the axis ``bent``, mm or deg, with the axis ``moving`` at ``nodes`` (k,)
-    from its ``reference``, mm or deg; ``turn`` of an endless moving axis, else None.
+    """The straightness compensation of the axis ``bent`` by the position of the axis ``moving``.
+
+    ``shifts`` (k,) of the axis ``bent``, mm or deg, with the axis ``moving`` at ``nodes`` (k,) from
+    its ``reference``, mm or deg; ``turn`` of an endless moving axis, else None.
     """
 
     moving: str
@@ -33,7 +35,9 @@ class Bending:
     turn: float | None
 
     def at(self, positions: FloatArray) -> FloatArray:
-        """Return the shift with the moving axis at ``positions`` (any shape); the ends hold."""
+        """Return the correction with the moving axis at ``positions`` (any shape). Beyond the ends
+        the end values apply.
+        """
         x = positions - self.reference
         if self.turn is not None:
             x = np.mod(x, self.turn)
@@ -43,7 +47,7 @@ class Bending:
 def bending_of(
     loader: AxisLoader, grids: Mapping[int, IncrementGrid | None], options: Mapping[int, Options]
 ) -> Iterator[Bending]:
-    """Yield the pairs that an option counts and that concern an axis under work.
+    """Yield the axis pairs that an option includes and that concern an axis of the job.
 
     Open questions about such a pair become faults of the memory.
     """
@@ -73,7 +77,9 @@ def bending_of(
 
 
 def _unit(loader: AxisLoader, bend: Bend, options: Mapping[int, Options]) -> float | None:
-    """Return the bent axis' detection unit, mm or deg; None with a fault where it is unknown."""
+    """Return the detection unit of the corrected axis, mm or deg. None with a fault where it is
+    unknown.
+    """
     own = options.get(bend.bent)
     rotary = loader.known_rotary(bend.bent) is True
     unit = own.detection_unit if own is not None else None

@@ -1,5 +1,5 @@
-"""FANUC: stored pitch error compensation (one- or bidirectional), backlash, and the additional
-functions, for each family of controls (``series``).
+"""FANUC controls: stored pitch error compensation (one- or bidirectional), backlash, and further
+functions, by ``series``.
 
 Stated from the manuals, independently of the definition that writes the files:
 
@@ -52,8 +52,8 @@ _SAME_UNIT = 1e-4
 
 @dataclass(frozen=True, slots=True)
 class _FanucAxis:
-    """One axis. ``backlash``: detection units; ``unit``: mm or deg per detection unit, None if
-    unknown.
+    """One axis of a virtual FANUC. ``backlash``: detection units; ``unit``: mm or deg per detection
+    unit, None if unknown.
     """
 
     table: PitchTable | None
@@ -67,8 +67,10 @@ class _FanucAxis:
 
 @dataclass(frozen=True, slots=True)
 class FanucControl:
-    """A FANUC with files loaded, all axes referenced, at cutting feed unless the option ``motion``
-    says rapid. See ``controllers.virtual.VirtualControl``.
+    """A FANUC with loaded files and all axes referenced; interface
+    ``controllers.virtual.VirtualControl``.
+
+    At cutting feed unless the option ``motion`` says rapid.
 
     Addresses are controlled axis numbers as text, ``"1"``.
     """
@@ -79,7 +81,7 @@ class FanucControl:
     notes: tuple[str, ...]
 
     def addresses(self) -> tuple[str, ...]:
-        """Return the controlled axes that the files mention, ascending."""
+        """Return the controlled axes in the files, ascending."""
         return tuple(self.axes)
 
     def nodes(self, address: str) -> FloatArray:
@@ -114,7 +116,7 @@ class FanucControl:
         return np.asarray(axis.unit * pulses, dtype=np.float64)
 
     def cross(self) -> tuple[tuple[str, str], ...]:
-        """Return (moving, bent) of the pairs of straightness compensation that are counted."""
+        """Return (moving, bent) of the axis pairs with straightness compensation."""
         return tuple(dict.fromkeys((entry.moving, entry.bent) for entry in self.bent))
 
     def cross_correction(  # the protocol's names
@@ -210,7 +212,7 @@ def fanuc_control(
 
 
 def _memory(files: Sequence[ControlFile], request: Request, series: ControlSeries) -> Memory:
-    """Return the contents of all files; files without any compensation parameter are a fault."""
+    """Return the contents of all files. A file without any compensation parameter is a fault."""
 
     def pitch_sign(address: str) -> str:
         return str(request.options_of(address).get("pitch_sign", "+"))
@@ -263,7 +265,7 @@ def _options(request: Request, memory: Memory, series: ControlSeries) -> dict[in
 
 
 def _unit_by(memory: Memory, axis: int) -> str:
-    """Return the parameter that a detection unit was read from."""
+    """Return the parameter that states a detection unit."""
     system, least = memory.machine.system(axis), memory.machine.least_increment(axis)
     fine = least is not None and least < 0.9 * FINEST_CONFIRMED
     how = " (the bits of IS-D and IS-E: unconfirmed)" if fine else ""
@@ -282,7 +284,7 @@ def _no_unit(address: str) -> Fault:
 def _axis(
     loader: AxisLoader, axis: int, grid: IncrementGrid | None, options: Options
 ) -> _FanucAxis:
-    """Return one axis with its table and backlash; the loader collects the assumptions made."""
+    """Return one axis with its table and backlash. The loader collects the assumptions."""
     address = str(axis)
     returning, assumption = loader.request.returning(address)
     loader.memory.assumed += [assumption] if assumption is not None else []
@@ -343,7 +345,7 @@ def _note_shared(loader: AxisLoader, grids: dict[int, IncrementGrid]) -> None:
 def _sharing(
     loader: AxisLoader, first: IncrementGrid, second: IncrementGrid, numbers: Sequence[int]
 ) -> None:
-    """Note whether two axes use their shared point ``numbers`` in the same way."""
+    """Return a note whether two axes use their common point ``numbers`` in the same way."""
     shared = number_list(numbers)
     how = (
         "in the same way"

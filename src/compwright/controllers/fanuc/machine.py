@@ -1,5 +1,5 @@
-"""Machine settings of a FANUC around the pitch data: paths, unit systems, turns, and the values of
-any parameter by axis, path or machine.
+"""Machine settings of a FANUC for the pitch data: paths, unit systems, turns, and any parameter by
+axis, path or machine.
 
 Stated from the manuals and from a real backup, independently of the room that writes the files:
 
@@ -57,7 +57,7 @@ _EIGHT_BITS = re.compile("[01]{8}")
 
 @dataclass(frozen=True, slots=True)
 class MachineEntry:
-    """One value and its place in a file. ``letter``: P, M or I, as in the file."""
+    """One parameter value and its place in a file. ``letter``: P, M or I, as in the file."""
 
     number: int
     letter: str
@@ -85,7 +85,7 @@ class MachineEntry:
         return self.is_bits and self.text[-1 - bit] == "1"
 
     def fault(self, message: str, expected: str) -> Fault:
-        """Return a fault at this value."""
+        """Return a fault at the place of this value."""
         return Fault(
             message=message,
             file=self.file,
@@ -106,7 +106,7 @@ MACHINE: Owner = ("", 0)
 
 @dataclass(slots=True)
 class Machine:
-    """Values by parameter and owner."""
+    """Parameter values by number and owner (axis, path, machine)."""
 
     series: ControlSeries
     entries: dict[int, dict[Owner, MachineEntry]] = field(default_factory=lambda: defaultdict(dict))
@@ -114,7 +114,7 @@ class Machine:
     contradictions: list[tuple[Owner, Fault]] = field(default_factory=list)
 
     def take(self, owner: Owner, entry: MachineEntry) -> None:
-        """Keep a value; another one for the same owner contradicts it."""
+        """Store a value. A different value for the same owner is a contradiction."""
         kept = self.entries[entry.number].setdefault(owner, entry)
         if _numeral(kept.text) != _numeral(entry.text) or {kept.letter, entry.letter} == {"M", "I"}:
             whose = " of {}{}".format(*owner) if owner[0] else ""
@@ -124,14 +124,14 @@ class Machine:
             self.contradictions.append((owner, fault))
 
     def typed(self, settings: Iterable[ParameterSetting]) -> None:
-        """Keep what an entry sheet gives in addition to the pitch parameters."""
+        """Store the parameters of an entry sheet other than the pitch parameters."""
         for each in settings:
             if each.number in _KEPT and each.axis is not None:
                 entry = MachineEntry(each.number, each.keyword, each.text, each.file, each.line)
                 self.take(("A", each.axis), entry)
 
     def contradicting(self, axis: int) -> Iterator[Fault]:
-        """Return the faults of values that may hold for an axis."""
+        """Return the faults of contradicting values that may apply to an axis."""
         return (
             fault
             for (letter, number), fault in self.contradictions
@@ -139,13 +139,15 @@ class Machine:
         )
 
     def path(self, axis: int) -> int | None:
-        """Return the path of an axis, None where 981 does not state it (0 is the first path)."""
+        """Return the path of an axis, None where parameter 981 does not state it (0 is the first
+        path).
+        """
         home = self.entries.get(PATH_OF, {}).get(("A", axis))
         return None if home is None or home.whole is None else max(home.whole, 1)
 
     def entry(self, number: int, axis: int) -> MachineEntry | None:
-        """Return the parameter that holds for an axis: its own, else its path's, else the
-        machine's.
+        """Return the parameter that applies to an axis: its own, else that of its path, else that
+        of the machine.
 
         An axis of unknown path is taken to be on the first; `either` reports whether that matters.
         """
@@ -154,8 +156,8 @@ class Machine:
         return next((found[owner] for owner in owners if owner in found), None)
 
     def either(self, number: int, axis: int, bit: int | None = None) -> Fault | None:
-        """Return a fault where paths differ in a parameter (or in one ``bit`` of it) and 981 does
-        not state the axis' path.
+        """Return a fault where paths differ in a parameter, or one ``bit`` of it, and the axis'
+        path is unknown.
         """
         found = self.entries.get(number, {})
         if self.path(axis) is not None or ("A", axis) in found:
@@ -170,19 +172,19 @@ class Machine:
         )
 
     def bit(self, number: int, bit: int, axis: int) -> bool | None:
-        """Return a bit that holds for an axis, None where no file states it."""
+        """Return a bit that applies to an axis. None where no file states it."""
         entry = self.entry(number, axis)
         return None if entry is None else entry.bit(bit)
 
     def is_endless(self, axis: int) -> bool | None:
-        """Return whether a rotary axis is endless; None where 1006 does not make it rotary."""
+        """Return whether a rotary axis is endless. None where 1006 does not make it rotary."""
         kind = self.entry(1006, axis)
         if kind is None or not kind.bit(0):
             return None
         return not kind.bit(1)
 
     def turn(self, axis: int) -> float:
-        """Return 1260, deg per turn; 0 if it is missing or not a real number."""
+        """Return parameter 1260, deg per turn. 0 if it is missing or not a real number."""
         entry = self.entry(1260, axis)
         return float(entry.text) if entry is not None and "." in entry.text.rstrip(".") else 0.0
 
@@ -192,8 +194,8 @@ class Machine:
         return next((entry for entry in found if entry is not None), None)
 
     def least_increment(self, axis: int) -> float | None:
-        """Return the least increment, 0.001 for IS-B; None where no file states it in a known
-        coding.
+        """Return the least increment, 0.001 for IS-B. None where no file states it in a known
+        way.
         """
         system = self.system(axis)
         if system is None or not system.is_bits:
@@ -202,7 +204,9 @@ class Machine:
         return None if place is None else 10.0**-place
 
     def detection_unit(self, axis: int, *, rotary: bool) -> float | None:
-        """Return mm or deg per pulse; None where the files do not state it in a known coding."""
+        """Return mm or deg per detection unit. None where the files do not state it in a known
+        way.
+        """
         coded, kind = self.entry(1820, axis), self.entry(1006, axis)
         least = self.least_increment(axis)
         code = None if coded is None else coded.whole
@@ -215,7 +219,7 @@ class Machine:
         return least * (0.1 * MILLIMETRES_PER_INCH if inch else 1.0) / multiplier
 
     def named(self, owner: Owner, number: int) -> tuple[int, ...]:
-        """Return the axes that an axis number may name: counted over the machine, or within its
+        """Return the axes that an axis number may mean: counted over the machine, or within its
         path.
 
         Empty means any axis: a further path whose axes are unknown.
@@ -231,7 +235,7 @@ class Machine:
 
 
 def read_machine(files: Iterable[ControlFile], series: ControlSeries) -> Machine:
-    """Return the machine settings of all files; sheets and pitch data hold none."""
+    """Return the machine settings of all files. Sheets and pitch data contain none."""
     machine = Machine(series)
     for file in files:
         for owner, entry in _values(file, series):

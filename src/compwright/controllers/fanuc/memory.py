@@ -1,5 +1,4 @@
-"""Parameter memory of a FANUC with files loaded: settings and pitch data of all files, typed, each
-once.
+"""The parameter memory of a FANUC after loading: settings and pitch data of all files, each once.
 
 Ranges and types: 16i technical report A-77810E (bidirectional pitch error compensation) and 0i-PB
 parameter manual B-63980EN/01 p. 100 for the meaning of 3620 to 3627; 0i-C parameter manual
@@ -74,11 +73,13 @@ class Memory:
         )
 
     def given(self, number: int, axis: int) -> bool:
-        """Whether a parameter of an axis is in the files."""
+        """Return whether a parameter of an axis is in the files."""
         return bool(self._settings.get((number, axis, None)))
 
     def setting(self, number: int, axis: int) -> ParameterSetting:
-        """Return the setting of an axis for a fault's file and line; it must be `given`."""
+        """Return the setting of an axis with its file and line for a fault. The setting must
+        exist.
+        """
         return self._settings[number, axis, None][0]
 
     def moves(self, axis: int) -> bool:
@@ -90,7 +91,7 @@ class Memory:
         return bool((self.whole(3623, axis) and low != high) or self.whole(1851, axis))
 
     def whole(self, number: int, axis: int) -> int | None:
-        """Return a whole number; None if it is not in the files, or is invalid (then with a
+        """Return a whole number. None if it is not in the files, or is invalid (then with a
         fault).
         """
         lowest, highest = self._range(number)
@@ -114,33 +115,33 @@ class Memory:
         return self._one((number, axis, None), convert)
 
     def whole_if_sound(self, number: int, axis: int) -> int | None:
-        """Return a whole number of an axis; None if it is invalid, which is reported elsewhere or
-        irrelevant.
-        """
+        """Return a whole number of an axis. None if it is invalid, without a fault."""
         before = len(self.faults)
         value = self.whole(number, axis)
         del self.faults[before:]
         return value
 
     def bit(self, number: int, bit: int, axis: int | None) -> bool | None:
-        """Return a bit, None when it is not in the files. ``axis`` None: a parameter of no axis."""
+        """Return a bit. None when it is not in the files. ``axis`` None: a parameter of no axis."""
         return self._one((number, axis, bit), lambda setting: setting.text == "1")
 
     def length(self, number: int, axis: int, *, rotary: bool) -> float | None:
-        """Return 3624 or 3625 in mm or deg; None if it is not in the files, or is invalid (then
-        with a fault).
+        """Return 3624 or 3625 in mm or deg. None if it is missing, or is invalid (then with a
+        fault).
         """
         return self._one((number, axis, None), lambda setting: self._length(setting, rotary=rotary))
 
     def entry_length(self, entry: MachineEntry, axis: int, *, rotary: bool) -> float | None:
-        """Return a length from the machine settings, mm or deg, as `length` does."""
+        """Return a length from the machine settings, mm or deg. Faults are handled as in
+        `length`.
+        """
         setting = ParameterSetting(
             entry.number, axis, None, entry.letter, entry.text, entry.file, entry.line
         )
         return self._length(setting, rotary=rotary)
 
     def increment_size(self, axis: int) -> float | None:
-        """Return the least input increment of an axis, mm or deg: 0.001 for IS-B, the default.
+        """Return the least input increment of an axis, mm or deg. The default is 0.001 for IS-B.
 
         None, with a fault, for another coding.
         """
@@ -206,9 +207,7 @@ class Memory:
         key: tuple[int, int | None, int | None],
         convert: Callable[[ParameterSetting], Value | None],
     ) -> Value | None:
-        """Return the common value of all settings of ``key``; one that differs from the first is a
-        fault.
-        """
+        """Return the common value of all settings with ``key``. A different value is a fault."""
         first: Value | None = None
         settings = self._settings.get(key, [])
         for setting in settings:
@@ -225,7 +224,7 @@ class Memory:
         return first
 
     def _keep(self, setting: ParameterSetting) -> None:
-        """File a setting under its number, axis and bit."""
+        """Store a setting under its number, axis and bit."""
         number = setting.number
         if number in _BY_AXIS and setting.axis is None:
             self.faults.append(
@@ -263,7 +262,7 @@ class Memory:
             )
 
     def _keep_points(self, records: list[PointRecord]) -> None:
-        """Keep pitch data.
+        """Store pitch data.
 
         Records without Q in a file with parameters count only where no others do and they fill a
         whole range.
@@ -276,7 +275,9 @@ class Memory:
             self._keep_point(record)
 
     def _ranges(self) -> list[range]:
-        """Return the ranges 3621 to 3622 of all axes, where they are readable."""
+        """Return the ranges of point numbers (3621 to 3622) of all axes, where they are
+        readable.
+        """
         texts = {
             axis: [
                 self._settings[number, axis, None][0].text
@@ -321,9 +322,7 @@ class Memory:
 
 
 def number_list(numbers: Iterable[int]) -> str:
-    """Return numbers in words, runs shortened: ``10037, 10040 to 10044``; long lists end in
-    dots.
-    """
+    """Return numbers as text with ranges: ``10037, 10040 to 10044``. Long lists end in dots."""
     runs: list[list[int]] = []
     for number in sorted(numbers):
         if runs and number == runs[-1][1] + 1:

@@ -1,4 +1,4 @@
-"""Options of one FANUC axis: what its files leave open."""
+"""Options of one FANUC axis, for facts that its files do not state."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ OPTIONAL_FUNCTIONS = ("inclination", "cyclic", "straightness")
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Options:
-    """Options of one axis. ``detection_unit``: mm or deg per pulse, None if unknown.
+    """Options of one axis. ``detection_unit``: mm or deg per detection unit, None if unknown.
 
     ``ramp``: the pulses of a section are spread evenly over it, instead of output in its middle.
     ``pitch_sign``, ``offset_sign``: +1 or -1, of the pitch data and of 3627 (no manual page
@@ -40,7 +40,7 @@ class Options:
 def read_options(
     given: Mapping[str, object], series: ControlSeries, address: str, faults: list[Fault]
 ) -> Options:
-    """Return the options of an axis; an invalid one is added to ``faults`` and replaced by its
+    """Return the options of an axis. An invalid one is added to ``faults`` and replaced by its
     default.
     """
 

@@ -1,5 +1,4 @@
-"""Typed-entry sheets ``entry_<axis>.csv`` for a FANUC: the rows that an engineer types at the
-control.
+"""Entry sheets ``entry_<axis>.csv`` for a FANUC: the rows that an engineer types at the control.
 
 Comments ``# key: value`` (``address`` or ``axis``: controlled axis number; ``value``: what the
 numbers are), a header ``point,position,value,unit``, then rows: the point is a number of pitch data
@@ -41,14 +40,14 @@ _AXIS = re.compile(r"0?[1-9]|[1-9][0-9]", re.ASCII)
 
 
 def is_sheet(file: ControlFile) -> bool:
-    """Whether a file is a typed-entry sheet, by its name."""
+    """Return whether a file is an entry sheet, by its name."""
     return file.name.casefold().endswith(".csv")
 
 
 def read_sheet(
     file: ControlFile, pitch_sign: Callable[[str], str], series: ControlSeries
 ) -> TapeContent:
-    """Return the contents of a sheet.
+    """Return the contents of an entry sheet.
 
     ``pitch_sign``: axis address -> option; a sheet whose values are errors needs a ``-``.
     """
@@ -92,7 +91,7 @@ class _Sheet:
         self.headed = False
 
     def comment(self, line: str, number: int) -> None:
-        """Read ``# key: value``; other comments are ignored."""
+        """Read a comment ``# key: value``. Other comments are ignored."""
         match = _COMMENT.match(line)
         if match is None:
             return
@@ -106,8 +105,8 @@ class _Sheet:
         self.keys.setdefault(key, value)
 
     def find_axis(self) -> None:
-        """Set the controlled axis number: comment ``address``, else ``axis``, else the file's
-        name.
+        """Set the controlled axis number: from the comment ``address``, else ``axis``, else the
+        file name.
         """
         named = re.fullmatch(r"entry_(.*)\.csv", self.file, re.IGNORECASE | re.DOTALL)
         given = self.keys.get("address") or self.keys.get("axis") or (named[1] if named else "")
@@ -160,7 +159,7 @@ class _Sheet:
             )
 
     def finish(self) -> None:
-        """Add a fault for a sheet without values."""
+        """Add a fault for an entry sheet without values."""
         if not self.found.settings and not self.found.points and not self.found.faults:
             self.found.faults.append(
                 Fault(

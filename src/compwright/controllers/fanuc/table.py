@@ -1,4 +1,4 @@
-"""Totals of FANUC stored pitch error compensation over the position, in whole detection units.
+"""The total FANUC pitch error compensation by position, in whole detection units.
 
 Stated from the manuals, independently of the definition that writes the files:
 
@@ -22,8 +22,8 @@ from compwright.records.axis import FloatArray
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class IncrementGrid:
-    """The grid that 3605#0 and 3620 to 3627 define. ``interval``, ``turn``: mm or deg; ``offset``:
-    detection units.
+    """The grid of parameters 3605#0 and 3620 to 3627. ``interval``, ``turn``: mm or deg;
+    ``offset``: detection units.
 
     ``negative_from``: 3626 with bidirectional data, else None. ``turn``: of an endless axis, else
     None.
@@ -40,8 +40,8 @@ class IncrementGrid:
     offset: int = 0
 
     def starts(self) -> tuple[int, ...]:
-        """Return the first number of each set: for travel towards +, then towards - if that has its
-        own.
+        """Return the first point number of each set: for travel towards +, then for travel towards
+        - if that has its own.
         """
         return (self.lowest,) if self.negative_from is None else (self.lowest, self.negative_from)
 
@@ -50,14 +50,17 @@ class IncrementGrid:
         return [start + i for start in self.starts() for i in range(self.highest - self.lowest + 1)]
 
     def same_use(self, other: IncrementGrid) -> bool:
-        """Return whether two axes use the same numbers in the same way (a gantry pair may)."""
+        """Return whether two axes use the same point numbers in the same way, as a gantry pair may
+        do.
+        """
         return replace(self, axis=0) == replace(other, axis=0)
 
 
 @dataclass(frozen=True, slots=True)
 class PitchTable:
-    """Totals (k,) in detection units per direction, at ``(first + i) * interval`` from the
-    reference (mm or deg), i = 0..k-1.
+    """Total corrections (k,) in detection units for each direction.
+
+    At ``(first + i) * interval`` from the reference (mm or deg), i = 0..k-1.
 
     ``turn``: period of an endless axis, deg; None for an axis with ends.
     """
@@ -92,7 +95,7 @@ class PitchTable:
 
 
 def totals(increments: list[int], before_reference: int) -> FloatArray:
-    """Return totals (k + 1,) at the section ends of ``increments`` (k,).
+    """Return total corrections (k + 1,) at the section ends from ``increments`` (k,).
 
     The total is 0 behind the first ``before_reference`` increments.
     """

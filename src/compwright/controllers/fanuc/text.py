@@ -1,5 +1,4 @@
-"""Blocks in FANUC text files, as the control would take them: parameters, pitch error data, or
-both.
+"""Blocks of FANUC text files as the control would read them: parameters, pitch error data, or both.
 
 A second, small reader on purpose: it shares nothing with the room that writes these files. Sources
 of the text form:
@@ -73,7 +72,7 @@ class ParameterSetting(OfLine):
 
     @property
     def label(self) -> str:
-        """Number, bit and axis, for messages."""
+        """The parameter number, bit and axis, for messages."""
         bit = "" if self.bit is None else f"#{self.bit}"
         return f"parameter {self.number}{bit}" + (
             "" if self.axis is None else f" of axis {self.axis}"
@@ -81,7 +80,7 @@ class ParameterSetting(OfLine):
 
     @property
     def shown(self) -> str:
-        """The right side, as written."""
+        """The value as written in the file."""
         return self.text
 
 
@@ -97,13 +96,13 @@ class PointRecord(OfLine):
 
     @property
     def shown(self) -> str:
-        """The right side, as written."""
+        """The value as written in the file."""
         return self.text
 
 
 @dataclass(slots=True)
 class TapeContent:
-    """Contents of one file: settings and points in order, remarks, and faults."""
+    """The contents of one file: settings and points in order, remarks, and faults."""
 
     settings: list[ParameterSetting] = field(default_factory=list)
     points: list[PointRecord] = field(default_factory=list)
@@ -113,7 +112,8 @@ class TapeContent:
 
 @lru_cache(maxsize=KEPT_FILES)
 def read_file(file: ControlFile, series: ControlSeries) -> TapeContent:
-    """Return the contents of one file (bytes, ASCII, lines ended by LF, CR LF, LF CR CR or CR).
+    """Return the contents of one file, given as bytes. It is ASCII; lines end with LF, CR LF, LF CR
+    CR or CR.
 
     Parameters get the numbers used here (`ControlSeries.number_here`). Nothing is raised. The
     result is cached by content: do not change it.
@@ -135,12 +135,12 @@ def read_file(file: ControlFile, series: ControlSeries) -> TapeContent:
 
 
 class _Unreadable(Exception):  # noqa: N818  # a signal inside this module
-    """A block that cannot be read; its text says what was expected."""
+    """Raised for an unreadable block. Its text states what was expected."""
 
 
 class _TapeReader:
-    """Reads a file line by line. ``marks``: number of ``%`` so far; an odd one opens a tape
-    section, an even one closes it.
+    """Reads a file line by line. ``marks``: the number of ``%`` so far; odd ones open a tape
+    section, even ones close it.
     """
 
     def __init__(self, file: str, series: ControlSeries) -> None:
@@ -236,7 +236,7 @@ class _TapeReader:
         )
 
     def _place(self, number: int) -> None:
-        """Add a fault for a block outside ``%`` .. ``%``, which the control does not read.
+        """Add a fault for a block outside ``%`` .. ``%``, because the control does not read it.
 
         A file without any ``%`` counts as inside.
         """
@@ -271,7 +271,7 @@ class _TapeReader:
             self._parameter(known or number, words, line)
 
     def _parameter(self, number: int, words: list[tuple[str, str]], line: int) -> None:
-        """Read ``[Q1] (L1 | A<axis> | S<spindle>) P<value> ...``; skip groups of spindles and the
+        """Read ``[Q1] (L1 | A<axis> | S<spindle>) P<value> ...``. Skip groups of spindles and the
         second path.
         """
         if words and words[0][0] == "Q":
@@ -299,7 +299,7 @@ class _TapeReader:
             raise _Unreadable("a value P behind every axis number")
 
     def _point(self, number: int, words: list[tuple[str, str]], line: int) -> None:
-        """Read ``N1nnnn [Q0] P<increment>``; a block with Q1, axes, paths or spindles is a
+        """Read ``N1nnnn [Q0] P<increment>``. A block with Q1, axes, paths or spindles is a
         parameter of that number.
         """
         if words[:1] == [("Q", "1")]:
@@ -343,7 +343,7 @@ class _TapeReader:
 
 
 def _words(rest: str) -> list[tuple[str, str]] | None:
-    """Return the words (letter, number) of a block behind its N-number; None for any other text."""
+    """Return the words (letter, number) of a block after its N-number. None for any other text."""
     words = []
     position = 0
     rest = rest.rstrip()

@@ -1,5 +1,7 @@
-"""HEIDENHAIN: iTNC 530 (and TNC 407 to 430) with MP710, MP720, MP730 and .COM/.CMA; NCK controls
-with CfgAxisComp and .COM/.CMA.
+"""HEIDENHAIN controls: iTNC 530 and older (machine parameters, .COM/.CMA), and NCK controls
+(CfgAxisComp, .COM/.CMA).
+
+TNC 407 to 430 too; MP710, MP720, MP730.
 
 Stated from the manuals, independently of the definitions that write the files:
 
@@ -40,7 +42,7 @@ from compwright.records.correction import Assumption, ControlFile
 
 @dataclass(frozen=True, slots=True)
 class HeidenhainControl:
-    """A HEIDENHAIN control with files loaded, all axes referenced. See
+    """A HEIDENHAIN control with loaded files and all axes referenced; interface
     ``controllers.virtual.VirtualControl``.
     """
 
@@ -112,8 +114,9 @@ class HeidenhainControl:
 def heidenhain_control(
     files: Sequence[ControlFile], request: Request, *, generation: Generation
 ) -> HeidenhainControl:
-    """Return a control of a generation with its files loaded, in any order: entry sheets, .COM,
-    .CMA and, for an iTNC 530, lines of machine parameters.
+    """Return a control of one generation with its files loaded, in any order.
+
+    Entry sheets, .COM, .CMA and, for an iTNC 530, lines of machine parameters.
 
     Options: ``table_values`` (``error``, ``correction``) of exported tables, ``spacing_rule``
     (``free``, ``power_of_two``; iTNC 530), ``backlash_column`` (``second_curve``, ``absent``; NCK).

@@ -1,4 +1,4 @@
-"""The description in an NCK table, between its first line and its column headings.
+"""The column description in an NCK table, between its first line and its column headings.
 
 Two forms occur in public tables of these controls (none of them a .COM): ``#STRUCTBEGIN`` to
 ``#STRUCTEND`` with lines ``NAME =`` and ``WIDTH =``, and ``TableDescription (`` up to the bracket
@@ -25,8 +25,8 @@ _STRUCT = re.compile(r"\s*(NAME|WIDTH)\s*=\s*(\S+)\s*", re.IGNORECASE)
 
 @dataclass(slots=True)
 class ColumnWidths:
-    """``widths``: characters of each described column, in order; ``first``: the column that numbers
-    the rows.
+    """The described width of each column in characters, in order. ``first``: the column with the
+    row numbers.
     """
 
     widths: dict[str, int] = field(default_factory=dict)
@@ -49,7 +49,7 @@ class ColumnWidths:
 
 
 def described(lines: Sequence[Line]) -> tuple[ColumnWidths, list[Line]]:
-    """Return the description of a table, and its other lines.
+    """Return the column description of a table, and its other lines.
 
     Raises InputError for a description without its end, and for a column with its own unit inch.
     """
@@ -75,7 +75,7 @@ def described(lines: Sequence[Line]) -> tuple[ColumnWidths, list[Line]]:
 
 
 def _closing(lines: Sequence[Line], begin: int) -> int | None:
-    """Return the line that closes the bracket opened in line ``begin``, None without one."""
+    """Return the line that closes the bracket opened in line ``begin``. None without one."""
     depth = 0
     for index in range(begin, len(lines)):
         code = _QUOTED.sub("", lines[index][1])

@@ -1,5 +1,5 @@
-"""Elements of HEIDENHAIN files for the virtual control: numbers, places, parameters, and the
-differences between the two generations.
+"""Elements of HEIDENHAIN files: numbers, places, parameters, and the differences between the two
+generations.
 
 Lines of machine parameters of an iTNC 530: ``MP710.0 : 0.0040`` (index = axis number from 0) and
 ``MP730 : %00011``.
@@ -29,7 +29,7 @@ MOST_AXES = 18
 
 
 class Quantity(Enum):
-    """Meaning of a machine parameter of an axis."""
+    """The meaning of a machine parameter of an axis."""
 
     BACKLASH = "backlash"
     LINEAR = "linear error"
@@ -38,8 +38,10 @@ class Quantity(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Generation:
-    """One of the two generations of controls. ``parameters``: name -> quantity; ``largest``: limit
-    of backlash and linear error, both signs; ``numbers``: axes by the given axis number, from 1.
+    """One of the two generations of HEIDENHAIN controls.
+
+    ``parameters``: name -> quantity; ``largest``: limit of backlash and linear error, both signs;
+    ``numbers``: axes by the given axis number, from 1.
     """
 
     name: str
@@ -50,7 +52,7 @@ class Generation:
     numbers: Mapping[int, str] = field(default_factory=dict)
 
     def axis(self, number: int) -> str:
-        """Return the axis of a column number, from 1: as given, else by the fixed letter order.
+        """Return the axis of a column number, from 1: as given, else in the fixed order of letters.
 
         The number itself where no letter is fixed, or the letter was given another number.
         """
@@ -59,11 +61,11 @@ class Generation:
         return self.numbers.get(number, free)
 
     def address(self, text: str) -> str:
-        """Return an axis name in the form used for comparison."""
+        """Return an axis name in a standard form for comparison."""
         return text.upper() if self.ignores_case else text
 
     def parameter(self, quantity: Quantity) -> str:
-        """Return the control's name of a quantity; the neutral name where the control has none."""
+        """Return the control's name of a quantity, or its general name if the control has none."""
         return next(
             (name for name, held in self.parameters.items() if held is quantity), quantity.value
         )
@@ -96,14 +98,15 @@ class LinePlace(OfLine):
     line: int
 
     def __str__(self) -> str:
-        """Return file and line in words."""
+        """Return file and line as text."""
         return f"{self.file}, line {self.line}"
 
 
 @dataclass(frozen=True, slots=True)
 class Parameter:
-    """A parameter of one axis: mm or deg (backlash; ``unit`` is empty where the file names none),
-    mm/m (linear error), 0 or 1.
+    """A parameter of one axis: backlash in mm or deg, linear error in mm/m, or a switch (0 or 1).
+
+    ``unit`` is empty where the file names none.
     """
 
     quantity: Quantity
@@ -119,7 +122,7 @@ def number(text: str) -> float | None:
 
 
 def lines_of(text: str) -> list[str]:
-    """Return the lines of a text, whatever ends them, without a byte order mark."""
+    """Return the lines of a text with any kind of line end, without a byte order mark."""
     return _LINE_END.split(text.removeprefix("\ufeff"))
 
 
@@ -156,8 +159,8 @@ class ParameterLines:
 def read_parameters(
     lines: Sequence[tuple[LinePlace, str]], generation: Generation
 ) -> ParameterLines:
-    """Read MP710, MP720 and MP730 of the axes that ``generation`` numbers; skip other parameters
-    and comments (``;``, ``#``, ``*``).
+    """Read MP710, MP720 and MP730 of the axes that ``generation`` numbers. Other parameters and
+    comments are skipped.
     """
     found = ParameterLines()
     for place, line in lines:
@@ -200,8 +203,9 @@ def _read(code: str, place: LinePlace, found: ParameterLines, generation: Genera
 def _mask(
     text: str, place: LinePlace, found: ParameterLines, generation: Generation
 ) -> list[Parameter]:
-    """Return the bits of MP730, bit 0 = first axis: all digits of ``%00011``, all axes of a decimal
-    number.
+    """Return the bits of MP730, bit 0 for the first axis.
+
+    All digits of ``%00011``, all axes of a decimal number.
     """
     bits = text[1:][::-1] if _BITS.fullmatch(text) else ""
     if len(text.lstrip("0")) > 1 and not set(text) - {"0", "1"}:

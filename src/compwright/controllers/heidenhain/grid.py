@@ -1,4 +1,4 @@
-"""HEIDENHAIN tables as blocks of text, and their cells by heading.
+"""HEIDENHAIN tables as blocks of lines, and their cells by column heading.
 
 The form of the classic tables is known from memory only. What is unambiguous is taken as written,
 the rest is refused, never guessed: a cell belongs to the column whose heading is above it; a table
@@ -28,7 +28,7 @@ _MOST_COLUMNS = 64
 
 @dataclass(frozen=True, slots=True)
 class TableBlock:
-    """Lines from BEGIN to the end line, both left out; ``rest`` is what follows the unit in the
+    """The lines of a table between BEGIN and its end line. ``rest``: the text after the unit in the
     BEGIN line.
     """
 
@@ -42,7 +42,9 @@ class TableBlock:
 
 @dataclass(frozen=True, slots=True)
 class CellGrid:
-    """Cells by column name; None where blank. The column NR is checked and left out."""
+    """The cells of a table by column name, None where blank. The column NR is checked and
+    removed.
+    """
 
     names: tuple[str, ...]
     rows: tuple[tuple[str | None, ...], ...]
@@ -57,7 +59,7 @@ class CellGrid:
 def split_tables(
     lines: list[tuple[LinePlace, str]], faults: list[Fault]
 ) -> tuple[list[TableBlock], list[tuple[LinePlace, str]]]:
-    """Split the lines into tables and the text outside of them; faults are added to ``faults``."""
+    """Split the lines into tables and other text. Faults are added to ``faults``."""
     blocks: list[TableBlock] = []
     outside: list[tuple[LinePlace, str]] = []
     opened: TableBlock | None = None
@@ -101,8 +103,8 @@ def _cut_short(opened: TableBlock | None, faults: list[Fault]) -> None:
 
 
 def _table_name(words: list[str]) -> tuple[str, str, list[str]]:
-    """Return name, kind (COM, CMA or empty) and the words behind them of ``X .COM ...`` or ``X.COM
-    ...``.
+    """Return name and kind (COM, CMA or empty) of a table from its BEGIN line, with the words that
+    follow.
     """
     if words and words[0][-4:].upper() in {".COM", ".CMA"} and len(words[0]) > 4:
         return words[0][:-4], words[0][-3:].upper(), words[1:]
@@ -173,7 +175,7 @@ def _row(
     wanted: int,
     starts: Sequence[int] | None,
 ) -> tuple[str | None, ...] | Fault:
-    """Return the cells of a row without its number, or a text that says what is wrong.
+    """Return the cells of a row without its number. A text states what is wrong with the row.
 
     Where the table's description says so, a cell reaches from its column's first character (one of
     ``starts``) to the next one's. Else, with every cell filled, the blanks separate the columns;
@@ -208,7 +210,7 @@ def _row(
 def numbers(
     cells: Sequence[str | None], places: Sequence[LinePlace], label: str, faults: list[Fault]
 ) -> FloatArray:
-    """Return the numbers of a column, NaN where blank; every other content is a fault."""
+    """Return the numbers of a column, NaN where blank. Any other text is a fault."""
     values = np.full(len(cells), np.nan)
     for index, (cell, place) in enumerate(zip(cells, places, strict=True)):
         parsed = None if cell is None else number(cell)

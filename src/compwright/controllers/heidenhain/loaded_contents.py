@@ -1,5 +1,6 @@
-"""Contents of HEIDENHAIN files and of the request, with the assumptions, notes and faults that the
-parts of the loader add; which table is active for which axis.
+"""The contents of HEIDENHAIN files, and which table is active for which axis.
+
+And of the request, with the assumptions, notes and faults that the parts of the loader add.
 
 A table is active by the active .CMA line, else by its name.
 """
@@ -22,7 +23,7 @@ from compwright.records.correction import Assumption
 
 @dataclass(slots=True)
 class LoadedContents:
-    """Sheets, tables and parameters of all files, in their order."""
+    """The entry sheets, tables and parameters of all files, in their order."""
 
     generation: Generation
     request: Request
@@ -35,8 +36,8 @@ class LoadedContents:
     faults: list[Fault] = field(default_factory=list)
 
     def kind(self, address: str) -> AxisKind:
-        """Return whether an axis is linear or rotary: as requested, else by the units of its sheet,
-        its turn, or its letter.
+        """Return whether an axis is linear or rotary: as requested, else by its sheet, its turn, or
+        its letter.
         """
         requested = by_address(self.request.kinds, address)
         by_unit = next(
@@ -62,7 +63,7 @@ class LoadedContents:
         return kind
 
     def choice(self, name: str, allowed: tuple[str, str], address: str) -> str:
-        """Return an option of the moving axis; the first of ``allowed`` is the default. Raises
+        """Return an option of the moving axis. The first of ``allowed`` is the default. Raises
         UsageError for another value.
         """
         value = self.request.options_of(address).get(name, allowed[0])
@@ -79,20 +80,20 @@ class LoadedContents:
 
 
 def filled(com: Com) -> tuple[str, ...]:
-    """Return the columns of a .COM that hold any value."""
+    """Return the columns of a .COM table that contain any value."""
     return tuple(
         axis for index, axis in enumerate(com.columns) if not np.all(np.isnan(com.values[:, index]))
     )
 
 
 class AxisAssignment:
-    """Assigns a moving axis to every .COM; faults and notes go to ``given``."""
+    """Finds the moving axis of every .COM table. Faults and notes are added to ``given``."""
 
     def __init__(self, given: LoadedContents) -> None:
         self.given = given
 
     def moving_axes(self) -> list[tuple[Com, str | None]]:
-        """Return every .COM with the axis that moves it, None if it is not active.
+        """Return every .COM table with its moving axis, None if it is not active.
 
         A .COM that is active twice is listed twice.
         """
@@ -144,7 +145,7 @@ class AxisAssignment:
         return found
 
     def _check_keys(self, cma: Cma) -> None:
-        """Check that .COM and .CMA of an NCK have the same axis keys as columns
+        """Check that .COM and .CMA tables of an NCK control have the same axes as columns
         (CfgAxes/axisList).
         """
         if self.given.generation.name == ITNC530.name:
@@ -161,8 +162,9 @@ class AxisAssignment:
             ]
 
     def _named_axis(self, com: Com) -> str | None:
-        """Return the axis of a .COM without a .CMA: named in its head or its file name, else the
-        option ``axis``.
+        """Return the moving axis of a .COM table without a .CMA table.
+
+        Named in its head or its file name, else the option ``axis``.
         """
         known = dict.fromkeys(
             [

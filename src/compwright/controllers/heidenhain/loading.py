@@ -1,4 +1,6 @@
-"""Axes of a HEIDENHAIN control from its files: tables, parameters, and which of them are active."""
+"""Build the axes of a HEIDENHAIN control from its files: tables, parameters, and which of them are
+active.
+"""
 
 from __future__ import annotations
 
@@ -16,7 +18,7 @@ from compwright.records.correction import Assumption
 
 
 class Loader:
-    """Builds the axes; collects assumptions, notes and faults in ``given``."""
+    """Builds the axes. Assumptions, notes and faults are added to ``given``."""
 
     def __init__(
         self,
@@ -44,7 +46,7 @@ class Loader:
 
     @property
     def faults(self) -> list[Fault]:
-        """Faults of the files."""
+        """The faults of the files."""
         return self.given.faults
 
     def axes(self) -> dict[str, HeidenhainAxis]:
@@ -166,7 +168,7 @@ class Loader:
             )
 
     def _parameter(self, address: str, quantity: Quantity) -> Parameter | None:
-        """Return a parameter of an axis; repetitions that differ and values out of range are
+        """Return a parameter of an axis. Different repetitions and values out of range are
         faults.
         """
         given = [

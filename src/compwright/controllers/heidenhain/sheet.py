@@ -1,5 +1,5 @@
-"""Typed-entry sheets ``entry_<axis>.csv`` for HEIDENHAIN controls: the rows that an engineer types
-at the control.
+"""Entry sheets ``entry_<axis>.csv`` for HEIDENHAIN controls: the rows that an engineer types at the
+control.
 
 Comment lines ``# key: value``, the header ``point,position,value,unit``, then points and
 parameters. A second, small reader on purpose: it shares nothing with the room that writes these
@@ -38,7 +38,7 @@ _NO_UNIT = ("", "-", "bit")
 
 @dataclass(frozen=True, slots=True)
 class JudgedSheet:
-    """One sheet: ``values`` (k,) in mm or deg at ``nodes`` (k,); k = 0 without points.
+    """One entry sheet: ``values`` (k,) in mm or deg at ``nodes`` (k,). k = 0 without points.
 
     ``errors``: the values are errors, else corrections. ``kind``: linear or rotary by the units,
     None where there is no unit.
@@ -54,14 +54,14 @@ class JudgedSheet:
 
 
 def is_sheet(file: ControlFile) -> bool:
-    """Whether a file is a sheet, by its name or by its header line."""
+    """Return whether a file is an entry sheet, by its name or its header line."""
     if file.name.lower().endswith(".csv"):
         return True
     return any(_squeezed(line) == HEADER for line in lines_of(file.content.decode("latin-1")))
 
 
 def read_sheet(file: ControlFile, generation: Generation) -> tuple[JudgedSheet | None, list[Fault]]:
-    """Return the sheet, or None and all its faults."""
+    """Return the entry sheet, or None and all its faults."""
     fault = binary_fault(file.name, file.content)
     if fault is not None:
         return None, [fault]
@@ -84,7 +84,7 @@ def read_sheet(file: ControlFile, generation: Generation) -> tuple[JudgedSheet |
 
 
 class _SheetLines:
-    """Reads the lines of one sheet in their order."""
+    """Reads the lines of one entry sheet in their order."""
 
     def __init__(self, file: str, generation: Generation) -> None:
         self.file = file
@@ -98,7 +98,7 @@ class _SheetLines:
         self.faults: list[Fault] = []
 
     def read(self, line: str, place: LinePlace) -> None:
-        """Read one line, stripped."""
+        """Read one line without surrounding blanks."""
         if line.startswith("#"):
             self._comment(line[1:], place)
         elif _squeezed(line) == HEADER:
@@ -228,7 +228,7 @@ class _SheetLines:
         self.kind = kind
 
     def sheet(self) -> JudgedSheet | None:
-        """Return the sheet; None with a fault if it is empty or contradicts itself."""
+        """Return the entry sheet. None with a fault if it is empty or contradicts itself."""
         before = len(self.faults)
         head = LinePlace(self.file, self.header.line if self.header else 1)
         if self.header is None and not self.faults:

@@ -1,4 +1,5 @@
-"""HEIDENHAIN tables: ``.COM`` (values) and ``.CMA`` (which .COM is active for which axis).
+"""HEIDENHAIN tables: ``.COM`` (correction values) and ``.CMA`` (which .COM is active for which
+axis).
 
 iTNC 530: one row per point, the point k lies at DATUM + k * spacing (TNC 407 technical manual p.
 153, iTNC 530 HSCI p. 655). NCK: the column AXISPOS lists the positions (MANUALplus 620 p. 716).
@@ -41,7 +42,7 @@ _KINEMATICS = {f"C{n}" for n in range(1, 7)}
 
 @dataclass(frozen=True, slots=True)
 class Com:
-    """One .COM. ``values`` (k, columns) as written, NaN where a cell is blank; ``columns`` name the
+    """One .COM table: ``values`` (k, columns) as written, NaN where blank. ``columns``: the
     corrected axes.
 
     iTNC 530: ``datum`` and ``distance`` as written, ``listed`` is None. NCK: ``listed`` (k,) =
@@ -63,8 +64,9 @@ class Com:
 
 @dataclass(frozen=True, slots=True)
 class Cma:
-    """One .CMA: moving axis -> name of its .COM (capitals, no ending) in the active line; ``axes``
-    are all its axis columns.
+    """One .CMA table: for each moving axis the .COM table in the active line.
+
+    Moving axis -> name of its .COM (capitals, no ending); ``axes`` are all its axis columns.
     """
 
     axes: tuple[str, ...]
@@ -75,7 +77,7 @@ class Cma:
 
 @dataclass(slots=True)
 class Content:
-    """Contents of one text file, and its faults."""
+    """The contents of one text file, and its faults."""
 
     coms: list[Com] = field(default_factory=list)
     cmas: list[Cma] = field(default_factory=list)
@@ -85,8 +87,8 @@ class Content:
 
 
 def read_text(file: ControlFile, generation: Generation) -> Content:
-    """Return the tables and parameters of one file (bytes, ASCII). Faults are collected, nothing is
-    raised.
+    """Return the tables and parameters of one file, given as bytes (ASCII). Faults are collected,
+    and nothing is raised.
     """
     found = Content()
     fault = binary_fault(file.name, file.content)
@@ -181,8 +183,8 @@ def _names(block: TableBlock, stem: str | None) -> frozenset[str]:
 
 
 def _values(grid: CellGrid, columns: dict[str, str], faults: list[Fault]) -> FloatArray:
-    """Return (rows, columns) of numbers; a column with any value must have one in its first and its
-    last row.
+    """Return an array (rows, columns) of numbers. A used column needs values in its first and last
+    row.
     """
     table = np.full((len(grid.rows), len(columns)), np.nan)
     for index, name in enumerate(columns):
@@ -204,7 +206,9 @@ def _by_spacing(
     found: Content,
     faults: list[Fault],
 ) -> Com:
-    """Return the .COM of an iTNC 530: DATUM and DIST in the head, columns ``1=F()``."""
+    """Return the .COM table of an iTNC 530, with DATUM and DIST in its head and columns
+    ``1=F()``.
+    """
     head = _head(block, faults)
     columns: dict[str, str] = {}
     for name in grid.names:
@@ -240,7 +244,7 @@ def _by_spacing(
 
 
 def _head(block: TableBlock, faults: list[Fault]) -> dict[str, float]:
-    """Return DATUM and DIST of a BEGIN line."""
+    """Return DATUM and DIST in a BEGIN line."""
     head: dict[str, float] = {}
     for entry in block.rest.replace(": ", ":").split():
         key, colon, text = entry.partition(":")
@@ -270,7 +274,9 @@ def _head(block: TableBlock, faults: list[Fault]) -> dict[str, float]:
 
 
 def _by_position(block: TableBlock, grid: CellGrid, stem: str | None, faults: list[Fault]) -> Com:
-    """Return the .COM of an NCK: AXISPOS, BACKLASH if any, then one column per axis key."""
+    """Return the .COM table of an NCK control: AXISPOS, BACKLASH if any, then one column per
+    axis.
+    """
     if block.rest:
         faults.append(
             block.place.fault(
@@ -317,7 +323,7 @@ def _by_position(block: TableBlock, grid: CellGrid, stem: str | None, faults: li
 
 
 def _cma(block: TableBlock, generation: Generation) -> Cma:
-    """Return the active line of a .CMA.
+    """Return the active line of a .CMA table.
 
     NCK: ``*`` in ACTIVE; iTNC 530: the only line, or the one with ``M`` in STATUS or ACTIVE.
     """

@@ -1,6 +1,4 @@
-"""HEIDENHAIN tables and sheets as curves: positions, units, signs, values outside the table; the
-axes built from such curves and from parameters.
-"""
+"""HEIDENHAIN tables and sheets as curves: positions, units, signs, and values outside the table."""
 
 from __future__ import annotations
 
@@ -27,8 +25,7 @@ _MEETS = 1e-6
 
 @dataclass(frozen=True, slots=True)
 class CorrectionCurve:
-    """Corrections ``values`` (k,) at ``nodes`` (k,): straight lines between, end values held
-    outside.
+    """A correction curve: ``values`` (k,) at ``nodes`` (k,), linear in between, constant outside.
 
     ``endless``: positions count modulo 360 deg; ``one_turn``: only 0 to 360 deg is used.
     """
@@ -39,7 +36,7 @@ class CorrectionCurve:
     one_turn: bool = False
 
     def at(self, positions: FloatArray) -> FloatArray:
-        """Return the values at ``positions`` (any shape)."""
+        """Return the correction at ``positions`` (any shape)."""
         if self.endless:
             positions = np.mod(positions, TURN)
         elif self.one_turn:
@@ -49,15 +46,13 @@ class CorrectionCurve:
 
 @dataclass(frozen=True, slots=True)
 class OwnTable:
-    """The table of an axis over itself: a curve for each approach direction (the same one where the
-    control has only one).
-    """
+    """The table of an axis over itself: one curve for each approach direction."""
 
     positive: CorrectionCurve
     negative: CorrectionCurve
 
     def at(self, positions: FloatArray, direction: Direction) -> FloatArray:
-        """Return the values at ``positions`` arriving in ``direction``."""
+        """Return the correction at ``positions`` (any shape) approached in ``direction``."""
         return (self.positive if direction is Direction.POSITIVE else self.negative).at(positions)
 
     def nodes(self) -> FloatArray:
@@ -67,8 +62,9 @@ class OwnTable:
 
 @dataclass(frozen=True, slots=True)
 class HeidenhainAxis:
-    """One axis. ``nonlinear``: its tables are active, else its linear error; never both (TNC 407
-    technical manual p. 151).
+    """One axis. ``nonlinear``: its tables are active, else its linear error.
+
+    Never both (TNC 407 technical manual p. 151).
 
     ``linear_error``: the active one, mm/m, positive when the axis travels too far; 0 with active
     tables. ``backlash``: mm or deg, positive when the encoder runs ahead and the travel is too
@@ -96,12 +92,12 @@ class HeidenhainAxis:
 
 
 def whole_turn(nodes: FloatArray) -> bool:
-    """Return whether a rotary table reaches from 0 to 360 deg."""
+    """Return whether the table of a rotary axis covers 0 to 360 deg."""
     return bool(nodes[0] <= _MEETS and nodes[-1] >= TURN - _MEETS)
 
 
 def leaves_turn(nodes: FloatArray) -> bool:
-    """Return whether a rotary table has entries outside 0 to 360 deg."""
+    """Return whether the table of a rotary axis has entries outside 0 to 360 deg."""
     return bool(nodes[0] < -_MEETS or nodes[-1] > TURN + _MEETS)
 
 
@@ -118,8 +114,11 @@ _SAME_VALUE = 5e-5
 
 
 class OwnTableLoader:
-    """Builds the tables. ``own``: the versions of each axis' own table with their place;
-    ``crossed``: moving and corrected axis -> curve. Faults and notes go to ``given``.
+    """Builds the curves of axes over themselves and between axes. Faults and notes are added to
+    ``given``.
+
+    ``own``: the versions of each axis' own table with their place; ``crossed``: moving and
+    corrected axis -> curve.
     """
 
     def __init__(self, given: LoadedContents) -> None:
@@ -128,8 +127,8 @@ class OwnTableLoader:
         self.crossed: dict[tuple[str, str], CorrectionCurve] = {}
 
     def load_com(self, com: Com, moving: str) -> None:
-        """Load the columns of a .COM whose moving axis is ``moving``: its own curves and those of
-        other axes.
+        """Read the columns of a .COM table with the moving axis ``moving``: its own curves and
+        those of other axes.
         """
         nodes = self._nodes(com, moving)
         sign = self._sign(com, moving)
@@ -156,8 +155,8 @@ class OwnTableLoader:
             )
 
     def _nodes(self, com: Com, moving: str) -> FloatArray | None:
-        """Return the positions (k,) of all rows, mm or deg; None with a fault if they are not a
-        grid.
+        """Return the positions (k,) of all rows, mm or deg. None with a fault if they are not
+        equally spaced.
         """
         factor = self._length(com, moving)
         if com.listed is not None:
@@ -200,7 +199,7 @@ class OwnTableLoader:
         return _MM_PER_INCH
 
     def _sign(self, com: Com, moving: str) -> float:
-        """Return the factor from a table's value to the correction."""
+        """Return the sign factor from a table value to the correction."""
         chosen = self.given.choice("table_values", ("error", "correction"), moving)
         sheet = next(
             (one for one in self.given.sheets if one.address == moving and not one.nodes.size), None
@@ -225,8 +224,8 @@ class OwnTableLoader:
     def _second_curve(
         self, com: Com, moving: str, nodes: FloatArray, sign: float
     ) -> CorrectionCurve | None:
-        """Return the curve for an approach towards - (NCK, column BACKLASH); None if one curve
-        holds for both directions.
+        """Return the curve for an approach towards - (NCK, column BACKLASH). None if one curve
+        applies to both directions.
         """
         chosen = self.given.choice("backlash_column", ("second_curve", "absent"), moving)
         if com.negative is None or np.all(np.isnan(com.negative)):
@@ -275,7 +274,7 @@ class OwnTableLoader:
         self.own[sheet.address].append((sheet.place, OwnTable(curve, curve)))
 
     def _check_grid(self, sheet: JudgedSheet) -> None:
-        """Check that the positions are equally spaced: an iTNC 530 takes only DATUM and a
+        """Check that the positions are equally spaced, because an iTNC 530 accepts only DATUM and a
         spacing.
         """
         if self.given.generation.name != ITNC530.name or sheet.nodes.size < 2:
@@ -299,7 +298,7 @@ class OwnTableLoader:
     def _curve(
         self, moving: str, nodes: FloatArray, values: FloatArray, place: LinePlace
     ) -> CorrectionCurve:
-        """Return the curve through the rows with a value.
+        """Return the curve through the rows that have a value.
 
         A rotary axis is endless if the request gives its turn, or if its table spans the turn.
         """
@@ -344,7 +343,7 @@ class OwnTableLoader:
         return curve
 
     def one_table(self, address: str) -> OwnTable | None:
-        """Return the axis' own table; a .COM and the entry sheet for it must agree."""
+        """Return the axis' own table. A .COM table and an entry sheet for it must agree."""
         stated = self.own.get(address, [])
         for place, table in stated[1:]:
             first = stated[0][1]

@@ -1,4 +1,4 @@
-"""Numbers of a compensation table: entries by index, positions, units and number types."""
+"""The numbers of a compensation table: entries by index, positions, units and number types."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def table_entries(
 def column(
     axis: AxisLists, entries: Mapping[int, ListStatement], count: int, name: str, largest: float
 ) -> FloatArray | None:
-    """Return one column (count,) in units of the list.
+    """Return one column (count,) in the unit of the list.
 
     None with faults where an entry is missing, not a number, too large, or beyond the last index.
     """
@@ -66,7 +66,7 @@ def column(
 
 
 def largest_value(request: Request, address: str, axis: AxisLists, section: str) -> float:
-    """Return the largest value that a table may hold: option ``value_type``, default SGN32.
+    """Return the largest possible table value, by the option ``value_type`` (default SGN32).
 
     SGN16 and SGN32 hold whole numbers only; others are faults. Raises UsageError for an unknown
     type.
@@ -92,8 +92,8 @@ def largest_value(request: Request, address: str, axis: AxisLists, section: str)
 
 
 def unit_of(axis: AxisLists, name: str, request: Request, addresses: Sequence[str]) -> list[float]:
-    """Return mm or deg per unit of the list for each of ``addresses``; empty with a fault where the
-    list does not state its unit.
+    """Return mm or deg per unit of the list for each of ``addresses``. Empty with a fault where the
+    list states no unit.
 
     Raises UsageError where the list counts encoder increments and the option ``encoder_increment``
     of an axis is missing, or is not a positive number.
@@ -123,7 +123,7 @@ def _increment(request: Request, address: str, name: str) -> float:
 
 
 def ascending(axis: AxisLists, positions: FloatArray, entries: Mapping[int, ListStatement]) -> None:
-    """Keep a fault for the first setpoint that does not ascend."""
+    """Add a fault for the first position that does not ascend."""
     steps = np.diff(positions)
     if steps.size and not np.all(steps > 0.0):
         index = int(np.argmax(~(steps > 0.0))) + 1

@@ -32,7 +32,7 @@ from compwright.records.correction import Assumption, ControlFile
 
 @dataclass(frozen=True, slots=True)
 class _ListAxis:
-    """One axis. ``backlash`` > 0: the backlash compensation, mm or deg; ``home``: the direction in
+    """One axis of a virtual ISG kernel. ``backlash`` > 0, mm or deg; ``home``: the direction in
     which it adds nothing.
     """
 
@@ -43,7 +43,7 @@ class _ListAxis:
 
 @dataclass(frozen=True, slots=True)
 class IsgControl:
-    """An ISG kernel with lists loaded, all axes referenced. See
+    """An ISG kernel with loaded lists and all axes referenced; interface
     ``controllers.virtual.VirtualControl``.
 
     Addresses are logical axis numbers as text.
@@ -55,7 +55,7 @@ class IsgControl:
     notes: tuple[str, ...]
 
     def addresses(self) -> tuple[str, ...]:
-        """Return the logical axis numbers that the lists mention, ascending."""
+        """Return the logical axis numbers in the lists, ascending."""
         return tuple(self.axes)
 
     def nodes(self, address: str) -> FloatArray:
@@ -64,7 +64,7 @@ class IsgControl:
         return np.empty(0) if table is None else table.positions
 
     def correction(self, address: str, positions: FloatArray, direction: Direction) -> FloatArray:
-        """Return what is added to the command at ``positions`` (any shape) arriving in
+        """Return the correction added to the command at ``positions`` (any shape) approached in
         ``direction``, mm or deg.
         """
         axis = self._axis(address)
@@ -73,8 +73,8 @@ class IsgControl:
         return total + (0.0 if direction is axis.home else direction.sign * axis.backlash)
 
     def cross(self) -> tuple[tuple[str, str], ...]:
-        """Return (master, slave) of the active tables; one of unknown sign is in ``notes``
-        instead.
+        """Return (master, slave) of the active tables between axes. A table of unknown sign is only
+        in ``notes``.
         """
         return tuple(self.tables)
 
@@ -85,8 +85,8 @@ class IsgControl:
         positions: FloatArray,
         direction: Direction,  # noqa: ARG002
     ) -> FloatArray:
-        """Return what is added to ``output`` with ``input`` at ``positions`` (any shape); both
-        directions alike, mm or deg.
+        """Return the correction added to ``output`` with ``input`` at ``positions`` (any shape), mm
+        or deg. It is the same in both directions.
         """
         table = self.tables.get((input, output))
         if table is None:
@@ -109,8 +109,9 @@ class IsgControl:
 
 
 def isg_control(files: Sequence[ControlFile], request: Request) -> IsgControl:
-    """Return the control with ``files`` loaded: compensation value lists, axis parameter lists and
-    a start-up list, each recognised by its contents.
+    """Return the control with ``files`` loaded. Each file is recognised by its contents.
+
+    Compensation value lists, axis parameter lists and a start-up list.
 
     Raises InputError where lists contradict each other or themselves, name a table without its
     values, or hold an active compensation of an axis under work that cannot be read; UsageError for
@@ -147,7 +148,9 @@ def isg_control(files: Sequence[ControlFile], request: Request) -> IsgControl:
 def _loaded(
     axis: AxisLists, request: Request, assumed: list[Assumption], notes: list[str]
 ) -> tuple[_ListAxis, CrossTable | None]:
-    """Return one axis and the table by which another corrects it; faults are kept in ``axis``."""
+    """Return one axis and the table by which another axis corrects it. Faults are stored in
+    ``axis``.
+    """
     _check_type(axis, request)
     table = read_table(axis, request, assumed)
     backlash = read_backlash(axis, table, assumed)
@@ -162,8 +165,9 @@ def _loaded(
 
 
 def _check_type(axis: AxisLists, request: Request) -> None:
-    """Add a fault where the axis type (P-AXIS-00018: 0x0001 linear, 0x0002 rotary, 0x0004 spindle,
-    or their names) is unknown or contradicts the requested kind.
+    """Add a fault if the axis type is unknown or contradicts the requested kind.
+
+    P-AXIS-00018: 0x0001 linear, 0x0002 rotary, 0x0004 spindle, or their names.
     """
     statement = axis.statements.get("kenngr.achs_typ")
     if statement is None:

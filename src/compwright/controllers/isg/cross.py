@@ -1,4 +1,5 @@
-"""Tables by which one axis corrects another (``kw.crosscomp``), or two a third (``kw.crosscomp2``).
+"""Tables by which one axis corrects another (``kw.crosscomp``), or two axes a third
+(``kw.crosscomp2``).
 
 The table is in the list of the corrected axis, the slave; both directions, linear. Its values are
 named "correction" without a rule of sign, so the option ``cross_values`` must state the sign.
@@ -34,8 +35,8 @@ DEFAULT_ROOM = 1001
 
 @dataclass(frozen=True, slots=True)
 class CrossTable:
-    """``positions`` (k,) of ``master``, ascending; ``values`` (k,): what is added to ``slave``; mm
-    or deg.
+    """A table between axes: ``positions`` (k,) of ``master``, ascending; corrections ``values``
+    (k,) of ``slave``; mm or deg.
     """
 
     master: str
@@ -44,7 +45,7 @@ class CrossTable:
     values: FloatArray
 
     def at(self, x: FloatArray) -> FloatArray:
-        """Return what is added to the slave with the master at ``x`` (any shape)."""
+        """Return the correction of the slave with the master at ``x`` (any shape)."""
         return np.asarray(np.interp(x, self.positions, self.values), dtype=np.float64)
 
 
@@ -86,8 +87,8 @@ def read_cross(
 
 
 def _entries(axis: AxisLists, request: Request) -> tuple[str, FloatArray, FloatArray] | None:
-    """Return the master, its positions and the values (k,) in units of the list; None without a
-    table, or with faults.
+    """Return the master axis, its positions and the values (k,) in units of the list. None without
+    a valid table.
     """
     if not axis.section(SECTION):
         return None
@@ -119,7 +120,7 @@ def _entries(axis: AxisLists, request: Request) -> tuple[str, FloatArray, FloatA
 
 
 def _master(axis: AxisLists, *, filled: bool) -> str | None:
-    """Return the axis that corrects; None without a table, or with a fault."""
+    """Return the axis that corrects another one. None without a table, or with a fault."""
     number = axis.whole(SECTION + "master_ax_nr", 0)
     if number is None or number == 0:
         if filled:
@@ -133,7 +134,7 @@ def _master(axis: AxisLists, *, filled: bool) -> str | None:
 
 
 def cross_sign(request: Request, slave: str) -> float | None:
-    """Return the factor of the slave's table values, +1 or -1; None where it is not given.
+    """Return the sign of the slave's table values, +1 or -1. None where it is not given.
 
     Raises UsageError when the option ``cross_values`` is neither ``error`` nor ``correction``.
     """
@@ -153,7 +154,7 @@ def cross_sign(request: Request, slave: str) -> float | None:
 def refuse_plane(
     axis: AxisLists, request: Request, assumed: list[Assumption], notes: list[str]
 ) -> None:
-    """Refuse an active table over two axes: its correction depends on the positions of both."""
+    """Refuse an active table over two axes, because its correction depends on both positions."""
     section = axis.section(PLANE)
     if not section.keys() - {"max_points", "manual_activation", "n_cycles"}:
         return
@@ -169,7 +170,7 @@ def refuse_plane(
 
 
 def refuse_others(axis: AxisLists) -> None:
-    """Refuse other kinds of compensation in a list by name unless they hold nothing but 0."""
+    """Refuse other kinds of compensation in a list by name, unless all their values are 0."""
     for name, statement in axis.section("kw.").items():
         known = name.startswith(("ssfk.", "crosscomp.", "crosscomp2."))
         if not known and statement.number() != 0.0:

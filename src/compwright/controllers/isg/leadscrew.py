@@ -40,9 +40,10 @@ SIGNS = {"error": -1.0, "correction": 1.0}
 
 @dataclass(frozen=True, slots=True)
 class LeadscrewTable:
-    """``positions`` (k,) ascending; ``positive``, ``negative`` (k,): the correction for an approach
-    in that direction; mm or deg. ``period``: of a table that repeats. ``active``: it is switched
-    on.
+    """A table of corrections by position: for an approach towards + and towards -, mm or deg.
+
+    ``positions`` (k,) ascending; ``positive``, ``negative`` (k,). ``period``: of a table that
+    repeats. ``active``: it is switched on.
     """
 
     positions: FloatArray
@@ -53,7 +54,7 @@ class LeadscrewTable:
     active: bool
 
     def at(self, x: FloatArray, direction: Direction) -> FloatArray:
-        """Return what is added at ``x`` (any shape), mm or deg."""
+        """Return the correction added at ``x`` (any shape), mm or deg."""
         if not self.active:
             return np.zeros(x.shape)
         if self.period is not None:
@@ -65,7 +66,9 @@ class LeadscrewTable:
 def read_table(
     axis: AxisLists, request: Request, assumed: list[Assumption]
 ) -> LeadscrewTable | None:
-    """Return the table of an axis, None without one or with faults (kept in the axis)."""
+    """Return the table of an axis. None without one or with faults, which are stored in the
+    axis.
+    """
     if not axis.section(SECTION):
         return None
     entries = table_entries(axis, SECTION, _KEYS, _COLUMNS)
@@ -109,7 +112,7 @@ def _required(axis: AxisLists, key: str, why: str) -> bool | None:
 
 
 def _count(axis: AxisLists, entries: Entries) -> int:
-    """Return the number of entries; 0 where there is no table, or a fault."""
+    """Return the number of entries. 0 without a table, or with a fault."""
     count = axis.whole(SECTION + "kw_nr_max", 0)
     filled = any(entries.values())
     if count is None:
@@ -136,7 +139,7 @@ def _count(axis: AxisLists, entries: Entries) -> int:
 
 
 def _positions(axis: AxisLists, entries: Entries, count: int) -> FloatArray | None:
-    """Return the positions (count,) in units of the list, None with a fault."""
+    """Return the positions (count,) in units of the list. None with a fault."""
     interval = _required_number(axis, "interval", "listed or equal spacing is not given", 0.0)
     if interval is None:
         return None
@@ -164,7 +167,7 @@ def _positions(axis: AxisLists, entries: Entries, count: int) -> FloatArray | No
 
 
 def _required_number(axis: AxisLists, key: str, why: str, lowest: float) -> float | None:
-    """Return a required number between ``lowest`` and the largest; None with a fault."""
+    """Return a required number between ``lowest`` and the largest. None with a fault."""
     name = SECTION + key
     if name not in axis.statements:
         axis.missing(name, why)
@@ -177,7 +180,7 @@ def _required_number(axis: AxisLists, key: str, why: str, lowest: float) -> floa
 
 
 def _begins(axis: AxisLists, first: float) -> None:
-    """Check that the listed setpoints and kw_startpos start at the same position, as in the
+    """Check that the listed positions and kw_startpos begin at the same position, as in the
     vendor's example.
     """
     start = axis.number(SECTION + "kw_startpos")
@@ -193,7 +196,7 @@ def _begins(axis: AxisLists, first: float) -> None:
 def _negative(
     axis: AxisLists, entries: Entries, count: int, largest: float, *, bilateral: bool | None
 ) -> FloatArray | None:
-    """Return the column for an approach towards -.
+    """Return the column of corrections for an approach towards -.
 
     A second column is a contradiction if one column holds for both directions and they differ.
     """
@@ -237,7 +240,7 @@ def _period(
     negative: FloatArray,
     unit: float,
 ) -> float | None:
-    """Return the turn of a table that repeats, mm or deg: its first and last entry are one
+    """Return the turn of a repeating table, mm or deg. Its first and last entry are the same
     position.
 
     ``positions`` count in ``unit``.

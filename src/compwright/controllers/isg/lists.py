@@ -35,7 +35,7 @@ _HIGHEST_AXIS = 65535
 
 @dataclass(frozen=True, slots=True)
 class ListStatement(OfLine):
-    """One statement: its name without blanks, in small letters, and the rest of its line."""
+    """One statement: its name without blanks, in lower case, and the rest of its line."""
 
     name: str
     text: str
@@ -48,15 +48,17 @@ class ListStatement(OfLine):
         return repr(self.text)
 
     def number(self) -> float | None:
-        """Return the value as a finite decimal number, None for anything else."""
+        """Return the value as a finite decimal number. None for anything else."""
         value = float(self.text) if _NUMBER.fullmatch(self.text) else math.nan
         return value if math.isfinite(value) else None
 
 
 @dataclass(slots=True)
 class AxisLists:
-    """Statements of one axis, by name. ``files``: the lists they come from; ``faults``: of this
-    axis, which stop only an axis under work.
+    """The statements of one axis, by name.
+
+    ``files``: the lists they come from; ``faults``: of this axis, which stop only an axis under
+    work.
     """
 
     address: str
@@ -65,7 +67,7 @@ class AxisLists:
     faults: list[Fault] = field(default_factory=list)
 
     def add(self, statement: ListStatement) -> None:
-        """Add a statement; a second one of the same name must have the same value."""
+        """Add a statement. A second one of the same name must have the same value."""
         known = self.statements.setdefault(statement.name, statement)
         if _value(known) != _value(statement):
             self.faults.append(
@@ -76,7 +78,7 @@ class AxisLists:
             )
 
     def number(self, name: str) -> float | None:
-        """Return a statement's number; None if it is absent, or is not a number (then with a
+        """Return a statement's number. None if it is missing, or is not a number (then with a
         fault).
         """
         statement = self.statements.get(name)
@@ -88,7 +90,7 @@ class AxisLists:
         return value
 
     def switch(self, name: str) -> bool | None:
-        """Return a statement's 0 or 1; None if it is absent, or anything else (then with a
+        """Return a statement's 0 or 1. None if it is missing, or anything else (then with a
         fault).
         """
         value = self.number(name)
@@ -98,7 +100,9 @@ class AxisLists:
         return None if value is None else value == 1.0
 
     def whole(self, name: str, lowest: int) -> int | None:
-        """Return a statement's whole number from ``lowest`` on; None as in `number`."""
+        """Return a statement's whole number of at least ``lowest``. None if it is missing or
+        invalid.
+        """
         value = self.number(name)
         if value is not None and (value != int(value) or not lowest <= value < 2**31):
             expected = f"a whole number from {lowest} on"
@@ -133,8 +137,8 @@ class AxisLists:
 
 @dataclass(slots=True)
 class ControlLists:
-    """Contents of all lists: axes by logical number, notes on what is ignored, and faults that
-    concern no single axis.
+    """The contents of all lists: axes by logical number, notes, and faults that belong to no single
+    axis.
     """
 
     axes: dict[str, AxisLists] = field(default_factory=dict)
@@ -143,7 +147,7 @@ class ControlLists:
 
 
 def read_lists(files: Sequence[ControlFile]) -> ControlLists:
-    """Return the statements of all ``files`` by axis; nothing is raised."""
+    """Return the statements of all ``files`` by axis. Nothing is raised."""
     lists = ControlLists()
     read = [(file.name, list(_statements(file, lists))) for file in files]
     started = _start_up([statement for _, found in read for statement in found], lists)
@@ -206,7 +210,7 @@ def _statements(file: ControlFile, lists: ControlLists) -> Iterable[ListStatemen
 
 
 def _named(match: re.Match[str]) -> str:
-    """Return a statement's name without blanks and leading zeros of its indices."""
+    """Return a statement's name without blanks, and without leading zeros in its indices."""
     return re.sub(r"\[0*(\d+)\]", r"[\1]", re.sub(r"\s+", "", match.group(1)).lower())
 
 
@@ -216,8 +220,8 @@ def _value(statement: ListStatement) -> float | str:
 
 
 def _start_up(statements: Iterable[ListStatement], lists: ControlLists) -> dict[str, str] | None:
-    """Return the axis of each compensation list that a start-up list loads, by bare file name;
-    None without a start-up list.
+    """Return the axis of each list that a start-up list loads, by file name. None without a
+    start-up list.
     """
     found: dict[str, ListStatement] = {}
     for one in statements:
@@ -261,7 +265,7 @@ def _axis_number(statement: ListStatement, lists: ControlLists) -> str | None:
 def _address(
     name: str, found: list[ListStatement], started: dict[str, str] | None, lists: ControlLists
 ) -> str | None:
-    """Return the logical axis number of one list, None where it is not known (a fault)."""
+    """Return the logical axis number of one list. None, with a fault, where it is unknown."""
     headers = [statement for statement in found if statement.name in _HEADERS]
     numbers = [_axis_number(statement, lists) for statement in headers]
     by_start_up = (started or {}).get(name.casefold())
@@ -292,7 +296,7 @@ def _address(
 def _loaded(
     name: str, found: list[ListStatement], started: dict[str, str] | None, lists: ControlLists
 ) -> bool:
-    """Return whether a list is loaded: the start-up list, if there is one, must name it."""
+    """Return whether a list is loaded. A start-up list, if given, must name it."""
     if started is None or name.casefold() in started:
         return True
     if not any(statement.name.startswith("kw.") for statement in found):

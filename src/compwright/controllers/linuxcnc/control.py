@@ -63,7 +63,7 @@ _TYPES = {"LINEAR": False, "1": False, "ANGULAR": True, "2": True}
 
 @dataclass(frozen=True, slots=True)
 class _Joint:
-    """``unit``: mm or deg per machine unit."""
+    """One joint of a virtual LinuxCNC. ``unit``: mm or deg per machine unit."""
 
     table: CompTable | None
     backlash: float
@@ -72,7 +72,8 @@ class _Joint:
 
 @dataclass(frozen=True, slots=True)
 class LinuxCncControl:
-    """LinuxCNC with files loaded, all joints homed. See ``controllers.virtual.VirtualControl``.
+    """LinuxCNC with loaded files and all joints homed; interface
+    ``controllers.virtual.VirtualControl``.
 
     Addresses are joint numbers as text. Where a table holds a number that is not finite the answer
     is NaN.
@@ -83,16 +84,16 @@ class LinuxCncControl:
     notes: tuple[str, ...]
 
     def addresses(self) -> tuple[str, ...]:
-        """Return the joint numbers that the files mention, ascending."""
+        """Return the joint numbers in the files, ascending."""
         return tuple(self.joints)
 
     def nodes(self, address: str) -> FloatArray:
-        """Return the positions (k,) of the rows that the control really loaded, mm or deg."""
+        """Return the positions (k,) of the rows that the control really loads, mm or deg."""
         joint = self._joint(address)
         return np.empty(0) if joint.table is None else joint.table.nominal * joint.unit
 
     def correction(self, address: str, positions: FloatArray, direction: Direction) -> FloatArray:
-        """Return what is added to the command at ``positions`` (any shape) arriving in
+        """Return the correction added to the command at ``positions`` (any shape) approached in
         ``direction``, mm or deg.
         """
         joint = self._joint(address)
@@ -102,7 +103,7 @@ class LinuxCncControl:
         return _looked_up(joint.table, x, direction) * joint.unit
 
     def cross(self) -> tuple[tuple[str, str], ...]:
-        """Return (): no table corrects one joint by the position of another."""
+        """Return an empty tuple, because no table corrects one joint by the position of another."""
         return ()
 
     def cross_correction(  # the protocol's names
@@ -112,7 +113,7 @@ class LinuxCncControl:
         positions: FloatArray,  # noqa: ARG002
         direction: Direction,  # noqa: ARG002
     ) -> FloatArray:
-        """Raise UsageError: no table corrects one joint by the position of another."""
+        """Raise UsageError, because no table corrects one joint by the position of another."""
         raise UsageError(
             Fault(
                 message=(
@@ -131,8 +132,9 @@ class LinuxCncControl:
 
 
 def _looked_up(table: CompTable, x: FloatArray, direction: Direction) -> FloatArray:
-    """Return the table's correction at ``x`` (machine units), computed as in the servo loop: the
-    row below plus its slope times the distance.
+    """Return the table's correction at ``x`` (machine units), computed as in the control.
+
+    As in the servo loop: the row below plus its slope times the distance.
     """
     if not table.defined:
         return np.full(x.shape, np.nan)
@@ -149,8 +151,7 @@ def _looked_up(table: CompTable, x: FloatArray, direction: Direction) -> FloatAr
 
 
 def linuxcnc_control(files: Sequence[ControlFile], request: Request) -> LinuxCncControl:
-    """Return the control with ``files`` loaded: INI files (whole or only their joint sections) and
-    the tables they name.
+    """Return the control with ``files`` loaded: INI files and the tables that they name.
 
     A table without an INI belongs to the joint of its name ``joint_N...``, else to the option
     ``axis``. What the control would leave out silently is left out here too and listed in
@@ -177,7 +178,7 @@ def linuxcnc_control(files: Sequence[ControlFile], request: Request) -> LinuxCnc
 
 
 class _JointLoader:
-    """Builds the joints; collects assumptions, notes, and faults that keep the control from
+    """Builds the joints. It collects assumptions, notes, and faults that prevent the control from
     starting.
     """
 
@@ -192,7 +193,7 @@ class _JointLoader:
         self.faults: list[Fault] = []
 
     def joints(self) -> dict[str, _Joint]:
-        """Return all joints that the files mention, by number."""
+        """Return all joints in the files, by number."""
         numbers = {number for ini in self.inis for number in ini.joints()}
         orphans = self._orphans(numbers)
         self._kinematics()
@@ -211,7 +212,7 @@ class _JointLoader:
         return {str(number): joint for number, joint in sorted(found.items()) if joint is not None}
 
     def works_on_axis(self, letter: str) -> bool:
-        """Return whether a joint of this axis is under work; True where no INI states the
+        """Return whether a joint of this axis is part of the job. True where no INI states the
         joints.
         """
         numbers = [
@@ -223,13 +224,13 @@ class _JointLoader:
         return not self.inis or any(self.works_on_joint(str(number)) for number in numbers)
 
     def works_on_joint(self, number: str) -> bool:
-        """Return whether a joint is under work; True if its number is a variable."""
+        """Return whether a joint is part of the job. True if its number is a variable."""
         wanted = {joint_number(one) for one in self.request.axes_under_work}
         return not wanted or not number.isdigit() or number in wanted
 
     def _kinematics(self) -> None:
-        """Refuse kinematics that mix joints: a table corrects a joint, the test measured an
-        axis.
+        """Refuse kinematics that mix joints, because a table corrects a joint but the test measured
+        an axis.
         """
         for ini in self.inis if self.request.reference else ():
             value = ini.find("KINS", "KINEMATICS")
@@ -243,8 +244,8 @@ class _JointLoader:
                 )
 
     def _wrapped(self, numbers: set[int]) -> None:
-        """Refuse a wrapped rotary axis: its position counts on past the turn, where no table
-        reaches.
+        """Refuse a wrapped rotary axis. Its position counts beyond the turn, where the table
+        ends.
         """
         for ini in self.inis if self.request.reference else ():
             letters = letters_of_joints(ini)
@@ -263,7 +264,7 @@ class _JointLoader:
                     )
 
     def _orphans(self, numbers: set[int]) -> dict[int, str]:
-        """Return the tables that no INI names, by the joint that is assumed to load them."""
+        """Return the tables that no INI names, by the joint that probably loads them."""
         named = {
             bare_name(value.text)
             for number in numbers
@@ -298,7 +299,7 @@ class _JointLoader:
         return int(axis) if re.fullmatch("[0-9]{1,3}", axis) and len(self.tables) == 1 else None
 
     def _value(self, number: int, key: str) -> IniValue | None:
-        """Return a joint's key over all INI files; two that differ are a fault."""
+        """Return a joint's key over all INI files. Two different values are a fault."""
         found = [
             value for ini in self.inis if (value := ini.find(f"JOINT_{number}", key)) is not None
         ]
@@ -355,7 +356,9 @@ class _JointLoader:
         return _Joint(table=table, backlash=backlash, unit=self._unit(number))
 
     def _type(self, number: int) -> int:
-        """Return COMP_FILE_TYPE as the control reads it (C's ``%i``); 0 where it is absent."""
+        """Return COMP_FILE_TYPE as the control reads it (``%i`` of the language C). 0 where it is
+        missing.
+        """
         value = self._value(number, "COMP_FILE_TYPE")
         if value is None:
             return 0
@@ -440,8 +443,8 @@ class _JointLoader:
         return _LINEAR_UNITS[str(option)]
 
     def _named_unit(self, key: str, units: dict[str, float]) -> float | None:
-        """Return mm or deg per unit from [TRAJ]; a number there counts machine units per mm
-        (degree).
+        """Return mm or deg per unit from [TRAJ]. A number there is the machine units per mm or
+        degree.
         """
         found = [value for ini in self.inis if (value := ini.find("TRAJ", key)) is not None]
         sizes: list[float] = []

@@ -1,4 +1,5 @@
-"""LinuxCNC: corrections that HAL files add to an axis, and changes to a joint's backlash.
+"""LinuxCNC: corrections that HAL files add to an axis, and changes of a joint's backlash during
+operation.
 
 Words of halcmd(1): ``setp PIN VALUE``, ``net SIGNAL PIN ..``, ``linkps``, ``linksp``, ``linkpp``;
 an INI holds such lines as ``HALCMD = ..``. Pins of motion(9): ``axis.L.eoffset-counts`` times
@@ -50,7 +51,7 @@ def run_time_pins(
 
 
 def _pins(line: str) -> list[str]:
-    """Return the pins that a line sets to something, or links."""
+    """Return the pins that a line sets or links."""
     words = line.partition("#")[0].replace("=", " = ").split()
     if words[:2] and words[0].upper() == "HALCMD" and words[1:2] == ["="]:
         words = words[2:]

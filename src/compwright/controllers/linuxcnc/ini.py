@@ -1,4 +1,4 @@
-"""LinuxCNC's INI files, with the control's own rules for finding a value.
+"""LinuxCNC's INI files, read by the control's own rules.
 
 Only the first section of a name is searched, the first matching key counts, a value runs to the end
 of its line (a remark behind it belongs to the value), a key without a value counts as absent, a
@@ -24,7 +24,7 @@ _JOINT = re.compile(r"\[JOINT_([0-9]{1,3})\]")
 
 @dataclass(frozen=True, slots=True)
 class IniLine:
-    """One logical line with the file and line number where it starts."""
+    """One logical line, with the file and the line number where it starts."""
 
     text: str
     file: str
@@ -33,7 +33,7 @@ class IniLine:
 
 @dataclass(frozen=True, slots=True)
 class IniValue:
-    """The text behind a key's equals sign."""
+    """The text after a key's equals sign."""
 
     text: str
     line: IniLine
@@ -52,14 +52,14 @@ class IniValue:
 
 @dataclass(frozen=True, slots=True)
 class IniFile:
-    """One INI file with its includes inserted."""
+    """One INI file with its include files inserted."""
 
     name: str
     lines: tuple[IniLine, ...]
     faults: tuple[Fault, ...]
 
     def find(self, section: str, key: str) -> IniValue | None:
-        """Return the value of a key as the control finds it, None when it does not."""
+        """Return the value of a key as the control finds it. None when the control finds none."""
         inside = False
         for line in self.lines:
             text = line.text.lstrip(_BLANKS)
@@ -75,7 +75,7 @@ class IniFile:
         return None
 
     def joints(self) -> tuple[int, ...]:
-        """Return the numbers of the joints that have a section, in order of appearance."""
+        """Return the numbers of the joints with a section, in order of appearance."""
         found = [
             match.group(1)
             for line in self.lines
@@ -84,7 +84,9 @@ class IniFile:
         return tuple(dict.fromkeys(int(number) for number in found))
 
     def repeated(self) -> tuple[str, ...]:
-        """Return remarks on joint sections that appear again: the control reads only the first."""
+        """Return remarks about repeated joint sections, of which the control reads only the
+        first.
+        """
         seen: set[str] = set()
         remarks = []
         for line in self.lines:
@@ -100,7 +102,7 @@ class IniFile:
 
 
 def _looks_like_ini(file: ControlFile) -> bool:
-    """Whether a file is an INI: by its name, or because it has a joint section."""
+    """Return whether a file is an INI file, by its name or because it has a joint section."""
     return (
         file.name.lower().endswith(".ini")
         or re.search(rb"^[ \t]*\[JOINT_[0-9]+\]", file.content, re.MULTILINE) is not None
@@ -108,8 +110,8 @@ def _looks_like_ini(file: ControlFile) -> bool:
 
 
 def read_inis(files: Sequence[ControlFile]) -> tuple[tuple[IniFile, ...], frozenset[str]]:
-    """Return the INI files that no other one includes, with their includes inserted, and the names
-    of all files used for them.
+    """Return the INI files that no other file includes, with their includes inserted, and the names
+    of all files used.
     """
     by_name = {file.name: file for file in files}
     included: set[str] = set()
@@ -120,7 +122,7 @@ def read_inis(files: Sequence[ControlFile]) -> tuple[tuple[IniFile, ...], frozen
 
 
 def bare_name(path: str) -> str:
-    """Return a path's last part, whichever slash it uses."""
+    """Return the last part of a path with slashes or backslashes."""
     return re.split(r"[/\\]", path.strip())[-1]
 
 
@@ -198,8 +200,8 @@ MIXING = frozenset(
 
 
 def joint_number(address: str) -> str:
-    """Return the joint number of an address; an axis letter stands for its place among XYZABCUVW (X
-    is joint 0).
+    """Return the joint number of an address. An axis letter means its place in XYZABCUVW (X is
+    joint 0).
     """
     letter = address.strip().upper()
     return (

@@ -1,5 +1,5 @@
-"""A LinuxCNC compensation file (``COMP_FILE``) as the control loads it: line by line, with silent
-stops.
+"""A LinuxCNC compensation file (``COMP_FILE``), loaded as the control does: line by line, stopping
+silently at a bad line.
 
 The control reads pieces of up to 254 bytes, takes the first three numbers of each the way C's
 ``scanf`` does, and stops at the first piece without three numbers; the rest of the file is never
@@ -40,8 +40,10 @@ _NUMBER = re.compile(
 
 @dataclass(frozen=True, slots=True)
 class CompTable:
-    """Rows as stored: ``nominal`` (k,) double; trims (what is added going + and -) and slopes (k,)
-    rounded to single precision.
+    """The rows as the control stores them: positions in double precision, corrections and slopes in
+    single precision.
+
+    ``nominal`` (k,); trims (what is added going + and -) and slopes (k,).
 
     Unit: the machine's own. ``notes``: what was not loaded, one sentence each with its line.
     """
@@ -55,13 +57,13 @@ class CompTable:
 
     @property
     def defined(self) -> bool:
-        """Whether all entries are finite; with others the control's motion is not defined."""
+        """Return whether all entries are finite. Otherwise the control's motion is undefined."""
         columns = (self.nominal, self.forward, self.reverse, self.forward_slope, self.reverse_slope)
         return all(bool(np.all(np.isfinite(column))) for column in columns)
 
 
 def load_table(content: bytes, file: str, comp_type: int) -> CompTable:
-    """Return the table that the control holds after loading ``content``; it never fails.
+    """Return the table that the control has after loading ``content``. It never fails.
 
     ``comp_type`` (``COMP_FILE_TYPE``) 0: columns are nominal, actual position going +, going -;
     trim = nominal - actual. Any other: the columns are the trims themselves, added to the command.
@@ -99,8 +101,8 @@ def load_table(content: bytes, file: str, comp_type: int) -> CompTable:
 
 
 def _plain(piece: bytes) -> bool:
-    """Whether a piece is one row of separate numbers; behind blanks anything may follow, but no
-    second row.
+    """Return whether a piece is one row of separate numbers. After blanks any text may follow, but
+    no second row.
     """
     words = piece.split(maxsplit=3)
     one_row = not any(mark in piece.strip() for mark in (b"\r", b"\x00"))
@@ -113,7 +115,9 @@ def _lost(rest: bytes) -> str:
 
 
 def _pieces(content: bytes) -> Iterator[tuple[int, bytes, bytes]]:
-    """Yield (line number, piece, what follows) as C's ``fgets`` cuts the file."""
+    """Yield (line number, piece, following text), as the function ``fgets`` of the language C cuts
+    the file.
+    """
     start, line = 0, 1
     while start < len(content):
         newline = content.find(b"\n", start, start + LONGEST_PIECE)
@@ -124,7 +128,7 @@ def _pieces(content: bytes) -> Iterator[tuple[int, bytes, bytes]]:
 
 
 def three_numbers(piece: bytes) -> tuple[float, float, float] | None:
-    """Return the three numbers that ``sscanf(piece, "%lf %lf %lf")`` finds at the start, None when
+    """Return the three numbers that ``sscanf(piece, "%lf %lf %lf")`` finds at the start. None when
     there are fewer.
     """
     text = piece.split(b"\x00", 1)[0]
@@ -140,7 +144,7 @@ def three_numbers(piece: bytes) -> tuple[float, float, float] | None:
 
 
 def leading_number(text: str) -> float | None:
-    """Return the number that scanf's ``%lf`` finds at the start of ``text``, None without one."""
+    """Return the number that ``%lf`` of scanf finds at the start of ``text``. None without one."""
     match = _NUMBER.match(text.encode("utf-8", "replace"))
     return None if match is None else _value(match)
 
@@ -173,8 +177,8 @@ def _power(mark: str, power: bytes | None) -> str:
 
 
 def _stored(rows: list[tuple[float, float, float]], comp_type: int, notes: list[str]) -> CompTable:
-    """Return the rows in the control's own precision: trims and slopes are single, nominal
-    positions double.
+    """Return the rows in the control's own precision: corrections and slopes single, positions
+    double.
     """
     columns = np.array(rows, dtype=np.float64).reshape(-1, 3)
     nominal = columns[:, 0].copy()

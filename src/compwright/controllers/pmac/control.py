@@ -30,7 +30,7 @@ from compwright.records.correction import Assumption, ControlFile
 
 @dataclass(frozen=True, slots=True)
 class PmacControl:
-    """A PMAC after its scripts were executed, all motors homed. See
+    """A PMAC after its scripts, with all motors homed; interface
     ``controllers.virtual.VirtualControl``.
 
     Addresses are motor numbers as text.
@@ -43,18 +43,18 @@ class PmacControl:
     notes: tuple[str, ...]
 
     def addresses(self) -> tuple[str, ...]:
-        """Return the numbers of the motors that the scripts mention, ascending."""
+        """Return the numbers of the motors in the scripts, ascending."""
         return tuple(str(number) for number in self.motors)
 
     def nodes(self, address: str) -> FloatArray:
-        """Return the positions (k,) of the entries of the motor's own tables and of motor zero,
-        over one length; mm or deg, active or not.
+        """Return the positions (k,) of the entries of the motor's own tables, mm or deg. Active or
+        not.
         """
         number, motor = self._motor(address)
         return self._scale(number).nodes(motor.tables) if motor.tables else np.empty(0)
 
     def correction(self, address: str, positions: FloatArray, direction: Direction) -> FloatArray:
-        """Return what is added to the command at ``positions`` (any shape) arriving in
+        """Return the correction added to the command at ``positions`` (any shape) approached in
         ``direction``, mm or deg.
         """
         number, motor = self._motor(address)
@@ -76,8 +76,8 @@ class PmacControl:
         positions: FloatArray,
         direction: Direction,  # noqa: ARG002
     ) -> FloatArray:
-        """Return what is added to ``output`` with ``input`` at ``positions`` (any shape); both
-        directions alike, mm or deg.
+        """Return the correction added to ``output`` with ``input`` at ``positions`` (any shape), mm
+        or deg. It is the same in both directions.
         """
         pair = next(
             (one for one in self.tables if (str(one[0]), str(one[1])) == (input, output)), None
@@ -144,7 +144,7 @@ def pmac_control(files: Sequence[ControlFile], request: Request) -> PmacControl:
 
 
 def _not_sent(card: Card, request: Request) -> list[Fault]:
-    """Return the commands of motors under work that may not have been sent to the card.
+    """Return the commands for motors of the job that may not have been sent to the card.
 
     If all were sent: those that cannot have been sent together.
     """
@@ -162,9 +162,7 @@ def _not_sent(card: Card, request: Request) -> list[Fault]:
 
 
 def _raised_or_noted(card: Card, judged: Judged, request: Request) -> list[str]:
-    """Raise the faults of motors under work; return those of other motors, and the card's, as
-    notes.
-    """
+    """Raise the faults of motors of the job. Return the other faults as notes."""
     faults = [
         fault for number, fault in judged.faults if not number or request.is_under_work(str(number))
     ]
@@ -179,7 +177,7 @@ def _scales(
     assumed: list[Assumption],
     card: Card,
 ) -> dict[int, MotorScale]:
-    """Return the scale of each motor; None is allowed for one that is not under work."""
+    """Return the counts per unit of each motor. None is possible for a motor outside the job."""
     wanted = {number for number in numbers if request.is_under_work(str(number))}
     wanted |= {source for source, target in crossing if target in wanted}
     scales = {}
@@ -198,8 +196,9 @@ def _scales(
 
 
 def _agrees(number: int, counts: float, card: Card) -> None:
-    """Raise InputError where a definition of its axis states different counts; 1 means that the
-    axis counts in counts, and an axis may count in inches.
+    """Raise InputError where an axis definition states different counts per unit.
+
+    1 means that the axis counts in counts, and an axis may count in inches.
     """
     for defined, place in card.axis_scales.get(number, ()):
         quotients = (defined / counts, defined / counts / MILLIMETRES_PER_INCH)

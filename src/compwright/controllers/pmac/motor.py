@@ -34,20 +34,21 @@ PER_COUNT = 16.0
 
 @dataclass(frozen=True, slots=True)
 class MotorScale:
-    """``counts`` per mm or deg, negative where the motor counts against the axis; ``zero``: machine
-    coordinate of motor zero, mm or deg.
+    """The scale of a motor: ``counts`` per mm or deg, negative where it counts against the axis.
+
+    ``zero``: machine coordinate of motor zero, mm or deg.
     """
 
     counts: float
     zero: float
 
     def motor(self, x: FloatArray) -> FloatArray:
-        """Return motor positions (counts) of machine coordinates (mm or deg, any shape)."""
+        """Return motor positions (counts) from machine coordinates (mm or deg, any shape)."""
         return (x - self.zero) * self.counts
 
     def nodes(self, tables: Sequence[CardTable]) -> FloatArray:
-        """Return the machine coordinates of all entries of ``tables`` with motor zero, ascending;
-        one length of each.
+        """Return the machine coordinates of all entries of ``tables`` and of motor zero, ascending,
+        over one length of each.
         """
         places = [
             table.length * np.arange(table.announced + 1) / table.announced for table in tables
@@ -58,9 +59,10 @@ class MotorScale:
 
 @dataclass(frozen=True, slots=True)
 class Motor:
-    """One motor. ``own``: tables over the motor itself; ``varying``: its backlash table;
-    ``constant``: Ixx86, 1/16 count; ``tables_active``, ``backlash_active``: whether they are
-    switched on.
+    """One motor with its tables and its backlash.
+
+    ``own``: tables over the motor itself; ``varying``: its backlash table; ``constant``: Ixx86,
+    1/16 count; ``tables_active``, ``backlash_active``: whether they are switched on.
     """
 
     own: tuple[CardTable, ...]
@@ -76,7 +78,7 @@ class Motor:
 
     @property
     def idle(self) -> bool:
-        """Return whether the correction is 0 everywhere, whatever the counts."""
+        """Return whether the correction is 0 everywhere, whatever the counts per unit are."""
         return not self.tables and not (self.constant and self.backlash_active)
 
     def added(self, position: FloatArray, *, negative: bool) -> FloatArray:
@@ -102,7 +104,7 @@ def looked_up(table: CardTable, position: FloatArray) -> FloatArray:
 
 
 class Judged:
-    """Reads the active compensation of each motor; collects assumptions and faults by motor."""
+    """Reads the active compensation of each motor. It collects assumptions and faults by motor."""
 
     def __init__(self, card: Card, request: Request, assumed: list[Assumption]) -> None:
         self.card = card
@@ -112,13 +114,13 @@ class Judged:
         self.enabled = self._enabled()
 
     def motors(self) -> dict[int, Motor]:
-        """Return every motor that is corrected, or whose backlash the scripts set."""
+        """Return every motor with a correction, or with a backlash set by the scripts."""
         numbers = {table.target for table in self.card.tables.values() if table.kind != "TCOMP"}
         numbers |= {number // 100 for number in self.card.variables if number != ENABLE}
         return {number: self._motor(number) for number in sorted(numbers)}
 
     def crossing(self) -> dict[tuple[int, int], list[CardTable]]:
-        """Return the tables of one motor over another by (source, target)."""
+        """Return the tables of one motor over another, by (source, target)."""
         found: dict[tuple[int, int], list[CardTable]] = {}
         for table in self.card.tables.values():
             if table.kind == "COMP" and not table.plane and table.source != table.target:
@@ -127,7 +129,9 @@ class Judged:
         return found
 
     def _enabled(self) -> bool:
-        """Return whether I51 ends as 1; if no script sets it, tables count as active."""
+        """Return whether the variable I51 is finally 1. If no script sets it, tables count as
+        active.
+        """
         setting = self.card.variables.get(ENABLE)
         if setting is not None and setting.value not in (0.0, 1.0):
             self._wrong(0, setting, "I51", "0 or 1")
@@ -163,7 +167,7 @@ class Judged:
         return Motor(tuple(own), varying, size, self.enabled, backlash)
 
     def _closed(self, table: CardTable) -> None:
-        """Check the last entry: it is also motor zero, where the correction is 0 by definition."""
+        """Check the last entry. It is also motor zero, where the correction is 0 by definition."""
         if table.entries and table.entries[-1] != 0:
             message = (
                 f"the last entry of DEFINE {table.kind} of motor {table.motor} is the place of"
@@ -191,7 +195,7 @@ class Judged:
             self.faults.append((table.target, fault))
 
     def _register(self, number: int) -> float | None:
-        """Return a backlash variable; None if no script sets it, or with a fault."""
+        """Return a backlash variable. None if no script sets it, or with a fault."""
         setting = self.card.variables.get(number)
         if setting is None:
             return None

@@ -1,5 +1,5 @@
-"""Preprocessing of a script before the card gets it, for the judge: remarks are removed, macros are
-expanded, and lines in blocks that may be skipped are marked.
+"""Preprocess a script for the virtual card: remove remarks, expand macros, and mark lines in
+conditional blocks.
 
 Independent of the room that writes scripts: Python's own grammar evaluates expressions.
 """
@@ -36,7 +36,7 @@ Block = tuple[int, int, tuple[bool, str, int], bool]
 
 
 def apart(here: Sequence[Block], there: Sequence[Block]) -> bool:
-    """Return whether two places in these blocks cannot both be sent."""
+    """Return whether two places in these blocks exclude each other."""
     return any(
         branch != its if begun == other else queried == question and answered is not answer
         for begun, branch, queried, answered in here
@@ -46,12 +46,14 @@ def apart(here: Sequence[Block], there: Sequence[Block]) -> bool:
 
 @dataclass(slots=True)
 class Preprocessor:
-    """``macros``: name -> text; ``uncertain``: those that a block has defined or removed;
-    ``blocks``: the line and the branch of every block that is open,
-    with its question and the answer for which the branch is sent; ``counts``: how often a macro was
-    defined or removed, and (empty name) all of them. ``guards``: the lines of blocks that are
-    include guards: ``#IFNDEF NAME``, then ``#DEFINE NAME``, which no line before has; ``expected``:
-    that name, between the two; ``in_guards``: macros that a guard has defined.
+    """The state of the preprocessor: macros and open conditional blocks.
+
+    ``macros``: name -> text; ``uncertain``: those that a block has defined or removed; ``blocks``:
+    the line and the branch of every block that is open, with its question and the answer for which
+    the branch is sent; ``counts``: how often a macro was defined or removed, and (empty name) all
+    of them. ``guards``: the lines of blocks that are include guards: ``#IFNDEF NAME``, then
+    ``#DEFINE NAME``, which no line before has; ``expected``: that name, between the two;
+    ``in_guards``: macros that a guard has defined.
     """
 
     macros: dict[str, str] = field(default_factory=dict)
@@ -63,8 +65,7 @@ class Preprocessor:
     in_guards: set[str] = field(default_factory=set)
 
     def takes(self, line: str, number: int) -> str | None:
-        """Process a line (without remarks) for the sending program; return its fault, or an empty
-        text.
+        """Process a line for the sending program. Return its fault, or an empty text.
 
         None if the line is for the card.
         """
@@ -112,7 +113,9 @@ class Preprocessor:
             self.counts[name] = self.counts.get(name, 0) + 1
 
     def may_differ(self, text: str) -> bool:
-        """Return whether the text depends on a macro that a block has defined or removed."""
+        """Return whether the text depends on a macro that a conditional block defines or
+        removes.
+        """
         return not self._words(text).isdisjoint(self.uncertain)
 
     def behind_guard(self, text: str) -> bool:
@@ -137,7 +140,7 @@ class Preprocessor:
 
 
 def without_remarks(line: str) -> str:
-    """Return a line up to its remark."""
+    """Return a line without its remark."""
     return re.split(r";|//", line, maxsplit=1)[0]
 
 
@@ -168,7 +171,7 @@ def expression(text: str) -> str:
 
 
 def calculated(text: str) -> float | None:
-    """Return the value of an expression of numbers, None if it has none."""
+    """Return the value of an expression of numbers. None if it has none."""
     if len(text) > _LONGEST or re.search(r"[^-+*/%&|^()\s.\dA-F$]|\*\*|//", text):
         return None
     plain = re.sub(r"\$([\dA-F]+)", r"0x\1", text.strip())

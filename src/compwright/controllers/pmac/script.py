@@ -1,4 +1,5 @@
-"""A download script of a PMAC, executed command by command, and the resulting state of the card.
+"""Execute a download script of a PMAC command by command, and return the resulting state of the
+card.
 
 ``;`` starts a remark. A table is announced (``DEFINE COMP``, ``DEFINE BLCOMP``) for the motor
 addressed last (``#n``); its entries follow as decimal whole numbers. The card refuses a table
@@ -77,9 +78,10 @@ class ScriptPlace(OfLine):
 
 @dataclass(frozen=True, slots=True)
 class CardTable:
-    """A table as the card holds it. ``entries``: 1/16 count of ``target``; entry i (from 1) is at i
-    * ``length`` / n counts of ``source`` from its motor zero. ``plane``: over two motors;
-    ``desired``: looked up by the commanded position.
+    """A table as the card stores it. Entries are in 1/16 count of ``target``.
+
+    Entry i (from 1) is at i * ``length`` / n counts of ``source`` from its motor zero. ``plane``:
+    over two motors; ``desired``: looked up by the commanded position.
     """
 
     kind: str
@@ -96,7 +98,7 @@ class CardTable:
 
 @dataclass(frozen=True, slots=True)
 class VariableSetting:
-    """The last value of an I-variable; None where it is not a plain number."""
+    """The last value of an I-variable. None where it is not a plain number."""
 
     value: float | None
     text: str
@@ -105,11 +107,13 @@ class VariableSetting:
 
 @dataclass(slots=True)
 class Card:
-    """State of the card after all scripts. ``later``: assignments that programs make when they run;
-    ``left_out``: commands that may not have been sent, by motor (0: all motors); ``not_both``:
-    commands that were certainly not sent together, and why. ``axis_scales``: counts per unit of the
-    axis that a motor alone moves (`#1->10000X`; PMAC 2 software reference p. 179); several where a
-    block of the sending program decides.
+    """The state of the card after all scripts.
+
+    ``later``: assignments that programs make when they run; ``left_out``: commands that may not
+    have been sent, by motor (0: all motors); ``not_both``: commands that were certainly not sent
+    together, and why. ``axis_scales``: counts per unit of the axis that a motor alone moves
+    (`#1->10000X`; PMAC 2 software reference p. 179); several where a block of the sending program
+    decides.
     """
 
     tables: dict[tuple[str, int], CardTable] = field(default_factory=dict)
@@ -128,7 +132,7 @@ class Card:
 
 
 def run_scripts(files: Sequence[ControlFile]) -> Card:
-    """Return the card after executing all ``files`` in their order; nothing is raised."""
+    """Return the card after executing all ``files`` in their order. Nothing is raised."""
     card, sending = Card(), Preprocessor()
     for file in files:
         text = file.content.decode("latin-1").removeprefix("\xef\xbb\xbf").upper()
@@ -156,7 +160,9 @@ def run_scripts(files: Sequence[ControlFile]) -> Card:
 
 
 class _Script:
-    """Executes one script: which motor is addressed, which table waits for entries."""
+    """Executes one script. It remembers the addressed motor and the table that waits for
+    entries.
+    """
 
     def __init__(self, card: Card, sending: Preprocessor) -> None:
         self.card = card
@@ -195,7 +201,7 @@ class _Script:
             )
 
     def _command(self, rest: str, place: ScriptPlace) -> int | None:
-        """Execute the first command of ``rest``; return where it ends, None if it ends the line."""
+        """Execute the first command of ``rest``. Return where it ends, None if it ends the line."""
         if self.waiting is not None:
             match = _NUMBER.match(rest)
             if match is not None:
@@ -227,7 +233,7 @@ class _Script:
         return self._unknown(rest, place)
 
     def _unknown(self, rest: str, place: ScriptPlace) -> int | None:
-        """Refuse an unknown command; skip one that its macros make harmless."""
+        """Refuse an unknown command, or skip one that its macros make harmless."""
         expanded = self.sending.put_in(rest)
         certain = expanded != rest and not self.sending.may_differ(rest)
         if certain and _HARMLESS.fullmatch(expanded.strip()):
@@ -241,7 +247,7 @@ class _Script:
         return None
 
     def _sent(self, what: str, motor: int, place: ScriptPlace) -> bool:
-        """Record a command that concerns compensation, and return True.
+        """Record a command about compensation, and return True.
 
         False, with a fault, if another branch of a block has the same: the card did not get both.
         """
@@ -345,7 +351,7 @@ class _Script:
         self.waiting = table
 
     def _refuse(self, kind: str, motor: int, place: ScriptPlace) -> None:
-        """Add a fault where the card would not take a table (ERR003)."""
+        """Add a fault where the card would reject a table (ERR003)."""
         lower = [other for one, other in self.card.tables if one == kind and other < motor]
         later = [one for one in _LATER[kind] if self.card.holds(one)]
         if (kind, motor) in self.card.tables:
@@ -402,7 +408,7 @@ class _Script:
         self._program(match.group(1), place)
 
     def _program(self, rest: str, place: ScriptPlace) -> None:
-        """Skip a program: what it does to compensation happens only when it runs."""
+        """Skip a program, because its commands are executed only when it runs."""
         program, closed, after = re.match(r"(.*?)(?:\b(CLOSE\b)(.*))?$", rest).groups()  # type: ignore[union-attr]
         program = _CONDITION.sub("", self.sending.put_in(program))
         for match in re.finditer(r"(?<![A-Z0-9])I(\d{1,4})\s*=(?!=)", program):
@@ -417,6 +423,6 @@ class _Script:
 
 
 def concerns_compensation(number: int) -> bool:
-    """Return whether an I-variable switches or sizes compensation."""
+    """Return whether an I-variable switches compensation or sets its size."""
     motor, kind = divmod(number, 100)
     return number == ENABLE or (1 <= motor <= HIGHEST_MOTOR and kind in (TAKE_UP, SIZE))

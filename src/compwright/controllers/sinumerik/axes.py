@@ -1,5 +1,5 @@
-"""Names of a SINUMERIK's machine axes: AXn by index, the name in MD10000, and the channel's name
-(MD20080, MD20070).
+"""The names of a SINUMERIK's machine axes: AXn by index, by MD10000, and by channel (MD20080,
+MD20070).
 
 A real archive mixes them (``$MN_AXCONF_MACHAX_NAME_TAB[0]="X1"`` and ``[0,AX1]``): they are one
 axis.
@@ -16,20 +16,22 @@ from compwright.controllers.sinumerik.text import ProgramContent, VariableAssign
 
 @dataclass(frozen=True, slots=True)
 class MachineAxisNames:
-    """``by_name``: upper-case name -> AXn; ``called``: AXn -> the name in the request."""
+    """The names of the machine axes. ``by_name``: upper-case name -> AXn; ``called``: AXn -> the
+    requested name.
+    """
 
     by_name: dict[str, str]
     called: dict[str, str]
 
     def name(self, text: str) -> str:
-        """Return the canonical name AXn of an axis; an unknown name is returned unchanged."""
+        """Return the standard name AXn of an axis. An unknown name is returned unchanged."""
         place = self.by_name.get(text.upper())
         if place is None:
             return self.called.get(text.upper(), text)
         return self.called.get(place, place)
 
     def is_machine_axis(self, name: str) -> bool:
-        """Return whether a name is that of a machine axis; without lists every name is."""
+        """Return whether a name is that of a machine axis. Without lists every name is."""
         upper = name.upper()
         numbered = upper.startswith("AX") and upper[2:].isdigit()
         return (
@@ -40,7 +42,7 @@ class MachineAxisNames:
         )
 
     def renamed(self, entry: VariableAssignment) -> VariableAssignment:
-        """Return an assignment with its axes under their canonical names."""
+        """Return an assignment with its axes under their standard names AXn."""
         axis = self.name(entry.axis) if entry.axis else ""
         names = self.name(entry.names) if entry.names else ""
         return (
@@ -51,7 +53,7 @@ class MachineAxisNames:
 
 
 def axis_names(contents: Sequence[ProgramContent], request: Request) -> MachineAxisNames:
-    """Return the names that the files list; a name used for two axes is left out."""
+    """Return the axis names that the files list. A name used for two axes is left out."""
     meant: dict[str, set[str]] = {}
     for content in contents:
         for place, names in content.machine_names.items():

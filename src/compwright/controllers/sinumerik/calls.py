@@ -1,5 +1,5 @@
-"""Calls among a SINUMERIK's programs: which programs return, which certainly start, and in which
-order their assignments are executed.
+"""Calls between a SINUMERIK's programs: which programs return or certainly start, and the order of
+assignments.
 """
 
 from __future__ import annotations
@@ -18,21 +18,21 @@ _COMPENSATING = frozenset({"AA_ENC_COMP", "AN_CEC", "MA_BACKLASH"})
 
 @dataclass(frozen=True, slots=True)
 class PlacedBlock:
-    """A program and the file that holds it."""
+    """A program and the file that contains it."""
 
     content: ProgramContent
     block: ProgramBlock
 
     @property
     def assignments(self) -> list[VariableAssignment]:
-        """Its assignments, in the order of the lines."""
+        """The assignments of the program, in the order of the lines."""
         lines = self.block.branches
         return [one for one in self.content.assignments if one.line in lines]
 
 
 @dataclass(slots=True)
 class ProgramCalls:
-    """The programs of several files and their calls of each other."""
+    """The programs of several files and the calls between them."""
 
     blocks: list[PlacedBlock]
     _titles: dict[str, list[PlacedBlock]] = field(default_factory=dict)
@@ -45,7 +45,7 @@ class ProgramCalls:
 
     @classmethod
     def among(cls, contents: Sequence[ProgramContent]) -> ProgramCalls:
-        """Return the calls among the programs of files."""
+        """Return the calls between the programs in the files."""
         found = cls([PlacedBlock(content, one) for content in contents for one in content.blocks])
         for placed in found.blocks:
             if placed.block.title:
@@ -58,7 +58,7 @@ class ProgramCalls:
         return found
 
     def _spread(self) -> None:
-        """Find the programs that assign something, directly or by calls, and those that certainly
+        """Find the programs that assign a value, directly or by calls, and those that certainly
         start.
         """
         waiting = [one for one in self.blocks if one.block.branches]
@@ -83,15 +83,15 @@ class ProgramCalls:
                         waiting += self._titles[name]
 
     def doubts(self, block: ProgramBlock) -> list[Doubt]:
-        """Return the statements of a program that may keep its assignments from being executed."""
+        """Return the statements of a program that may prevent the execution of its assignments."""
         return [one for one in block.doubts if not self._always_returns(one.call)]
 
     def has(self, name: str) -> bool:
-        """Return whether a program of that name is among the files."""
+        """Return whether a program with that name is in the files."""
         return name in self._titles
 
     def calls_of(self, block: ProgramBlock) -> list[Line]:
-        """Return the lines that call programs which assign something, directly or by calls."""
+        """Return the lines that call programs which assign a value, directly or by calls."""
         return [line for line in block.trail if line.mentions & self._loaders]
 
     def is_called(self, block: ProgramBlock) -> bool:
@@ -99,9 +99,7 @@ class ProgramCalls:
         return block.title in self._sites
 
     def trail(self, block: ProgramBlock) -> list[Line]:
-        """Return the lines of a program; a call after which the run certainly continues is a plain
-        line.
-        """
+        """Return the lines of a program. A call that certainly returns counts as a plain line."""
         back = {one.line for one in (*block.doubts, *block.late) if self._always_returns(one.call)}
         called = {line.number for line in self.calls_of(block)}
         return [
@@ -115,8 +113,8 @@ class ProgramCalls:
         ]
 
     def not_started(self, placed: PlacedBlock) -> tuple[str, Doubt] | None:
-        """Return the file and line that may keep a whole program from being executed; None if it
-        certainly is.
+        """Return the file and line that may prevent the start of a program. None if it certainly
+        starts.
         """
         behind: list[int] = []
         while id(placed.block) not in self._started:
@@ -137,8 +135,8 @@ class ProgramCalls:
         )
 
     def loads(self, placed: PlacedBlock, above: Collection[str] = ()) -> list[int]:
-        """Return lines of which every run of a program executes at least one, and which assign
-        compensation other than 0, directly or by a call; empty if a run may do without.
+        """Return lines that assign compensation other than 0 and of which every run executes at
+        least one. Empty if none exist.
         """
         if id(placed.block) not in self._loads:
             lines = {
@@ -157,7 +155,7 @@ class ProgramCalls:
         return self._loads[id(placed.block)]
 
     def lasts(self, placed: PlacedBlock) -> dict[str, VariableAssignment]:
-        """Return the last assignment of each variable when a program and the programs it calls are
+        """Return the last assignment of each variable, when a program and its called programs are
         executed line by line.
         """
         key = id(placed.block)
@@ -182,7 +180,7 @@ class ProgramCalls:
         return Doubt(line.number, " ".join(line.words)) if line.conditional else None
 
     def _always_returns(self, name: str) -> bool:
-        """Return whether a run certainly continues after the call of a program."""
+        """Return whether a program certainly returns to its caller."""
         if name not in self._back:
             self._back[name] = False  # one that calls itself
             placed = self._titles.get(name, [])

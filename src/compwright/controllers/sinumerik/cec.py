@@ -1,4 +1,4 @@
-"""The CEC tables of all files: which of them count, and why the others do not.
+"""The CEC tables in all files: which of them count, and why others do not.
 
 A builder's tables need not be curves (real archive: MIN -850, MAX 0, STEP 100; output ``(X)``, STEP
 0): such a table is ignored if all its values are zero; otherwise the correction of its pair of axes
@@ -43,8 +43,8 @@ def load_sag(
     screws: frozenset[str] = frozenset(),
     room: tuple[int, int] | None = None,
 ) -> Sag:
-    """Return the tables from all assignments in the order of the files; faults and notes go to
-    ``remarks``.
+    """Return the tables from all assignments in the order of the files. Faults and notes are added
+    to ``remarks``.
 
     ``spelling``: upper case -> the known name of an axis; ``unknown_keys``: by table, a key that is
     not known; ``names``: which names are those of machine axes; ``lengths``: which axes have
@@ -125,7 +125,7 @@ def _note_sign(sign: int, request: Request, remarks: Remarks) -> None:
 
 
 def _without_products(tables: Mapping[int, SagTable], remarks: Remarks) -> list[SagTable]:
-    """Return the tables without those that may be part of an active product; these are reported.
+    """Return the tables without those that may be part of an active product. These are reported.
 
     No page says what a product gives with a table that SD41300 switches off, or with weight 0. So
     only a table whose values are all zero certainly gives none.

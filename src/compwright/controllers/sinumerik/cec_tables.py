@@ -1,4 +1,4 @@
-"""CEC tables from their assignments: valid curves, ignored tables, and faults."""
+"""Build CEC tables from their assignments: valid curves, ignored tables, and faults."""
 
 from __future__ import annotations
 
@@ -43,9 +43,11 @@ _ELSE = {
 
 
 class CecTableLoader:
-    """Builds the tables. ``odd``: axes with an active table over themselves that cannot be
-    evaluated, and why; ``left_out``: indices of ignored tables; ``uncounted``: axes with tables
-    over themselves that stay unchanged and are not counted.
+    """Builds the CEC tables from their assignments.
+
+    ``odd``: axes with an active table over themselves that cannot be evaluated, and why;
+    ``left_out``: indices of ignored tables; ``uncounted``: axes with tables over themselves that
+    stay unchanged and are not counted.
     """
 
     def __init__(
@@ -105,8 +107,8 @@ class CecTableLoader:
         return found
 
     def beyond(self, tables: Mapping[int, SagTable], room: tuple[int, int]) -> list[Fault]:
-        """Return the faults of tables that do not fit the ``room`` (tables, points) of the
-        control.
+        """Return the faults of tables that exceed the memory of the control (number of tables and
+        points).
         """
         most, points = room
         return [
@@ -120,8 +122,8 @@ class CecTableLoader:
         ]
 
     def without_cut_sums(self, tables: Sequence[SagTable]) -> list[SagTable]:
-        """Return the tables without those whose output axis may exceed MD32720, if no job writes
-        any of them.
+        """Return the tables without those whose output axis may exceed MD32720, if the job writes
+        none of them.
 
         The part that is cut off stays the same and is not counted.
         """
@@ -143,13 +145,13 @@ class CecTableLoader:
         return [table for table in tables if table.output not in cut]
 
     def of_axis(self, axis: str, name: str) -> float | None:
-        """Return the last value of a machine data of an axis, None where the files do not hold
+        """Return the last value of a machine data of an axis. None where the files do not contain
         it.
         """
         return last_value(self.by_axis.get(axis.upper(), []), name)
 
     def switched_off(self, output: str) -> bool:
-        """Return whether MD32710 ends as 0; add the remark for either answer."""
+        """Return whether MD32710 is finally 0, with a remark for either result."""
         enabled = self.of_axis(output, "MA_CEC_ENABLE")
         if enabled is None:
             self.remarks.assumed.append(
@@ -168,8 +170,8 @@ class CecTableLoader:
     def _curve(
         self, index: int, entries: Sequence[VariableAssignment], data: Sequence[VariableAssignment]
     ) -> SagTable | None:
-        """Return a table if it is a valid curve; else ignore a complete one, and add a fault for
-        one that was cut short.
+        """Return a table if it is a valid curve. A complete invalid one is ignored; one cut short
+        is a fault.
         """
         names = {
             entry.name.removeprefix(f"{_PREFIX}_"): entry.names
@@ -213,7 +215,7 @@ class CecTableLoader:
     def _in_mm(
         self, data: Sequence[VariableAssignment], base: str, output: str
     ) -> Sequence[VariableAssignment]:
-        """Return a table in mm; MD32711 of its output axis states whether it is in inch."""
+        """Return a table in mm. MD32711 of its output axis states whether it is in inch."""
         if self.of_axis(output, "MA_CEC_SCALING_SYSTEM_METRIC") != 0.0:
             return data
         return inches_in_mm(
@@ -225,7 +227,7 @@ class CecTableLoader:
     def _reasons(
         self, index: int, entries: Sequence[VariableAssignment], pair: Pair
     ) -> Iterator[str]:
-        """Yield why the effect of an active table differs from its values."""
+        """Yield the reasons why the effect of an active table differs from its values."""
         for name, (most, why) in _ELSE.items():
             value = last_value(entries, name)
             if value is not None and not 0.0 <= value <= most:
@@ -268,8 +270,8 @@ class CecTableLoader:
             self.odd[name] = f"{label_of(index)}: {why}"
 
     def _stays(self, index: int, output: str) -> bool:
-        """Return whether a table stays unchanged: the job works on the axis and ``cec_tables`` does
-        not name the table.
+        """Return whether a table stays unchanged, because the job's ``cec_tables`` does not name
+        it.
         """
         if by_address(self.request.axis_options, output) is None:
             return False
@@ -277,7 +279,7 @@ class CecTableLoader:
         return not isinstance(named, list | tuple) or index not in named
 
     def _is_active(self, entries: Sequence[VariableAssignment], output: str, *, own: bool) -> bool:
-        """Return whether a table is active; `Request.active` decides for tables of an axis over
+        """Return whether a table is active. `Request.active` decides for tables of an axis over
         itself.
 
         It does not if the leadscrew table of the axis is on: then it refers to that table, and a
@@ -331,7 +333,7 @@ class CecTableLoader:
         )
 
     def _axis_of(self, data: Sequence[VariableAssignment], name: str, label: str) -> str:
-        """Return an axis of a table by its canonical name; empty with a fault if the files do not
+        """Return an axis of a table by its standard name. Empty with a fault if the files do not
         state it.
         """
         entry = single(data, name, self.remarks.faults)
@@ -364,7 +366,7 @@ class CecTableLoader:
         factor_entries: dict[int, VariableAssignment],
         empty: set[int],
     ) -> None:
-        """Add a fault for a product with a table that no file holds."""
+        """Add a fault for a product with a table that is in no file."""
         for index, entry in factor_entries.items():
             if index not in found and index not in empty and not self.remarks.faults:
                 self.remarks.faults.append(
@@ -378,8 +380,8 @@ class CecTableLoader:
 def _is_damaged(
     data: Sequence[VariableAssignment], names: Mapping[str, str], inner: Remarks
 ) -> bool:
-    """Return whether a table is incomplete or contradicts itself (a file cut short), not merely
-    unusual.
+    """Return whether a table is incomplete or contradicts itself, as in a file that was cut
+    short.
     """
     points = {entry.point for entry in data if entry.name == _PREFIX}
     incomplete = _NEEDED - {entry.name for entry in data} or not all(names.values())
@@ -393,7 +395,7 @@ def label_of(index: int) -> str:
 
 
 def _ranges(indices: Sequence[int]) -> str:
-    """Return ascending numbers in words, runs shortened: ``0, 3 to 61``."""
+    """Return ascending numbers as text with ranges: ``0, 3 to 61``."""
     runs: list[list[int]] = []
     for index in indices:
         if runs and runs[-1][-1] == index - 1:

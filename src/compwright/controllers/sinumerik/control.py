@@ -1,5 +1,7 @@
-"""SINUMERIK 840D sl: leadscrew compensation (EEC, ``$AA_ENC_COMP``), sag and cross tables (CEC) and
-backlash (MD32450); also 828D, 840D power line and SINUMERIK ONE.
+"""SINUMERIK 840D sl and related controls: leadscrew compensation, sag and cross tables (CEC), and
+backlash.
+
+EEC, ``$AA_ENC_COMP``; MD32450; also 828D, 840D power line and SINUMERIK ONE.
 
 Stated from the manuals, independently of the definition that writes the files; the sag tables are
 in ``sag``, the order of loading in ``loading``, inch in ``lengths``:
@@ -56,7 +58,9 @@ ROOM_828D = (8, 200)
 
 @dataclass(frozen=True, slots=True)
 class _SinumerikAxis:
-    """``table``: of the active measuring system, values as in the file (errors). ``screw_on``: the
+    """One axis of a virtual SINUMERIK.
+
+    ``table``: of the active measuring system, values as in the file (errors). ``screw_on``: the
     table is on at the end of the files.
     """
 
@@ -67,7 +71,7 @@ class _SinumerikAxis:
     screw_on: bool = False
 
     def shift(self, positions: FloatArray) -> FloatArray:
-        """Return how far the leadscrew table moves the axis at ``positions`` (any shape)."""
+        """Return the shift of the axis by its leadscrew table at ``positions`` (any shape)."""
         if self.table is None or not self.enabled:
             return np.zeros(positions.shape)
         return np.asarray(0.0 - self.table.value(positions), dtype=np.float64)
@@ -75,7 +79,7 @@ class _SinumerikAxis:
 
 @dataclass(frozen=True, slots=True)
 class SinumerikControl:
-    """A SINUMERIK 840D sl with files loaded, all axes referenced. See
+    """A SINUMERIK 840D sl with loaded files and all axes referenced; interface
     ``controllers.virtual.VirtualControl``.
     """
 
@@ -86,7 +90,7 @@ class SinumerikControl:
     notes: tuple[str, ...]
 
     def addresses(self) -> tuple[str, ...]:
-        """Return the machine axes that the files correct; those with only sag tables over
+        """Return the machine axes that the files correct. Those with only sag tables over
         themselves come last.
 
         An axis that is only input or output of another one's table is not among them (`cross`).
@@ -119,8 +123,8 @@ class SinumerikControl:
         return total
 
     def cross(self) -> tuple[Pair, ...]:
-        """Return (input, output) of the tables by which one axis corrects another, active or not,
-        in order of their index.
+        """Return (input, output) of the tables by which one axis corrects another, in order of
+        their index.
 
         Tables that are not a curve are left out and listed in ``notes``; so are all tables if the
         option ``cec_sign`` is not given.
@@ -136,8 +140,8 @@ class SinumerikControl:
         positions: FloatArray,
         direction: Direction,
     ) -> FloatArray:
-        """Return the correction of ``output`` (mm, deg for a rotary axis) with ``input`` at
-        ``positions`` (any shape), moving in ``direction``.
+        """Return the correction of ``output`` (mm or deg) with ``input`` at ``positions`` (any
+        shape), moving in ``direction``.
 
         Raises UsageError for a pair without a table, and for one that depends on the position of a
         third axis.
@@ -170,8 +174,10 @@ class SinumerikControl:
 def sinumerik_control(
     files: Sequence[ControlFile], request: Request, *, room: tuple[int, int] | None = None
 ) -> SinumerikControl:
-    """Return the control with ``files`` loaded: commissioning archives in their container, and over
-    them table files, machine data and whole text archives in any order.
+    """Return the control with ``files`` loaded: first commissioning archives, then all other files.
+
+    In their container, and over them table files, machine data and whole text archives in any
+    order.
 
     The active measuring system is ``request.encoder``; if it is not given, the only one with a
     table, listed in ``assumed``. Option ``cec_sign``: ``correction`` when a positive CEC value
@@ -236,7 +242,7 @@ def sinumerik_control(
 
 
 def _out_of_range(entry: VariableAssignment) -> Fault | None:
-    """Return the fault of a value that no SINUMERIK accepts, None for a valid one."""
+    """Return the fault of a value that no SINUMERIK accepts. None for a valid one."""
     value, expected = entry.value, ""
     if not math.isfinite(value):
         return entry.fault(f"value of ${entry.name} is not a finite number", found=str(value))
@@ -330,8 +336,8 @@ class _AxisLoader:
     def _table(
         self, name: str, system: int, given: Sequence[VariableAssignment]
     ) -> CompensationTable | None:
-        """Return the table of one measuring system; None without one, or when it is wrong (then
-        there are faults).
+        """Return the table of one measuring system. None without a valid one; a wrong one gives
+        faults.
         """
         data = [entry for entry in given if entry.name.startswith(_PREFIX)]
         label = f"table of {name}, measuring system {system + 1}"
@@ -348,7 +354,7 @@ class _AxisLoader:
         return table
 
     def _factor(self, name: str, entries: list[VariableAssignment]) -> float:
-        """Return MD32452 of the first parameter set, 1 when the files do not hold it."""
+        """Return MD32452 of the first parameter set. 1 when the files do not contain it."""
         if any(e.name == "MA_BACKLASH_DYN" and e.value != 0.0 for e in entries):
             self.remarks.assumed.append(
                 Assumption(

@@ -1,5 +1,4 @@
-"""Statements of a SINUMERIK's program other than assignments: do they let every assignment be
-executed?
+"""Check whether statements of a SINUMERIK program let every assignment be executed.
 
 A file of such a control is a part program. Jumps (GOTOF, GOTOB, CASE), branches (IF), loops (FOR,
 WHILE, LOOP, REPEAT), calls (CALL, L100, PCALL, EXTCALL, a subprogram by its name), synchronised
@@ -74,7 +73,8 @@ _MOST_WORDS = 200
 
 @dataclass(slots=True)
 class ProgramBlock:
-    """One program of a file. ``doubts``: before its last assignment; ``late``: after it.
+    """One program in a file. ``doubts``: uncertain statements before its last assignment; ``late``:
+    after it.
 
     ``branch``: number of branches so far; ``branches``: by line, the branch of each assignment, -1
     before any doubt. ``inches``: by line, what sets the unit of lengths; ``end``: where the program
@@ -96,7 +96,7 @@ class ProgramBlock:
 
     @classmethod
     def named(cls, name: str, line: int, *, behind: bool = False) -> ProgramBlock:
-        """Return the program that a header or a file's name begins.
+        """Return the program name in a header or a file name.
 
         ``behind``: other programs precede it in the file.
         """
@@ -110,7 +110,7 @@ class ProgramBlock:
         )
 
     def assigned(self, code: str, line: int) -> None:
-        """Record that a line holds an assignment: the doubts before it count."""
+        """Record that a line contains an assignment, so that earlier doubtful statements matter."""
         opening = _NUMBER.match(code)
         number = opening["number"] if opening is not None else None
         self.trail.append(Line(line, _names(number), (), given=True))
@@ -119,8 +119,9 @@ class ProgramBlock:
         self.branches[line] = self.branch if self.doubts else -1
 
     def statement(self, code: str, line: int, whole: str) -> None:
-        """Record a line without compensation data (strings emptied, no comment; ``whole``: as
-        written).
+        """Record a line without compensation data.
+
+        Strings emptied, no comment; ``whole``: as written.
         """
         opening = _NUMBER.match(code)
         skipped = opening is not None and opening["skipped"] is not None
@@ -194,8 +195,9 @@ class ProgramBlock:
 
 
 def _assigned(words: Sequence[str]) -> dict[str, Words | None]:
-    """Return the program's own variables that a harmless statement assigns, with the words of their
-    values; None for a value that may change without an assignment.
+    """Return the program variables that a harmless statement assigns, with their values as words.
+
+    None for a value that may change without an assignment.
     """
     if not words or words[0].startswith("$"):
         return {}
@@ -230,9 +232,7 @@ def _assigned_by(words: Sequence[str]) -> dict[str, Words | None]:
 
 
 def _called(statement: str) -> str | None:
-    """Return the program that a statement calls without doing anything else; None for other
-    statements.
-    """
+    """Return the program that a pure call statement calls. None for other statements."""
     text = re.fullmatch(r'CALL\s*"([^"]+)"|PCALL\s+([^\s("]+)[^"]*', statement, re.IGNORECASE)
     if text is not None:
         title = _TITLE.fullmatch(re.split(r"[/\\]", text[1] or text[2])[-1])
@@ -271,8 +271,7 @@ def _calls_nothing(words: list[str]) -> bool:
 
 
 def is_given(right: str, *, naming: bool) -> bool:
-    """Return whether the right side of an assignment is a literal value, not computed by the
-    program.
+    """Return whether the right side of an assignment is a literal value, not a computed one.
 
     ``naming``: an axis name counts as one.
     """

@@ -1,4 +1,4 @@
-"""Lengths in inch in the files, and their conversion to mm."""
+"""Lengths in inch in the files of a SINUMERIK, and their conversion to mm."""
 
 from __future__ import annotations
 
@@ -29,19 +29,19 @@ _OWN_UNITS = {"linear": (0, 11), "rotary": (1, 12)}
 
 @dataclass(frozen=True, slots=True)
 class Lengths:
-    """``inch``: the basic system is the inch; ``rotary``: upper-case axis -> whether it is rotary,
-    by job or files.
+    """The length units of the files. ``inch``: the basic system is inch; ``rotary``: upper-case
+    axis -> whether it is rotary.
     """
 
     inch: bool
     rotary: Mapping[str, bool]
 
     def is_linear(self, axis: str) -> bool:
-        """Return whether an axis has lengths; one of unknown kind has."""
+        """Return whether an axis has lengths. An axis of unknown kind has."""
         return not self.rotary.get(axis.upper(), False)
 
     def in_mm(self, entry: VariableAssignment) -> VariableAssignment:
-        """Return an assignment with the length of a linear axis in mm; any other one unchanged."""
+        """Return an assignment with the length of a linear axis in mm. Others are unchanged."""
         if not self.inch or entry.name not in _LENGTHS or not self.is_linear(entry.axis):
             return entry
         return replace(entry, value=entry.value * _MM)
@@ -66,8 +66,8 @@ def inches_in_mm(
 def lengths_of(
     contents: Sequence[ProgramContent], names: MachineAxisNames, request: Request
 ) -> tuple[Lengths, list[Fault]]:
-    """Return the units of all lengths, and their faults: contradicting basic systems, an inch of
-    another length, user-defined units.
+    """Return the units of all lengths, and their faults: contradicting systems, an unusual inch,
+    user-defined units.
 
     If no file states the basic system, the option ``units`` does (``inch``), else it is metric.
     """
@@ -143,7 +143,7 @@ def _wrong_units(
 
 
 def encoders_of(contents: Sequence[ProgramContent], names: MachineAxisNames) -> dict[str, int]:
-    """Return MD30200, the number of measuring systems, by upper-case axis."""
+    """Return the number of measuring systems (MD30200) by upper-case axis."""
     return {
         names.name(entry.axis).upper(): int(entry.value)
         for content in contents

@@ -1,4 +1,4 @@
-"""Conditions of a SINUMERIK's program that depend on each other.
+"""Conditions in a SINUMERIK program that depend on each other.
 
 Two conditions on one variable that is not assigned between them get the same value. So the program
 is followed once for each value that makes a difference.
@@ -29,8 +29,10 @@ Words = tuple[str, ...]
 
 @dataclass(frozen=True, slots=True)
 class Question:
-    """Condition of a line: a test of ``what`` (a variable, or the words of a whole condition)
-    against a number. ``variables``: those in it; ``words``: the whole condition.
+    """The condition of a line: a comparison of ``what`` with a number.
+
+    ``what``: a variable, or the words of a whole condition. ``variables``: those in it; ``words``:
+    the whole condition.
     """
 
     what: Words
@@ -55,7 +57,7 @@ class Question:
 
 @dataclass(frozen=True, slots=True)
 class Fork:
-    """The lines of a program that can follow, as bits: after a true and after a false condition."""
+    """The lines that can follow a condition, as bits: when it is true, and when it is false."""
 
     question: Question
     true: int
@@ -64,8 +66,8 @@ class Fork:
 
 @dataclass(frozen=True, slots=True)
 class Cases:
-    """The next lines of a CASE, as bits, by the number of the expression ``words``; ``other``: for
-    any other number.
+    """The lines that can follow a CASE, as bits, by the number of the expression ``words``.
+    ``other``: for any other number.
     """
 
     words: Words
@@ -74,15 +76,15 @@ class Cases:
 
 
 def question_of(words: Words) -> Question | None:
-    """Return the question in the words of a condition, `_question_of` with them; None for more
-    words than `_MOST_WORDS`, whose recursion would be too deep.
+    """Return the condition in these words. None for more than `_MOST_WORDS`, because the recursion
+    would be too deep.
     """
     found = _question_of(words) if len(words) <= _MOST_WORDS else None
     return None if found is None else replace(found, words=words)
 
 
 def _question_of(words: Words) -> Question | None:
-    """Return the question in the words of a condition.
+    """Return the condition in these words.
 
     None if its value may change without an assignment: a variable of the control, a field, a
     function.
@@ -120,7 +122,7 @@ def answered(
     assigning: Mapping[int, Mapping[str, Words | None]],
     behind: Callable[[int], int],
 ) -> Iterator[dict[int, int]]:
-    """Yield the next lines of all linked conditions, by place, for each set of answers.
+    """Yield, for each possible set of answers, the lines that follow all linked conditions.
 
     ``assigning``: the variables that lines assign; ``behind``: the lines after a line, as bits.
     """
@@ -159,8 +161,8 @@ def ways_by_values(
     forks: Mapping[int, Fork | Cases],
     assigned: Sequence[Mapping[str, Words | None]],
 ) -> list[int]:
-    """Return the next lines of all lines, as bits, without the answers that contradict what every
-    run has assigned before.
+    """Return the possible next lines of every line, as bits. Answers that contradict earlier
+    assignments are excluded.
 
     ``every``: the next lines regardless of values. Each line collects the values that a variable
     may have before it, None among them if any value may be; lines that no run reaches stay as they
@@ -198,7 +200,7 @@ def ways_by_values(
 
 
 def _stored(name: str, value: float | None) -> float | None:
-    """Return what a variable has after an assignment; None for a fraction, unless it is an R
+    """Return the value of a variable after an assignment. None for a fraction, unless it is an R
     parameter: INT rounds 0.5 up.
     """
     whole = value is None or value.is_integer()
@@ -233,7 +235,7 @@ def _open_ways(
 
 
 def _result(words: Words, values: Mapping[str, float | None]) -> float | None:
-    """Return the value of an expression of comparisons, OR, AND, NOT and whole numbers; None if it
+    """Return the value of an expression of comparisons, OR, AND, NOT and whole numbers. None if it
     is unknown.
 
     A comparison next to another, or to OR or AND, without brackets is not taken apart; XOR is
@@ -277,8 +279,8 @@ def _result(words: Words, values: Mapping[str, float | None]) -> float | None:
 
 
 def _calculated(left: float, operator: str, right: float) -> float | None:
-    """Return the result of a calculation; None if it is not a whole number: a variable of whole
-    numbers would round it.
+    """Return the result of a calculation. None if it is not a whole number, because a whole-number
+    variable would round it.
     """
     if operator not in ("+", "-", "*") and right == 0.0:
         return None
@@ -322,14 +324,14 @@ def _without_brackets(words: Words) -> Words:
 
 
 def _signed(words: Words) -> Words:
-    """Return the words with a sign joined to the number behind it."""
+    """Return the words with each sign joined to the number after it."""
     if len(words) == 4 and words[2] in "+-" and words[1] in _TURNED:
         return words[0], words[1], words[2] + words[3]
     return words
 
 
 def plain_number(word: str) -> float | None:
-    """Return the number of a word, TRUE and FALSE as 1 and 0; None for other words."""
+    """Return the number of a word, TRUE and FALSE as 1 and 0. None for other words."""
     if word in ("TRUE", "FALSE"):
         return float(word == "TRUE")
     return float(word) if re.fullmatch(r"[+-]?(\d+\.?\d*|\.\d+)", word) else None

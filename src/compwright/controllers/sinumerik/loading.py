@@ -1,5 +1,5 @@
-"""Files of a SINUMERIK in the order in which the control loads them: the commissioning archive
-first, small files over it.
+"""Load the files of a SINUMERIK in the control's order: first the commissioning archive, then small
+files over it.
 
 A file loaded over an archive replaces single variables: the last value of a variable counts, and a
 variable that no small file names keeps the archive's value. Text files have no order among each
@@ -33,7 +33,7 @@ from compwright.records.correction import ControlFile
 
 @dataclass(slots=True)
 class Loaded:
-    """``under``: contents of the archives in containers; ``over``: of all other files."""
+    """The loaded contents. ``under``: those of the archives; ``over``: those of all other files."""
 
     under: list[ProgramContent] = field(default_factory=list)
     over: list[ProgramContent] = field(default_factory=list)
@@ -41,11 +41,11 @@ class Loaded:
 
     @property
     def contents(self) -> list[ProgramContent]:
-        """All of them in the order of loading."""
+        """All contents in the order of loading."""
         return [*self.under, *self.over]
 
     def assignments(self, names: MachineAxisNames) -> list[VariableAssignment]:
-        """Return the final assignments in the order of loading, axes under their canonical names.
+        """Return the final assignments in the order of loading, with standard axis names.
 
         Those of the archive that a small file replaces are left out.
         """
@@ -56,7 +56,7 @@ class Loaded:
         return [*_within_new_ends(kept, over), *over]
 
     def unanswered(self, names: MachineAxisNames) -> list[Fault]:
-        """Return the faults of variables that a file gives as ``n/a`` and no other file gives."""
+        """Return the faults of variables that one file gives as ``n/a`` and no other file gives."""
         open_entries = [entry for content in self.contents for entry in content.not_given]
         assigned = {_variable(e) for e in self.assignments(names)} if open_entries else set()
         return [
@@ -71,7 +71,7 @@ class Loaded:
 
 
 def load(files: Sequence[ControlFile]) -> Loaded:
-    """Return the contents of all files; nothing is raised, faults are collected."""
+    """Return the contents of all files. Faults are collected, and nothing is raised."""
     loaded = Loaded()
     for file in files:
         if not is_container(file.content):
@@ -91,7 +91,7 @@ def _variable(entry: VariableAssignment) -> tuple[str, int, int | None, str]:
 def _within_new_ends(
     kept: list[VariableAssignment], over: Sequence[VariableAssignment]
 ) -> list[VariableAssignment]:
-    """Return the archive's assignments without table points above a new, shorter end.
+    """Return the archive's assignments without table points above a new, lower end.
 
     The control keeps those points and does not use them.
     """
@@ -145,8 +145,8 @@ class _Member:
 
 @dataclass(slots=True)
 class Opened:
-    """``files``: the active members as text files, each named ``ARCHIVE: MEMBER``; ``faults``: of
-    the container.
+    """An opened archive. ``files``: its active members as text files, named ``ARCHIVE: MEMBER``;
+    ``faults``: of the archive.
     """
 
     files: list[ControlFile] = field(default_factory=list)
@@ -154,14 +154,14 @@ class Opened:
 
 
 def is_container(content: bytes) -> bool:
-    """Return whether a file is such an archive, by its first bytes."""
+    """Return whether a file is a commissioning archive, by its first bytes."""
     return _BEGIN.match(content) is not None
 
 
 @lru_cache(maxsize=_KEPT)
 def active_files(file: ControlFile) -> Opened:
-    """Return the members that are the control's state, in their order; equal repetitions count
-    once.
+    """Return the members of an archive that form the control's state, in their order. Equal
+    repetitions count once.
 
     Nothing is raised: a container that is cut short or has wrong sizes, and two members of one name
     that differ, are faults. The result is cached by content: do not change it.
@@ -210,7 +210,7 @@ def active_files(file: ControlFile) -> Opened:
 
 
 def _contradictions(files: list[ControlFile]) -> Iterator[Fault]:
-    """Yield a fault for each variable that two members end with different values.
+    """Yield a fault for each variable whose final value differs between two members.
 
     A control writes its machine data into INITIAL.INI and, in parts, into the CFG members; MD11200
     alone is a command and may differ.
@@ -255,7 +255,7 @@ def _listed(content: bytes) -> list[str]:
 
 
 def _members(file: ControlFile) -> Iterator[_Member]:
-    """Yield the members in order.
+    """Yield the members of an archive in order.
 
     Raises InputError where no header follows the end of a member, or the data end early.
     """
@@ -293,7 +293,7 @@ def _members(file: ControlFile) -> Iterator[_Member]:
 
 
 def _size(header: bytes) -> int | None:
-    """Return the size that a header states, None where these bytes are no header."""
+    """Return the size in a member's header. None where these bytes are no header."""
     size, check_sum = _field(header, 124), _field(header, 148)
     whole = len(header) == _BLOCK and size.isdecimal() and check_sum.isdecimal()
     if not whole or sum(header) - sum(header[_SUM]) != int(check_sum):
@@ -302,5 +302,5 @@ def _size(header: bytes) -> int | None:
 
 
 def _field(header: bytes, start: int) -> str:
-    """Return the text that begins at ``start`` and ends with NUL."""
+    """Return the text from ``start`` to the next NUL byte."""
     return header[start:].split(b"\x00", 1)[0].decode("latin-1").strip()

@@ -1,5 +1,5 @@
-"""Checks whether all assignments of a SINUMERIK's programs were executed; if that is open, the user
-has to state it.
+"""Check whether all assignments in a SINUMERIK's programs were executed. If that is open, ask the
+user.
 """
 
 from __future__ import annotations
@@ -21,8 +21,8 @@ _EXPORT = "the control's own export of the data in place of the program"
 def check_programs(
     contents: Sequence[ProgramContent], names: MachineAxisNames, request: Request, *, inch: bool
 ) -> None:
-    """Check that every run of the programs executes all assignments; programs of other axes stop
-    nothing.
+    """Check that every run of the programs executes all assignments. Programs of other axes are
+    ignored.
 
     Raises InputError for a variable assigned in two branches, assignments that no run executes
     together, a jump to an ambiguous label, and a unit of lengths other than the control's
@@ -65,8 +65,7 @@ def check_programs(
 
 
 def without_programs(contents: Sequence[ProgramContent]) -> list[ProgramContent]:
-    """Return the contents without the assignments of programs that are known not to have been
-    executed.
+    """Return the contents without the assignments of programs that were certainly not executed.
 
     Raises InputError where every run of a program executes some of them, and for jumps to an
     ambiguous label.
@@ -129,9 +128,7 @@ def _out_of_order(
     renamed: Mapping[tuple[str, int], VariableAssignment],
     request: Request,
 ) -> Iterator[Fault]:
-    """Yield a fault for each variable whose last value in the order of calls differs from that in
-    the order of lines.
-    """
+    """Yield a fault for each variable whose last value depends on the order of calls."""
     by_line: dict[str, VariableAssignment] = {}
     by_call: dict[str, VariableAssignment] = {}
     for placed in calls.blocks:
@@ -151,7 +148,7 @@ def _out_of_order(
 
 
 def _not_all(placed: PlacedBlock, calls: ProgramCalls) -> Iterator[Fault]:
-    """Yield the fault of assignments, or calls, that one run cannot execute together."""
+    """Yield the fault of assignments or calls that one run cannot all execute."""
     block = placed.block
     if not (calls.doubts(block) or calls.calls_of(block)):
         return

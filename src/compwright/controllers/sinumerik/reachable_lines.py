@@ -1,4 +1,4 @@
-"""Which lines of a SINUMERIK's program one run can execute.
+"""Find the lines of a SINUMERIK program that one run can execute.
 
 Every line has a set of lines that may follow it (bits of a whole number), grown until nothing
 changes. A condition may be true or false, linked ones alike (`linked`); an unknown statement may
@@ -25,8 +25,8 @@ from compwright.controllers.sinumerik.linked_conditions import (
 
 @dataclass(frozen=True, slots=True)
 class Doubt:
-    """A statement that may change what is executed; ``call``: the program it calls, if that exists
-    and the statement does nothing else.
+    """A statement that may change the order of execution. ``call``: the program that it only
+    calls.
     """
 
     line: int
@@ -50,11 +50,13 @@ _NAME = re.compile(r"N\d+|(?!R\d+$)[A-Z_]\w+")
 
 @dataclass(frozen=True, slots=True)
 class Line:
-    """One line: its ``number``, the ``names`` to which a jump may lead, and its ``words`` in
-    capitals, empty if they do not affect the order of lines. ``skipped``: with block skip on.
-    ``given``: an assignment, or a call of a program of the files. ``mentions``: the programs that
-    it may call; ``conditional``: not in every case. ``assigned``: the program's own variables that
-    it assigns, with the number where that is written out.
+    """One line of a program, reduced to its effect on the order of execution.
+
+    Its ``number``, the ``names`` to which a jump may lead, and its ``words`` in capitals, empty if
+    they do not affect the order of lines. ``skipped``: with block skip on. ``given``: an
+    assignment, or a call of a program of the files. ``mentions``: the programs that it may call;
+    ``conditional``: not in every case. ``assigned``: the program's own variables that it assigns,
+    with the number where that is written out.
     """
 
     number: int
@@ -68,8 +70,8 @@ class Line:
 
 
 def _shortened(lines: Sequence[Line]) -> tuple[list[Line], list[set[int]]]:
-    """Return the lines with runs of consecutive assignments merged (unless a jump leads to them),
-    and the numbers that each remaining line represents.
+    """Return the lines with neighbouring assignments merged, and the numbers that each remaining
+    line represents.
     """
     used = (word for line in lines for words in line.assigned.values() for word in words or ())
     wanted = {word for line in lines for word in line.words} | {EVERYTHING, *used}
@@ -87,8 +89,10 @@ def _shortened(lines: Sequence[Line]) -> tuple[list[Line], list[set[int]]]:
 
 
 def conflicts(lines: Sequence[Line]) -> tuple[int, int] | None:
-    """Return a conflict of the assignments: the number of one that no run executes, and 0; or two
-    that no run executes together; None if one run can execute all.
+    """Return an assignment that no run executes, or two that no run executes together. None if
+    there is no conflict.
+
+    The number of one and 0, or both.
     """
     short, _ = _shortened(lines)
     found = _conflict(short, _possible(short)[0])
@@ -116,7 +120,7 @@ def _conflict(short: Sequence[Line], ways: Sequence[int]) -> tuple[int, int] | N
 
 
 def inevitable(lines: Sequence[Line], among: Collection[int]) -> list[int]:
-    """Return numbers ``among`` those of given lines of which every run executes at least one: a
+    """Return numbers ``among`` those of given lines of which every run executes at least one, a
     single one if possible.
 
     Empty if a run may do without them.
@@ -155,7 +159,7 @@ def _inevitable(
 
 
 def _in_step(lines: Sequence[Line]) -> Iterator[list[int]]:
-    """Yield the result of `_next` for each set of answers to linked conditions.
+    """Yield the possible next lines (`_next`) for each set of answers to linked conditions.
 
     Motions and switching functions go on to the next line.
     """
@@ -172,8 +176,8 @@ def _in_step(lines: Sequence[Line]) -> Iterator[list[int]]:
 
 
 def _possible(lines: Sequence[Line]) -> tuple[list[int], dict[int, Fork]]:
-    """Return the result of `_next` without answers that the program's own assignments exclude, and
-    the forks whose answer stays open.
+    """Return the possible next lines (`_next`) without excluded answers, and the conditions that
+    stay open.
     """
     every = _next(lines)
     forks = {
@@ -194,8 +198,8 @@ def _possible(lines: Sequence[Line]) -> tuple[list[int], dict[int, Fork]]:
 def _choice(
     line: Line, bits: int, place: int, stop: int, names: Mapping[str, Sequence[int]]
 ) -> Fork | Cases | None:
-    """Return the ways of a CASE by its number, and of a FOR, which is passed if its first number is
-    above its last one.
+    """Return the next lines of a CASE by its number. A FOR is passed if its first number is above
+    its last one.
     """
     words, after = line.words, 1 << place + 1
     if line.skipped:
@@ -240,7 +244,7 @@ def always_returns(lines: Sequence[Line]) -> bool:
 
 
 def unclear_jumps(lines: Sequence[Line]) -> list[int]:
-    """Return the numbers of jumps and repetitions that match more than one label of the program."""
+    """Return the numbers of jumps and repetitions that match several labels of the program."""
     names = _labels(lines)
     found = []
     for place, line in enumerate(lines):
@@ -266,7 +270,7 @@ def _labels(lines: Sequence[Line]) -> dict[str, list[int]]:
 
 
 def _sought(jump: str, name: str, place: int, names: Mapping[str, Sequence[int]]) -> list[int]:
-    """Return the labels that a jump in a place reaches first.
+    """Return the labels that a jump at this place reaches first.
 
     GOTOB searches back from its own line, GOTOF on from the next one; GOTO and GOTOC search on,
     then any before.
@@ -299,7 +303,7 @@ def _reachable_after(follow: Sequence[int]) -> list[int]:
 
 
 def _next(lines: Sequence[Line]) -> list[int]:
-    """Return for every line the lines that may be executed next, as bits.
+    """Return for every line the possible next lines, as bits.
 
     The bits after the last line are the end and the stop.
     """
@@ -327,7 +331,7 @@ def _next(lines: Sequence[Line]) -> list[int]:
 
 
 def _closed(word: str, place: int, start: int, other: int, ways: list[int]) -> int:
-    """Set the next lines of a block's lines; return those of its closing line."""
+    """Set the next lines of the lines of a block. Return those of its closing line."""
     after = 1 << place + 1
     if word == "ENDIF":
         ways[start] |= 1 << (other + 1 if other >= 0 else place)

@@ -1,5 +1,5 @@
-"""SINUMERIK sag and angularity compensation (CEC, ``$AN_CEC``): the position of one axis corrects
-another, or itself.
+"""SINUMERIK sag compensation (CEC, ``$AN_CEC``): the position of one axis corrects another axis, or
+itself.
 
 Stated from the manuals (Function Manual Extended Functions 03/2013, chapter K3; 802D sl Function
 Manual 11/2012; Siemens' texts of the setting data):
@@ -36,9 +36,11 @@ Pair = tuple[str, str]
 
 @dataclass(frozen=True, slots=True)
 class SagTable:
-    """One table. ``direction``: 1, -1 or 0 for both; ``factor``: index of the table that
-    MULT_BY_TABLE names, None without one; ``stays``: the table is not going to be written, so its
-    effect is the same before and after.
+    """One CEC table.
+
+    ``direction``: 1, -1 or 0 for both; ``factor``: index of the table that MULT_BY_TABLE names,
+    None without one; ``stays``: the table is not going to be written, so its effect is the same
+    before and after.
     """
 
     input: str
@@ -51,25 +53,25 @@ class SagTable:
     stays: bool = False
 
     def value(self, positions: FloatArray, direction: Direction) -> FloatArray:
-        """Return the weighted value at ``positions`` (any shape) of the input axis; zero if the
-        table is not active.
+        """Return the weighted correction at ``positions`` (any shape) of the input axis. Zero if
+        the table is not active.
         """
         if not self.enabled or self.direction == -direction.sign:
             return np.zeros(positions.shape)
         return self.weight * self.table.value(positions)
 
     def is_active(self) -> bool:
-        """Return whether the table is on and its output is not zero everywhere."""
+        """Return whether the table is on and its values are not all zero."""
         return self.enabled and self.weight != 0.0 and bool(np.any(self.table.values))
 
     def bound(self, direction: Direction) -> float:
-        """Return the largest amount of the value in ``direction``."""
+        """Return the largest absolute value of the table in ``direction``."""
         return float(np.max(np.abs(self.value(self.table.positions(), direction))))
 
 
 @dataclass(frozen=True, slots=True)
 class Sag:
-    """All tables that are counted. ``sign`` of the values, +1 or -1, 0: not known.
+    """All CEC tables in use. ``sign`` of their values: +1, -1, or 0 for unknown.
 
     ``off``: output axes that MD32710 switches off; ``limits``: MD32720 by output axis, mm or deg.
     ``odd``: axes with an active table over themselves that is not a curve, and why; ``uncounted``:
@@ -84,9 +86,7 @@ class Sag:
     uncounted: tuple[str, ...] = ()
 
     def pairs(self) -> tuple[Pair, ...]:
-        """Return input and output axis of all tables, active or not, in order of their index, each
-        pair once.
-        """
+        """Return input and output axis of all tables, in order of their index, each pair once."""
         return tuple(self.by_pair)
 
     def nodes(self, pair: Pair) -> FloatArray:
@@ -94,7 +94,7 @@ class Sag:
         return union([table.table.positions() for table in self._of(pair)])
 
     def own_shift(self, axis: str, positions: FloatArray, direction: Direction) -> FloatArray:
-        """Return the correction at ``positions`` by an axis' tables over itself.
+        """Return the correction of an axis at ``positions`` by its tables over itself.
 
         If the sign is unknown, tables that stay unchanged are not counted. Raises UsageError where
         the correction is unknown.
@@ -128,7 +128,7 @@ class Sag:
 
     def shift(self, pair: Pair, positions: FloatArray, direction: Direction) -> FloatArray:
         """Return the correction of the output axis with the input axis at ``positions`` (any
-        shape), moving in ``direction``. Raises UsageError if the sign is not known.
+        shape), moving in ``direction``. Raises UsageError for an unknown sign.
         """
         if self.sign == 0 and pair[0] != pair[1]:
             raise UsageError(
@@ -148,8 +148,8 @@ class Sag:
         )
 
     def peak(self, pair: Pair) -> float:
-        """Return the largest amount of the unlimited sum of a pair; with modulo tables an upper
-        bound.
+        """Return the largest absolute sum of the tables of a pair. With modulo tables it is an
+        upper bound.
         """
         return max(self._peak(pair, direction) for direction in Direction)
 
@@ -170,7 +170,9 @@ class Sag:
 
 
 def union(positions: Sequence[FloatArray]) -> FloatArray:
-    """Return the points (k,) of several tables, ascending; points within 1e-9 mm or deg are one."""
+    """Return the points (k,) of several tables, ascending. Points within 1e-9 mm or deg count as
+    one.
+    """
     filled = [nodes for nodes in positions if nodes.size]
     if len(filled) < 2:
         return filled[0] if filled else np.empty(0)

@@ -1,5 +1,7 @@
-"""Tables by index of a SINUMERIK: MIN + N * STEP up to MAX, one value for each N, straight lines
-between (manual pages 237-249).
+"""Tables by index of a SINUMERIK: a value at each point MIN + N * STEP up to MAX, linear in
+between.
+
+Manual pages 237-249.
 
 The leadscrew tables and the sag tables have the same four parameters and the same contradictions.
 """
@@ -30,8 +32,8 @@ _LEAST_STEP = 1e-9
 
 @dataclass(frozen=True, slots=True)
 class CompensationTable:
-    """Values (k + 1,) as the file has them, mm or deg, at ``lowest`` + i * ``step``; ``modulo``:
-    repeats after MAX - MIN.
+    """A table with values (k + 1,) as in the file, mm or deg, at ``lowest`` + i * ``step``.
+    ``modulo``: it repeats.
     """
 
     lowest: float
@@ -47,7 +49,9 @@ class CompensationTable:
         return nodes
 
     def value(self, positions: FloatArray) -> FloatArray:
-        """Return the table's value at ``positions`` (any shape); outside the end values hold."""
+        """Return the table's value at ``positions`` (any shape). Outside the table the end values
+        apply.
+        """
         x = (
             self.lowest + np.mod(positions - self.lowest, self.highest - self.lowest)
             if self.modulo
@@ -64,7 +68,7 @@ class CompensationTable:
 
 @dataclass(slots=True)
 class Remarks:
-    """Assumptions, notes and faults; all parts of the control add to one."""
+    """Assumptions, notes and faults of one control. All its parts add to the same record."""
 
     assumed: list[Assumption] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
@@ -72,8 +76,8 @@ class Remarks:
 
 
 def last_value(entries: Sequence[VariableAssignment], name: str) -> float | None:
-    """Return the last value assigned to a variable (a load sequence switches off and on again);
-    None without one.
+    """Return the last value assigned to a variable, because a load sequence switches off and on
+    again. None without one.
     """
     return next((entry.value for entry in reversed(entries) if entry.name == name), None)
 
@@ -81,15 +85,15 @@ def last_value(entries: Sequence[VariableAssignment], name: str) -> float | None
 def single(
     entries: Sequence[VariableAssignment], name: str, faults: list[Fault]
 ) -> VariableAssignment | None:
-    """Return the assignment of a variable that may be given once; a repetition must agree."""
+    """Return the assignment of a variable that may be given once. Repetitions must agree."""
     given = [entry for entry in entries if entry.name == name]
     _agree(given, faults)
     return given[0] if given else None
 
 
 def is_default(entries: Sequence[VariableAssignment], prefix: str) -> bool:
-    """Return whether a table is the control's own default: STEP, MIN and MAX given as 0 and no
-    value other than 0.
+    """Return whether a table is the control's own default: STEP, MIN and MAX are 0, and no value
+    differs from 0.
     """
     grid = [
         entry
@@ -111,8 +115,7 @@ def build_table(
     *,
     stranger: bool = False,
 ) -> CompensationTable | None:
-    """Return the table of one measuring system or index from all its assignments, or None with the
-    faults in ``remarks``.
+    """Return one table from all its assignments. None with faults in ``remarks``.
 
     ``prefix``: name of the values' variable; ``label``: name of the table in messages; ``owner``:
     the axis or table whose IS_MODULO may have to be assumed; ``stranger``: the axis is not under
@@ -169,8 +172,8 @@ def build_table(
 def too_few_points(
     reserved: Sequence[VariableAssignment], table: CompensationTable, label: str
 ) -> list[Fault]:
-    """Return the fault of machine data that reserve fewer points than the table has: the control
-    would shorten it.
+    """Return the fault of machine data that reserve too few points for the table. The control would
+    shorten it.
     """
     return [
         entry.fault(
@@ -184,7 +187,7 @@ def too_few_points(
 
 
 def _impossible(first: VariableAssignment, label: str, table: CompensationTable) -> list[Fault]:
-    """Return the faults of a table that is complete but cannot be evaluated."""
+    """Return the faults of a complete table that cannot be evaluated."""
     if np.any(np.diff(table.positions()) <= 0.0):
         return [
             first.fault(
@@ -212,8 +215,10 @@ def _impossible(first: VariableAssignment, label: str, table: CompensationTable)
 
 @dataclass(frozen=True, slots=True)
 class _Ends:
-    """``count`` points up to ``highest``. ``meant``: STEP only nearly divides the range; ``split``:
-    it does not, MAX lies between two points.
+    """The end of a table: ``count`` points up to ``highest``.
+
+    ``meant``: STEP only nearly divides the range; ``split``: it does not, MAX lies between two
+    points.
     """
 
     count: int
@@ -225,7 +230,7 @@ class _Ends:
 def _ends(
     first: VariableAssignment, label: str, grid: tuple[float, float, float], faults: list[Fault]
 ) -> _Ends | None:
-    """Return where a table ends, k = (MAX - MIN) / STEP; None with a fault for an impossible
+    """Return where a table ends, k = (MAX - MIN) / STEP. None with a fault for an impossible
     grid.
     """
     step, low, high = grid
@@ -258,8 +263,8 @@ def _ends(
 def _split(
     first: VariableAssignment, label: str, prefix: str, grid: tuple[float, float, float]
 ) -> Fault:
-    """Return the fault of a table whose MAX lies between two points of different values: no manual
-    page states the value there.
+    """Return the fault of a table whose MAX is between two points of different values. The manual
+    does not define the value there.
     """
     step, low, high = grid
     return first.fault(
@@ -276,8 +281,10 @@ def _column(
     ends: _Ends,
     faults: list[Fault],
 ) -> FloatArray | None:
-    """Return the values (count,) of points 0..count-1; None with a fault when they do not fill the
-    grid. Values above MAX are ignored (FB2 09/2009, 6FC5397-1BP20-0BA0, p. 362 and p. 370).
+    """Return the values (count,) of points 0 to count-1. None with a fault when some are missing.
+
+    They do not fill the grid. Values above MAX are ignored (FB2 09/2009, 6FC5397-1BP20-0BA0, p. 362
+    and p. 370).
     """
     count = ends.count
     # one of the first len(values) + 5 points is absent, or none: the grid may be far larger than
@@ -298,7 +305,7 @@ def _column(
 
 
 def _values(entries: Sequence[VariableAssignment], faults: list[Fault]) -> dict[int, float]:
-    """Return point -> value; the same point given twice must agree."""
+    """Return the value of each point. A repeated point must have the same value."""
     points: dict[int, list[VariableAssignment]] = defaultdict(list)
     for entry in entries:
         if entry.point is not None:

@@ -1,4 +1,4 @@
-"""Assignments in SINUMERIK text files, as the control's program interpreter would take them.
+"""Assignments in SINUMERIK text files, read as the control's program interpreter would read them.
 
 A second, small reader on purpose: it shares nothing with the room that writes these files. It reads
 only what moves an axis by its position: the leadscrew table (``$AA_ENC_COMP...``), backlash
@@ -136,8 +136,9 @@ _WHOLE = re.compile(r"[0-9]{1,9}")
 
 @dataclass(frozen=True, slots=True)
 class VariableAssignment(OfLine):
-    """One assignment: variable without ``$``; ``number``: measuring system e or table t, 0 without
-    either; ``point`` N.
+    """One assignment: variable without ``$``, and value.
+
+    ``number``: measuring system e or table t, 0 without either; ``point`` N.
 
     ``axis``: the index as written, empty for a variable of a table. ``value``: the number;
     ``names``: the axis on the right side of INPUT_AXIS and OUTPUT_AXIS, empty for none.
@@ -163,13 +164,13 @@ class VariableAssignment(OfLine):
 
     @property
     def comparable(self) -> float | str:
-        """The right side in a comparable form: the number, or the axis in capitals."""
+        """The right side in a form for comparison: the number, or the axis in capitals."""
         return self.names.upper() if self.name in _NAMING else self.value
 
 
 @dataclass(slots=True)
 class ProgramContent:
-    """Contents of one file: its assignments in order, remarks, and faults.
+    """The contents of one file: its assignments in order, remarks, and faults.
 
     ``machine_names``, ``channel_names``: names by index from 0; ``channel_places``: machine axes
     from 1 by index in the channel; ``facts``: plain assignments of `FACTS`; ``units``: lines that
@@ -192,7 +193,7 @@ class ProgramContent:
     faults: list[Fault] = field(default_factory=list)
 
     def statement_counts(self) -> tuple[int, ...]:
-        """Return the numbers of statements found so far, by kind."""
+        """Return the number of statements found so far, by kind."""
         units = self.units
         of_units = len(units.metric) + len(units.inch) + len(units.own)
         return len(self.assignments), len(self.facts), len(self.not_given), of_units
@@ -200,7 +201,7 @@ class ProgramContent:
 
 @dataclass(slots=True)
 class _Program:
-    """The program of an archive that is being read: ``header`` its line (0 without one), ``before``
+    """The program of an archive during reading. ``header``: its line (0 without one); ``before``:
     the assignments before it.
     """
 
@@ -211,8 +212,7 @@ class _Program:
 
 @lru_cache(maxsize=_KEPT)
 def read_file(file: ControlFile) -> ProgramContent:
-    """Return the contents of one file (bytes, ASCII with any comment); faults are collected,
-    nothing is raised.
+    """Return the contents of one file, given as bytes. Faults are collected, and nothing is raised.
 
     A file may hold several programs, as an archive does: a line ``%_N_...`` opens the next one.
     Text between the end of a program (M17, M30, M02) and the next header is a fault, because the
@@ -267,7 +267,7 @@ def read_file(file: ControlFile) -> ProgramContent:
 
 
 def _note_flow(code: str, number: int, found: ProgramContent, whole: str, *, counted: bool) -> None:
-    """Record a line's effect on the flow of its program.
+    """Record a line's effect on the order of execution of its program.
 
     ``counted``: it holds a statement that counts; ``whole``: the line with its strings.
     """
@@ -310,7 +310,7 @@ def _read_names(code: str, found: ProgramContent) -> None:
 
 def _with_points(lines: list[str]) -> list[str]:
     """Return the lines of a file with decimal commas replaced by points, if they certainly are
-    decimal.
+    decimal commas.
 
     That is: such a value fills a line, and no value of the file has a point.
     """
@@ -321,7 +321,7 @@ def _with_points(lines: list[str]) -> list[str]:
 
 
 def _read_fact(code: str, file: str, number: int, found: ProgramContent) -> None:
-    """Record a plain assignment of `FACTS`."""
+    """Record an assignment of one of the variables in `FACTS`."""
     match = _ASSIGNMENT.fullmatch(code)
     name = "" if match is None else match["name"].upper()
     if match is None or name not in FACTS or "=" not in match["sign_of_assignment"]:
@@ -335,8 +335,8 @@ def _read_fact(code: str, file: str, number: int, found: ProgramContent) -> None
 
 
 def _note_end(program: _Program, file: str, found: ProgramContent, *, last: bool) -> None:
-    """Note a program without an end; in the middle of an archive only one that holds compensation
-    data.
+    """Note a program without an end. In the middle of an archive only one with compensation data
+    matters.
     """
     if program.header and not program.ended and (last or len(found.assignments) > program.before):
         found.notes.append(
@@ -346,7 +346,7 @@ def _note_end(program: _Program, file: str, found: ProgramContent, *, last: bool
 
 
 def _read_line(code: str, file: str, number: int, found: ProgramContent, *, ended: bool) -> None:
-    """Read one line that mentions compensation; it must be understood wholly or be a fault."""
+    """Read one line about compensation. A line that is not understood completely is a fault."""
 
     def wrong(message: str, expected: str) -> None:
         found.faults.append(
@@ -441,7 +441,7 @@ def _read_assignment(
 
 
 def _foreign_key(name: str, index: str, found: ProgramContent) -> bool:
-    """Record an unknown key of a table; False for anything else."""
+    """Record an unknown key of a table. Return False for any other key."""
     known = name.startswith("AN_CEC_") and _WHOLE.fullmatch(index.strip()) is not None
     if known:
         found.unknown_keys[int(index)] = name
@@ -449,7 +449,7 @@ def _foreign_key(name: str, index: str, found: ProgramContent) -> bool:
 
 
 def _indices(kinds: tuple[str, ...], text: str) -> dict[str, str] | None:
-    """Return kind -> index as written, None when the bracket does not hold these."""
+    """Return the indices in a bracket by kind, as written. None when they are different ones."""
     given = [index.strip() for index in text.split(",")]
     if len(given) != len(kinds):
         return None
@@ -461,5 +461,5 @@ def _indices(kinds: tuple[str, ...], text: str) -> dict[str, str] | None:
 
 
 def _number(text: str) -> float:
-    """Return a number of the control's language; its exponent is written ``EX``."""
+    """Return a number in the control's notation, with an exponent written as ``EX``."""
     return float(text.upper().replace("EX", "E"))

@@ -1,4 +1,4 @@
-"""Unit of lengths in the files of a SINUMERIK.
+"""The unit of lengths in the files of a SINUMERIK.
 
 MD10240 (basic system: 1 mm, 0 inch) or a line ``METRIC`` or ``INCH`` before the values: all data
 loaded, compensation values included, are scaled by it (840Di manual 06.03 p. 10-283; 808D ADVANCED
@@ -28,8 +28,10 @@ _YES = frozenset({"METRIC", "1", "TRUE"})
 
 @dataclass(slots=True)
 class UnitLines:
-    """Each with its line: ``metric``, whether the basic system is metric; ``inch``, MD10250 in mm;
-    ``own``, MD10220; ``factors``, index and value of MD10230.
+    """Statements about length units, each with its line.
+
+    ``metric``, whether the basic system is metric; ``inch``, MD10250 in mm; ``own``, MD10220;
+    ``factors``, index and value of MD10230.
     """
 
     metric: list[tuple[int, bool]] = field(default_factory=list)
@@ -38,7 +40,7 @@ class UnitLines:
     factors: list[tuple[int, tuple[int, float]]] = field(default_factory=list)
 
     def read(self, code: str, number: int) -> None:
-        """Record the unit that a line without its comment sets."""
+        """Record the unit that a line sets. The line comes without its comment."""
         match = _UNITS.fullmatch(code)
         if match is None:
             return
@@ -53,7 +55,7 @@ class UnitLines:
 
 
 def _decimal(text: str) -> float:
-    """Return a number of digits and points; NaN for other text."""
+    """Return a number of digits and points. NaN for other text."""
     try:
         return float(text)
     except ValueError:
