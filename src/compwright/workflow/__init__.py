@@ -1,1 +1,1 @@
-"""One module per command; the only room that touches the file system."""
+"""The commands, one module each. Only this room touches the file system."""

@@ -1,4 +1,4 @@
-"""Load the modules that a second process needs before it has work; no more, so that it starts
+"""Load the modules that a second process needs for its work, and no others, so that it starts
 quickly.
 """
 
@@ -6,7 +6,7 @@ from __future__ import annotations
 
 
 def ready_for_axes() -> None:
-    """Load what the work on an axis needs."""
+    """Load the modules for the work on an axis."""
     from compwright.fitting.solve import load_solver
     from compwright.planning import axis_tasks  # noqa: F401
     from compwright.reporting import axis_report  # noqa: F401

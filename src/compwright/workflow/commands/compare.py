@@ -38,8 +38,8 @@ from compwright.workflow.run.written import write_fitted
 
 @dataclass(frozen=True, slots=True)
 class CompareOutcome:
-    """The document, and the exit code: 0 where the control's values are those of the plan,
-    else 1.
+    """The result of a comparison: document and exit code (0 where the control's values equal the
+    plan, else 1).
     """
 
     exit_code: int
@@ -47,8 +47,7 @@ class CompareOutcome:
 
 
 def compare_plan(session: Session, plan_file: Path, loaded: Sequence[Path]) -> CompareOutcome:
-    """Compare files that were read back from the control with a plan, and everything else in them
-    with the state that was patched.
+    """Compare files that were read back from the control with a plan.
 
     Raises UsageError for a plan without tables, InputError for files that cannot be read,
     contradict themselves or contain no data of an axis of the plan.
@@ -103,8 +102,8 @@ def compare_plan(session: Session, plan_file: Path, loaded: Sequence[Path]) -> C
 def _found(
     control: Control, files: Sequence[ControlFile], axes: Sequence[Axis], loaded: Sequence[Path]
 ) -> tuple[dict[str, DecodedState | InputError], InputError | None]:
-    """Return the corrections of the files that were read back, by address, or why the control would
-    refuse them (perhaps by the very change); and why they could not be read as a whole.
+    """Return the corrections in the files that were read back, by address, and why parts are
+    unreadable.
 
     Where axes can be read alone, a fault of one hides no other. Raises InputError where the files
     contain no data of an axis.
@@ -131,7 +130,7 @@ def _found_alone(
 
 
 def _speak_of(control: Control, back: ComparedSide, axes: Sequence[Axis]) -> bool:
-    """Whether the files that were read back contain data of every axis."""
+    """Return whether the files that were read back contain data of every axis."""
     whereabouts = control.format.listing.value_location
     named = {
         address
@@ -145,8 +144,9 @@ def _speak_of(control: Control, back: ComparedSide, axes: Sequence[Axis]) -> boo
 def _written(
     control: Control, plan: Plan, as_found: DecodedState
 ) -> tuple[tuple[ControlFile, ...], DecodedState | None]:
-    """Return everything that should be in the control, and what its tables do: the plan's files in
-    the place of those that were patched.
+    """Return all files that should be in the control, and the corrections by their tables.
+
+    The plan's files in the place of those that were patched.
     """
     fitted = [
         (entry.axis, entry.fitted) for entry in plan.axes.values() if entry.fitted is not None
@@ -172,7 +172,7 @@ def _compared(
     own: Mapping[str, Sequence[Difference]],
     partly: PartialLoad | None,
 ) -> ComparedAxis:
-    """Return the differences of one axis of the plan.
+    """Return the differences of one axis from the plan.
 
     ``found`` an error: why the correction of the values read back is unknown. ``partly``: which
     files were loaded, where not all were.
@@ -203,14 +203,14 @@ def _compared(
 
 
 def _partly(load: PartialLoad) -> str:
-    """Return what to do about files that were not loaded."""
+    """Return the next step for files that were not loaded."""
     missing, loaded = " and ".join(load.missing), " and ".join(load.loaded)
     return f"only {loaded} was loaded: load {missing} too, before the axis moves"
 
 
 def _look_at(control: Control, entry: PlannedAxis, verdict: str) -> tuple[str, ...]:
-    """Return what to check on the control; nothing where it has the planned values, or where no
-    single mistake explains the difference.
+    """Return what to check on the control. Nothing if its values are right or no single mistake
+    explains the difference.
     """
     if entry.fitted is None or verdict == "loaded":
         return ()

@@ -1,4 +1,4 @@
-"""``decode``: what a control would do with these files."""
+"""``decode``: show what a control would do with given files."""
 
 from __future__ import annotations
 
@@ -29,8 +29,7 @@ def decoded_files(
     axis: str | None = None,
     at: str | None = None,
 ) -> tuple[DecodedState, Kinds, dict[str, Any]]:
-    """Return the decoded control files, the axes of unknown kind, and the decode document: at the
-    nodes of each table, or at the positions of ``at``.
+    """Return the contents of the control files, the axes of unknown kind, and the JSON document.
 
     ``axis`` restricts it to one address; the option ``active`` states whether the tables are
     active, and whether all values of a program were carried out. Raises UsageError (options, a bad
@@ -55,8 +54,8 @@ def decoded_files(
 
 
 def positions_of(text: str) -> FloatArray:
-    """Return the positions of a comma list of numbers and ``LO:HI:STEP`` ranges, in that order (mm
-    or deg).
+    """Return the positions (mm or deg) from a text of numbers and ``LO:HI:STEP`` ranges, in the
+    given order.
 
     A range ends with HI where a step falls on it (within 1e-9 of a step). Raises UsageError with
     every part that cannot be read.

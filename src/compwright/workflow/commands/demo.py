@@ -1,4 +1,4 @@
-"""``demo``: the whole loop on a virtual machine: measure, compensate, load, measure again,
+"""``demo``: the whole sequence on a virtual machine: measure, compensate, load, measure again,
 verify.
 """
 
@@ -23,8 +23,8 @@ from compwright.workflow.results.own_files import write_listed
 
 @dataclass(frozen=True, slots=True)
 class DemoStep:
-    """A step of the demo: its description, the folder and number of its files, their size in bytes,
-    and its duration in seconds.
+    """A step of the demo: description, folder, number and size (bytes) of its files, and its
+    duration in seconds.
     """
 
     what: str
@@ -36,7 +36,7 @@ class DemoStep:
 
 @dataclass(frozen=True, slots=True)
 class DemoOutcome:
-    """The steps of the demo, and its two halves."""
+    """The steps of the demo, and the results of its two halves."""
 
     steps: tuple[DemoStep, ...]
     run: RunOutcome
@@ -47,8 +47,8 @@ class DemoOutcome:
 def run_demo(
     session: Session, out: Path, *, force: bool = False, crew: Crew = alone
 ) -> DemoOutcome:
-    """Play the whole loop below ``out``: machine, measurement, job, tables, measurement with the
-    tables loaded, verification.
+    """Run the whole sequence in the folder ``out``: machine, measurement, job, tables, second
+    measurement, verification.
 
     ``crew``: who works on the axes. Raises StorageError when a file exists (unless ``force``) or
     cannot be written.
@@ -93,7 +93,7 @@ class _Clock:
         self._began = perf_counter()
 
     def step(self, what: str, folder: Path, files: Sequence[Path]) -> DemoStep:
-        """Return the step that ends now, with its duration since the last one."""
+        """Return the step that ends now, with the time since the last one."""
         now = perf_counter()
         seconds, self._began = now - self._began, now
         return DemoStep(what, folder, len(files), storage.size_of(files), seconds)

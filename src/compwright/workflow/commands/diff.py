@@ -1,4 +1,4 @@
-"""``diff``: two backups of one machine, in words of its control."""
+"""``diff``: compare two backups of one machine, in the terms of its control."""
 
 from __future__ import annotations
 
@@ -16,7 +16,9 @@ from compwright.foundations.session import Session
 
 @dataclass(frozen=True, slots=True)
 class DiffOutcome:
-    """The document, and 0 where both backups enter the same, else 1."""
+    """The result of a comparison: document and exit code (0 where both backups contain the same,
+    else 1).
+    """
 
     exit_code: int
     document: Mapping[str, Any]
@@ -59,7 +61,7 @@ def diff_files(
 
 
 def entry_difference(placed: Placed) -> EntryDifference:
-    """Return an entry that differs as documents show it."""
+    """Return a differing entry in the form of the documents."""
     entry, change = placed.entry, placed.change
     return EntryDifference(
         quantity=entry.name,

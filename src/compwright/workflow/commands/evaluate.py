@@ -1,6 +1,4 @@
-"""``evaluate``: measurement files and folders to evaluations, one per test: positioning and
-circular.
-"""
+"""``evaluate``: evaluate positioning and circular tests from measurement files and folders."""
 
 from __future__ import annotations
 
@@ -70,8 +68,8 @@ Watch = Callable[[str, int, int], None]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class EvaluationRun:
-    """``document`` is the JSON of ``evaluate``. ``many``: of so many files or tests that a page
-    each is too much.
+    """The result of ``evaluate``: its JSON ``document``. ``many``: there are too many tests for a
+    page each.
 
     ``exit_code`` is 0, 3 for a file that cannot be read, 2 where the standard asked for does not
     fit a test and all else is read, 70 where compwright itself failed at one.
@@ -97,8 +95,9 @@ def evaluate_files(
     crew: Crew = alone,
     watch: Watch = _unwatched,
 ) -> EvaluationRun:
-    """Evaluate every file of ``paths`` (folders: every file in them except hidden ones), each kind
-    of test to its standard, in the order of the files, by ``crew``.
+    """Evaluate every file of ``paths`` by its standard, in the order of the files.
+
+    Folders: every file in them except hidden ones; ``crew``: the processes.
 
     ``profile``: for tables of other programs. ``standards``: at most one for positioning and one
     for circular tests; without one the default of the kind. ``whole``: entries of many files hold
@@ -167,8 +166,8 @@ def evaluate_files(
 def all_tests(
     session: Session, path: Path, profile: Profile | None
 ) -> list[PositioningTest | CircularTest]:
-    """Return the tests of a measurement file, or of all files of a folder. Raises InputError with
-    the faults of all of them.
+    """Return the tests of a measurement file, or of all files in a folder. Raises InputError with
+    all faults.
     """
     from compwright.workflow.inputs.circles import pairs_joined
 
@@ -192,7 +191,7 @@ def _by_reason(noted: Sequence[Noted]) -> Mapping[Why, list[Fault]]:
 
 
 def evaluation_renderables(document: Mapping[str, Any], *, targets: bool = False) -> list[Any]:
-    """Return what a terminal shows of an evaluation document, as rich renderables."""
+    """Return the terminal output for an evaluation, as rich renderables."""
     from compwright.reporting.terminal import evaluation_tables
 
     shown: list[Any] = []
@@ -211,9 +210,7 @@ def evaluation_renderables(document: Mapping[str, Any], *, targets: bool = False
 
 
 def many_renderables(document: Mapping[str, Any]) -> list[Any]:
-    """Return what a terminal shows of an evaluation document of many tests: a line each, and a
-    summary.
-    """
+    """Return the terminal output for an evaluation of many tests: one line each, and a summary."""
     from compwright.documents.evaluation_summary import summary_document
     from compwright.reporting.evaluation_list import evaluation_list
 
@@ -232,8 +229,11 @@ def write_evaluation(
     command: str = "",
     force: bool = False,
 ) -> list[Path]:
-    """Write the JSON document, the plot (svg, png or pdf by its ending), the table (csv or xlsx)
-    and the report (html or pdf; ``command`` repeats it), all or none; returns the paths written.
+    """Write the outputs of ``evaluate``: JSON, plot, table and report, all or none. Returns the
+    written paths.
+
+    The plot (svg, png or pdf by its ending), the table (csv or xlsx) and the report (html or pdf;
+    ``command`` repeats it).
 
     Raises StorageError when a file exists (unless ``force``) or cannot be written, UsageError for
     another ending of the plot, the table or the report, one file for two of them, or when there is
@@ -284,8 +284,9 @@ _WITH_PAGES: Final = ("positioning", "circular")
 
 
 def _with_pages(document: Mapping[str, Any]) -> Mapping[str, Any]:
-    """Return the document with the tests that have targets or a plane: a stand-still test and lost
-    motion over distance or speed have neither page nor picture.
+    """Return the document with only those tests that have a page and a figure.
+
+    A stand-still test and lost motion over distance or speed have neither.
     """
     tests = [result for result in document["results"] if result["kind"] in _WITH_PAGES]
     if document["results"] and not tests:
@@ -344,7 +345,7 @@ def _report(document: Mapping[str, Any], path: Path, language: Language, command
 
 
 def _standards(names: Sequence[str], spread: str) -> tuple[str, str]:
-    """Return the standards of positioning and of circular tests."""
+    """Return the standards for positioning and for circular tests."""
     errors: list[CompwrightError] = []
     kinds: dict[str, list[str]] = {"positioning": [], "circular": []}
     for name in names:
@@ -378,8 +379,8 @@ def _circular_standard(name: str) -> str:
 
 
 def _files(session: Session, paths: Sequence[Path]) -> tuple[FoundMeasurements, list[Fault]]:
-    """Return the files of all paths, each once, the files that were skipped, and the faults of
-    paths without any.
+    """Return the files of all paths, each once, the skipped files, and the faults of paths without
+    files.
     """
     found: list[FoundMeasurements] = []
     faults: list[Fault] = []
@@ -399,7 +400,7 @@ def _files(session: Session, paths: Sequence[Path]) -> tuple[FoundMeasurements, 
 def _evaluated(
     session: Session, files: Sequence[Path], request: EvaluationRequest, crew: Crew, watch: Watch
 ) -> tuple[list[Evaluated], list[Noted]]:
-    """Return the tests in the files, with the files of one circular test joined, and the faults."""
+    """Return the tests in the files, and the faults. Files of the same circular test are joined."""
     found: list[Evaluated | CircularTest] = []
     noted: list[Noted] = []
     given = (_given(session, file) for file in files)
@@ -434,7 +435,7 @@ def _with_circles(
     crew: Crew,
     watch: Watch,
 ) -> tuple[list[Evaluated], list[Noted]]:
-    """Return the tests with the circular ones joined and evaluated, each in its place."""
+    """Return the tests, with the circular ones joined and evaluated, each in its place."""
     from compwright.workflow.inputs.circles import pairs_joined
 
     joined = pairs_joined(found)

@@ -1,4 +1,4 @@
-"""``export``: the tables of a plan again, for this control or another."""
+"""``export``: write the tables of a plan again, for this control or another one."""
 
 from __future__ import annotations
 
@@ -43,8 +43,8 @@ ADDRESS = "address."
 
 @dataclass(frozen=True, slots=True)
 class ExportOutcome:
-    """The files written, what had to be assumed, the axes without a table in the plan, and what the
-    control cannot hold.
+    """The result of ``export``: written files, assumptions, axes without a table, and limits of the
+    control.
     """
 
     files: tuple[Path, ...]
@@ -63,7 +63,7 @@ def export_plan(
     *,
     force: bool = False,
 ) -> ExportOutcome:
-    """Fit the plan's wanted totals to a control and write its files into ``out``.
+    """Fit the total correction in a plan to a control, and write the control's files into ``out``.
 
     Another control has its own names of the axes: the options ``address.NAME`` give them, else the
     plan's names are used. ``states``: the present contents of the control, ``none`` or its files;
@@ -129,7 +129,7 @@ def export_plan(
 def _refitted(
     plan: Plan, control: Control, axes: Mapping[str, Axis]
 ) -> list[tuple[Axis, FittedTable]]:
-    """Return what the plan wants within the limits of a control. Raises CapacityError with the
+    """Return the tables of a plan within the limits of a control. Raises CapacityError with the
     faults of all axes.
     """
     fitted = []
@@ -155,7 +155,8 @@ def _refitted(
 def _axes_here(
     plan: Plan, control: Control, addresses: Mapping[str, str], options: Mapping[str, object]
 ) -> tuple[dict[str, Axis], list[Assumption]]:
-    """Return the axes of the plan as this control names them, and the assumptions about names.
+    """Return the axes of the plan with their names on this control, and the assumptions about
+    names.
 
     For the plan's own control all axes; for another one those that get a table or whose name is
     given. Options belong to one control: those of the plan's control do not apply to another;
@@ -178,13 +179,13 @@ def _axes_here(
 
 
 def _every(plan: Plan) -> dict[str, Axis]:
-    """Return the axes of a plan by name, those without a test last."""
+    """Return the axes of a plan by name. Axes without a test come last."""
     return {name: entry.axis for name, entry in plan.axes.items()} | dict(plan.untested)
 
 
 def _addressed(entry: PlannedCross, axes: Mapping[str, Axis]) -> PlannedCross:
-    """Return a correction between axes with the addresses of this control, where the plan knows the
-    axes.
+    """Return a correction between axes with the addresses of this control, where the plan contains
+    the axes.
     """
     given, bent = axes.get(entry.input), axes.get(entry.output)
     added = entry.added if given is None else replace(entry.added, input=given.address)
@@ -215,7 +216,9 @@ def _state(
     *,
     active: bool | None,
 ) -> DecodedState:
-    """Return what is in the control, by its files; ``axes`` as this control names them."""
+    """Return the contents of the control, from its files. ``axes``: with their names on this
+    control.
+    """
     if list(states) == ["none"]:
         return decode(control, (), axes)
     if "none" in states:

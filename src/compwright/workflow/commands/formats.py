@@ -1,6 +1,4 @@
-"""``formats list | show ID | check [PATH...]``: what is known about each control, and whether a
-definition keeps its word.
-"""
+"""``formats``: list the known controls, show the facts about one, or check definitions."""
 
 from __future__ import annotations
 
@@ -25,20 +23,24 @@ NOT_JUDGED = "not independently judged: there is no virtual control for it"
 
 
 def list_formats(session: Session) -> tuple[str, ...]:
-    """Return the installed controls as lines, by maker: id, title, the names that are understood,
-    and how many facts are known how well. Raises InputError for a definition that cannot be read.
+    """Return the installed controls as lines of text, by maker. Raises InputError for an unreadable
+    definition.
+
+    Id, title, the names that are understood, and how many facts are known how well.
     """
     return tuple(listing(shipped_definitions(session).values()))
 
 
 def shipped_ids(session: Session) -> list[str]:
-    """Return the ids of the installed controls; no definition is read."""
+    """Return the ids of the installed controls without reading a definition."""
     return [Path(name).stem for name, _ in definition_files(session) if not is_base(Path(name))]
 
 
 def show_format(session: Session, name: str) -> tuple[str, ...]:
-    """Return what is known about a control as lines: form, quantities, limits, options, each with
-    its evidence. ``name``: an id that ships, or the path of a definition of one's own.
+    """Return the facts about a control as lines of text: form, quantities, limits, options, with
+    their evidence.
+
+    ``name``: an id that ships, or the path of a definition of one's own.
 
     Raises UsageError for an unknown id, naming those that exist, InputError for a file that is no
     definition.
@@ -57,8 +59,9 @@ def show_format(session: Session, name: str) -> tuple[str, ...]:
 
 
 def check_formats(session: Session, paths: Sequence[Path]) -> tuple[str, ...]:
-    """Check the definitions in ``paths`` (files or folders; none: those that ship with compwright)
-    and return one line for each.
+    """Check the definitions in ``paths`` and return one line for each.
+
+    Files or folders; none: those that ship with compwright.
 
     Raises InputError with every fault of every file: keys, hand-worked corrections that do not come
     out, a sample that is not read back as written.

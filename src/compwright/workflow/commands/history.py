@@ -1,4 +1,4 @@
-"""``history``: machines over the years, from their result folders."""
+"""``history``: show the results of machines over the years, from their result folders."""
 
 from __future__ import annotations
 
@@ -24,8 +24,10 @@ from compwright.workflow.results.single_files import refuse_other_kinds
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class HistoryOutcome:
-    """A history. ``exit_code`` is 3 where something could not be read and the rest was; ``read``:
-    how many folders were read, the others were known to the index.
+    """The result of ``history``.
+
+    ``exit_code`` is 3 where something could not be read and the rest was; ``read``: how many
+    folders were read, the others were known to the index.
     """
 
     exit_code: int
@@ -45,8 +47,8 @@ def history_of(
     table_path: Path | None = None,
     force: bool = False,
 ) -> HistoryOutcome:
-    """Show the tests in the result folders in and below ``tops``, machine by machine and axis by
-    axis, in the order of their dates, and what changed beyond the uncertainty.
+    """Show the tests in the result folders below ``tops`` by machine, axis and date, and the
+    changes beyond the uncertainty.
 
     ``index``: a database of what was read, kept between calls. Raises UsageError, InputError where
     nothing can be read or the index is none, and StorageError; nothing is written then.
@@ -82,8 +84,9 @@ def history_of(
 def _read(
     session: Session, folders: Sequence[Path], database: HistoryIndex, faults: list[Fault]
 ) -> tuple[list[HistoryEntry], list[dict[str, Any]], int]:
-    """Return the tests of all folders, a document with the notes of each folder, and the number of
-    folders that were read; ``faults`` grows by the folders that cannot be read.
+    """Return the tests of all folders, the notes about each folder, and the number of folders read.
+
+    ``faults`` grows by the folders that cannot be read.
     """
     entries: list[HistoryEntry] = []
     folder_documents = []
@@ -119,7 +122,7 @@ def _forget_gone(tops: Sequence[Path], folders: Sequence[Path], database: Histor
 
 
 def _series(entries: Iterable[HistoryEntry], tops: Sequence[Path]) -> list[TestSeries]:
-    """Return the tests by machine and axis, in their order in time."""
+    """Return the tests by machine and axis, in the order of time."""
     groups: dict[tuple[str, bool, str], list[HistoryEntry]] = {}
     for entry in entries:
         group_key = (_machine(entry, tops), entry.kind == "circular", entry.what)
@@ -145,8 +148,9 @@ def _series(entries: Iterable[HistoryEntry], tops: Sequence[Path]) -> list[TestS
 
 
 def _machine(entry: HistoryEntry, tops: Sequence[Path]) -> str:
-    """Return the key of a machine: its serial number, else its name; without both, the results of
-    one folder belong together.
+    """Return the identity of a machine: its serial number, else its name, else the folder.
+
+    Without both, the results of one folder belong together.
     """
     if entry.serial:
         return f"1 {entry.serial.casefold()}"
@@ -159,8 +163,9 @@ def _machine(entry: HistoryEntry, tops: Sequence[Path]) -> str:
 
 
 def _in_time(group: Iterable[HistoryEntry]) -> Callable[[HistoryEntry], tuple[object, ...]]:
-    """Sort by date; what states none comes behind, in the order of the folders. So do tests of one
-    day, unless each of them says its time.
+    """Sort tests by date. Tests without a date come last, in the order of the folders.
+
+    So do tests of one day, unless each of them says its time.
     """
     timeless = {entry.day for entry in group if " " not in entry.day}
     return lambda entry: (
@@ -177,7 +182,7 @@ def _date(entry: HistoryEntry) -> str:
 
 
 def _natural(text: str) -> list[tuple[int, int, str]]:
-    """Sort round-2 before round-10."""
+    """Return a sort key that puts round-2 before round-10."""
     return [
         (0, int(part), "") if part.isdecimal() else (1, 0, part.casefold())
         for part in re.split(r"(\d+)", text)
@@ -205,7 +210,7 @@ def _notes(series: Sequence[TestSeries]) -> list[str]:
 
 
 def _turned_dates(entries: Sequence[HistoryEntry]) -> Iterator[str]:
-    """Yield where a test after loading is dated before one that its table was made from."""
+    """Yield a finding where a test after loading has an earlier date than a test before."""
     by_folder: dict[str, dict[str, list[str]]] = {}
     for entry in entries:
         dated = by_folder.setdefault(entry.folder, {"before": [], "after": []})
@@ -220,7 +225,7 @@ def _turned_dates(entries: Sequence[HistoryEntry]) -> Iterator[str]:
 
 
 def _names_of_one_number(entries: Iterable[HistoryEntry]) -> Iterator[str]:
-    """Yield where one serial number stands for machines of several names."""
+    """Yield a finding where machines with different names have the same serial number."""
     names: dict[str, dict[str, str]] = {}
     for entry in entries:
         if entry.serial and entry.machine:
@@ -260,9 +265,7 @@ def _requested_files(
 def _written(
     session: Session, requested: Mapping[Path, bytes], index: Mapping[Path, bytes], *, force: bool
 ) -> tuple[Path, ...]:
-    """Write what was asked for and the index, all of it or none; the index is renewed without being
-    asked.
-    """
+    """Write the requested files and the index, all or none. The index is always renewed."""
     storage.refuse_overwriting(session, requested, force=force)
     refuse_other_kinds(session, requested, force=force)
     files = {**requested, **index}

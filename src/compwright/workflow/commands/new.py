@@ -1,4 +1,4 @@
-"""``new``: a job prefilled from the control's own files, cross-checked by both readers."""
+"""``new``: make a job file from the control's own files, which two independent readers check."""
 
 from __future__ import annotations
 
@@ -28,8 +28,8 @@ _SHOWN = ("CW-S072",)
 
 @dataclass(frozen=True, slots=True)
 class NewOutcome:
-    """The job file that was written, what the user still has to fill in, and which axes it leaves
-    out, one line each.
+    """The result of ``new``: the job file, the keys that the user must fill in, and the omitted
+    axes, one line each.
     """
 
     path: Path
@@ -46,7 +46,7 @@ def new_job(
     *,
     force: bool = False,
 ) -> NewOutcome:
-    """Write a job with every axis for which the control's files hold an active compensation.
+    """Write a job with every axis that has an active compensation in the control's files.
 
     Where no axis has a table or backlash value, every axis that the files name gets one. From a
     folder, the job takes the files that concern the control. Raises UsageError, InputError (files
@@ -97,7 +97,9 @@ def new_job(
 
 
 def _unknown_option(control: Control) -> UnansweredOption | None:
-    """Return the option that is left open where the files do not say it; None where it is given."""
+    """Return the option that the user must still give, because the files do not state it. None
+    where it is given.
+    """
     open_option = control.format.unanswered_option
     if open_option is None or open_option.name not in control.definition.options:
         return None
@@ -105,14 +107,14 @@ def _unknown_option(control: Control) -> UnansweredOption | None:
 
 
 def _unanswered(unknown: UnansweredOption, drafts: Sequence[AxisDraft]) -> dict[str, Prefilled]:
-    """Return the option of the controller that the user fills in; none where every axis has it."""
+    """Return the controller option that the user must fill in. None where every axis has it."""
     if all("options" in draft.values for draft in drafts):
         return {}
     return {unknown.name: Prefilled(None, f"{unknown.words}; nothing in the files says it")}
 
 
 def _without_lengths(draft: AxisDraft, unknown: UnansweredOption) -> AxisDraft:
-    """Return a draft without the lengths that were read with a number standing in."""
+    """Return a draft job without lengths that were read with an assumed unit."""
     hanging = {
         key: Prefilled(None, f"mm or deg, by {unknown.name}; {entry.source}")
         for key, entry in draft.values.items()
@@ -124,8 +126,7 @@ def _without_lengths(draft: AxisDraft, unknown: UnansweredOption) -> AxisDraft:
 def _read(
     control: Control, files: Sequence[ControlFile], *, active: bool | None
 ) -> tuple[ControlState, tuple[str, ...]]:
-    """Return what the files say, and which axes are left out because something about them is odd or
-    not counted.
+    """Return the contents of the files, and the axes that are left out because of doubts.
 
     Raises InputError where nothing is left.
     """
@@ -207,7 +208,7 @@ def _drafts(
 
 
 def _partners(address: str, name: str, facts: AxisFacts) -> list[str]:
-    """Return the other joints that the control's files give to the axis of a joint."""
+    """Return the other joints of the same axis, by the control's files."""
     return [
         str(index)
         for index, letter in enumerate(facts.letters)
@@ -216,7 +217,7 @@ def _partners(address: str, name: str, facts: AxisFacts) -> list[str]:
 
 
 def _idle(control: Control, state: ControlState, drafts: Sequence[AxisDraft]) -> Iterator[str]:
-    """Say which axes of the files are not in the job, because they have no compensation."""
+    """Yield the axes in the files that are not in the job, because they have no compensation."""
     held = {
         str(entry.value)
         for draft in drafts
@@ -242,7 +243,7 @@ def _idle(control: Control, state: ControlState, drafts: Sequence[AxisDraft]) ->
 
 
 def _name(control: Control, address: str, facts: AxisFacts) -> str:
-    """Return the axis' name: what the control's files call it, else its address."""
+    """Return the axis name in the control's files, else its address."""
     if facts.name is not None:
         return facts.name
     letters = control.definition.addresses.letters
@@ -298,7 +299,7 @@ def _values(
 def _travel(
     address: str, axis: AxisCompensation, facts: AxisFacts, messages: str, *, turns: bool
 ) -> Iterator[tuple[str, Prefilled]]:
-    """Yield how far the axis goes, its address between, and the turn of one without ends.
+    """Yield the lines about the travel of an axis, its address and its turn.
 
     ``turns``: a table that repeats says that its axis has none, whatever else the files say.
     """

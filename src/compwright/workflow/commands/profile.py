@@ -1,4 +1,4 @@
-"""``profile``: a mapping profile proposed for a table made by another program."""
+"""``profile``: propose a mapping profile for a table from another program."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from compwright.workflow.results.single_files import refuse_other_kinds
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ProfileOutcome:
-    """Where the profile stands, three readings in words, what was seen, and what has to be filled
+    """The result of ``profile``: the file, three readings as text, and what the user must fill
     in.
     """
 
@@ -28,7 +28,7 @@ class ProfileOutcome:
 def propose_profile(
     session: Session, file: Path, out: Path, *, force: bool = False
 ) -> ProfileOutcome:
-    """Write the profile for ``file`` to ``out``.
+    """Write a proposed profile for ``file`` to ``out``.
 
     Raises InputError for a file without a table, UsageError for one that needs no profile,
     StorageError when ``out`` exists (unless ``force``) or cannot be written.

@@ -32,8 +32,9 @@ _WHERE: Final = re.compile(r"(?= (?:behind|next to) )")
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RedactedFile:
-    """One file: its own path, where the copy stands, what it was taken for, and how many texts were
-    taken out, by kind. ``texts``: these themselves, for whoever asks.
+    """One copied file: original, copy, kind, and how many texts were removed, by kind.
+
+    ``texts``: these themselves, for whoever asks.
     """
 
     file: Path
@@ -47,8 +48,8 @@ class RedactedFile:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RedactOutcome:
-    """The copies in the order of their files, what was wrong with the others, and the ``folders``
-    in a folder, which are not looked into.
+    """The copies in the order of their files, the faults of other files, and the inner ``folders``,
+    which are not searched.
     """
 
     files: tuple[RedactedFile, ...]
@@ -58,12 +59,12 @@ class RedactOutcome:
 
     @property
     def exit_code(self) -> int:
-        """0, or that of files that could not be copied."""
+        """The exit code: 0, or the code for files that could not be copied."""
         return InputError.exit_code if self.faults else 0
 
     @property
     def document(self) -> dict[str, Any]:
-        """The answer as JSON; the texts that were taken out are not in it."""
+        """The answer as JSON, without the removed texts."""
         document: dict[str, Any] = {
             "schema": SCHEMA,
             "files": [
@@ -88,7 +89,9 @@ class RedactOutcome:
 
 @dataclass(slots=True)
 class _FileToCopy:
-    """One file to copy; ``name``: its own, or that of a text in a container below its stem."""
+    """One file to copy. ``name``: its own, or for a text in an archive one below the archive's
+    name.
+    """
 
     path: Path
     name: str
@@ -100,7 +103,7 @@ class _FileToCopy:
 
     @property
     def shown(self) -> str:
-        """The file for messages."""
+        """The name of the file in messages."""
         inside = self.name.partition("/")[2]
         return f"{shown_path(self.path)}{': ' if inside else ''}{inside}"
 
@@ -115,8 +118,9 @@ def redact_files(
     json_path: Path | None = None,
     force: bool = False,
 ) -> RedactOutcome:
-    """Write a copy of each file into ``out``, under its own name unless that holds a removed text,
-    or a possible serial number.
+    """Write a copy of each file without names into ``out``.
+
+    Under its own name unless that holds a removed text, or a possible serial number.
 
     A file of unknown kind, or one that cannot be proven clean, is not copied and is listed in
     ``faults``; the rest is copied. Raises UsageError for a wrong profile or control and for a JSON
@@ -164,7 +168,7 @@ def redact_files(
 
 
 def _inner_folders(paths: Sequence[Path], out: Path) -> tuple[Path, ...]:
-    """Return the folders in those that were given, but for these and that of the copies."""
+    """Return the folders inside the given folders, except the given ones and that of the copies."""
     known = {storage.resolved(path) for path in (*paths, out)}
     inner = dict.fromkeys(one for path in paths for one in storage.folders_in(path))
     return tuple(one for one in inner if storage.resolved(one) not in known)
@@ -173,8 +177,10 @@ def _inner_folders(paths: Sequence[Path], out: Path) -> tuple[Path, ...]:
 def _read(
     session: Session, paths: Sequence[Path], names: Names, faults: list[Fault]
 ) -> list[_FileToCopy]:
-    """Return what there is to copy, the texts of a container in its place; a file that is given
-    twice is copied once, two files of one name are a fault, for their copies would be one.
+    """Return the files to copy, with archives replaced by their texts. Two files with the same name
+    are a fault.
+
+    A file that is given twice is copied once.
     """
     inputs: dict[str, _FileToCopy] = {}
     for entry in _entries(session, paths, faults):
@@ -196,7 +202,7 @@ def _read(
 
 
 def _entries(session: Session, paths: Sequence[Path], faults: list[Fault]) -> list[Path]:
-    """Return the files of ``paths``, each once."""
+    """Return the files in ``paths``, each once."""
     entries: dict[Path, Path] = {}
     for path in paths:
         try:
@@ -220,8 +226,8 @@ def _copy(
     format_id: str | None,
     faults: list[Fault],
 ) -> None:
-    """Make the copies: of measurements one by one, of controls' files together, and of what is
-    neither by the profile that is proposed for it.
+    """Copy the files: measurements one by one, control files together, other files by a proposed
+    profile.
     """
     others: list[_FileToCopy] = []
     for one in inputs:
@@ -284,13 +290,17 @@ def _redacted_files(
 
 
 def _counted(count: int, kind: str) -> str:
-    """Return how many texts of a kind were taken out: "1 comment", "3 rows next to the table"."""
+    """Return how many texts of a kind were removed, as text: "1 comment", "3 rows next to the
+    table".
+    """
     noun, *where = _WHERE.split(kind, maxsplit=1)
     return f"{count} {noun}{'s' * (count != 1)}{''.join(where)}"
 
 
 def redaction_lines(outcome: RedactOutcome, *, show: bool = False) -> list[str]:
-    """Return in words what was copied and taken out; ``show``: the texts themselves too."""
+    """Return lines of text about the copies and the removed texts. ``show``: the removed texts
+    themselves too.
+    """
     lines = []
     for one in outcome.files:
         counts = ", ".join(_counted(count, kind) for kind, count in one.removed.items())

@@ -1,4 +1,4 @@
-"""``run``: measured, wanted, fitted, written and read back, predicted, reported."""
+"""``run``: measure, fit, write and read back, predict, report."""
 
 from __future__ import annotations
 
@@ -38,8 +38,9 @@ _NO_JOB = f"{JOB} is not written: the name of a file is no text that it could ho
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RunOutcome:
-    """What a run found and wrote. ``no_tables`` and ``refused`` (by axis) say why a table is
-    missing that the job asks for.
+    """The results and files of a run.
+
+    ``no_tables`` and ``refused`` (by axis) say why a table is missing that the job asks for.
     """
 
     exit_code: int
@@ -55,7 +56,7 @@ class RunOutcome:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PlannedJob:
-    """A job worked through, with the files of its results; nothing is on the disk.
+    """A job after all stages, with the files of its results. Nothing is written yet.
 
     ``folder``: what the job's paths are relative to; ``stated``: what the command line says of a
     job without a file, which then is among the results.
@@ -69,13 +70,13 @@ class PlannedJob:
 
     @property
     def exit_code(self) -> int:
-        """0 where every limit is predicted to be met and nothing is in doubt, else 1; 2 without a
-        state of the control.
+        """The exit code: 0 where every limit is predicted to be met without doubt, else 1; 2
+        without a state of the control.
         """
         return _exit_code(self.finished)
 
     def finding_documents(self) -> list[dict[str, Any]]:
-        """Return what was noticed, in the form of every document."""
+        """Return the findings in the form of the documents."""
         return finding_documents(self.finished.findings)
 
 
@@ -89,7 +90,7 @@ def planned(
     accept_worse: bool = False,
     each: Each = in_turn,
 ) -> PlannedJob:
-    """Work a job through; nothing is written.
+    """Run all stages of a job without writing anything.
 
     ``out``: where its results go; ``each`` works on the axes, in turn or side by side: the bytes
     are the same. Raises UsageError (2), InputError (3) and CapacityError (4).
@@ -113,8 +114,9 @@ def write_planned(
     json_path: Path | None = None,
     report: Path | None = None,
 ) -> RunOutcome:
-    """Write the files of a planned job below ``out`` (the prediction to ``json_path`` too, the
-    report as PDF to ``report``), all of them or none.
+    """Write the files of a finished job into ``out``, all of them or none.
+
+    The prediction to ``json_path`` too, the report as PDF to ``report``.
 
     Raises StorageError (5); nothing is written then. Without a state of the control, evaluation,
     prediction and report are written but no table (exit 2).
@@ -182,8 +184,8 @@ def write_planned(
 
 
 def _assumed_job(stated: Mapping[str, Any], finished: Finished) -> dict[str, bytes]:
-    """Return the file of the job that was assumed; none where a file has a name that no text can
-    hold.
+    """Return the job file with all assumptions. None where a file name cannot be written as
+    text.
     """
     as_text = json.dumps(stated, ensure_ascii=False)
     if encoded(as_text).decode() != as_text:
@@ -193,7 +195,7 @@ def _assumed_job(stated: Mapping[str, Any], finished: Finished) -> dict[str, byt
 
 
 def _answered_by_files(finished: Finished) -> dict[str, object]:
-    """Return the keys of the one axis that the control's files answer: where its homing counts the
+    """Return the keys of the only axis that the control's files answer: where homing counts the
     correction as zero.
     """
     return {
@@ -208,7 +210,9 @@ def _answered_by_files(finished: Finished) -> dict[str, object]:
 
 
 def _gone(out: Path, outdated: Sequence[str]) -> Iterator[str]:
-    """Yield that a verification was of another plan, with what is left of it in the folder."""
+    """Yield the note that a verification in the folder belongs to another plan, with its remaining
+    files.
+    """
     if not outdated:
         return
     names = ", ".join(encoded(name).decode() for name in outdated)

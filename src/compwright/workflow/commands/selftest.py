@@ -1,5 +1,5 @@
-"""``selftest``: the reference data that ship with compwright through this installation: expected
-and obtained values, limits, platform and versions.
+"""``selftest``: evaluate the reference data that ship with compwright, and compare the results with
+expected values.
 """
 
 from __future__ import annotations
@@ -42,8 +42,10 @@ _PACKAGES: Final = ("numpy", "scipy", "cvxpy", "osqp", "PyYAML", "pydantic", "cl
 
 @dataclass(frozen=True, slots=True)
 class Check:
-    """One comparison. ``group``: the file of reference data, or the control; ``subject``: the
-    standard, or the table of the control. ``obtained`` None: nothing came out, ``note`` says why.
+    """One comparison of the self-test.
+
+    ``group``: the file of reference data, or the control; ``subject``: the standard, or the table
+    of the control. ``obtained`` None: nothing came out, ``note`` says why.
     """
 
     group: str
@@ -58,13 +60,13 @@ class Check:
 
     @property
     def good(self) -> bool:
-        """Whether the obtained value is there and within the limit."""
+        """Whether the result exists and is within the limit."""
         return self.obtained is not None and bool(abs(self.obtained - self.expected) <= self.limit)
 
 
 def selftest(session: Session) -> dict[str, Any]:
-    """Return the document of the self-test: every check, platform, versions and the SHA-256 of the
-    reference data; ``good``: every check is.
+    """Return the document of the self-test: every comparison, platform, versions and the SHA-256 of
+    the reference data.
     """
     files = storage.reference_files(session)
     checks = [*_values(files), *_controls(session)]
@@ -88,8 +90,9 @@ def write_selftest(
     *,
     force: bool,
 ) -> list[Path]:
-    """Write the page to sign and the document, all or none; returns the paths written. Raises
-    StorageError, and UsageError where the report extra is missing.
+    """Write the page to sign and the document, all or none. Returns the written paths.
+
+    Raises StorageError, and UsageError where the report extra is missing.
     """
     files = dict.fromkeys(answers, encoded(to_json(document)))
     for path in pages:
@@ -101,7 +104,7 @@ def write_selftest(
 
 
 def _values(files: Mapping[str, bytes]) -> Iterator[Check]:
-    """Yield the checks of the table of expected values."""
+    """Yield the comparisons from the table of expected values."""
     results: dict[tuple[str, str], tuple[Mapping[str, float], str]] = {}
     for row in _rows(files[_EXPECTED]):
         place = (row["file"], row["standard"])
@@ -127,7 +130,7 @@ def _rows(content: bytes) -> list[dict[str, str]]:
 
 
 def _evaluated(content: bytes, file: str, standard: str) -> tuple[Mapping[str, float], str]:
-    """Return what comes out of a file of reference data, and why nothing does."""
+    """Return the results for a file of reference data, or the reason why there are none."""
     try:
         if file == _CIRCLES:
             return _fitted(content, standard.removeprefix("set ")), ""
@@ -153,8 +156,8 @@ def _fitted(content: bytes, name: str) -> Mapping[str, float]:
 
 
 def _controls(session: Session) -> Iterator[Check]:
-    """Yield what both readers make of the tables of each control, and whether its sample is written
-    and read back as it is.
+    """Yield the results of both readers for the tables of each control, and whether its sample
+    survives writing and reading.
     """
     for checked in checked_definitions(session, ()):
         group = checked.file if checked.definition is None else checked.definition.id

@@ -1,4 +1,4 @@
-"""``simulate``: measurement files of a virtual machine, with or without tables loaded."""
+"""``simulate``: make measurement files of a virtual machine, with or without loaded tables."""
 
 from __future__ import annotations
 
@@ -47,8 +47,7 @@ def simulate_files(
     force: bool = False,
     file: str = "",
 ) -> list[Path]:
-    """Measure every axis and circle of a virtual machine; one file for each (``x.csv``,
-    ``xy-150.b5r``, ...) goes into ``out``.
+    """Measure every axis and circle of a virtual machine, and write one file for each into ``out``.
 
     ``tables``: a folder with what the control loads; ``file``: the machine file, for messages.
     Noise comes from ``seed`` alone: the same seed gives the same bytes.
@@ -66,8 +65,8 @@ def simulated(
     tables: Path | None = None,
     file: str = "",
 ) -> dict[str, PositioningTest | CircleRecording]:
-    """Return the test of every axis and the recording of every circle by name, as `simulate_files`
-    writes them. Raises UsageError, InputError for tables that cannot be read.
+    """Return the simulated test of every axis and every circle by name. Raises UsageError,
+    InputError for unreadable tables.
     """
     loaded = NO_CORRECTIONS if tables is None else _loaded(session, machine, tables, file)
     tests: dict[str, PositioningTest | CircleRecording] = {}
@@ -88,7 +87,7 @@ def simulated(
 def _file_of(
     machine: VirtualMachine, name: str, test: PositioningTest | CircleRecording
 ) -> tuple[str, bytes]:
-    """Return the name and the content of the file of a test."""
+    """Return the name and the contents of the file of a test."""
     if isinstance(test, PositioningTest):
         return f"{name.lower()}.csv", to_csv(test, SIMULATED)
     about = {
@@ -104,9 +103,7 @@ def _file_of(
 
 
 def _bent(recording: CircleRecording, between: ActiveCorrections) -> CircleRecording:
-    """Return what the instrument records when one axis' position moves the other one: every point
-    of the path moved so far.
-    """
+    """Return the recording of a circle when the position of one axis also moves the other one."""
     plan = recording.plan
     step = plan.arc[1] / plan.samples
     whole = []
@@ -138,8 +135,8 @@ def _rerecorded(traverse: Traverse, moved: CircularRun) -> Traverse:
 def _loaded(
     session: Session, machine: VirtualMachine, tables: Path, file: str
 ) -> ActiveCorrections:
-    """Return what the tables in a folder do to a machine and between its axes. Raises UsageError,
-    InputError.
+    """Return the corrections by the tables in a folder, on axes and between them. Raises
+    UsageError, InputError.
     """
     if not machine.format:
         raise UsageError(

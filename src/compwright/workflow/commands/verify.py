@@ -1,4 +1,4 @@
-"""``verify``: the test after loading against the plan: before, predicted and after side by side."""
+"""``verify``: compare the test after loading with the test before and the prediction."""
 
 from __future__ import annotations
 
@@ -78,7 +78,7 @@ NOT_READ_BACK = Fault(
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class VerifyOutcome:
-    """What ``verify`` found and wrote. ``exit_code`` is 0 only for the verdict ``good``."""
+    """The result of ``verify``. ``exit_code`` is 0 only for the verdict ``good``."""
 
     exit_code: int
     document: Mapping[str, Any]
@@ -87,7 +87,7 @@ class VerifyOutcome:
 
 
 def plan_path(session: Session, given: Path | None, default: Path) -> Path:
-    """Return the plan file: ``given`` (a file or the folder of a run) or that of the default
+    """Return the plan file: from ``given`` (a file or the folder of a run), else from the default
     folder.
     """
     chosen = default if given is None else given
@@ -110,8 +110,10 @@ def verify_job(
     profile: Path | None = None,
     each: Each = in_turn,
 ) -> VerifyOutcome:
-    """Judge the tests after loading and write ``verification.json`` and ``verification.html`` into
-    ``out``, and with ``update`` the next round into ``next`` below it, all of it or nothing.
+    """Judge the tests after loading, and write the results into ``out``, all or nothing.
+
+    ``verification.json`` and ``verification.html``, and with ``update`` the next round into
+    ``next`` below it.
 
     ``after``: ``FILE`` or ``TEST=FILE``, relative to the working directory; ``loaded``:
     what was read back from the control; ``profile``: the mapping profile of the tests after
@@ -159,7 +161,7 @@ def verify_job(
 def verification_of(
     session: Session, job: Job, after: Sequence[str], plan_file: Path, loaded: Sequence[Path]
 ) -> dict[str, Any]:
-    """Return the verification document alone, as `verify_job` does; nothing is written."""
+    """Return the verification document without writing it."""
     return _document(*_verified(session, job, after, plan_file, loaded))
 
 
@@ -177,7 +179,7 @@ def _verified(
     loaded: Sequence[Path],
     profile: Path | None = None,
 ) -> tuple[Verified, OverallVerdict]:
-    """Return what the tests after loading show, and the verdict of all of it."""
+    """Return the results of the tests after loading, and the total verdict."""
     plan, control, job, states = _planned(session, job, plan_file)
     known = [entry.axis for entry in plan.axes.values()]
     others, circle_files = split_after(session, plan, after)
@@ -229,7 +231,7 @@ def _verified(
 
 
 def _compared(session: Session, plan_file: Path, loaded: Sequence[Path]) -> Mapping[str, Any] | str:
-    """Return what ``compare`` answers, or why it cannot."""
+    """Return the answer of ``compare``, or why there is none."""
     try:
         return compare_plan(session, plan_file, loaded).document
     except (InputError, UsageError) as error:
@@ -246,7 +248,7 @@ def _stored(
     *,
     force: bool,
 ) -> tuple[Path, ...]:
-    """Write the verification and the next round, all of it or nothing."""
+    """Write the verification and the next round, all or nothing."""
     below = {} if then is None else then.files
     page = files.get("verification.html")
     answer = answer_files(files[VERIFICATION], json_path, page, report)
@@ -269,7 +271,9 @@ def _stored(
 
 
 def _left_over(out: Path, then: Round | None) -> tuple[str, ...]:
-    """Return that a next round lies there which this verification does not stand behind."""
+    """Return a message that the folder contains an older next round, which does not belong to this
+    verification.
+    """
     if (then is not None and then.files) or not storage.is_folder(out / FOLDER):
         return ()
     return (f"{out / FOLDER} is of an earlier verification; do not load anything of it",)
@@ -278,8 +282,8 @@ def _left_over(out: Path, then: Round | None) -> tuple[str, ...]:
 def _planned(
     session: Session, job: Job, file: Path
 ) -> tuple[Plan, Control, Job, dict[str, DecodedState]]:
-    """Return the plan of a job, its control, the job with the names and options that the control
-    gives it, and what the plan's copies of the control's files say.
+    """Return the plan of a job, its control, the job with the control's names, and the control's
+    old contents.
 
     Raises InputError for the plan of another job.
     """
@@ -327,8 +331,8 @@ def _verdict(
     circles: Mapping[str, VerifiedCircle],
     general: Sequence[Finding],
 ) -> OverallVerdict:
-    """Return the one verdict. Without a positioning test only squareness says whether the tables
-    act.
+    """Return the total verdict. Without a positioning test only squareness shows whether the tables
+    are active.
     """
     squareness = squareness_decisions(circles)
     tested: list[VerifiedAxis | VerifiedCircle] = [*axes.values(), *circles.values()]

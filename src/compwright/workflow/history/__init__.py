@@ -1,1 +1,1 @@
-"""Folders of results read back as entries of a history."""
+"""Read result folders as entries of a history."""

@@ -1,4 +1,4 @@
-"""The tests of a result folder as entries of a history."""
+"""Read the tests of a result folder as entries of a history."""
 
 from __future__ import annotations
 
@@ -62,9 +62,7 @@ def _entries(folder: ResultFolder) -> Iterator[HistoryEntry]:
 
 
 def _round(test: Mapping[str, Any]) -> tuple[bool, int]:
-    """Sort the tests of rounds that are over (the states that a next round names so) before all
-    others, the first round first: a job names the test after loading before them.
-    """
+    """Return a sort key: tests of earlier rounds first, in the order of the rounds."""
     state = str(test.get("measured_in", ""))
     over = number_of_round(state) if test["taken"] == "before" else None
     return over is None, over or 0
@@ -76,7 +74,7 @@ def _named(value: object) -> str:
 
 
 def _text(value: object) -> str:
-    """Return what can be written: an edited record may hold half a character."""
+    """Return a text that can be written as UTF-8. An edited record may contain half a character."""
     return encoded(str(value)).decode()
 
 
@@ -90,7 +88,7 @@ def _values(test: Mapping[str, Any]) -> dict[str, float]:
 
 
 def _limits(record: Mapping[str, Any], test: Mapping[str, Any]) -> dict[str, float]:
-    """Return the limits that the job gave for the axis or the circle of a test, by parameter."""
+    """Return the limits of the job for the axis or the circle of a test, by parameter."""
     kind, name = ("circles", "name") if test["kind"] == "circular" else ("axes", "axis")
     decided = record.get("decisions", {}).get(kind, {}).get(test[name], {})
     return {
@@ -110,9 +108,7 @@ def _errors(test: Mapping[str, Any]) -> dict[str, tuple[float, float]]:
 
 
 def _of_axes(verification: Mapping[str, Any], test: Mapping[str, Any]) -> list[Mapping[str, Any]]:
-    """Return what the verification says of the axis of a test after loading; of a circle, of all
-    axes.
-    """
+    """Return the verification of the axis of a test after loading. For a circle: of all axes."""
     axes = verification.get("axes", {})
     if test["kind"] == "circular":
         return list(axes.values())
@@ -122,8 +118,8 @@ def _of_axes(verification: Mapping[str, Any], test: Mapping[str, Any]) -> list[M
 def _active_compensation(
     record: Mapping[str, Any], test: Mapping[str, Any], verified: Sequence[Mapping[str, Any]]
 ) -> tuple[str, str]:
-    """Return one word for the compensation that was active in a test, and a hash of its files;
-    empty where it is unknown.
+    """Return a word for the compensation that was active in a test, and a hash of its files. Empty
+    where unknown.
     """
     if test["taken"] == "after":
         tables = [

@@ -1,5 +1,5 @@
-"""The index of a history: an SQLite database of the tests in result folders, so that folders that
-did not change are not read again.
+"""The index of a history: an SQLite database of result folders, so that unchanged folders are not
+read again.
 
 The database lives in memory; its bytes are read and written whole like any file. It is known by
 ``application_id`` and ``user_version`` (SQLite, "Database File Format", 1.3.17 and 1.3.15).
@@ -45,14 +45,14 @@ PRAGMA user_version = {_VERSION};
 
 
 class HistoryIndex:
-    """What is known of result folders. ``file``: for messages."""
+    """The stored facts about result folders. ``file``: its name for messages."""
 
     def __init__(self, session: Session, database: sqlite3.Connection, file: str) -> None:
         self._session, self._database, self._file = session, database, file
         self.changed = False
 
     def known(self, folder: Path) -> bool:
-        """Whether a folder is in the index and none of its files was touched since."""
+        """Return whether a folder is in the index and none of its files has changed since."""
         row = self._one("SELECT state, names FROM folder WHERE path = ?", _key(folder))
         return row is not None and row[0] == _state(self._session, folder, json.loads(row[1]))
 
@@ -64,7 +64,7 @@ class HistoryIndex:
         files: Sequence[tuple[str, str]],
         names: Sequence[str],
     ) -> None:
-        """Enter a folder that was read, in the place of what was known of it."""
+        """Store a folder in the index. Earlier entries of it are replaced."""
         key = _key(folder)
         self.forget(folder)
         self._database.execute(
@@ -82,19 +82,19 @@ class HistoryIndex:
         self.changed = True
 
     def forget(self, folder: Path) -> None:
-        """Take a folder out, where it is in."""
+        """Remove a folder from the index, if it is there."""
         self._database.execute("DELETE FROM test WHERE folder = ?", (_key(folder),))
         gone = self._database.execute("DELETE FROM folder WHERE path = ?", (_key(folder),))
         self.changed = self.changed or gone.rowcount > 0
 
     def folders_below(self, top: Path) -> list[Path]:
-        """Return the folders of the index that lie in or below ``top``."""
+        """Return the folders of the index that are equal to ``top`` or inside it."""
         whole = storage.resolved(top)
         paths = [Path(row[0]) for row in self._database.execute("SELECT path FROM folder")]
         return [path for path in paths if path == whole or whole in path.parents]
 
     def entries(self, folder: Path) -> list[HistoryEntry]:
-        """Return the tests of a folder. Raises InputError for an index that is damaged."""
+        """Return the tests of a folder. Raises InputError for a damaged index."""
         rows = self._database.execute(
             "SELECT entry FROM test WHERE folder = ? ORDER BY number", (_key(folder),)
         )
@@ -104,7 +104,7 @@ class HistoryIndex:
             raise _refused(self._file, "is a damaged index", str(error)) from error
 
     def notes_of(self, folder: Path) -> tuple[list[str], list[tuple[str, str]]]:
-        """Return the notes of a folder and the files that are not as they were written."""
+        """Return the notes about a folder, and its files that were changed after writing."""
         row = self._one("SELECT notes, files FROM folder WHERE path = ?", _key(folder))
         if row is None:
             return [], []
@@ -122,7 +122,7 @@ class HistoryIndex:
 
 @contextmanager
 def opened(session: Session, path: Path | None) -> Iterator[HistoryIndex]:
-    """Open the index in a file, a new one where there is none, or in memory alone.
+    """Open the index in a file, or make a new one. Without a file it is in memory.
 
     Raises InputError for a file that is no index of this version; it stays as it is.
     """
@@ -186,7 +186,7 @@ def _row(key: str, entry: HistoryEntry) -> tuple[object, ...]:
 
 
 def _entry(data: dict[str, Any], folder: Path) -> HistoryEntry:
-    """Return an entry under the folder's name as it is given now."""
+    """Return an entry under the present name of its folder."""
     pairs = {
         key: {name: (pair[0], pair[1]) for name, pair in data[key].items()}
         for key in ("errors", "declared")

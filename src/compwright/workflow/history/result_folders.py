@@ -1,4 +1,4 @@
-"""Result folders read: their records, and whether the files in them are as they were written."""
+"""Read result folders: their records, and whether their files are unchanged."""
 
 from __future__ import annotations
 
@@ -30,8 +30,8 @@ _NO_RESULTS = frozenset({"inputs", "tables", "rollback", "card", "proven"})
 
 @dataclass(frozen=True, slots=True)
 class ResultFolder:
-    """A result folder: its record, its notes, and the files that are not as they were written
-    (``changed`` or ``missing``). ``names``: all files that were checked.
+    """A result folder: its record, its notes, and its changed or missing files. ``names``: all
+    checked files.
     """
 
     path: Path
@@ -42,7 +42,7 @@ class ResultFolder:
 
 
 def result_folders(session: Session, tops: Sequence[Path]) -> tuple[list[Path], list[Fault]]:
-    """Return the result folders in and below ``tops``, each once, and what could not be read."""
+    """Return the result folders below ``tops``, each once, and the unreadable ones."""
     found: dict[Path, Path] = {}
     faults: list[Fault] = []
     for top in tops:
@@ -70,13 +70,13 @@ def result_folders(session: Session, tops: Sequence[Path]) -> tuple[list[Path], 
 
 
 def _is_part(folder: Path, folders: Collection[Path]) -> bool:
-    """Whether a folder lies among the copies of another result folder."""
+    """Return whether a folder is among the copies in another result folder."""
     way = (folder, *folder.parents)
     return any(above in folders and below.name in _NO_RESULTS for below, above in pairwise(way))
 
 
 def read_folder(session: Session, path: Path) -> ResultFolder:
-    """Read a result folder. Raises InputError for a record or document that is damaged."""
+    """Read a result folder. Raises InputError for a damaged record or document."""
     file = path / RECORD
     if not storage.is_there(session, file):
         return _read_older(session, path)
@@ -138,7 +138,7 @@ def _read_older(session: Session, path: Path) -> ResultFolder:
 
 
 def _document(session: Session, path: Path) -> Mapping[str, Any] | None:
-    """Return a document of an older version, None where there is none. Raises InputError."""
+    """Return a document of any version, None where it does not exist. Raises InputError."""
     if not storage.is_there(session, path):
         return None
     try:

@@ -1,1 +1,1 @@
-"""What a job brings: the job file, measurements, states, circles."""
+"""The inputs of a job: the job file, measurements, states, circles."""

@@ -1,4 +1,4 @@
-"""Positioning tests after loading, read: which axis and which test of the job each repeats."""
+"""Read positioning tests after loading, and find the axis and test of the job that each repeats."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ _OTHER_PROFILE = Fault(
 def read_again(
     session: Session, job: Job, entry: AxisJob, request: TestRequest
 ) -> PositioningTest | None:
-    """Return a test of the job as its files say it now; None where they are not there any more."""
+    """Return a test of the job, read again from its files. None where they no longer exist."""
     try:
         return read_test(session, entry, request, Path(job.file).parent)
     except CompwrightError:
@@ -47,8 +47,10 @@ def read_again(
 def after_tests(
     session: Session, job: Job, plan: Plan, specs: Sequence[str], profile: Path | None = None
 ) -> list[AfterTest]:
-    """Read the after tests; several files of one test become one. ``profile``: that of the tests
-    after loading, in the place of the job's. Raises with every fault at once.
+    """Read the tests after loading. Several files of one test are joined. Raises with every fault
+    at once.
+
+    ``profile``: that of the tests after loading, in the place of the job's.
     """
     profiles = _profiles(job) if profile is None else [profile]
     errors: list[CompwrightError] = []
@@ -91,9 +93,10 @@ def after_tests(
 
 
 def _later(request: TestRequest, paths: Sequence[str]) -> TestRequest:
-    """Return ``request`` for the test after loading: with its own files, which state its
-    temperatures; those that the job states are of the test before. Of a record of the environment
-    only the times after loading count.
+    """Return the ``request`` to read a test after loading: its own files and temperatures.
+
+    Those that the job states are of the test before. Of a record of the environment only the times
+    after loading count.
     """
     environment = request.environment
     return replace(
@@ -105,9 +108,7 @@ def _later(request: TestRequest, paths: Sequence[str]) -> TestRequest:
 
 
 def _refuse_files_apart(session: Session, entry: AxisJob, request: TestRequest) -> None:
-    """Raise where the files of one test do not go together: one of another state, or of another
-    set-up.
-    """
+    """Raise an error if the files of one test do not belong together: another state or set-up."""
     if len(request.files) < 2:
         return
     parts = [
@@ -133,8 +134,8 @@ def _refuse_files_apart(session: Session, entry: AxisJob, request: TestRequest) 
 def _without_temperature(
     request: TestRequest, plan: Plan, test: PositioningTest, axis: str
 ) -> Iterator[InputError]:
-    """Yield that the test before was referred to 20 °C from a temperature of its own, and the files
-    of the one after loading state none.
+    """Yield a note that only the test before was referred to 20 °C, because the test after loading
+    states no temperature.
     """
     planned = plan.axes[axis].tests if axis in plan.axes else ()
     before = next((each.test for each in planned if each.test.name == request.name), None)
@@ -168,8 +169,8 @@ def _without_temperature(
 
 
 def _unfit(plan: Plan, axes: Sequence[str]) -> Iterator[Fault]:
-    """Yield why tests of these axes cannot be judged: two of one, none at all, or no axis of the
-    plan.
+    """Yield why tests of these axes cannot be judged: two tests of one axis, none at all, or no
+    axis of the plan.
     """
     for axis in dict.fromkeys(axes):
         if axes.count(axis) > 1:
@@ -198,7 +199,7 @@ def _unfit(plan: Plan, axes: Sequence[str]) -> Iterator[Fault]:
 def _assign(
     session: Session, job: Job, spec: str, profiles: Sequence[Path]
 ) -> tuple[tuple[str, str], str]:
-    """Return (axis, test name) and the path of an ``--after`` value: ``TEST=FILE``, else by the
+    """Return (axis, test name) and the path in an ``--after`` value: ``TEST=FILE``, else by the
     file's axis.
     """
     names = {request.name: axis for axis, entry in job.axes.items() for request in entry.before}
@@ -244,8 +245,8 @@ def _assign(
 def _axis_of_file(
     session: Session, job: Job, spec: str, names: Sequence[str], profiles: Sequence[Path]
 ) -> str:
-    """Return the axis that a file says it measured, or the only one of the job. ``names``: of the
-    job's tests.
+    """Return the axis named in a file, or the only axis of the job. ``names``: of the job's
+    tests.
     """
     measured = _axis_in(session, spec, profiles)
     if measured:
@@ -277,8 +278,8 @@ def _axis_of_file(
 
 
 def _axis_in(session: Session, path: str, profiles: Sequence[Path]) -> str:
-    """Return the axis that a file names; a table of another program is read by one of
-    ``profiles``. Raises InputError: where none fits, with the reasons of each.
+    """Return the axis named in a file. A table from another program is read with one of
+    ``profiles``.
     """
     try:
         return read_measurement(session, Path(path)).axis
@@ -304,9 +305,7 @@ def _profiles(job: Job) -> list[Path]:
 def _axis_of_name(
     session: Session, job: Job, name: str, path: str, profiles: Sequence[Path]
 ) -> str:
-    """Return the axis of a test name; where several axes use the name, the file says which one it
-    is.
-    """
+    """Return the axis of a test name. If several axes use the name, the file decides."""
     axes = [
         axis
         for axis, entry in job.axes.items()

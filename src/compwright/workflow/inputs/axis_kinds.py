@@ -1,4 +1,4 @@
-"""Whether the axes of a control's files are linear or rotary, where no job says it.
+"""Find whether the axes in a control's files are linear or rotary, without a job.
 
 The files say it, or ``--option kind``, or the plan of the run that wrote them. Else it is unknown:
 a correction of 0.001 is then 1 µm or 3.6 arcsec.
@@ -33,9 +33,7 @@ _LEVELS = 3
 
 @dataclass(frozen=True, slots=True)
 class Kinds:
-    """The addresses of axes of ``unknown`` kind, with notes about them and about kinds that were
-    taken from a plan.
-    """
+    """The addresses of axes of ``unknown`` kind, with notes about them."""
 
     unknown: tuple[str, ...] = ()
     assumed: tuple[Assumption, ...] = ()
@@ -51,8 +49,8 @@ def decode_kinds(
     *,
     active: bool | None = None,
 ) -> tuple[Control, DecodedState, Kinds]:
-    """Return a control, what its files say, and of which axes the kind is unknown. ``active``:
-    whether the tables act.
+    """Return a control, the contents of its files, and the axes of unknown kind. ``active``:
+    whether tables are active.
 
     Raises UsageError where the numbers themselves depend on an unknown kind, or a given kind
     contradicts the files.
@@ -83,7 +81,7 @@ def decode_kinds(
 
 
 def _unknown(found: DecodedState, given: object) -> tuple[str, ...]:
-    """Return the addresses of which neither the files nor ``given`` says the kind."""
+    """Return the addresses whose kind neither the files nor ``given`` state."""
     if isinstance(given, str):
         return ()
     crossed = (end for entry in found.state.cross for end in (entry.input, entry.output))
@@ -96,7 +94,7 @@ def _unknown(found: DecodedState, given: object) -> tuple[str, ...]:
 
 
 def _planned_kinds(session: Session, paths: Sequence[Path], format_id: str) -> dict[str, AxisKind]:
-    """Return the kinds by address in the plan of the run that wrote these files."""
+    """Return the kind of each address from the plan of the run that wrote these files."""
     kinds: dict[str, AxisKind] = {}
     for folder in dict.fromkeys(
         above for path in paths for above in (path, *path.absolute().parents[:_LEVELS])
@@ -116,7 +114,7 @@ def _planned_kinds(session: Session, paths: Sequence[Path], format_id: str) -> d
 
 
 def _check(control: Control, found: DecodedState, given: object) -> None:
-    """Raise where the kind that was given contradicts the files of the only axis."""
+    """Raise an error if the given kind contradicts the files of the only axis."""
     kinds = {found.state.facts_of(name).kind for name in found.state.axes}
     if isinstance(given, str) and None not in kinds and AxisKind(given) not in kinds:
         raise UsageError(
@@ -133,7 +131,7 @@ def _check(control: Control, found: DecodedState, given: object) -> None:
 def _readable(
     control: Control, files: Sequence[ControlFile], address: str | None, *, active: bool | None
 ) -> DecodedState | None:
-    """Return what the files say, None where they cannot be read."""
+    """Return the contents of the files. None where they cannot be read."""
     try:
         return decode(control, files, address=address, active=active)
     except CompwrightError:
@@ -141,7 +139,7 @@ def _readable(
 
 
 def _same_numbers(linear: DecodedState, rotary: DecodedState | None) -> None:
-    """Raise where the numbers of a table depend on the kind of its axis, as on an inch machine."""
+    """Raise an error if table values depend on the kind of the axis, as on an inch machine."""
     if rotary is None:
         return
     faults = []

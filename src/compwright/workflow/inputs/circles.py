@@ -1,4 +1,4 @@
-"""Circular tests read from their files, and the two files of one test joined.
+"""Read circular tests from their files, and join the two files of one test.
 
 ``evaluate`` loads it only when a file is no positioning test: the way of a positioning test stays
 short.
@@ -41,15 +41,15 @@ _CAUSES: Final = {
 
 
 def read_if_circular(content: bytes, file: str) -> CircularTest | None:
-    """Return the circular test in ``content``; None when it is none. Raises InputError for a
-    circular test that is damaged.
+    """Return the circular test in ``content``. None when it is none; raises InputError for a
+    damaged one.
     """
     return read_circular(content, file) if is_circular(content, file) else None
 
 
 def pairs_joined(tests: Sequence[T | CircularTest]) -> list[T | CircularTest]:
-    """Return the tests with the two files of a circular test joined (`circular_pairs.paired`), in
-    the place of the first file; what is no circular test stands where it stood.
+    """Return the tests with the two files of a circular test joined. Other tests stay in their
+    places.
     """
     joined = paired([test for test in tests if isinstance(test, CircularTest)])
     by_source = {source: test for test in joined for source in test.sources}
@@ -110,7 +110,7 @@ def _machine(stated: Mapping[str, str | None], results: Sequence[CircularResult]
 
 
 def read_circles(session: Session, job: Job, folder: Path) -> tuple[CircularTest, ...]:
-    """Read the circular tests of a job in its order. Raises InputError with the faults of all their
+    """Read the circular tests of a job in its order. Raises InputError with the faults of all
     files.
     """
     errors: list[CompwrightError] = []

@@ -1,4 +1,4 @@
-"""Evaluate measurement files one by one, in any process.
+"""Evaluate measurement files one by one, in this process or another.
 
 A file is passed with its content, because only the first process reads files. The result is the
 entry of the JSON document and the values by which the tests of a folder are compared.
@@ -29,8 +29,9 @@ Entry = dict[str, Any]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class EvaluationRequest:
-    """What is asked of every test: the standards of positioning and circular tests, how s is
-    formed, the profile of foreign tables; ``whole``: whether entries carry targets and readings.
+    """The settings for every evaluation: standards, formula for s, profile of foreign tables.
+
+    ``whole``: whether entries carry targets and readings.
     """
 
     positioning: str
@@ -42,7 +43,7 @@ class EvaluationRequest:
 
 @dataclass(frozen=True, slots=True)
 class FileToEvaluate:
-    """A file by its name for people, and its content; or why it could not be read."""
+    """A file with its displayed name and its contents, or the reason why it could not be read."""
 
     file: str
     content: bytes = b""
@@ -51,8 +52,8 @@ class FileToEvaluate:
 
 @dataclass(frozen=True, slots=True)
 class Evaluated:
-    """A test with its entry of the document; ``test`` and ``circle`` without what only that
-    tells.
+    """A test with its entry in the document. ``test`` and ``circle`` omit what the entry already
+    contains.
     """
 
     entry: dict[str, Any]
@@ -67,7 +68,7 @@ Why = Literal["unread", "refused", "unfit", "own"]
 
 @dataclass(frozen=True, slots=True)
 class Noted:
-    """A fault of a file or of one of its tests."""
+    """A fault of a file or one of its tests."""
 
     why: Why
     fault: Fault
@@ -75,8 +76,10 @@ class Noted:
 
 @dataclass(frozen=True, slots=True)
 class FileTests:
-    """The tests of a file: positioning tests evaluated, circular ones as they were read, because
-    two files may be one of them; and what is wrong.
+    """The tests in one file, and its faults.
+
+    Positioning tests evaluated, circular ones as they were read, because two files may be one of
+    them.
     """
 
     tests: tuple[Evaluated | CircularTest, ...] = ()
@@ -85,12 +88,12 @@ class FileTests:
 
 @dataclass(frozen=True, slots=True)
 class FilesEvaluator:
-    """Evaluates a file as it was ``request``; a copy of it does so in any process."""
+    """Evaluates a file by the settings ``request``. A copy of it works in any process."""
 
     request: EvaluationRequest
 
     def __call__(self, given: FileToEvaluate) -> FileTests:
-        """Return what is in a file; whatever is wrong with it is noted as a fault of this file."""
+        """Return the evaluated contents of a file. Any fault is stored with the file."""
         if given.faults:
             return FileTests(noted=tuple(Noted("unread", fault) for fault in given.faults))
         try:
@@ -107,7 +110,9 @@ class FilesEvaluator:
         )
 
     def _two_columns(self, given: FileToEvaluate) -> Callable[[FileToEvaluate], Entry] | None:
-        """Return what evaluates a stand-still test or a table of lost motion; None: it is none."""
+        """Return the evaluation function for a stand-still test or a table of lost motion. None: it
+        is neither.
+        """
         from compwright.instruments.drift_csv import is_drift, is_lost_motion
 
         if self.request.profile is not None:
@@ -143,12 +148,12 @@ class FilesEvaluator:
 
 @dataclass(frozen=True, slots=True)
 class CirclesEvaluator:
-    """Evaluates and diagnoses a circular test as it was ``request``."""
+    """Evaluates and diagnoses a circular test by the settings ``request``."""
 
     request: EvaluationRequest
 
     def __call__(self, test: CircularTest) -> FileTests:
-        """Return the test evaluated; whatever is wrong with it is noted as a fault of its file."""
+        """Return the evaluated test. Any fault is stored with its file."""
         from compwright.documents.circular import circular_document
         from compwright.planning.circle_diagnosis import diagnose_circle
 
@@ -188,7 +193,7 @@ def _lost_motion(given: FileToEvaluate) -> Entry:
 
 
 def ready() -> None:
-    """Load what the work on files needs: importing this module did."""
+    """Do nothing. Importing this module has loaded all that the work on files needs."""
 
 
 def _kept(entry: dict[str, Any], request: EvaluationRequest) -> dict[str, Any]:
@@ -206,7 +211,7 @@ def _noted(error: Exception, file: str, why: Why) -> tuple[Noted, ...]:
 def tests_in(
     content: bytes, file: str, profile: Profile | None
 ) -> Sequence[PositioningTest | CircularTest]:
-    """Return the tests in a file's content, of whichever kind. Raises InputError."""
+    """Return the tests of any kind in a file's contents. Raises InputError."""
     try:
         return read_tests(content, file, profile)
     except InputError as error:

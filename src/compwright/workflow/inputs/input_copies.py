@@ -1,6 +1,4 @@
-"""What a result folder holds of the files that it was made from, so that it can be handed over
-alone: which they are, and where the copy of each lies.
-"""
+"""Copies of all input files in a result folder, so that the folder is complete."""
 
 from __future__ import annotations
 
@@ -25,8 +23,8 @@ BY_VERIFY, ELSEWHERE = "verify", "elsewhere"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class GivenFile:
-    """A file that a command was given. ``name``: as the job or the command line names it;
-    ``of``: the test, circle or state that it belongs to.
+    """An input file of a command. ``name``: as in the job or on the command line; ``of``: its test,
+    circle or state.
     """
 
     role: InputRole
@@ -37,9 +35,10 @@ class GivenFile:
 
 
 def files_of_job(session: Session, job: Job, folder: Path, definition: Texts) -> list[GivenFile]:
-    """Return every file that a job was made from, the job's own first; ``definition``: the texts
-    of a definition of the user's own, by their files. Raises InputError for what cannot be read
-    (any more).
+    """Return every input file of a job, the job's own first. Raises InputError for an unreadable
+    file.
+
+    ``definition``: the texts of a definition of the user's own, by their files.
     """
     found = (
         [] if not job.file else [_given(session, "job", "", Path(job.file).name, Path(job.file))]
@@ -81,7 +80,7 @@ def files_of_job(session: Session, job: Job, folder: Path, definition: Texts) ->
 
 
 def _text_of_definition(session: Session, path: Path, content: bytes) -> GivenFile:
-    """Return a text of a definition: it may come from a plan, or ship."""
+    """Return the text of a definition, from a plan or as shipped."""
     there = storage.is_there(session, path) and storage.read_bytes(session, path) == content
     return GivenFile(
         role="definition", of="", name=path.name, path=path if there else None, content=content
@@ -89,7 +88,7 @@ def _text_of_definition(session: Session, path: Path, content: bytes) -> GivenFi
 
 
 def given_job(name: str, path: Path, content: bytes) -> GivenFile:
-    """Return the file of a job, which may be written with its results."""
+    """Return the job file as an input, which may be written with its results."""
     return GivenFile(role="job", of="", name=name, path=path, content=content)
 
 
@@ -110,9 +109,10 @@ def files_of_verify(
     loaded: Sequence[Path],
     profile: Path | None = None,
 ) -> list[GivenFile]:
-    """Return every file that ``verify`` was given: ``after``: its values of positioning tests
-    (``FILE`` or ``TEST=FILE``), ``circles``: files by circle, ``loaded``: what was read back;
-    ``profile``: that of the tests. Raises InputError for what cannot be read (any more).
+    """Return every input file of ``verify``. Raises InputError for an unreadable file.
+
+    ``after``: its values of positioning tests (``FILE`` or ``TEST=FILE``), ``circles``: files by
+    circle, ``loaded``: what was read back; ``profile``: that of the tests.
     """
     names = {request.name for entry in job.axes.values() for request in entry.before}
     found: list[GivenFile] = []
@@ -134,14 +134,14 @@ def files_of_verify(
 def files_at(
     session: Session, role: InputRole, of: str, text: str, folder: Path
 ) -> Iterator[GivenFile]:
-    """Yield the file that ``text`` names, or those in the folder that it names."""
+    """Yield the file ``text``, or all files in the folder ``text``."""
     start = storage.named_from(folder, text)
     for path in control_entries(session, start):
         yield _given(session, role, of, _named(text, path, start), path)
 
 
 def _named(text: str, path: Path, start: Path) -> str:
-    """Return how the job names a file: by itself, or in a folder."""
+    """Return the name of a file as in the job: by itself, or in a folder."""
     name = Path(text).as_posix()
     return name if path == start else f"{name}/{path.relative_to(start).as_posix()}"
 
@@ -164,8 +164,8 @@ def kept(
     there: Mapping[str, bytes],
     written: Collection[str],
 ) -> tuple[tuple[RecordedInput, ...], dict[str, bytes]]:
-    """Return the inputs with the place of each in the result folder ``out``, and the copies that
-    have to be written there, by their relative names.
+    """Return the inputs with their places in the result folder ``out``, and the copies to be
+    written there.
 
     No bytes are kept twice: what is among the files ``there`` (relative name -> bytes: the way back
     holds what was in the control), or lies in ``out`` (the inputs of a next round are written
@@ -196,7 +196,7 @@ def kept(
 
 
 def _inside(path: Path | None, out: Path, written: Collection[str]) -> str | None:
-    """Return the relative name of a file that lies in the result folder and is not replaced."""
+    """Return the relative name of a file that is inside the result folder and is not replaced."""
     if path is None:
         return None
     whole, root = storage.resolved(path), storage.resolved(out)
@@ -207,8 +207,8 @@ def _inside(path: Path | None, out: Path, written: Collection[str]) -> str | Non
 
 
 def _place(name: str, by: str) -> str:
-    """Return where the copy of a file lies: at the same relative path as the original, so that the
-    copy of a job finds its measurements.
+    """Return the place for the copy of a file: the relative path of the original, so that a copied
+    job finds it.
     """
     parts = PurePosixPath(name).parts
     if by == BY_VERIFY:
@@ -220,7 +220,9 @@ def _place(name: str, by: str) -> str:
 
 
 def _unused(name: str, taken: Mapping[str, bytes]) -> str:
-    """Return ``name``, with a number where another file has it (in any case of its letters)."""
+    """Return ``name``, with a number added where another file has that name. Upper and lower case
+    count as equal.
+    """
     names = {other.casefold() for other in taken}
     path, number, chosen = PurePosixPath(name), 1, name
     while chosen.casefold() in names:

@@ -1,4 +1,4 @@
-"""The files of a job: tests and states, read with every fault collected."""
+"""Read the files of a job: tests and states. All faults are collected."""
 
 from __future__ import annotations
 
@@ -46,8 +46,8 @@ _SAME_RANGE = 1.25
 
 @dataclass(frozen=True, slots=True)
 class JobInputs:
-    """Contents of the files of a job: tests by axis name (machine coordinates), states by name
-    (None where not given).
+    """The contents of a job's files: tests by axis name (machine coordinates), states by name (None
+    where not given).
     """
 
     tests: Mapping[str, tuple[PlannedTest, ...]]
@@ -55,7 +55,7 @@ class JobInputs:
 
 
 def read_job_inputs(session: Session, job: Job, control: Control, folder: Path) -> JobInputs:
-    """Read every file that a job names. Raises InputError with the faults of all of them."""
+    """Read every file that a job names. Raises InputError with all faults."""
     errors: list[CompwrightError] = []
     tests: dict[str, tuple[PlannedTest, ...]] = {}
     for name, entry in job.axes.items():
@@ -104,9 +104,7 @@ def read_job_inputs(session: Session, job: Job, control: Control, folder: Path) 
 def read_measurement(
     session: Session, path: Path, profile: Profile | None = None, axis: str = ""
 ) -> PositioningTest:
-    """Read the test in one measurement file, with a profile where there is one; of several that of
-    ``axis``. Raises InputError.
-    """
+    """Read the test in one measurement file, with a profile if there is one. Raises InputError."""
     tests = read_tests(storage.read_bytes(session, path, MEASUREMENT), shown_path(path), profile)
     if len(tests) == 1:
         return tests[0]
@@ -126,8 +124,9 @@ def read_measurement(
 
 
 def _without_unnamed(ours: PositioningTest, tests: Sequence[PositioningTest]) -> PositioningTest:
-    """Return the test that is used, with a warning about tests of the file that name no axis: a
-    copied sheet may hold the newer measurement.
+    """Return the test in use, with a warning about further tests in the file that name no axis.
+
+    A copied sheet may hold the newer measurement.
     """
     unnamed = [test.name for test in tests if not test.axis]
     if not unnamed:
@@ -139,8 +138,8 @@ def _without_unnamed(ours: PositioningTest, tests: Sequence[PositioningTest]) ->
 def read_test(
     session: Session, entry: AxisJob, request: TestRequest, folder: Path
 ) -> PositioningTest:
-    """Read the files of one test into one record in machine coordinates, with the expansion removed
-    where the job requires it.
+    """Read the files of one test as one record in machine coordinates. Expansion is removed if the
+    job requires it.
 
     The temperature is that of the environment record, else of the test's own keys, else of its
     files, else of the axis.
@@ -191,7 +190,7 @@ def read_test(
 
 
 def _check_one_map(entry: AxisJob, request: TestRequest, parts: Sequence[PositioningTest]) -> None:
-    """Raise where both the job and a profile map the instrument's positions."""
+    """Raise an error if both the job and a profile convert the instrument's positions."""
     if request.position_map == PositionMap():
         return
     faults = [
@@ -237,8 +236,8 @@ def _check_axis(axis: Axis, test: PositioningTest) -> None:
 
 
 def _other_neighbours(job: Job, states: Mapping[str, DecodedState]) -> list[Fault]:
-    """Faults where a compensation outside the tables differs between the states: it is in the
-    readings, and it stays.
+    """Yield faults where compensation outside the tables differs between the states, because it is
+    in the readings and stays.
     """
     faults = []
     for name, entry in job.axes.items():
@@ -281,7 +280,7 @@ def _other_neighbours(job: Job, states: Mapping[str, DecodedState]) -> list[Faul
 
 
 def _differing(found: Mapping[str, str]) -> dict[str, str]:
-    """Return of each text the parts that are not in all of them; parts are separated by ``, ``."""
+    """Return the parts of each text that are not in all texts. Parts are separated by ``, ``."""
     parts = {name: words.replace("; ", ", ").split(", ") for name, words in found.items()}
     alike = set.intersection(*map(set, parts.values()))
     return {
@@ -291,8 +290,8 @@ def _differing(found: Mapping[str, str]) -> dict[str, str]:
 
 
 def _other_tables_between(job: Job, states: Mapping[str, DecodedState]) -> Iterator[Fault]:
-    """Yield a fault where tables between axes that cannot be calculated differ between a circle's
-    state and the present one.
+    """Yield a fault where tables between axes differ between a circle's state and the present one
+    and cannot be computed.
     """
     now = states.get(AS_FOUND)
     measured = {request.measured_in for request in job.circles} | {
@@ -324,8 +323,8 @@ def _other_tables_between(job: Job, states: Mapping[str, DecodedState]) -> Itera
 
 
 def _misnamed(job: Job, states: Mapping[str, DecodedState]) -> Iterator[Fault]:
-    """Yield where the control's files name an axis otherwise than the job, or drive it by more than
-    the job says.
+    """Yield a fault where the control's files name an axis differently than the job, or drive it by
+    more joints.
     """
     for name, decoded in states.items():
         for entry in job.axes.values():
@@ -337,8 +336,8 @@ def _misnamed(job: Job, states: Mapping[str, DecodedState]) -> Iterator[Fault]:
 def _unsaid_units(
     job: Job, control: Control, states: Mapping[str, DecodedState]
 ) -> Iterator[Fault]:
-    """Yield a fault where the machine's unit is not given and a table seems to be in the other unit
-    (inch or mm) by its length.
+    """Yield a fault where the machine's unit is not given and the length of a table suggests the
+    other unit (inch or mm).
     """
     unanswered = length_unit(control.definition)
     if unanswered is None or unanswered[0].name in control.given:
@@ -377,7 +376,7 @@ def _unsaid_units(
 
 
 def _missing_axes(job: Job, states: Mapping[str, DecodedState]) -> list[Fault]:
-    """Refuse a state whose files contain no data of an axis that is to get a table: missing is not
+    """Refuse a state without data of an axis that is to get a table, because missing is not
     zero.
     """
     faults: list[Fault] = []

@@ -1,4 +1,4 @@
-"""Where a job comes from: a file, or the words of the command line."""
+"""Read the job from a job file or from the command line."""
 
 from __future__ import annotations
 
@@ -45,8 +45,7 @@ _ANY_TRAVEL = "0:1"
 
 
 def read_job_file(session: Session, path: Path, plan: Path | None = None) -> Job:
-    """Read a job file, with the stand-still tests, the environment record and the logo that it
-    names.
+    """Read a job file, with the stand-still tests, environment record and logo that it names.
 
     ``plan``: the plan of an earlier run, whose copy of the user's own definition is used. Raises
     InputError when one of them cannot be read, UsageError with every fault of the job.
@@ -65,7 +64,7 @@ def read_job_file(session: Session, path: Path, plan: Path | None = None) -> Job
 
 
 def _with_logo(session: Session, job: Job, folder: Path) -> Job:
-    """Return the job with the picture that it names."""
+    """Return the job with the logo that it names."""
     if job.report.logo is None:
         return job
     image = read_logo(session, job.report.logo, folder)
@@ -92,7 +91,7 @@ def _with_drifts(session: Session, job: Job, folder: Path) -> Job:
 
 
 def _with_environment(session: Session, job: Job, folder: Path) -> Job:
-    """Return the job whose tests are reduced by the record of the environment that it names."""
+    """Return the job with its tests corrected by the environment record that it names."""
     request = job.environment
     if request is None:
         return job
@@ -143,8 +142,7 @@ def _with_environment(session: Session, job: Job, folder: Path) -> Job:
 def wrong_control(
     session: Session, data: Mapping[str, Any], *, folder: Path = Path(), carried: Texts = ()
 ) -> Iterator[KeyFault]:
-    """Yield the faults of the control's name and options in a job's data, to be listed with the
-    other faults of the job.
+    """Yield the faults of the control's name and options in a job, for the common list of faults.
 
     ``folder``: what the path of a definition is relative to.
     """
@@ -182,8 +180,8 @@ def wrong_control(
 
 
 def _unknown_diameter(axes: object, control: Control, *, files: bool) -> Iterator[KeyFault]:
-    """Refuse diameter programming where it is unknown whether the control's tables then count in
-    radius or in diameter.
+    """Refuse diameter programming where it is unknown whether the control's tables use radius or
+    diameter.
 
     Everything in a job counts in radius, as the machine moves. Where the control's files state how
     the axis is programmed, the job is checked against them; without ``files`` it cannot be checked.
@@ -208,8 +206,8 @@ def _unknown_diameter(axes: object, control: Control, *, files: bool) -> Iterato
 
 
 def _questions(axes: object, control: Control, *, files: bool, stated: bool) -> Iterator[KeyFault]:
-    """Yield a fault for each value that the control needs for an axis and the job does not give,
-    all before anything is read.
+    """Yield a fault for each missing value that the control needs for an axis, before any file is
+    read.
 
     ``stated``: the job states the contents of the control, so that tables are made.
     """
@@ -260,7 +258,7 @@ def _wrong_axis_options(axes: object, control: Control, *, unit_needed: bool) ->
 
 
 def default_folder(session: Session, job_file: Path) -> Path:
-    """Return the folder of a job's results: next to the job file, with its name without ending.
+    """Return the result folder of a job: next to the job file, named like it without the ending.
 
     A job within the results of its own run, as that of a next round is, uses that folder; so does
     the copy of a job in the folder of its results.
@@ -280,8 +278,9 @@ def default_folder(session: Session, job_file: Path) -> Path:
 
 @dataclass(frozen=True, slots=True)
 class JobToRun:
-    """A job, the folder that its paths are relative to, and the folder of its results; ``stated``:
-    the values of the command line, for a run without a job file, in the form of a job.
+    """A job, the folder of its relative paths, and the folder of its results.
+
+    ``stated``: the values of the command line, for a run without a job file, in the form of a job.
     """
 
     job: Job
@@ -302,7 +301,7 @@ def job_of(
     profile: str | None = None,
     out: Path | None = None,
 ) -> JobToRun:
-    """Return the job of a run. ``out``: the folder of its results, where one was named.
+    """Return the job of a run. ``out``: the folder of its results, if one was named.
 
     One JOB file without ``--format`` is a job; anything else are measurement files of one test,
     and the job is one that lies in the folder of its results. Raises UsageError with all faults.

@@ -1,4 +1,4 @@
-"""The logo of a report: read once, checked, and embedded, so that the page needs no other file."""
+"""The logo of a report: read once, checked, and embedded in the page."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ _JPEG: Final = (b"\xff\xd8\xff", b"\xff\xd9")
 
 
 def read_logo(session: Session, name: str, folder: Path) -> Logo:
-    """Return the picture that a job names in ``report.logo``. Raises InputError, with the name, for
-    a file that cannot be read, is too large, or is no whole PNG, JPEG or SVG picture.
+    """Return the picture in ``report.logo``. Raises InputError for a file that is unreadable, too
+    large, or no picture.
     """
     content = storage.read_bytes(session, storage.named_from(folder, name), LOGO)
     if content.startswith(_PNG) and _whole_png(content):
@@ -44,7 +44,9 @@ def read_logo(session: Session, name: str, folder: Path) -> Logo:
 
 
 def _whole_png(content: bytes) -> bool:
-    """Return whether every chunk is complete with its checksum, including the last one."""
+    """Return whether a PNG file is complete: every chunk with its checksum, including the last
+    one.
+    """
     at = len(_PNG)
     while at + 12 <= len(content):
         (size,) = struct.unpack_from(">I", content, at)

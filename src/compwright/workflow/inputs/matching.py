@@ -1,4 +1,4 @@
-"""Names with ``*`` and ``?`` that the shell left to the program, as it does on Windows."""
+"""Expand file names with ``*`` and ``?``, because the shell of Windows does not."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from compwright.foundations.session import Session
 
 
 def files_matching(session: Session, text: str) -> list[str]:
-    """Return the files that match the pattern ``text``, by name; ``text`` itself where it is a file
-    name or nothing matches. For ``TEST=PATTERN`` each file has the test in front.
+    """Return the files that match the pattern ``text``, by name. ``text`` itself where nothing
+    matches.
     """
     found = storage.matching(session, text)
     name, mark, rest = text.partition("=")

@@ -1,5 +1,5 @@
-"""The measurement files of a path (a file, or all files of a folder), and the mapping profile for
-some of them.
+"""Find the measurement files of a path (a file, or all files in a folder), and read mapping
+profiles.
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ OTHER_ENDINGS = frozenset(
 
 @dataclass(frozen=True, slots=True)
 class FoundMeasurements:
-    """The measurement files of a path in the order of their names, the other files of a folder
-    (``skipped``), and the ``folders`` in it, which are not searched.
+    """The measurement files of a path in the order of their names, the other files (``skipped``),
+    and inner ``folders``.
     """
 
     files: tuple[Path, ...]
@@ -42,8 +42,8 @@ def load_profile(session: Session, path: Path) -> Profile:
 
 
 def measurement_files(session: Session, path: Path) -> FoundMeasurements:
-    """Return the measurement files of ``path``: itself, or what its folder holds; plots, JSON,
-    jobs, pages are left out.
+    """Return the measurement files of ``path``. Plots, JSON, jobs and pages in a folder are left
+    out.
 
     Whether the others are measurements is found out when they are read. Raises InputError for a
     folder without any.

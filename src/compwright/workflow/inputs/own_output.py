@@ -1,4 +1,4 @@
-"""Refuse a job that would count its own table twice.
+"""Refuse a job that would apply its own table twice.
 
 A fit adds the error that a test shows to the correction that was active in that test. A test that
 was taken before a table was loaded does not show the machine with it. If the state of that test is
@@ -52,7 +52,7 @@ _AGAIN = "its correction would be added a second time"
 
 @dataclass(frozen=True, slots=True)
 class _Earlier:
-    """An earlier plan, its file, and the fingerprints of the files that it made for the control."""
+    """An earlier plan, its file, and the hashes of the files that it made for the control."""
 
     plan: Plan
     path: Path
@@ -67,8 +67,7 @@ def refuse_own_output(
     folder: Path,
     out: Path,
 ) -> None:
-    """Raise UsageError (2) where a state of the job is what an earlier run made from a test that
-    the job gives for that state.
+    """Raise UsageError (2) if a state of the job was made by an earlier run from the same test.
 
     ``circles``: circular tests, each with the state it was measured in. ``folder``: what the job's
     paths are relative to; ``out``: where this run writes. Also where ``as_found`` lies in a folder
@@ -107,8 +106,8 @@ def _inside_out(job: Job, folder: Path, out: Path) -> Iterator[Fault]:
 
 
 def _near(session: Session, job: Job, folder: Path, out: Path) -> Iterator[Path]:
-    """Yield the folders that may contain plans of earlier runs: the output folder, those above the
-    files of a state, and those of job, measurements and results.
+    """Yield the folders that may contain plans of earlier runs: near the output, the states, the
+    job and its measurements.
     """
     yield out / PLAN
     yield storage.resolved(out).parent / PLAN  # that of the round before
@@ -130,8 +129,10 @@ def _near(session: Session, job: Job, folder: Path, out: Path) -> Iterator[Path]
 
 
 def _of_other_days(folder: Path) -> Iterator[Path]:
-    """Yield the folders that may contain the plan of another day of this machine: those next to the
-    job's, and one below. They belong to other jobs: they are not locked or repaired.
+    """Yield the folders that may contain the plan of another day of this machine.
+
+    Those next to the job's, and one below. They belong to other jobs: they are not locked or
+    repaired.
     """
     sisters = storage.folders_in(storage.resolved(folder).parent)
     for sister in sisters if len(sisters) <= _MOST_SISTERS else ():
@@ -141,7 +142,7 @@ def _of_other_days(folder: Path) -> Iterator[Path]:
 
 
 def earlier_plans(contents: Iterable[tuple[Path, bytes]]) -> Iterator[_Earlier]:
-    """Yield the plans that can be read among the ``contents`` of files, each file once."""
+    """Yield the readable plans among the ``contents`` of files, each file once."""
     seen: set[Path] = set()
     for path, content in contents:
         whole = storage.resolved(path)
@@ -157,8 +158,8 @@ def earlier_plans(contents: Iterable[tuple[Path, bytes]]) -> Iterator[_Earlier]:
 
 
 def made_for_the_control(plan: Plan) -> frozenset[str]:
-    """Return the fingerprints of the files that a plan's run wrote for the control, less those that
-    were in it before.
+    """Return the hashes of the files that a plan's run wrote for the control, without files that
+    existed before.
     """
     before = {fingerprint(file.raw) for files in plan.states.values() for file in files}
     return frozenset(
@@ -207,8 +208,8 @@ def _counted_twice(
 
 
 def _same(test: PositioningTest, old: PositioningTest) -> bool:
-    """Whether two records are of one measurement: from the same bytes, or with nearly every reading
-    the same at its target.
+    """Return whether two records come from one measurement: equal bytes, or nearly all readings
+    equal at their targets.
 
     Rows that were deleted or added make no new measurement. A test with the new table loaded shows
     other readings.
@@ -244,8 +245,10 @@ def _is_own_table(
     *,
     made: bool,
 ) -> bool:
-    """Whether a state gives an axis another correction than was active during the plan's ``test``,
-    and that is what the plan wanted.
+    """Return whether a state contains the table of a plan.
+
+    Whether it gives an axis another correction than was active during the plan's ``test``, and that
+    is what the plan wanted.
 
     ``digit``: step of the readings, mm or deg, where the test of the job is a rounded copy and the
     runs scatter by less: two tests may agree so far, with tables that differ by less. ``made``: the
@@ -273,7 +276,7 @@ def _is_own_table(
 
 
 def _bent(curves: Sequence[FloatArray], step: float) -> bool:
-    """Whether one of the curves leaves a constant at many of its places, by many steps."""
+    """Return whether a curve differs from a constant at many places by many steps."""
     return any(
         float(np.quantile(np.abs(curve - np.median(curve)), _MANY)) > _SEEN * step
         for curve in curves
@@ -283,8 +286,10 @@ def _bent(curves: Sequence[FloatArray], step: float) -> bool:
 def _change(
     planned: PlannedAxis, test: PlannedTest, state: DecodedState, axis: Axis
 ) -> list[FloatArray]:
-    """Return the correction of a state minus that during the ``test`` of a plan, mm or deg, at the
-    targets of the test in + and in -; zero where the latter is unknown.
+    """Return the correction of a state minus that during a plan's ``test``, mm or deg, at the
+    targets in + and in -.
+
+    Zero where the latter is unknown.
     """
     targets, before, active = test.test.targets, test.acted, planned.active
     if before is None and active is not None and test.measured_in == planned.tests[0].measured_in:
@@ -315,9 +320,7 @@ def _fault(job: Job, place: str, test: str, state: str, earlier: _Earlier) -> Fa
 
 
 def refuse_added_again(plan: Plan, path: Path, state: DecodedState) -> None:
-    """Raise UsageError where a plan adds something between axes to a state that is what its own run
-    made.
-    """
+    """Raise UsageError if a plan would add a correction between axes a second time."""
     made: Mapping[str, str] = {fingerprint(file.raw): file.name for file in state.files}
     again = [made[digest] for digest in made_for_the_control(plan) if digest in made]
     if again and any(entry.written for entry in plan.cross):

@@ -22,8 +22,8 @@ _TURN: Final = 360.0 - 1e-6
 
 
 def impossible_tests(job: Job, tests: Mapping[str, Sequence[PlannedTest]]) -> list[Fault]:
-    """Return the faults of tests that certainly contradict their description: unit of the readings,
-    and of the targets by the travel.
+    """Return the faults of tests whose readings or targets contradict the stated unit or the
+    travel.
     """
     return [
         fault
@@ -66,8 +66,7 @@ def _faults(job: Job, axis: str, index: int, planned: PlannedTest) -> Iterator[F
 
 
 def _outside(axis: Axis, test: PositioningTest, file: str) -> Iterator[Fault]:
-    """Yield the fault of targets where the axis cannot go: a table would be made for places that
-    are not those that were measured.
+    """Yield a fault for targets outside the travel of the axis.
 
     Half an interval of the targets (or a tenth of the travel) is left to travels that were rounded;
     it is a doubt (CW-T007). Axes that turn endlessly go everywhere.
@@ -91,8 +90,8 @@ def _outside(axis: Axis, test: PositioningTest, file: str) -> Iterator[Fault]:
 
 
 def given_twice(named: Iterable[NamedTest]) -> list[Fault]:
-    """Return a fault for every pair of tests that come from one measurement, and for a test that
-    holds one file twice.
+    """Return a fault for every pair of tests from the same measurement, and for a test with the
+    same file twice.
 
     One measurement: files that are the same byte for byte, or readings that scatter and are the
     same to the last digit.

@@ -1,1 +1,1 @@
-"""Copies without names."""
+"""Copies of files without names and serial numbers."""

@@ -1,4 +1,4 @@
-"""Copies of measurement files without names, each proven by the reader of its original."""
+"""Copy measurement files without names. The reader of the original checks each copy."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ _Read = list[tuple[object, ...]]
 
 
 def measurement_copy(content: bytes, file: str, cuts: Cuts, profile: Profile | None) -> Redacted:
-    """Return a proven copy of a measurement file.
+    """Return a checked copy of a measurement file without names.
 
     Raises InputError for a file that cannot be read, whose copy would have another meaning, or
     whose copy still contains a removed text.

@@ -1,4 +1,4 @@
-"""Names of copies: those of their files, but for what in them gives somebody away."""
+"""File names of copies: those of the originals, without parts that identify a person or machine."""
 
 from __future__ import annotations
 
@@ -49,8 +49,8 @@ _HARMLESS: Final = ALLOWED | _COMMON
 
 @dataclass(frozen=True, slots=True)
 class _Somebody:
-    """What gives somebody away in the name of a file: whole ``pieces`` of it, ``words`` and
-    ``numbers`` anywhere in it. In small letters, in every spelling.
+    """Parts of a file name that identify a person or machine: whole ``pieces``, ``words``,
+    ``numbers``.
     """
 
     pieces: frozenset[str]
@@ -58,7 +58,7 @@ class _Somebody:
     numbers: frozenset[str]
 
     def is_in(self, text: str) -> bool:
-        """Whether the text is in a part of a name."""
+        """Return whether the text is in a part of a name."""
         for spelled in _spellings(text):
             joined = "".join(_PIECE.findall(spelled))
             if (
@@ -73,8 +73,7 @@ class _Somebody:
 def names_of_copies(
     files: Sequence[str], removed: Iterable[tuple[str, str]], names: Names
 ) -> list[str]:
-    """Return the names of the copies of ``files``, all different even without regard to upper and
-    lower case.
+    """Return different names for the copies of ``files``. Upper and lower case count as equal.
 
     A name is kept, except for parts that contain a text removed from any file, or that may be a
     serial number. ``removed``: the removed texts, each with its kind before it.
@@ -109,8 +108,8 @@ def _somebody(removed: Iterable[tuple[str, str]]) -> _Somebody:
 
 
 def _shown(name: str, somebody: _Somebody, names: Names) -> str:
-    """Return a part of the name of a copy; a name that was replaced in a file is replaced in the
-    same way.
+    """Return a part of a copy's name. A name that was replaced in a file is replaced in the same
+    way.
     """
     stem, ending = PurePath(name).stem, PurePath(name).suffix
     if somebody.is_in(ending):
@@ -121,7 +120,9 @@ def _shown(name: str, somebody: _Somebody, names: Names) -> str:
 
 
 def _spellings(text: str) -> Iterator[str]:
-    """Yield a text in small letters as it is, with its umlauts spelled out, and without accents."""
+    """Yield spellings of a text in lower case: as it is, with umlauts spelled out, and without
+    accents.
+    """
     plain = unicodedata.normalize("NFC", text).casefold()
     yield plain
     if not plain.isascii():
@@ -131,7 +132,7 @@ def _spellings(text: str) -> Iterator[str]:
 
 
 def _numbers(text: str) -> list[str]:
-    """Return the numbers in a text that may be a serial number, with any characters between their
+    """Return the numbers in a text that may be serial numbers, with any characters between their
     digits.
     """
     found = [*_NUMBER.findall(text), *_NUMBER.findall(_BETWEEN_DIGITS.sub("", text))]

@@ -1,1 +1,1 @@
-"""What a command writes and shows: results, card, record, answers."""
+"""The output of commands: results, card, record, terminal text."""

@@ -1,5 +1,5 @@
-"""The output of the commands: documents as text and tables, written where the command line directs
-them.
+"""The output of the commands as documents, text and tables, written where the command line
+states.
 """
 
 from __future__ import annotations
@@ -29,14 +29,14 @@ def write_document(
 
 
 def show(renderables: list[Any]) -> None:
-    """Print renderables on standard output."""
+    """Print rich renderables on standard output."""
     from compwright.reporting.shown import print_renderables
 
     print_renderables(renderables)
 
 
 def run_summary(outcome: Any) -> list[Any]:
-    """Return what ``run`` prints on the terminal: assumptions, then each axis, then the files."""
+    """Return the terminal output of ``run``: assumptions, then each axis, then the files."""
     from compwright.reporting import summaries
 
     doubts = outcome.prediction["doubts"]
@@ -67,7 +67,7 @@ def run_summary(outcome: Any) -> list[Any]:
 
 
 def _words(result: Mapping[str, Any]) -> str:
-    """Return the name of a result of an evaluation, as it is printed."""
+    """Return the printed name of a result of an evaluation."""
     return (
         f"Axis {result['axis']}, test {result['name']}"
         if result["kind"] == "positioning"
@@ -76,28 +76,28 @@ def _words(result: Mapping[str, Any]) -> str:
 
 
 def decode_summary(document: Mapping[str, Any]) -> list[Any]:
-    """Return what ``decode`` prints on the terminal."""
+    """Return the terminal output of ``decode``."""
     from compwright.reporting import summaries
 
     return summaries.decode_tables(document)
 
 
 def compare_summary(document: Mapping[str, Any]) -> list[Any]:
-    """Return what ``compare`` prints on the terminal."""
+    """Return the terminal output of ``compare``."""
     from compwright.reporting import differing
 
     return differing.compare_tables(document)
 
 
 def diff_summary(document: Mapping[str, Any]) -> list[Any]:
-    """Return what ``diff`` prints on the terminal."""
+    """Return the terminal output of ``diff``."""
     from compwright.reporting import differing
 
     return differing.diff_tables(document)
 
 
 def verify_summary(outcome: Any) -> list[Any]:
-    """Return what ``verify`` prints on the terminal."""
+    """Return the terminal output of ``verify``."""
     from compwright.reporting import summaries
 
     return [
@@ -110,15 +110,15 @@ def verify_summary(outcome: Any) -> list[Any]:
 
 
 def history_summary(document: Mapping[str, Any]) -> list[Any]:
-    """Return the text of ``history`` at the terminal."""
+    """Return the terminal output of ``history``."""
     from compwright.reporting.history import history_tables
 
     return history_tables(document)
 
 
 def demo_summary(outcome: Any) -> list[Any]:
-    """Return the text of ``demo`` in ten lines: its steps, each axis, the verdict, and the
-    pages.
+    """Return the terminal output of ``demo`` in ten lines: its steps, each axis, the verdict, and
+    the pages.
     """
     from compwright.reporting import summaries
 

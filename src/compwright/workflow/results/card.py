@@ -1,5 +1,5 @@
-"""The commissioning card: what to set, what the control must then show, a quick check, and the way
-back.
+"""The commissioning card: settings, expected readings, a quick check, and how to restore the old
+state.
 """
 
 from __future__ import annotations
@@ -109,7 +109,7 @@ _READ = ("CW-R001", "CW-R056", "CW-R060", "CW-R062")
 
 
 def _as_read(works: Mapping[str, AxisWork]) -> list[dict[str, str]]:
-    """Return how the measurements were read that the tables come from, as assumed facts."""
+    """Return the assumptions about the measurements from which the tables come."""
     return [
         {
             "fact": control_text("axis {axis}, test {test}", axis=name, test=result.test.name),
@@ -124,7 +124,7 @@ def _as_read(works: Mapping[str, AxisWork]) -> list[dict[str, str]]:
 
 
 def changes_csv(changes: Mapping[str, Any]) -> bytes:
-    """Return every change as CSV: entry, old, new; empty where there is none."""
+    """Return every change as CSV: entry, old value, new value. Empty without changes."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(["entry", "old", "new"])
@@ -133,7 +133,7 @@ def changes_csv(changes: Mapping[str, Any]) -> bytes:
 
 
 def _in_one_step(harmful: Sequence[str]) -> list[dict[str, Any]]:
-    """Return the step that comes before all others where a part of the files does harm."""
+    """Return the step that must come first, if loading only some of the files would do harm."""
     if not harmful:
         return []
     rule = control_text(

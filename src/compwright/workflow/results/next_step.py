@@ -1,4 +1,4 @@
-"""The last line of ``run`` and ``verify``: the next command to type."""
+"""The next command to type, as the last line of ``run`` and ``verify``."""
 
 from __future__ import annotations
 
@@ -16,8 +16,10 @@ _ODD: Final = re.compile(r'["$`\\!%]')
 
 
 def after_run(outcome: Any, job: Path, out: Path, *, apart: bool) -> str:
-    """Return the next step after a run. ``job``: its job file; ``out``: the folder of its results,
-    ``apart``: not the default folder of the job.
+    """Return the next step after a run.
+
+    ``job``: its job file; ``out``: the folder of its results, ``apart``: not the default folder of
+    the job.
     """
     again = _command("run", job, *(("--out", out) if apart else ()), "--force")
     if outcome.no_tables:
@@ -50,8 +52,10 @@ def after_verify(
     given: Sequence[object],
     read_back: bool,
 ) -> str:
-    """Return the next step after a verification. ``after``: its tests; ``plan``: the plan that it
-    used; ``given``: the options with paths; ``read_back``: whether the control's files were given.
+    """Return the next step after a verification.
+
+    ``after``: its tests; ``plan``: the plan that it used; ``given``: the options with paths;
+    ``read_back``: whether the control's files were given.
     """
     document = outcome.document
     then = document.get("next") or {}

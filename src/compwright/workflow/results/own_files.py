@@ -1,4 +1,4 @@
-"""Files of a command in a folder without a record.
+"""Write files of a command into a folder without a record.
 
 A hidden list distinguishes the files of an earlier run from the user's, which are never replaced
 and never removed.
@@ -26,8 +26,8 @@ def write_listed(
     as_set: bool,
     elsewhere: Mapping[Path, bytes] | None = None,
 ) -> list[Path]:
-    """Write ``files`` (relative name -> bytes) and their list into ``out``, and those of
-    ``elsewhere``, all or nothing; return the paths of ``files`` in the order given.
+    """Write ``files`` (relative name -> bytes) with their list into ``out``, all or nothing.
+    Returns their paths in the given order.
 
     With ``force``, unchanged files of an earlier command there are replaced. ``as_set``: files that
     an earlier run of this ``command`` wrote and this one does not are then removed. Raises

@@ -1,4 +1,4 @@
-"""How far a long command is: a bar on a terminal, nothing elsewhere."""
+"""Show the progress of a long command: a bar on a terminal, nothing elsewhere."""
 
 from __future__ import annotations
 
@@ -17,8 +17,7 @@ _BETWEEN: Final = 0.1
 
 @contextmanager
 def progress(*, shown: bool) -> Iterator[Callable[[str, int, int], None]]:
-    """Provide a function to report progress: what is counted (a word), how many are done, of how
-    many.
+    """Provide a function that reports progress: the unit (a word), the number done, and the total.
 
     It draws a bar on standard error until the work is done, where it is to be ``shown`` and the
     work takes longer than a moment.

@@ -1,4 +1,4 @@
-"""The record of a result folder: of a run, and completed by its verification."""
+"""The record of a result folder: made by a run, completed by its verification."""
 
 from __future__ import annotations
 
@@ -52,8 +52,8 @@ def recorded_run(
     *,
     draft: Mapping[str, bytes] = MappingProxyType({}),
 ) -> tuple[dict[str, bytes], tuple[str, ...]]:
-    """Return the record of a run and the copies of its inputs, by their relative names, and the
-    files of a verification of another plan that are still in the folder.
+    """Return the record of a run, the copies of its inputs, and leftover files of another plan's
+    verification.
 
     ``given``: the inputs (`files_of_job`); ``out``: the result folder; ``draft``: the job file that
     it leaves there, where it was made without one.
@@ -105,8 +105,8 @@ def recorded_run(
 def _own_job(
     given: Sequence[GivenFile], out: Path, earlier: Mapping[str, Any] | None
 ) -> dict[str, bytes]:
-    """Return the job file that an earlier run left among its results, where this run used it
-    unchanged; an edited one belongs to the user.
+    """Return the unchanged job file of an earlier run among its results, if this run uses it. An
+    edited one belongs to the user.
     """
     listed = {} if earlier is None else {each["file"]: each["sha256"] for each in earlier["files"]}
     return {
@@ -135,8 +135,8 @@ def _definition(control: Control) -> Any:
 
 
 def known_results(session: Session, folder: Path) -> storage.Known:
-    """Return how to distinguish the results of earlier commands in a folder from the user's own or
-    changed files: by the lists in its record and its plan.
+    """Return how to recognise the results of earlier commands in a folder, unlike the user's own or
+    changed files.
     """
     planned = listed_files(storage.earlier_bytes(session, folder / PLAN))
     listed = {**planned, **listed_in_record(storage.earlier_bytes(session, folder / RECORD))}
@@ -152,8 +152,8 @@ def known_results(session: Session, folder: Path) -> storage.Known:
 
 
 def folders_of_copies(names: Mapping[str, Any] | Sequence[str]) -> list[str]:
-    """Return the folders below `INPUTS` in which files of these names lie, but for what ``verify``
-    was given.
+    """Return the folders below `INPUTS` that contain files of these names, except inputs of
+    ``verify``.
     """
     return list(
         dict.fromkeys(
@@ -175,8 +175,7 @@ def recorded_verification(
     before: Mapping[str, Any],
     after: Mapping[str, Any],
 ) -> dict[str, bytes]:
-    """Return the copies of what ``verify`` was given and the record completed by it, by their
-    relative names.
+    """Return the copies of the inputs of ``verify``, and the completed record.
 
     ``files``: what else it writes; ``document``: the verification; ``before``, ``after``:
     evaluations of its tests.
@@ -198,7 +197,7 @@ def recorded_verification(
 
 @dataclass(frozen=True, slots=True)
 class RunResult:
-    """The plan that is verified, its control, and its file."""
+    """A plan to be verified, its control, and its file."""
 
     plan: Plan
     control: Control
@@ -208,7 +207,7 @@ class RunResult:
 def _still_there(
     session: Session, record: Mapping[str, Any], out: Path, written: Mapping[str, bytes]
 ) -> dict[str, bytes]:
-    """Return the files of the run that are unchanged in its folder, and stay."""
+    """Return the unchanged files of the run in its folder, which stay."""
     found = {
         str(entry["file"]): (
             str(entry["sha256"]),
@@ -225,8 +224,7 @@ def _still_there(
 def _begun(
     session: Session, run: RunResult, out: Path, before: Mapping[str, Any]
 ) -> dict[str, Any]:
-    """Return the record that the run of a plan left: complete where the verification is written
-    into its folder, else without files that are not there.
+    """Return the record of the plan's run. In another folder it omits files that are not there.
 
     A run of an older version has none: it is rebuilt from the plan as far as possible.
     """

@@ -1,4 +1,4 @@
-"""The report of a command as a file that ``--report`` names."""
+"""The report of a command as the file that ``--report`` names."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from compwright.foundations.utf8 import shown_path
 
 
 def require_report_form(path: Path | None, *forms: str) -> None:
-    """Raise UsageError for a report whose name ends in none of the ``forms``, or for a PDF without
-    the pdf extra: before the work, not after it.
+    """Raise UsageError for a report name with a wrong ending, or for a PDF without the pdf
+    extra.
     """
     if path is None:
         return
@@ -32,7 +32,7 @@ def require_report_form(path: Path | None, *forms: str) -> None:
 
 
 def as_named(page: bytes, path: Path) -> bytes:
-    """Return the page of a report in the form given by the ending of its name: HTML or PDF."""
+    """Return a report as HTML or PDF, by the ending of its name."""
     if path.suffix.lower() != ".pdf":
         return page
     from compwright.reporting.pdf import pdf_of_page
@@ -47,7 +47,8 @@ def answer_files(
     report: Path | None,
     card: bytes | None = None,
 ) -> dict[Path, bytes]:
-    """Return the files of ``--json`` and ``--report``. Raises UsageError for one name of both.
+    """Return the files of ``--json`` and ``--report``. Raises UsageError if both have the same
+    name.
 
     ``page``: the report as HTML; None where it could not be made. ``card``: the commissioning card,
     which is written next to the report: ``out.pdf``, ``out-card.pdf``.

@@ -1,4 +1,4 @@
-"""The files of a run: documents, tables, the way back, card and report."""
+"""The files of a run: documents, tables, way back, card and report."""
 
 from __future__ import annotations
 
@@ -31,9 +31,7 @@ PLAN = "plan.json"
 
 @dataclass(frozen=True, slots=True)
 class Results:
-    """Every file of a run by its relative name, the documents that they show, and what the user
-    should know about missing ones.
-    """
+    """Every file of a run by its relative name, the documents, and notes about missing files."""
 
     files: Mapping[str, bytes]
     evaluation: Mapping[str, Any]
@@ -42,7 +40,7 @@ class Results:
 
 
 def result_files(finished: Finished, each: Each = in_turn) -> Results:
-    """Return every file of a run, in the order in which they are listed."""
+    """Return every file of a run, in the listed order."""
     tests = [result for work in finished.works.values() for result in work.results]
     evaluation = evaluations(tests, [work.result for work in finished.wanted.circles])
     prediction = prediction_document(
@@ -82,7 +80,7 @@ def result_files(finished: Finished, each: Each = in_turn) -> Results:
 
 
 def _control_files(finished: Finished) -> dict[str, bytes]:
-    """Return the tables and the copies of the control's files; the plan, which lists them, is made
+    """Return the tables and the copies of the control's files. The plan lists them, so it is made
     last.
     """
     as_found, format_id = finished.measured.as_found, finished.fitted.control.id
@@ -101,7 +99,7 @@ def _control_files(finished: Finished) -> dict[str, bytes]:
 
 
 def _card(finished: Finished, prediction: Mapping[str, Any]) -> Mapping[str, Any] | None:
-    """Return the card as plain data; None where there is nothing to do at the control."""
+    """Return the card as plain data. None where nothing has to be done at the control."""
     written = finished.written
     if not (written.tables or written.cross.steps):
         return None
@@ -127,7 +125,7 @@ def _card(finished: Finished, prediction: Mapping[str, Any]) -> Mapping[str, Any
 
 
 def _harmful(finished: Finished) -> tuple[str, ...]:
-    """Return what some of the written files do without the others."""
+    """Return the harm that some of the written files do without the others."""
     written, as_found = finished.written, finished.measured.as_found
     works = {name: work for name, work in finished.works.items() if work.planned.fitted is not None}
     own = () if as_found is None else as_found.files
@@ -135,7 +133,7 @@ def _harmful(finished: Finished) -> tuple[str, ...]:
 
 
 def _card_files(finished: Finished, card: Mapping[str, Any] | None) -> dict[str, bytes]:
-    """Return the card as text, the changed entries, and the typed-entry sheets."""
+    """Return the card as text, the list of changed entries, and the entry sheets."""
     if card is None:
         return {}
     from compwright.reporting.card import card_markdown

@@ -1,4 +1,4 @@
-"""The standard errors of a test from the document of its evaluation."""
+"""The standard errors of a test, from the readings in its document."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from compwright.evaluation.standard_errors import slope_error, standard_errors
 
 
 def errors_of(result: Mapping[str, Any]) -> dict[str, tuple[float, float]]:
-    """Return the standard errors of a positioning result, from the readings that its document
-    holds, in its unit, with their degrees of freedom.
+    """Return the standard errors of a positioning result with their degrees of freedom, from the
+    readings in its document.
     """
     positive, negative = (
         np.array(

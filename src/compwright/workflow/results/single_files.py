@@ -1,5 +1,7 @@
-"""A file that the user names for an answer (``--json``, ``--plot``, ``--table``, ``--out``) may be
-there already. With ``--force`` it is replaced, unless it is certainly something else: a
+"""Check a file that an output would replace. With ``--force`` it is replaced, unless it is
+certainly a different kind of file.
+
+A file that the user names for an answer (``--json``, ``--plot``, ``--table``, ``--out``): a
 measurement, a job, a plan, a picture in the place of a document.
 """
 
@@ -59,8 +61,8 @@ _LOOKED_AT: Final = 65536  # bytes
 def refuse_other_kinds(
     session: Session, targets: Mapping[Path, bytes], *, force: bool, results: Iterable[Path] = ()
 ) -> None:
-    """Raise StorageError for every existing file of another kind than the one that would replace
-    it. Nothing without ``force``: then no file is replaced at all.
+    """Raise StorageError for every existing file of a different kind than its replacement. Nothing
+    without ``force``.
 
     ``results``: the other files that the command writes; one name for two files is refused when
     they are written.
@@ -96,7 +98,7 @@ def _others(session: Session, targets: Mapping[Path, bytes]) -> Iterator[Fault]:
 
 
 def kind_of(content: bytes) -> str:
-    """Return the kind of a file in words, empty where it is not certain."""
+    """Return the kind of a file as text. Empty where it is uncertain."""
     if len(content) > _LOOKED_AT:
         content = content[:_LOOKED_AT].rpartition(b"\n")[0]
     kind = next((kind for mark, kind in _SIGNATURES if mark.match(content)), "")
@@ -121,13 +123,14 @@ def _of_text(content: bytes) -> str:
 
 
 def _first_cell(content: bytes) -> bytes:
-    """Return what the header row of a table begins with: of those of compwright always the same."""
+    """Return the first text in the header row of a table. Tables of compwright always have the same
+    one.
+    """
     return re.split(rb"[;,\t]", content.lstrip(b"\xef\xbb\xbf").partition(b"\n")[0])[0]
 
 
 def _properties(content: bytes) -> bytes:
-    """Return the properties of a workbook: its author and when it was last changed; empty where it
-    has none.
+    """Return author and last change of a workbook. Empty where it has none.
 
     Those of compwright carry no date, so that they stay the same until another program saves the
     file.

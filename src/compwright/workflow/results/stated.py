@@ -1,5 +1,6 @@
-"""What a job states of its tests for the test sheet of a report, by the keys of
-`reporting.report_items`.
+"""The job's statements about its tests, for the test sheet of a report.
+
+By the keys of `reporting.report_items`.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from compwright.words.sentences import Sentence, say
 
 
 def report_document(job: Job) -> dict[str, Any]:
-    """Return the head of the report as plain data; the logo as text."""
+    """Return the head of the report as plain data. The logo is encoded as text."""
     head = job.report
     logo = None
     if head.image is not None:
@@ -32,7 +33,7 @@ def report_document(job: Job) -> dict[str, Any]:
 
 
 def stated_of_axes(job: Job) -> dict[str, dict[str, Mapping[str, str | Sentence]]]:
-    """Return by axis and test what the job states of each positioning test."""
+    """Return the job's statements about each positioning test, by axis and test."""
     return {
         name: {
             request.name: {
@@ -47,7 +48,7 @@ def stated_of_axes(job: Job) -> dict[str, dict[str, Mapping[str, str | Sentence]
 
 
 def stated_of_circles(job: Job) -> dict[str, Mapping[str, str | Sentence]]:
-    """Return by its name what the job states of each circular test."""
+    """Return the job's statements about each circular test, by name."""
     return {
         request.name: {
             **_of_job(job),
@@ -58,8 +59,8 @@ def stated_of_circles(job: Job) -> dict[str, Mapping[str, str | Sentence]]:
 
 
 def compensation_text(job: Job, state: str) -> str | Sentence:
-    """Return whether compensation was on or off in a state of the control, as the job states it;
-    empty where the job does not.
+    """Return whether compensation was on or off in a state, as the job states it. Empty where it
+    does not.
     """
     files = job.states.get(state)
     if files is None:

@@ -1,4 +1,4 @@
-"""What the report shows: the documents of a run, with the curves behind them, in µm or arcsec."""
+"""The data that the report shows: the documents of a run, with their curves, in µm or arcsec."""
 
 from __future__ import annotations
 
@@ -52,9 +52,7 @@ def run_view(
     state_files: Sequence[str],
     **documents: Any,
 ) -> dict[str, Any]:
-    """Return the view that the report of a run is rendered from. ``documents`` are passed on under
-    their own names.
-    """
+    """Return the data for the report of a run. ``documents`` are included under their own names."""
     state: str | list[str] | None = None
     if stated:
         state = list(state_files) or "none"
@@ -72,8 +70,8 @@ def run_view(
 
 
 def _paper(job: Job, command: Sequence[str], options: Sequence[str] = ()) -> dict[str, Any]:
-    """Return what makes the pages a report on paper. ``command`` and ``options``: what repeats it,
-    before and behind the job.
+    """Return the page head of a printed report. ``command`` and ``options``: the command line that
+    repeats it.
     """
     return {
         "language": job.report.language,
@@ -84,8 +82,8 @@ def _paper(job: Job, command: Sequence[str], options: Sequence[str] = ()) -> dic
 
 
 def axis_view(work: AxisWork, loaded: DecodedState | None) -> dict[str, Any]:
-    """Return one axis: its estimate, the wanted totals, the fit, and what its first test is
-    expected to show.
+    """Return the report data of one axis: its estimate, wanted totals, fit, and expected next
+    test.
     """
     planned = work.planned
     estimate, wanted, fitted = planned.estimate, planned.wanted, planned.fitted
@@ -125,8 +123,8 @@ def axis_view(work: AxisWork, loaded: DecodedState | None) -> dict[str, Any]:
 
 
 def expected_targets(work: AxisWork, loaded: DecodedState | None) -> dict[str, Any]:
-    """Return the deviations that a fresh test is expected to show at the first test's targets, and
-    the scatter of one reading.
+    """Return the expected deviations of a new test at the first test's targets, and the scatter of
+    one reading.
     """
     test = work.results[0].test
     factor = outside_factor(test.kind.unit)
@@ -156,8 +154,9 @@ def verify_view(
     after: Sequence[str],
     **documents: Any,
 ) -> dict[str, Any]:
-    """Return the view that the report of a verification is rendered from; ``axes`` are those of the
-    verification document, ``after`` the tests as they were given.
+    """Return the data for the report of a verification.
+
+    ``axes`` are those of the verification document, ``after`` the tests as they were given.
     """
     return {
         "title": say("report.verification", axes=list(axes)),

@@ -24,7 +24,7 @@ from compwright.workflow.run.written import Written
 
 @dataclass(frozen=True, slots=True)
 class Finished:
-    """Everything that the files of a run are made from."""
+    """All data from which the files of a run are made."""
 
     measured: Measured
     wanted: Wanted
@@ -39,12 +39,12 @@ class Finished:
 
     @property
     def works(self) -> Mapping[str, AxisWork]:
-        """Every axis with tests, with its table where it gets one."""
+        """Every axis with tests, and its table if it gets one."""
         return self.written.works
 
     @property
     def assumed(self) -> tuple[Assumption, ...]:
-        """The assumptions, for values that were in no file."""
+        """The assumptions about values that were in no file."""
         states = self.measured.states.values()
         capacities = [work.capacity for work in self.works.values() if work.capacity is not None]
         return (
@@ -56,7 +56,7 @@ class Finished:
 
     @property
     def findings(self) -> tuple[Finding, ...]:
-        """All findings except those of each test."""
+        """All findings except those of single tests."""
         return (
             *(one.finding for one in self._noticed()),
             *unused_acknowledgements(self.doubts.unused),
@@ -64,9 +64,7 @@ class Finished:
 
     @property
     def doubts(self) -> Doubts:
-        """The doubts that must be cleared before any decision, with the axes that they concern;
-        findings of tests name their test.
-        """
+        """The doubts that block decisions, with their axes. Findings of tests name their test."""
         return find_doubts(
             [*self._noticed(), *self._of_tests(), *self._of_circles()],
             self.measured.job.acknowledged,
@@ -75,14 +73,12 @@ class Finished:
 
     @property
     def first(self) -> tuple[Finding, ...]:
-        """The findings that are shown first: the open doubts, and results of the same
-        importance.
-        """
+        """The findings that are shown first: the open doubts, and equally important results."""
         still = (one.finding for one in self.doubts.open)
         return doubts_of([*still, *(one for one in self.findings if one.code in RESULTS)])
 
     def decided(self) -> Finished:
-        """Return the job without a decision about the axes and circles of which a doubt is open."""
+        """Return the job without decisions about axes and circles with open doubts."""
         doubts = self.doubts
         axes = {
             name: replace(axis, accept=mark_undecided(axis.accept)) if doubts.about(name) else axis
@@ -99,7 +95,7 @@ class Finished:
         return replace(self, predicted=replace(self.predicted, axes=axes, circles=circles))
 
     def _noticed(self) -> list[ScopedFinding]:
-        """Return the findings that do not belong to a test or circle."""
+        """Return the findings that belong to no test or circle."""
         states = self.measured.states.values()
         return [
             *map(ScopedFinding, self.measured.job.findings),
@@ -125,7 +121,7 @@ class Finished:
         ]
 
     def _of_control(self, finding: Finding) -> ScopedFinding:
-        """Return a finding of the control's files with the axes of the job that it concerns.
+        """Return a finding about the control's files, with the axes of the job that it concerns.
 
         That no file holds an axis's own table is no doubt where no table is made: the existing
         compensation stays.
@@ -156,7 +152,7 @@ class Finished:
         ]
 
     def _of_circles(self) -> list[ScopedFinding]:
-        """Return the findings of circles with the axes that take something from circles."""
+        """Return the findings about circles, with the axes that use results of circles."""
         apply = self.measured.job.apply
         taking = {*apply.squareness.values(), *apply.scale}
         if apply.backlash_from == "circle":
@@ -175,9 +171,7 @@ class Finished:
         ]
 
     def plan(self, results: Mapping[str, str]) -> Plan:
-        """Return the plan. ``results``: the other files of the run by name, with their
-        fingerprints.
-        """
+        """Return the plan. ``results``: the other files of the run by name, with their hashes."""
         job, inputs, circles = self.measured.job, self.measured.inputs, self.wanted.circles
         read = [
             *(entry.test.sources for tests in inputs.tests.values() for entry in tests),

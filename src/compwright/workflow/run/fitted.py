@@ -1,4 +1,4 @@
-"""Third stage of a job: tables under the limits of the control."""
+"""Third stage of a job: fit tables under the limits of the control."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ from compwright.workflow.run.wanted import Wanted
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Fitted:
-    """The axes with their tables, those whose scale comes from circles, and the control with what
-    its own files answer.
+    """The axes with their tables, axes with a scale from circles, and the control with its
+    options.
     """
 
     control: Control
@@ -32,7 +32,7 @@ class Fitted:
 
 
 def fitted(measured: Measured, wanted: Wanted, each: Each = in_turn) -> Fitted:
-    """Return the tables that the control can hold; none where its present contents are unknown.
+    """Return the tables that the control can hold. None where its present contents are unknown.
 
     Raises UsageError where an option contradicts the control's files, CapacityError with the faults
     of all axes.

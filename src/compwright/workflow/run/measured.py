@@ -1,4 +1,4 @@
-"""First stage of a job: the control opened, every file read and believed."""
+"""First stage of a job: open the control, and read and check every file."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ from compwright.workflow.inputs.plausible import given_twice, impossible_tests, 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Measured:
-    """The inputs of a job, with the axes as the control names them.
+    """The inputs of a job, with the control's names of the axes.
 
     ``active``: the active corrections of each state, by its name. ``named``: assumptions about
     names; ``findings``: by which reader the control's files were read, and keys of the job without
@@ -58,17 +58,17 @@ class Measured:
 
     @property
     def as_found(self) -> DecodedState | None:
-        """The present contents of the control; None where they are unknown."""
+        """The present contents of the control. None where they are unknown."""
         return self.inputs.states.get(AS_FOUND)
 
     @property
     def states(self) -> dict[str, ControlState]:
-        """What the files of each state say, by its name."""
+        """The contents of each state, by its name."""
         return {name: decoded.state for name, decoded in self.inputs.states.items()}
 
 
 def measured(session: Session, job: Job, folder: Path, out: Path) -> Measured:
-    """Open the control of a job and read all its files, relative to ``folder``.
+    """Open the control of a job, and read all its files, relative to ``folder``.
 
     Raises UsageError and InputError: what cannot be read, contradicts itself, is no measurement of
     this machine, or was made by an earlier run from the same tests.
@@ -103,7 +103,7 @@ def measured(session: Session, job: Job, folder: Path, out: Path) -> Measured:
 def _inputs(
     session: Session, job: Job, control: Control, folder: Path
 ) -> tuple[JobInputs, tuple[CircularTest, ...]]:
-    """Read the files of a job. Raises InputError with the faults of all of them."""
+    """Read the files of a job. Raises InputError with all faults."""
     tests: tuple[CircularTest, ...] = ()
     faults: tuple[Fault, ...] = ()
     try:

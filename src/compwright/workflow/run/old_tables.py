@@ -1,6 +1,4 @@
-"""Did the tables that were in the control act in the tests? Asked before anything is written, where
-an axis has tests in two known states.
-"""
+"""Test whether the existing tables were active, if an axis has tests in two known states."""
 
 from __future__ import annotations
 
@@ -70,8 +68,9 @@ def with_old_tables(
 def _tasks(
     work: AxisWork, states: Mapping[str, ControlState], axes: tuple[Axis, ...]
 ) -> list[_Task]:
-    """Return pairs of tests of an axis, one test per known state: the one with the least active
-    correction, with each other one.
+    """Return pairs of tests of an axis, one test per known state.
+
+    The one with the least active correction, with each other one.
     """
     axis = work.planned.axis
     first: dict[str, PlannedTest] = {}
@@ -114,8 +113,8 @@ def judged_old_table(
     states: Mapping[str, ControlState],
     axes: Sequence[Axis],
 ) -> ExistingTableVerdict:
-    """Return what the test ``on``, compared with the test ``off``, shows about the table of its
-    state.
+    """Return whether the table of a state was active, from the test ``on`` compared with the test
+    ``off``.
 
     ``states`` by name; ``axes``: all of the job, whose tables may be active in place of this one.
     """
@@ -157,7 +156,8 @@ def _of_others(
 
 
 def _slope(off: PlannedTest, on: PlannedTest) -> float:
-    """Return the standard deviation of the slope between two tests, mm/mm: as declared, else that
-    of a usual change of temperature (`planning.wanted_correction`).
+    """Return the standard deviation of the slope difference of two tests, mm/mm.
+
+    As declared, else that of a usual change of temperature (`planning.wanted_correction`).
     """
     return max(math.hypot(off.slope_std, on.slope_std), UNDECLARED_SLOPE)

@@ -1,4 +1,4 @@
-"""All stages of a job, one after the other."""
+"""Run all stages of a job one after the other."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ def run_stages(
     accept_worse: bool = False,
     each: Each = in_turn,
 ) -> Finished:
-    """Return a job measured, wanted, fitted, written and read back, and predicted; nothing is on
-    the disk yet.
+    """Return a job after all its stages: measured, fitted, written, read back, predicted. Nothing
+    is on the disk yet.
 
     ``folder``: what the job's paths are relative to; ``out``: where its results go; ``each`` works
     on the axes. Raises UsageError, InputError and CapacityError.

@@ -1,4 +1,4 @@
-"""Last stage of a job: what the next tests will show."""
+"""Last stage of a job: predict the next tests."""
 
 from __future__ import annotations
 
@@ -26,8 +26,8 @@ from compwright.workflow.run.written import Written, tables_of
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Predicted:
-    """What fresh tests of the axes and circles will show, by their names; ``findings``: what the
-    tables do to the two axes of a gantry.
+    """The predicted tests of axes and circles, by name. ``findings``: the effect of tables on the
+    two axes of a gantry.
     """
 
     axes: Mapping[str, AxisPrediction]
@@ -38,8 +38,8 @@ class Predicted:
 def predicted(
     measured: Measured, wanted: Wanted, fitted: Fitted, written: Written, each: Each = in_turn
 ) -> Predicted:
-    """Return the prediction of fresh tests with the tables as read back, or with the present
-    correction where there are none.
+    """Return the prediction of new tests with the tables as read back. Without tables: with the
+    present correction.
     """
     loaded, job = written.loaded, measured.job
     tasks = []
@@ -63,7 +63,7 @@ def predicted(
 
 
 def _gain(test: TestPrediction) -> float:
-    """Return by how much the parameter that judges tables falls, mm or deg."""
+    """Return the decrease of the parameter that judges tables, mm or deg."""
     name = judged_parameter(test.before)
     was = None if name is None else test.before.parameters[name]
     if name is None or was is None:
@@ -91,7 +91,7 @@ def _circle(work: CircleWork, measured: Measured, then: ActiveCorrections) -> Ci
 
 
 def _active_after(measured: Measured, fitted: Fitted, written: Written) -> ActiveCorrections:
-    """Return the active corrections after loading, on the axes and between them."""
+    """Return the active corrections after loading, on axes and between them."""
     now, after = measured.active.get(AS_FOUND, NO_CORRECTIONS), written.cross.after
     along = {
         axis.name: applied_correction(written.loaded, axis)

@@ -35,7 +35,7 @@ class Wanted:
 
 
 def wanted(measured: Measured, each: Each = in_turn) -> Wanted:
-    """Return what the tests of a job ask of its control.
+    """Return the corrections that the tests of a job require.
 
     Raises UsageError for limits that fit no test, InputError for tests that cannot be evaluated or
     leave most of the travel open.
@@ -76,8 +76,8 @@ def wanted(measured: Measured, each: Each = in_turn) -> Wanted:
 
 
 def _not_twice(job: Job, work: AxisWork) -> AxisWork:
-    """Return an axis without a table where the existing table was made from the same test, unless
-    the job acknowledges that.
+    """Return an axis without a table, if the existing table was made from the same test and the job
+    does not acknowledge that.
 
     Where tests in two states show what that table did, its shape is no further evidence.
     """
@@ -92,8 +92,8 @@ def _not_twice(job: Job, work: AxisWork) -> AxisWork:
 
 
 def _not_alike(measured: Measured) -> dict[str, list[PositioningTest]]:
-    """Return the tests by axis; without the synchronised axes of gantries, which are measured as
-    one.
+    """Return the tests by axis, without gantry slaves, which are measured together with their
+    master.
     """
     followers = {axis.gantry for axis in measured.axes.values() if axis.gantry is not None}
     return {

@@ -1,4 +1,6 @@
-"""Fourth stage of a job: tables as the control's files, read back by both readers."""
+"""Fourth stage of a job: write tables as the control's files, and read them back with both
+readers.
+"""
 
 from __future__ import annotations
 
@@ -57,8 +59,8 @@ def written(
     accept_worse: bool,
     each: Each = in_turn,
 ) -> Written:
-    """Write the tables of a job and read them back; leave out those that would not improve their
-    axis, unless ``accept_worse``.
+    """Write the tables of a job and read them back. Tables without improvement are left out, unless
+    ``accept_worse``.
 
     Raises CapacityError where the control cannot hold something, CompwrightError (a fault of our
     own) where other things come back than were written.
@@ -98,7 +100,7 @@ def written(
 def tables_of(
     works: Mapping[str, AxisWork], scales: Mapping[str, PlannedAxis]
 ) -> list[tuple[Axis, FittedTable]]:
-    """Return every axis that gets a table, those of tests before those of circles."""
+    """Return every axis that gets a table. Those from tests come before those from circles."""
     planned = (*(work.planned for work in works.values()), *scales.values())
     return [(entry.axis, entry.fitted) for entry in planned if entry.fitted is not None]
 
@@ -106,8 +108,8 @@ def tables_of(
 def _improving(
     works: Mapping[str, AxisWork], loaded: DecodedState, each: Each
 ) -> Mapping[str, AxisWork]:
-    """Return the axes without the tables that would not improve them, with the reason; ``works``
-    itself where all would.
+    """Return the axes without useless tables, and the reasons. ``works`` unchanged where all tables
+    improve their axis.
     """
     tasks = {
         name: (work, applied_correction(loaded, work.planned.axis))
@@ -131,8 +133,8 @@ def _improving(
 def write_fitted(
     control: Control, fitted: FittedAxes, as_found: DecodedState
 ) -> tuple[tuple[ControlFile, ...], DecodedState | None]:
-    """Write fitted tables as the control's files and read them back with both readers; (), None
-    where there are none.
+    """Write fitted tables as the control's files and read them back with both readers. (), None
+    without tables.
 
     The present files (``as_found``) are patched. Raises CapacityError where a value cannot be held,
     and CompwrightError (a fault of compwright itself) when the table of another axis reads

@@ -1,1 +1,1 @@
-"""What the test after loading proves, and the next round."""
+"""Judge the test after loading, and prepare the next round."""

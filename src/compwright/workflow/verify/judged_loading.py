@@ -1,5 +1,5 @@
-"""Judge a test after loading: build the hypotheses of `verification` from a plan and the contents
-of the control, and return the verdict.
+"""Judge a test after loading: compare the ways of loading that are possible for a plan and its
+control.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ def judged_loading(
     *,
     read_back: bool,
 ) -> LoadingVerdict:
-    """Return the loading verdict from the ``test`` after loading, which repeats the one at
+    """Return the verdict about the loading from the ``test`` after it, which repeats the test at
     ``place`` of the axis.
 
     ``observed``, ``posterior``: the tests before and the error estimated from them; ``stored``: the
@@ -127,8 +127,8 @@ def _view(
 
 
 def _motion(planned: PlannedAxis, place: int, targets: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return the correction at the targets that backlash compensation adds because of the motion of
-    the repeated test (feed or rapid), for + and - approaches.
+    """Return the extra backlash correction at the targets for the motion of the repeated test, for
+    + and -.
     """
     more = with_motion(no_correction, planned.axis, planned.tests[place].backlash_more)
     return more(targets, Direction.POSITIVE), more(targets, Direction.NEGATIVE)
@@ -142,8 +142,7 @@ def _error_of(planned: PlannedAxis) -> MeasuredError:
 def _judged_against(
     planned: PlannedAxis, observed: Sequence[ObservedTest], posterior: MeasuredError
 ) -> MeasuredError:
-    """Return the error estimated again with all slopes relative to the first test, whose own slope
-    is uncertain.
+    """Return the error estimated again with all slopes relative to the first test.
 
     The difference of slope between the first test and the one after loading is then one number.
     """

@@ -1,6 +1,4 @@
-"""The inputs of the next round: its job, and copies of all files that it names, so that its folder
-is complete.
-"""
+"""The input files of the next round: its job, and copies of all files that it names."""
 
 from __future__ import annotations
 
@@ -49,7 +47,7 @@ _HEADING = (
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Looped:
-    """Result of a round, as input of the next one.
+    """The result of one round as input of the next one.
 
     ``axes``: the tests after loading of the axes that may be corrected further; ``other_axes``:
     further axes of circles; ``files``: the present files of the control, ``active``: whether their
@@ -67,12 +65,14 @@ class Looped:
 
 @dataclass(slots=True)
 class _Copies:
-    """Copies by their names in the folder of the round; no two are one on any file system."""
+    """The copies by their names in the folder of the round. No two names are equal on any file
+    system.
+    """
 
     files: dict[str, bytes] = field(default_factory=dict)
 
     def add(self, folder: str, name: str, content: bytes) -> str:
-        """Return the name of the copy of a file."""
+        """Add a copy of a file, and return its name."""
         plain = PurePosixPath("".join(each if _writable(each) else "_" for each in name) or "_")
         taken = {each.casefold() for each in self.files}
         number, found = 1, f"{folder}/{plain}"
@@ -88,7 +88,7 @@ def _writable(character: str) -> bool:
 
 
 def _folder(*names: str) -> str:
-    """Return names as those of folders, one below the other."""
+    """Return names as nested folders."""
     plain = (re.sub(r"[^\w+-]", "_", name) or "_" for name in names)
     return "/".join(plain)
 
@@ -125,8 +125,8 @@ def next_files(session: Session, job: Job, plan: Plan, then: Looped) -> dict[str
 
 
 def _states(job: Job, plan: Plan, then: Looped, was: str, copies: _Copies) -> dict[str, Any]:
-    """Return the states with copies of their files: the present one, the one until now (``was``),
-    and those of the earlier tests.
+    """Return the states with copies of their files: the present one, the previous one (``was``),
+    and those of earlier tests.
     """
     found: dict[str, Any] = {AS_FOUND: _state(then.files, AS_FOUND, copies, active=then.active)}
     for name, files in plan.states.items():
@@ -154,8 +154,8 @@ def _axis(
     paths: Mapping[str, str],
     copies: _Copies,
 ) -> NextAxis:
-    """Return an axis that may be corrected further: the test after loading takes the name of the
-    one that it repeats.
+    """Return an axis that may be corrected further. Its test after loading gets the name of the
+    repeated test.
     """
     sections = test_sections(section)
     names = [str(each["name"]) for each in sections]
@@ -186,14 +186,14 @@ def _axis(
 
 
 def _measured(session: Session, paths: Iterable[Path], folder: str, copies: _Copies) -> list[str]:
-    """Return copies of measurement files; of a folder those that are measurements."""
+    """Return copies of measurement files. From a folder only the measurements are copied."""
     found = [path for given in paths for path in measurement_files(session, given).files]
     return [copies.add(folder, path.name, storage.read_bytes(session, path)) for path in found]
 
 
 def _temperatures(test: PositioningTest) -> dict[str, tuple[float, float]]:
-    """Return the temperatures with which expansion was removed from a test, °C, at the start and at
-    the end.
+    """Return the temperatures, °C, at start and end, with which expansion was removed from a
+    test.
     """
     thermal = test.thermal
     if thermal is None:
@@ -206,8 +206,8 @@ def _temperatures(test: PositioningTest) -> dict[str, tuple[float, float]]:
 
 
 def _resolved(section: Mapping[str, Any], job: Job, name: str) -> dict[str, Any]:
-    """Return the keys of an axis that the job leaves open and the files of the last round answered:
-    the files read back may not contain them.
+    """Return the axis keys that the job leaves open and earlier files answered. Files read back may
+    not contain them.
     """
     axis = job.axes[name].axis
     found: dict[str, Any] = {}
@@ -226,8 +226,8 @@ def _resolved(section: Mapping[str, Any], job: Job, name: str) -> dict[str, Any]
 def _circles(
     session: Session, job: Job, plan: Plan, then: Looped, was: str, copies: _Copies
 ) -> list[dict[str, Any]]:
-    """Return the circles: those after loading, and older ones that were not measured again, in
-    their states.
+    """Return the circles for the next round: those after loading, and older ones that were not
+    repeated.
 
     A correction between axes that is in no file of the control was active in none of the older
     circles: these are left out.
@@ -286,8 +286,8 @@ def _runs(session: Session, paths: Iterable[Path], folder: str, copies: _Copies)
 def _files_with_tests(
     session: Session, data: Mapping[str, Any], folder: Path, copies: _Copies
 ) -> dict[str, str]:
-    """Return the paths of the copies of profiles, stand-still tests, environment records and the
-    logo, by their paths in the job.
+    """Return the paths of the copied profiles, stand-still tests, environment records and logo, by
+    their paths in the job.
     """
     tests = [test for axis in data["axes"].values() for test in test_sections(axis)]
     named = [test["profile"] for test in tests if "profile" in test]
@@ -310,8 +310,10 @@ def _files_with_tests(
 
 
 def _definition(name: str, plan: Plan, copies: _Copies) -> str:
-    """Return the name of the control's format; for the user's own definition that of its copy from
-    the plan. Raises InputError where a definition that it extends is outside of its folder.
+    """Return the name of the control's format. For the user's own definition: its copy. Raises
+    InputError.
+
+    That of its copy from the plan; where a definition that it extends is outside of its folder.
     """
     if not plan.definition:
         return name

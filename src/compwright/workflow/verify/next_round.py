@@ -1,5 +1,5 @@
-"""The next round after loading: which axes may be corrected further, and the result folder of the
-job that does it.
+"""The next round after loading: which axes may be corrected further, and the result folder of its
+job.
 
 A change is added to the existing table only where a measurement has shown that this table is active
 as planned, and where the values read back are those that were to be loaded. Everything else keeps
@@ -76,8 +76,7 @@ class Verified:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Round:
-    """The next round: its files below the results (none where it is not written), and the messages
-    about it.
+    """The next round: its files (none where it is not written), and messages about it.
 
     ``whole``: folders that hold exactly these files afterwards; ``renewed``: those in which the
     user may keep files of his own.
@@ -97,8 +96,8 @@ def next_round(
     out: Path,
     each: Each = in_turn,
 ) -> Round:
-    """Return the next round of a verified job, to be written into ``out``; without files where no
-    axis may be corrected further, with the reasons.
+    """Return the next round of a verified job. It has no files, but reasons, where no axis may be
+    corrected further.
 
     ``compared``: the document of ``compare``, or why there is none.
     """
@@ -140,7 +139,7 @@ def next_round(
 
 
 def _general(found: Verified, compared: Mapping[str, Any] | str) -> str:
-    """Return why nothing may be corrected further, or an empty text."""
+    """Return why no axis may be corrected further, or an empty text."""
     changed = [one.message for one in found.findings if one.code == "CW-V022"]
     if changed:
         return changed[0]
@@ -167,7 +166,9 @@ def _general(found: Verified, compared: Mapping[str, Any] | str) -> str:
 
 
 def _no_axis(found: Verified) -> str:
-    """Return that there is nothing to go on from, and what becomes of squareness then."""
+    """Return the message that no axis can be corrected further, and the consequence for
+    squareness.
+    """
     if not (found.circles and found.job.apply.squareness):
         return SentenceText(say("next.no_axis"))
     axes = found.plan.axes.values()
@@ -176,7 +177,7 @@ def _no_axis(found: Verified) -> str:
 
 
 def lacks_proof(finding: Finding) -> bool:
-    """Whether a finding of an axis means that its test after loading does not prove enough."""
+    """Return whether a finding means that the test after loading does not prove enough."""
     return finding.code in LACKING or finding.is_doubt
 
 
@@ -194,7 +195,7 @@ def _refused(found: Verified, compared: Mapping[str, Any] | str) -> Iterator[tup
 
 
 def _doubted(axis: VerifiedAxis) -> str:
-    """Return why the test after loading does not show that the table is active as planned; empty
+    """Return why the test after loading does not prove that the planned table is active. Empty
     where it does.
     """
     verdict = axis.loading["verdict"]
@@ -209,7 +210,7 @@ def _doubted(axis: VerifiedAxis) -> str:
 
 
 def _differs(name: str, compared: Mapping[str, Any] | str) -> str:
-    """Return in what the files that were read back differ from the plan for an axis."""
+    """Return how the files that were read back differ from the plan for an axis."""
     if isinstance(compared, str):
         return ""
     axis = compared["axes"][name]
@@ -224,7 +225,7 @@ def _differs(name: str, compared: Mapping[str, Any] | str) -> str:
 
 
 def _looped(found: Verified, well: Sequence[AfterTest]) -> Looped:
-    """Return what the next job starts from."""
+    """Return the inputs of the next job."""
     axes = {test.axis: test for test in well}
     measured = {
         name: files
@@ -252,8 +253,8 @@ def _looped(found: Verified, well: Sequence[AfterTest]) -> Looped:
 
 
 def _active(found: Verified, files: Sequence[ControlFile], axes: Sequence[str]) -> bool | None:
-    """Return True, by the test after loading, where the files that were read back do not state
-    whether their tables are active; else None.
+    """Return True if the test after loading shows that tables are active and the files do not state
+    it. Else None.
     """
     working = [found.job.axes[name].axis for name in axes]
     try:
@@ -264,8 +265,10 @@ def _active(found: Verified, files: Sequence[ControlFile], axes: Sequence[str]) 
 
 
 def _squareness(found: Verified, measured: Collection[str], axes: Collection[str]) -> Iterator[str]:
-    """Yield the planes whose squareness may be corrected further: measured again, with no axis
-    whose table is in doubt, and where something was corrected before, as it was expected.
+    """Yield the planes whose squareness may be corrected further.
+
+    Measured again, with no axis whose table is in doubt, and where something was corrected before,
+    as it was expected.
     """
     doubted = {
         name
@@ -291,7 +294,7 @@ def _squareness(found: Verified, measured: Collection[str], axes: Collection[str
 def _worked(
     session: Session, inputs: Mapping[str, bytes], folder: Path, each: Each
 ) -> tuple[Finished, Mapping[str, bytes], tuple[str, ...]]:
-    """Return the next job worked through as if its folder stood there already, and its files."""
+    """Return the next job after all stages, and its files, as if its folder existed already."""
     next_session = session.with_pending(folder, inputs)
     job = read_job_file(next_session, folder / JOB)
     finished = run_stages(next_session, job, folder, folder, each=each)
@@ -302,7 +305,7 @@ def _worked(
 
 
 def _updated_axis(finished: Finished, name: str) -> UpdatedAxis:
-    """Return what became of an axis in the next round."""
+    """Return the result for an axis in the next round."""
     work, prediction = finished.works[name], finished.predicted.axes[name]
     if work.planned.fitted is not None:
         return UpdatedAxis(
@@ -319,7 +322,7 @@ def _updated_axis(finished: Finished, name: str) -> UpdatedAxis:
 
 
 def _gained(limits: LimitingCauses | None, axis: Axis) -> str:
-    """Return what a further table is expected to gain."""
+    """Return the expected gain of a further table."""
     if limits is None:
         return SentenceText(say("next.written"))
     factor, unit = outside_factor(axis.kind.unit), shown_unit(axis.kind.unit)
@@ -329,7 +332,7 @@ def _gained(limits: LimitingCauses | None, axis: Axis) -> str:
 
 
 def _result(outcomes: Mapping[str, UpdatedAxis], *, between: bool) -> str:
-    """Return what to do with the next round; ``between``: it corrects something between axes."""
+    """Return the next step for the next round. ``between``: it corrects between axes."""
     tabled = [name for name, axis in outcomes.items() if axis.table]
     if tabled or between:
         return SentenceText(say("next.load", axes=tabled, between=between))
@@ -338,7 +341,7 @@ def _result(outcomes: Mapping[str, UpdatedAxis], *, between: bool) -> str:
 
 
 def _between(found: Verified, looped: Looped) -> Iterator[str]:
-    """Yield what becomes of the corrections between axes."""
+    """Yield the results for the corrections between axes."""
     again = [
         frozenset({bent, other_axis(plane, bent)})
         for plane, bent in found.job.apply.squareness.items()
@@ -356,8 +359,8 @@ def _between(found: Verified, looped: Looped) -> Iterator[str]:
 
 
 def refuse_later_rounds(session: Session, out: Path) -> None:
-    """Raise StorageError where the next round in ``out`` has been verified: its results would be
-    overwritten by another round.
+    """Raise StorageError if the next round in ``out`` has been verified, because its results would
+    be overwritten.
     """
     gone_on = out / FOLDER / "verification.json"
     if storage.is_there(session, gone_on):
@@ -375,8 +378,9 @@ def refuse_later_rounds(session: Session, out: Path) -> None:
 
 
 def known_with_rounds(session: Session, out: Path, known: storage.Known) -> storage.Known:
-    """Return how to distinguish results in ``out`` from the user's own or changed files; ``known``
-    does so for all but the folder of the next round.
+    """Return how to recognise results in ``out``, unlike the user's own or changed files.
+
+    ``known`` does so for all but the folder of the next round.
     """
     inputs = copied_by_record(storage.earlier_bytes(session, out / FOLDER / RECORD))
     of_round = known_results(session, out / FOLDER)
@@ -391,9 +395,7 @@ def known_with_rounds(session: Session, out: Path, known: storage.Known) -> stor
 
 
 def _whole(session: Session, out: Path, inputs: Mapping[str, bytes], format_id: str) -> list[str]:
-    """Return the folders of the next round that hold exactly its files: those of its inputs, of an
-    earlier round too, and of what the control loads.
-    """
+    """Return the folders of the next round that contain exactly its own files."""
     earlier = copied_by_record(storage.earlier_bytes(session, out / FOLDER / RECORD))
     folders = {str(PurePosixPath(name).parent) for name in (*inputs, *earlier)}
     sets = {f"{name}/{format_id}" for name in ("tables", "rollback")}

@@ -1,5 +1,7 @@
-"""What a good verification on a real machine leaves to be written down: a piece for the job and one
-for the definition of the control. Nothing is written into either.
+"""The proof from a good verification on a real machine: texts to copy into the job and the
+definition of the control.
+
+Nothing is written into either.
 """
 
 from __future__ import annotations
@@ -25,7 +27,7 @@ _FILL_IN: Final = "fill in"
 def proven_files(
     found: Verified, document: Mapping[str, Any], results: Sequence[Path], loaded: Sequence[Path]
 ) -> tuple[dict[str, bytes], tuple[str, ...]]:
-    """Return the files of a proof by their relative names, and the messages about it.
+    """Return the files of a proof by their relative names, and messages about it.
 
     No files where a good verification proves nothing about a machine, with the reason. ``results``:
     the folders of the run and of its verification; ``loaded``: files that were read back.
@@ -63,7 +65,7 @@ def proven_files(
 
 
 def _lacking(found: Verified, results: Sequence[Path], loaded: Sequence[Path]) -> Iterator[str]:
-    """Yield why a good verification proves nothing of a machine."""
+    """Yield why a good verification proves nothing about a machine."""
     roots = {storage.resolved(folder) for folder in results}
     if any(roots & {path, *path.parents} for path in map(storage.resolved, loaded)):
         yield "--loaded names files of the result folder, not what was read back"
@@ -96,7 +98,7 @@ def _proven(found: Verified, name: str) -> ProvenAxis:
 
 
 def _sign_odds(axis: VerifiedAxis) -> float:
-    """Return the odds against a turned sign by the means of the two tests."""
+    """Return the odds against a reversed sign, from the means of the two tests."""
     targets = axis.after.test.targets
     curves = []
     for direction, expected in (
@@ -120,7 +122,7 @@ def _sign_odds(axis: VerifiedAxis) -> float:
 
 
 def _between(axis: VerifiedAxis, direction: Direction, targets: FloatArray) -> FloatArray:
-    """Return the means of the test before at the targets of the one after."""
+    """Return the means of the test before, interpolated at the targets of the test after."""
     test = axis.before.test
     means = mean_deviation(test.deviations(direction))
     known = np.isfinite(means)
@@ -158,7 +160,7 @@ def _how(found: Verified, axes: Sequence[ProvenAxis]) -> str:
 
 
 def _summary(axes: Sequence[ProvenAxis]) -> list[str]:
-    """Return in words the facts proven by at least one axis, and those proven by none."""
+    """Return as text the facts that at least one axis proves, and those that none proves."""
     proven = dict.fromkeys(fact for one in axes for fact in one.proven)
     left = dict.fromkeys(fact for one in axes for fact in one.unproven if fact not in proven)
     return [

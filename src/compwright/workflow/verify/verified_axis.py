@@ -1,4 +1,4 @@
-"""One axis after loading: its test compared with the expectation of the plan."""
+"""One axis after loading: its test compared with the prediction of the plan."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def verified_axis(
     *,
     ours: bool,
 ) -> VerifiedAxis:
-    """Compare the test after loading of an axis with the expectation.
+    """Compare the test after loading of an axis with the prediction.
 
     ``as_found``: contents of the control before; ``stored``: the same with its tables switched on;
     ``read_back``: contents read back since, if any; ``twice``: that the test is a copy of another
@@ -110,8 +110,8 @@ def verified_axis(
 
 
 def _change(planned: PlannedAxis, as_found: DecodedState, repeated: PlannedTest) -> Correction:
-    """Return the expected correction after loading minus the one in the test that is repeated, at
-    the motion of that test.
+    """Return the expected change of the correction by loading, at the motion of the repeated
+    test.
     """
     active = no_correction if planned.active is None else planned.active.at
     table = (
@@ -132,8 +132,8 @@ def _judged(
     fault: NamedFault | None,
     files: Sequence[Finding],
 ) -> tuple[dict[str, AcceptDecision], tuple[Finding, ...], tuple[Acknowledged, ...]]:
-    """Return the decisions of an axis after loading, by parameter, the doubts about its test, and
-    the doubts that the job acknowledges.
+    """Return the decisions about an axis after loading, by parameter, and its open and acknowledged
+    doubts.
 
     For a test that is certainly no measurement (``fault``) only that. ``files``: doubts about the
     files read back.
@@ -166,7 +166,7 @@ def _judged(
 
 
 def _sentences(control: Control, planned: PlannedAxis) -> Mapping[LoadingName, tuple[str, ...]]:
-    """Return, by verdict, what to look at on the control."""
+    """Return what to check on the control, for each verdict."""
     if planned.fitted is None:
         return {}
     return control.look_at(planned.axis, planned.fitted.compensation)
@@ -175,8 +175,8 @@ def _sentences(control: Control, planned: PlannedAxis) -> Mapping[LoadingName, t
 def _looks(
     loading: LoadingVerdict, sentences: Mapping[LoadingName, tuple[str, ...]], *, read_back: bool
 ) -> list[str]:
-    """Return what to check for a verdict: for an undecided one, the checks of every candidate, the
-    most probable first.
+    """Return what to check for a verdict. For an undecided one: the checks of every candidate, most
+    probable first.
 
     For a loaded table, only the checks that distinguish it from its equivalents; none where the
     values that were ``read_back`` (the plan's) have decided it.
@@ -193,7 +193,7 @@ def _looks(
 def _loading_document(
     loading: LoadingVerdict, sentences: Mapping[LoadingName, tuple[str, ...]], *, read_back: bool
 ) -> dict[str, Any]:
-    """Return the verdict about the loading as the document holds it."""
+    """Return the verdict about the loading in the form of the document."""
     return {
         "verdict": loading.verdict,
         **({"of": loading.of} if loading.of is not None else {}),
@@ -239,7 +239,7 @@ def _expected(
 
 
 def _named(loading: LoadingVerdict) -> tuple[Finding, ...]:
-    """Return the finding of a fault of measurement (CW-V026)."""
+    """Return the finding about a fault of the measurement (CW-V026)."""
     return (
         (Finding("CW-V026", "warning", loading.sentence),)
         if loading.verdict == "measurement"
@@ -250,8 +250,8 @@ def _named(loading: LoadingVerdict) -> tuple[Finding, ...]:
 def _compare_loaded(
     control: Control, planned: PlannedAxis, as_found: DecodedState, read_back: DecodedState | None
 ) -> tuple[Finding, ...]:
-    """Compare the values read back from the control with the plan's table, by the correction over
-    the table and the travel; for a gantry on both axes.
+    """Compare the values read back from the control with the plan's table, over table and travel;
+    on both axes of a gantry.
     """
     if read_back is None or planned.fitted is None:
         return ()
@@ -261,9 +261,7 @@ def _compare_loaded(
 
 
 def _tables(planned: PlannedAxis) -> list[tuple[Axis, FittedTable]]:
-    """Return the planned table of an axis, and of a gantry the same one for the other axis, which
-    `with_partners` replaces where it has its own.
-    """
+    """Return the planned table of an axis, and for a gantry also that of the other axis."""
     axis, fitted = planned.axis, planned.fitted
     if fitted is None:
         return []

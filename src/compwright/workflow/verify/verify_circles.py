@@ -1,5 +1,5 @@
-"""Circular tests after loading against the plan: which circle they repeat, what they show, and
-whether squareness is gone.
+"""Compare circular tests after loading with the plan: the repeated circle, its values, the
+remaining squareness.
 """
 
 from __future__ import annotations
@@ -53,8 +53,8 @@ from compwright.workflow.inputs.circles import read_circle
 def split_after(
     session: Session, plan: Plan, specs: Sequence[str]
 ) -> tuple[list[str], dict[str, list[Path]]]:
-    """Return the ``--after`` values that are no circular tests, and the files of those that are, by
-    the circle they repeat.
+    """Return the ``--after`` values that are not circular tests, and the files of those that are,
+    by circle.
 
     ``TEST=FILE`` names the circle; else the plane decides, and of several circles of one plane the
     radius. Raises UsageError where the plan holds no such circle, InputError for circular files
@@ -133,8 +133,8 @@ def verify_circles(
     as_found: DecodedState,
     states: Mapping[str, DecodedState],
 ) -> dict[str, VerifiedCircle]:
-    """Evaluate the circular tests after loading and compare them with the expectation of the plan.
-    Raises InputError with the faults of all files.
+    """Evaluate the circular tests after loading, and compare them with the prediction of the plan.
+    Raises InputError with all faults.
     """
     axes = {name: entry.axis for name, entry in plan.axes.items()}
     then = _planned(plan, as_found, axes)
@@ -194,7 +194,7 @@ def _verified(
 
 
 def _loaded(plan: Plan, axes: Sequence[str]) -> list[str]:
-    """Return those of the axes of a circle that a table of the plan moves."""
+    """Return the axes of a circle that a table of the plan moves."""
     bent = {cross.output for cross in plan.cross if cross.written and cross.input in axes}
     return [
         name
@@ -206,9 +206,10 @@ def _loaded(plan: Plan, axes: Sequence[str]) -> list[str]:
 def _judged(
     job: Job, before: CircularResult, result: CircularResult, *, corrected: bool
 ) -> tuple[dict[str, AcceptDecision], tuple[Finding, ...], tuple[Acknowledged, ...]]:
-    """Return the decisions about a circle after loading, by parameter, what speaks against its
-    test, and the doubts that the job acknowledges; nothing of a circle without limits whose
-    squareness was not ``corrected``.
+    """Return the decisions about a circle after loading, by parameter, and its open and
+    acknowledged doubts.
+
+    Nothing of a circle without limits whose squareness was not ``corrected``.
     """
     name, rule = result.test.name, job.decision_rule
     limits = next((one.accept for one in job.circles if one.name == name), None)
@@ -242,14 +243,14 @@ def _judged(
 
 
 def squareness_decisions(circles: Mapping[str, VerifiedCircle]) -> list[Decision]:
-    """Return the decisions about squareness of all circles whose plane was corrected."""
+    """Return the decisions about squareness of all circles in a corrected plane."""
     return [
         circle.squareness.decision for circle in circles.values() if circle.squareness is not None
     ]
 
 
 def _planned(plan: Plan, as_found: DecodedState, axes: Mapping[str, Axis]) -> ActiveCorrections:
-    """Return what the control does once the plan's tables are loaded."""
+    """Return the corrections of the control after the plan's tables are loaded."""
     now = active_corrections(as_found, axes)
     along = {
         name: entry.fitted.compensation.at
