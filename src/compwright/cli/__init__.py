@@ -1,4 +1,4 @@
-"""The command line: thin, and quick to start; what a command needs is imported inside it."""
+"""The command line. It starts quickly, because each command imports what it needs."""
 
 from compwright.cli import (
     completing,

@@ -24,7 +24,7 @@ _VARIABLE = "_COMPWRIGHT_COMPLETE"
 )
 @exiting
 def completion(shell: str) -> int:
-    """Print a script with which a shell completes commands, options, controls and files."""
+    """Print a script that completes commands, options, controls and files in a shell."""
     kind = get_completion_class(shell)
     assert kind is not None  # noqa: S101 - the choice above names those of click
     # not the method of bash: it starts a bash to ask for its version

@@ -1,4 +1,4 @@
-"""Commands about the files of a control."""
+"""Commands for the files of a control."""
 
 from __future__ import annotations
 

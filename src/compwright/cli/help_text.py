@@ -33,7 +33,7 @@ class HelpfulCommand(click.Command):
         self.page = page
 
     def format_arguments(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        """Write nothing: the files of a command are listed with the required arguments."""
+        """Write nothing, because the files of a command are listed with the required arguments."""
 
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """Write the required arguments first, then the options."""
@@ -73,7 +73,7 @@ class OrderedGroup(HelpfulCommand, click.Group):
         self.format_commands(ctx, formatter)
 
     def list_commands(self, ctx: click.Context) -> list[str]:
-        """Return the names of the commands, those of no heading last."""
+        """Return the names of the commands. Those without a heading come last."""
         places = list(_HEADINGS)
         names = super().list_commands(ctx)
         return sorted(names, key=lambda name: places.index(name) if name in places else len(places))

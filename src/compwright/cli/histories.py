@@ -1,4 +1,4 @@
-"""The command that looks back."""
+"""The command for the history of machines."""
 
 from __future__ import annotations
 

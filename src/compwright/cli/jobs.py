@@ -1,4 +1,4 @@
-"""Commands of a job: written, run, verified."""
+"""Commands of a job: write it, run it, verify it."""
 
 from __future__ import annotations
 

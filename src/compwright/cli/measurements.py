@@ -1,4 +1,4 @@
-"""Commands that read or make measurements alone."""
+"""Commands that only read or make measurements."""
 
 from __future__ import annotations
 
@@ -179,8 +179,8 @@ def _tell_notes(names: Sequence[str], what: str) -> None:
 
 
 def _tell_errors(entries: Sequence[Mapping[str, str]], *, one_each: bool) -> None:
-    """Print the errors of files; of many files (``one_each``) the first of each, and how many more
-    it has.
+    """Print the errors of files. Of many files (``one_each``): the first error each, and the number
+    of others.
     """
     lines: dict[str, list[str]] = {}
     for place, entry in enumerate(entries):

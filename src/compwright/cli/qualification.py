@@ -1,4 +1,4 @@
-"""The command that tests the installation itself."""
+"""The command that tests the installation."""
 
 from __future__ import annotations
 

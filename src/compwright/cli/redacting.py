@@ -1,4 +1,4 @@
-"""The command that makes copies which can be given away."""
+"""The command that makes copies without private data."""
 
 from __future__ import annotations
 

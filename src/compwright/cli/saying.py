@@ -1,4 +1,4 @@
-"""Printing: which text goes to which stream, and what happens when it cannot be printed."""
+"""Printing to standard output and standard error, and what happens when printing fails."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ _MOST_ERRORS = 25
 
 
 def print_safely(say: Callable[[], None]) -> None:
-    """Print on standard output. A reader that hangs up early (``| head``) changes neither the work
-    nor its exit code.
+    """Print on standard output. A reader that stops early (``| head``) does not change the work or
+    its exit code.
     """
     try:
         say()
@@ -36,7 +36,7 @@ def print_lines(lines: Iterable[str]) -> None:
 def answer(
     document: Mapping[str, Any], json_path: Path | None, renderables: Callable[[], list[Any]]
 ) -> None:
-    """Print the answer of a command: as JSON for ``--json -``, else for people."""
+    """Print the answer of a command: as JSON for ``--json -``, else as text."""
     from compwright.workflow.results.answers import show, to_json
 
     if _on_output(json_path):
@@ -68,7 +68,7 @@ def deliver(
 def answer_lines(
     document: Mapping[str, Any], json_path: Path | None, lines: Callable[[], Iterable[str]]
 ) -> None:
-    """Print the answer of a command that has no table: as JSON for ``--json -``, else as lines."""
+    """Print the answer of a command without tables: as JSON for ``--json -``, else as lines."""
     if _on_output(json_path):
         answer(document, json_path, list)
     else:
@@ -76,7 +76,7 @@ def answer_lines(
 
 
 def next_step_line(json_path: Path | None, line: Callable[[], str]) -> None:
-    """Print the last line of an answer for people: what to do next."""
+    """Print the last line of an answer: the next step."""
     if not _on_output(json_path):
         print_lines([line()])
 
@@ -86,13 +86,13 @@ def _on_output(json_path: Path | None) -> bool:
 
 
 def json_file(json_path: Path | None) -> Path | None:
-    """Return the file given by ``--json``; None without it and for standard output."""
+    """Return the file given by ``--json``. None without it, and for standard output."""
     return None if _on_output(json_path) else json_path
 
 
 def errors(lines: Iterable[str]) -> int:
-    """Print each error on its own line; of very many only the first ones, and the number of the
-    others, which is returned.
+    """Print each error on its own line. Of very many only the first; returns the number of the
+    others.
     """
     texts = list(lines)
     for line in texts[:_MOST_ERRORS]:
@@ -104,9 +104,7 @@ def errors(lines: Iterable[str]) -> int:
 
 
 def tell(line: str) -> None:
-    """Print a line on standard error; nothing where that is closed or full, because the exit code
-    is enough.
-    """
+    """Print a line on standard error. If that is closed or full, the exit code must be enough."""
     try:
         click.echo(visible_lines(line), err=True)
     except OSError:
@@ -114,12 +112,12 @@ def tell(line: str) -> None:
 
 
 def ask_for_report() -> None:
-    """Print what to do after a fault of compwright itself."""
+    """Print what to do after an internal fault of compwright."""
     tell(
         f"Please report this line with the command, the input files and the version {__version__}."
     )
 
 
 def on_terminal() -> bool:
-    """Whether messages go to a terminal, where a bar may be drawn."""
+    """Return whether messages go to a terminal that can show a progress bar."""
     return sys.stderr.isatty()

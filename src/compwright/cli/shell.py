@@ -1,4 +1,4 @@
-"""The command line from its words to its exit code."""
+"""Run a command line and return its exit code."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from compwright.foundations.utf8 import visible
 
 
 def main() -> NoReturn:
-    """Run the command line and leave with the exit code of what happened."""
+    """Run the command line and exit with its exit code."""
     use_one_thread()
     look_for_garbage_seldom()
     for stream in (sys.stdout, sys.stderr):
@@ -34,7 +34,7 @@ def main() -> NoReturn:
 
 
 def _side_by_side(items: int, ready: Callable[[], None]) -> AbstractContextManager[Each]:
-    """Provide who works on the axes of a job; what few commands need is loaded here."""
+    """Provide the parallel workers for the axes of a job. Rare imports are made here."""
     from compwright.foundations.processes import side_by_side
 
     return side_by_side(items, ready)
@@ -42,7 +42,9 @@ def _side_by_side(items: int, ready: Callable[[], None]) -> AbstractContextManag
 
 def run(arguments: list[str], crew: Crew = alone) -> int:
     """Run a command and return its exit code. Every error becomes lines on standard error, never a
-    traceback. ``crew``: who works on the axes of a job.
+    traceback.
+
+    ``crew``: who works on the axes of a job.
     """
     session = Session()
     try:

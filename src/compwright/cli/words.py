@@ -1,4 +1,4 @@
-"""What every command is made of: words, options, and the group itself."""
+"""Common parts of all commands: arguments, options, and the command group."""
 
 from __future__ import annotations
 
@@ -27,18 +27,14 @@ _STANDARD_ID = re.compile(r"(iso[0-9-]+|gost[0-9]+):[0-9]{4}|vdi[0-9]+")
 
 @dataclass(frozen=True, slots=True)
 class Invocation:
-    """What one call of the command line hands to its command. ``crew``: who works on the axes of a
-    job.
-    """
+    """The data of one call of the command line for its command. ``crew``: the parallel workers."""
 
     session: Session
     crew: Crew
 
 
 class _PathType(click.ParamType[Path]):
-    """The name of a file or folder. Whether it can be read or written is checked, and reported,
-    where that is done.
-    """
+    """The type of a file or folder argument. Whether it is readable is checked later."""
 
     name = "path"
 
@@ -57,7 +53,7 @@ class _PathType(click.ParamType[Path]):
 
 
 class _FileWord(click.ParamType[str]):
-    """A file among words that mean something else: ``none``, or ``TEST=FILE``."""
+    """The type of a file argument that may also be ``none`` or ``TEST=FILE``."""
 
     name = "file"
 
@@ -71,8 +67,8 @@ class _FileWord(click.ParamType[str]):
 def _matched(
     session: Session, kind: click.ParamType[Any], values: Iterable[object]
 ) -> Iterator[Any]:
-    """Yield the files that the values match: where the shell leaves ``*`` and ``?`` to the program
-    (Windows), the matching files.
+    """Yield the files that match the values, where the shell does not expand ``*`` and ``?``
+    (Windows).
     """
     for value in values:
         text = str(value)
@@ -85,9 +81,7 @@ def _matched(
 
 
 class _Command(HelpfulCommand):
-    """A command whose options take several values at once where their value ends in ``...``; see
-    `command_words`.
-    """
+    """A command whose options with ``...`` take several values at once; see `command_words`."""
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         forms = {
@@ -155,7 +149,7 @@ force_option = click.option("--force", is_flag=True, help="Replace files that ex
 def complete_format(
     ctx: click.Context, param: click.Parameter, incomplete: str
 ) -> list[CompletionItem]:
-    """Return the ids of controls that begin so, and the user's own files."""
+    """Return the control ids that begin with the typed text, and the user's own files."""
     del param
     from compwright.workflow.commands.formats import shipped_ids
 
@@ -209,7 +203,7 @@ report_option = click.option(
 
 
 def exiting(command: Callable[P, int]) -> Callable[P, None]:
-    """Turn the number that a command returns into its exit code."""
+    """Convert the number that a command returns into its exit code."""
 
     @wraps(command)
     def wrapper(*args: P.args, **kwargs: P.kwargs) -> None:
@@ -219,7 +213,7 @@ def exiting(command: Callable[P, int]) -> Callable[P, None]:
 
 
 def pairs(options: Iterable[str]) -> dict[str, object]:
-    """Return the options K=V of the command line. Raises UsageError for what cannot be read."""
+    """Return the options K=V of the command line. Raises UsageError for invalid ones."""
     given: dict[str, object] = {}
     faults = []
     for text in options:

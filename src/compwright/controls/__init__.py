@@ -1,1 +1,3 @@
-"""The one door to a control: open its files, decode them with both readers, compare them."""
+"""Access to a control: open its files, decode them with two independent readers, compare the
+results.
+"""

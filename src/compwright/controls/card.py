@@ -1,4 +1,4 @@
-"""What the card says that only the control knows: rows and numbers of each axis, steps, changed
+"""The card's data that depend on the control: rows and numbers of each axis, steps, changed
 entries, the way back.
 """
 
@@ -35,7 +35,7 @@ from compwright.words.sentences import ControlText, SentenceText, control_text, 
 def axis_documents(
     job: Job, control: Control, work: AxisWork, loaded: DecodedState, old: DecodedState
 ) -> Iterator[dict[str, Any]]:
-    """Yield an axis, and the synchronised one that gets a table of its own."""
+    """Yield an axis, and the slave axis of its gantry if that gets its own table."""
     own = _axis(job, control, work, loaded, old)
     yield own
     axis = work.planned.axis
@@ -107,7 +107,7 @@ def _axis(
 
 
 def _numbering(numbered: NumberedSections | None) -> dict[str, Any] | None:
-    """Return which section has which number, as plain data; None where points have none."""
+    """Return the number of each section as plain data. None where sections have no numbers."""
     if numbered is None:
         return None
     return {
@@ -123,8 +123,9 @@ def _numbering(numbered: NumberedSections | None) -> dict[str, Any] | None:
 
 
 def _backlash(table: AxisCompensation | None, held: DecodedState, axis: Axis) -> float:
-    """Return the backlash in addition to a table, mm or deg, also where the control's own
-    parameter is counted in the curve of one direction.
+    """Return the backlash in addition to a table, mm or deg.
+
+    Also where the control's own parameter is counted in the curve of one direction.
     """
     in_curves = held.state.facts_of(axis.address).stated.get("backlash_in_curves")
     own = 0.0 if table is None else table.backlash
@@ -132,15 +133,16 @@ def _backlash(table: AxisCompensation | None, held: DecodedState, axis: Axis) ->
 
 
 def _typed(control: Control, axis: Axis, card: AxisCard) -> str:
-    """Return the backlash of a card as the control's parameter."""
+    """Return the backlash on the card, as the control's parameter."""
     return typed_backlash(control.definition, axis, card.values)
 
 
 def _typed_before(
     control: Control, axis: Axis, old: DecodedState, new: AxisCompensation | None
 ) -> str:
-    """Return the backlash that goes back in, as the control's parameter: 0 where nothing was
-    active. ``new``: the table whose points count where there were none.
+    """Return the backlash value to restore, as the control's parameter: 0 where none was active.
+
+    ``new``: the table whose points count where there were none.
     """
     table = old.state.axes.get(axis.address, no_compensation(axis.address, axis.kind))
     if new is not None and table.positions.size < 2:
@@ -158,8 +160,10 @@ def _rows(
     new: tuple[AxisCompensation | None, float],
     typed: tuple[str, str],
 ) -> list[dict[str, str]]:
-    """Return what changes of a table, each with its unit. ``old``, ``new``: table and backlash;
-    ``typed``: the old and the new backlash as the control's parameter.
+    """Return the changes of a table, each with its unit.
+
+    ``old``, ``new``: table and backlash; ``typed``: the old and the new backlash as the control's
+    parameter.
     """
     unit = axis.kind.unit
     factor, small = outside_factor(unit), shown_unit(unit)
@@ -199,8 +203,8 @@ def _range(low: str, high: str, unit: str) -> str:
 def changes_document(
     control: Control, old: Sequence[ControlFile], entered: Sequence[ControlFile]
 ) -> dict[str, Any] | None:
-    """Return what the files that are ``entered`` change in the control's own, as plain data; None
-    where there were none.
+    """Return the changes by the ``entered`` files in the control's own files, as plain data. None
+    without own files.
     """
     if not old or not entered:
         return None
@@ -212,7 +216,7 @@ def changes_document(
 
 
 def unconfirmed_diameters(control: Control, axes: Sequence[Axis]) -> list[str]:
-    """Return what is not confirmed of the tables of ``axes`` in diameter programming."""
+    """Return which facts about the tables of ``axes`` in diameter programming are not confirmed."""
     return [
         ControlText(control.definition.diameter.card, {"name": axis.name})
         for axis in axes
@@ -226,8 +230,8 @@ def step_documents(
     loaded: DecodedState,
     between: Sequence[Mapping[str, Any]],
 ) -> list[Mapping[str, Any]]:
-    """Return the steps of the card in the order of the definition, then those of tables
-    ``between`` axes. Steps that are the same for all axes appear once.
+    """Return the steps of the card in the order of the definition, then those for tables
+    ``between`` axes.
     """
     tells = any("{gantry}" in rule.text for rule in control.definition.card)
     steps = [
@@ -250,8 +254,8 @@ def step_documents(
 def restore_steps(
     control: Control, written: Mapping[str, AxisWork], loaded: DecodedState
 ) -> list[dict[str, Any]]:
-    """Return the steps that bring the old values back by file and parameter, as far as the
-    definition states them.
+    """Return the steps that restore the old values by file and parameter, as far as the definition
+    states them.
     """
     axes = _with_values(control, written, loaded)
     return _plain(card_steps_of_all(control.definition, axes, control.definition.restore))
@@ -260,8 +264,10 @@ def restore_steps(
 def _with_values(
     control: Control, written: Mapping[str, AxisWork], loaded: DecodedState
 ) -> list[tuple[Axis, Mapping[str, str]]]:
-    """Return the axes with the values of the card's texts; after each the synchronised one of its
-    gantry: the same table or the same change, on numbers and in files of its own.
+    """Return the axes with the values in the card's texts. Each axis is followed by the slave of
+    its gantry.
+
+    The same table or the same change, on numbers and in files of its own.
     """
     axes: list[tuple[Axis, Mapping[str, str]]] = []
     for work in written.values():
@@ -292,7 +298,7 @@ def _with_all_files(
     between: Sequence[Mapping[str, Any]],
     files: Sequence[ControlFile],
 ) -> list[dict[str, Any]]:
-    """Return the steps, those files named in that of loading that no step names."""
+    """Return the steps. The loading step also names every file that no other step names."""
     named = " ".join(f"{step['text']} {step.get('rows')}" for step in (*steps, *between))
     left = [file.name for file in files if file.name not in named]
     loading = next((step for step in steps if step["title"].startswith(("Load", "Enter"))), None)
@@ -303,8 +309,8 @@ def _with_all_files(
 
 
 def _card(control: Control, axis: Axis, work: AxisWork, loaded: DecodedState) -> AxisCard:
-    """Return the card for the axis of a work, or for the synchronised ``axis`` of its gantry, by
-    the files as read back.
+    """Return the card of an axis, or of the slave ``axis`` of its gantry, from the files as read
+    back.
     """
     leading, tables = work.planned.axis, loaded.state.axes
     return control.format.card(
@@ -326,9 +332,10 @@ def restore_texts(
     steps: bool,
     between: bool,
 ) -> list[str]:
-    """Return how the old state comes back: the control's own ``files``, or the small ones that
-    bring it ``back``. ``steps``: `restore_steps` say the rest; ``between``: there are new tables
-    between axes.
+    """Return texts on how to restore the old state: with the control's own ``files`` or the small
+    files ``back``.
+
+    ``steps``: `restore_steps` say the rest; ``between``: there are new tables between axes.
     """
     if not files:
         nothing = control_text("The job says that nothing was active.")

@@ -1,4 +1,4 @@
-"""Whether a definition keeps its word, by its gate and by the virtual control."""
+"""Check a definition with its sample, its hand-worked corrections and the virtual control."""
 
 from __future__ import annotations
 
@@ -28,8 +28,8 @@ from compwright.records.correction import ControlFile
 
 @dataclass(frozen=True, slots=True)
 class CheckedDefinition:
-    """The definition in a file, None where it cannot be read, and every fault of it; ``judged``:
-    there is a virtual control for it.
+    """The definition in a file (None where it is unreadable), and all its faults. ``judged``: a
+    virtual control for it exists.
     """
 
     file: str
@@ -39,9 +39,10 @@ class CheckedDefinition:
 
 
 def checked_definitions(session: Session, paths: Sequence[Path]) -> Iterator[CheckedDefinition]:
-    """Yield the definitions in ``paths`` (files or folders; none: those that ship), each checked:
-    keys, corrections worked by hand by both readers, its sample. Raises InputError for what
-    cannot be read.
+    """Yield the definitions in ``paths``, each checked. Raises InputError for unreadable files.
+
+    Files or folders; none: those that ship; checked: keys, corrections worked by hand by both
+    readers, its sample.
     """
     ids: dict[str, str] = {}
     ships = set(dict(storage.definition_files(session)).values())
@@ -74,8 +75,8 @@ def _contents(session: Session, paths: Sequence[Path]) -> Iterator[tuple[str, by
 
 
 def _judge(definition: Definition) -> Iterator[Fault]:
-    """Yield a fault for every hand-worked correction on which the virtual control does not
-    agree.
+    """Yield a fault for every hand-worked correction that the virtual control does not
+    reproduce.
     """
     for index, expectation in enumerate(definition.expect):
         try:
@@ -111,8 +112,8 @@ def _judged(
 
 @dataclass(frozen=True, slots=True)
 class HandWorked:
-    """By how much a reader (``formats`` or ``controllers``) differs most from the ``count``
-    corrections of an expectation that were worked by hand, in ``unit``.
+    """The largest difference between a reader (``formats`` or ``controllers``) and ``count``
+    hand-worked corrections, in ``unit``.
     """
 
     format: str
@@ -124,8 +125,8 @@ class HandWorked:
 
 
 def hand_worked(checked: CheckedDefinition) -> Iterator[HandWorked]:
-    """Yield what both readers make of each table of a definition that was worked by hand. Raises
-    CompwrightError for files that cannot be read.
+    """Yield the results of both readers for each hand-worked table of a definition. Raises
+    CompwrightError for unreadable files.
     """
     definition = checked.definition
     if definition is None:

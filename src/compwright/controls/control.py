@@ -1,4 +1,4 @@
-"""A control as the commands meet it: its definition, its options, and its files read twice.
+"""A control as commands use it: its definition, its options, and its files read by two readers.
 
 Every set of files is read by ``formats`` (from the definition) and by ``controllers`` (the judge).
 Where the two do not agree nothing is done with the files.
@@ -58,8 +58,7 @@ def _shown(value: object) -> str:
 
 @dataclass(frozen=True, slots=True)
 class Origin:
-    """Where a control's name and options were given, for messages: file, place of the name, what
-    stands before an option.
+    """Where the name and the options of a control were given, for messages.
 
     ``folder``: what the path of a definition is relative to; ``carried``: the one in the plan.
     """
@@ -71,7 +70,7 @@ class Origin:
     carried: Texts = ()
 
     def named(self, error: UsageError) -> UsageError:
-        """Return the error with every fault of an option placed where the option was given."""
+        """Return the error with the place of each faulty option."""
         return UsageError(
             *(
                 replace(fault, place=f"{self.before_option}{fault.place}").in_file(self.file)
@@ -84,24 +83,20 @@ COMMAND_LINE = Origin()
 
 
 def origin_of(job: Job, folder: Path) -> Origin:
-    """Return where a job says which control it is for; ``folder``: what its paths are relative
-    to.
-    """
+    """Return where a job names its control. ``folder``: the folder of its relative paths."""
     if not job.file:
         return replace(COMMAND_LINE, folder=folder)
     return Origin(job.file, "controller.format", "controller.options.", folder)
 
 
 def plan_origin(plan: Plan, file: Path) -> Origin:
-    """Return where a plan says which control it is for."""
+    """Return where a plan names its control."""
     return Origin(str(file), "format", "options.", carried=plan.definition)
 
 
 @dataclass(frozen=True, slots=True)
 class Control:
-    """A control by its definition, with every option resolved; ``notes``: findings about the
-    definition.
-    """
+    """A control with its definition and all options. ``notes``: findings about the definition."""
 
     format: Family
     origin: Origin = COMMAND_LINE
@@ -109,27 +104,27 @@ class Control:
 
     @property
     def definition(self) -> Definition:
-        """What is known about the control's files."""
+        """The known facts about the control's files."""
         return self.format.definition
 
     @property
     def options(self) -> Mapping[str, object]:
-        """Every option, resolved."""
+        """Every option with its value."""
         return self.format.options
 
     @property
     def given(self) -> Mapping[str, object]:
-        """The options that somebody gave."""
+        """The options that the user gave."""
         return self.format.given
 
     @property
     def id(self) -> str:
-        """The format's name."""
+        """The name of the control's format."""
         return self.definition.id
 
     @property
     def findings(self) -> tuple[Finding, ...]:
-        """What has to be known of results for this control: whether they were judged."""
+        """Findings about results for this control, such as a missing second reader."""
         if self.definition.judged == "independent":
             return self.notes
         judged = Finding.of(
@@ -141,14 +136,13 @@ class Control:
         return (judged, *self.notes)
 
     def look_at(self, axis: Axis, table: AxisCompensation) -> Mapping[LoadingName, tuple[str, ...]]:
-        """Return, by verdict of loading, what to look at on the control where a ``table`` of an
-        axis does not do what was planned.
+        """Return what to check on the control, by verdict, where a ``table`` does not have its
+        planned effect.
         """
         return look_at(self.format, axis, table)
 
     def in_state(self, state: ControlState) -> Control:
-        """Return the control with the options that its own files answer (such as the machine's
-        unit) taken from them.
+        """Return the control with options that its own files answer, such as the machine's unit.
 
         Raises UsageError where an option that was given contradicts the files.
         """
@@ -158,7 +152,7 @@ class Control:
             raise self.origin.named(error) from error
 
     def assumed(self, *states: ControlState, axes: Sequence[Axis] = ()) -> tuple[Assumption, ...]:
-        """Return every option that was left at its default and that no file of ``states`` answers.
+        """Return every option that has its default value and that no file of ``states`` answers.
 
         ``axes``: those of a job; without one every axis of the states counts. An option that each
         of them answers, by the job or by its files, is not left at its default.
@@ -202,8 +196,8 @@ class Control:
 def open_control(
     session: Session, format_id: str, given: Mapping[str, object], origin: Origin = COMMAND_LINE
 ) -> Control:
-    """Return a control by its id, or by the path of a definition of one's own. Raises UsageError
-    for an unknown name or option (saying which exist), and with every fault of such a definition.
+    """Return a control by its id or by the path of a definition. Raises UsageError with every
+    fault.
     """
     try:
         definition, notes = _definition(session, format_id, origin)
@@ -224,7 +218,7 @@ def _definition(
     session: Session, name: str, origin: Origin
 ) -> tuple[Definition, tuple[Finding, ...]]:
     """Return the definition of a control, and findings about it. The copy in a plan takes
-    precedence over the file that it came from. Raises UsageError.
+    precedence. Raises UsageError.
     """
     if not origin.carried:
         found = definition_named(session, name, origin.folder)
@@ -264,8 +258,8 @@ def decode(
     carried_out: bool = False,
     drafting: bool = False,
 ) -> DecodedState:
-    """Read control files with both readers and compare the results; for a user's definition with
-    the one reader that there is.
+    """Read control files with both readers and compare the results. For a user's definition only
+    one reader exists.
 
     ``axes``: those of a job; ``address``: the one axis wanted. Either names the axis of a table
     that does not. ``written``: compwright has just written these files. ``active``: the job's
@@ -351,14 +345,16 @@ def decode(
 
 
 def _judged_at(definition: Definition, axis: Axis) -> Mapping[str, str]:
-    """Return the motion at which an axis is judged, where it makes a difference."""
+    """Return the motion (feed or rapid) for which an axis is judged, where it makes a
+    difference.
+    """
     differs = "backlash_rapid" in definition.bindings and axis.motion != "feed"
     return {"motion": axis.motion} if differs else {}
 
 
 def _check_meaning(control: Control, state: ControlState, axes: Sequence[Axis]) -> None:
-    """A control takes the values of an axis in one meaning: the option and an entry sheet of it
-    must not say two.
+    """Check that the option and the entry sheet of an axis agree whether values are errors or
+    corrections.
     """
     own = {axis.address: axis.options.get(TABLE_VALUES) for axis in axes}
     faults = []
@@ -390,8 +386,8 @@ def _check_meaning(control: Control, state: ControlState, axes: Sequence[Axis]) 
 
 
 def _systems(state: ControlState) -> dict[str, int]:
-    """Return the measuring system whose table was read, by address: the option or the files say it
-    where no job does.
+    """Return the measuring system of the table that was read, by address: from the job, else from
+    option or files.
     """
     return {
         address: facts.encoder_system

@@ -1,5 +1,6 @@
-"""Copies of a control's files without names. The contents show the control, and the readers of the
-original prove each copy.
+"""Copy a control's files without names. The readers of the original check each copy.
+
+The contents show the control.
 """
 
 from __future__ import annotations
@@ -48,7 +49,7 @@ _BARE_TABLE = ".comp"
 
 @dataclass(frozen=True, slots=True)
 class ControlCopy:
-    """The copy of one file, the control that it is of, and the new names in it by the old ones."""
+    """The copy of one file, its control, and the new names by the old ones."""
 
     content: bytes
     control: str
@@ -57,9 +58,7 @@ class ControlCopy:
 
 @dataclass(frozen=True, slots=True)
 class ControlCopies:
-    """Copies by the name of the file, what is wrong with the others, and which of them are of no
-    control that is known.
-    """
+    """The copies by file name, the faults of other files, and the files of unknown controls."""
 
     made: Mapping[str, ControlCopy]
     faults: tuple[Fault, ...]
@@ -69,8 +68,9 @@ class ControlCopies:
 def control_copies(
     session: Session, files: Sequence[ControlFile], cuts: Mapping[str, Cuts], format_id: str | None
 ) -> ControlCopies:
-    """Return the proven copies of the files of controls; each file has ``cuts`` of its own, by its
-    name. ``format_id``: the control, where somebody says it.
+    """Return the checked copies of control files. ``format_id``: the control, if it is known.
+
+    Each file has ``cuts`` of its own, by its name.
 
     Raises UsageError for a control that is not known.
     """
@@ -94,7 +94,7 @@ def control_copies(
 def _decoded_otherwise(
     session: Session, files: Sequence[ControlFile], copies: Mapping[str, ControlCopy]
 ) -> Iterator[str]:
-    """Yield the names of files whose copies, taken together, give another correction."""
+    """Yield the names of files whose copies, taken together, give a different correction."""
     shipped = _definitions(session)
     shapes = {
         name: shipped[copy.control].layout.shape
@@ -142,8 +142,8 @@ def _copy(file: ControlFile, likely: Sequence[Definition], cuts: Cuts) -> Contro
 
 
 def _as_read(file: ControlFile, likely: Sequence[Definition]) -> tuple[Definition, ReadText]:
-    """Return the first of the controls that reads a file without a fault, and what it says there.
-    Raises InputError with the faults of the first where none does.
+    """Return the first control that reads a file without a fault, and the contents. Raises
+    InputError with the first control's faults.
     """
     first: tuple[Fault, ...] = ()
     for definition in likely:
@@ -155,7 +155,7 @@ def _as_read(file: ControlFile, likely: Sequence[Definition]) -> tuple[Definitio
 
 
 def _read(file: ControlFile, definition: Definition) -> ReadText | tuple[Fault, ...]:
-    """Return what a file says, or what is wrong with it."""
+    """Return the contents of a file, or its faults."""
     faults: list[Fault] = []
     (text,) = texts_of(definition, [file], faults) or (file,)
     read = text_reader(definition).read(text, faults)
@@ -180,8 +180,10 @@ def _sheet(file: ControlFile, cuts: Cuts) -> ControlCopy:
 def _likely(
     session: Session, files: Sequence[ControlFile], format_id: str | None
 ) -> dict[str, list[Definition]]:
-    """Return for each file the controls that may have written it, by its beginning: first the one
-    with most statements in this file, then the one with most in the other files.
+    """Return for each file the controls that may have written it, the most probable first.
+
+    By its beginning: first the one with most statements in this file, then the one with most in the
+    other files.
 
     Statements without a word of their own are in files of many kinds: a file of nothing else is a
     control's by its ending, where ``format_id`` says so, or as a text out of a container.
@@ -214,12 +216,12 @@ def _likely(
 
 
 def _set_of(name: str) -> str:
-    """Return of which container a text is; empty for a file by itself."""
+    """Return the archive that contains a text. Empty for a file by itself."""
     return name.rpartition("/")[0]
 
 
 def _named_by_others(files: Sequence[ControlFile]) -> frozenset[str]:
-    """Return the names of files that the text of another one contains, as settings name tables."""
+    """Return the names of files that the text of another file contains, as settings name tables."""
 
     def names(other: ControlFile, file: ControlFile) -> bool:
         name = re.escape(file.name.lower().encode(errors="replace"))
@@ -234,7 +236,7 @@ def _named_by_others(files: Sequence[ControlFile]) -> frozenset[str]:
 
 
 def _bare(file: ControlFile, definition: Definition, named: frozenset[str]) -> bool:
-    """Whether a file is a control's without a word that tells of it."""
+    """Return whether a control's file contains no word that identifies the control."""
     if "/" in file.name or RULES[definition.layout.shape].kept.begins(file.content):
         return True
     if not (file.name.lower().endswith(_BARE_TABLE) or file.name in named):
@@ -244,7 +246,7 @@ def _bare(file: ControlFile, definition: Definition, named: frozenset[str]) -> b
 
 
 def _statements_at_start(file: ControlFile, definition: Definition) -> int:
-    """Return how many statements with a word of their own stand at the beginning of a file."""
+    """Return how many statements with a typical word are at the beginning of a file."""
     begins = file.content[:_LOOKED_AT]
     if len(begins) < len(file.content):
         begins = begins[: begins.rfind(b"\n") + 1]
@@ -255,7 +257,7 @@ def _statements_at_start(file: ControlFile, definition: Definition) -> int:
 
 
 def _definitions(session: Session) -> Mapping[str, Definition]:
-    """Return what ships, by its id."""
+    """Return the definitions that ship, by id."""
     return definitions_from(storage.definition_files(session))
 
 
@@ -267,9 +269,10 @@ def _same_decoding(
     new: Sequence[ControlFile],
     renamed: Mapping[str, str],
 ) -> bool:
-    """Whether both readers understand the copies of a control's files as the originals; True where
-    the originals alone do not make a state of a control. ``renamed``: new names of axes by the old
-    ones, in capitals.
+    """Return whether both readers decode the copies like the originals.
+
+    True where the originals alone do not make a state of a control. ``renamed``: new names of axes
+    by the old ones, in capitals.
     """
     for likely, options in _ways_to_read(shipped, control_id):
         try:
@@ -286,8 +289,8 @@ def _same_decoding(
 def _ways_to_read(
     shipped: Mapping[str, Definition], control_id: str
 ) -> Iterator[tuple[str, dict[str, object]]]:
-    """Yield controls whose tables have the shape of this one's, itself first, with their options:
-    the beginning of a file does not tell relatives apart.
+    """Yield controls with the same shape of tables, with their options. The given control comes
+    first.
     """
     shape = shipped[control_id].layout.shape
     relatives = [name for name, one in shipped.items() if one.layout.shape == shape]
@@ -297,7 +300,9 @@ def _ways_to_read(
 
 
 def _options(definition: Definition) -> Iterator[dict[str, object]]:
-    """Yield answers to what the files of a control leave open, until one lets them be read."""
+    """Yield possible answers to the open questions of a control's files, until one makes them
+    readable.
+    """
     rules = definition.options
     required: dict[str, object] = {
         name: _ANY_UNIT for name, rule in rules.items() if rule.asked is not None
@@ -339,8 +344,8 @@ def _decoded(
 
 
 def texts_in(file: ControlFile) -> tuple[ControlFile, ...]:
-    """Return the texts of a container that are the state of the control, each named by a path below
-    the name of the container; none for a file that is no container.
+    """Return the state texts in an archive, each with a path below the archive's name. None for
+    other files.
 
     A copy of the container itself cannot be made: its checksum is not understood. Raises InputError
     for one that cannot be opened.

@@ -38,8 +38,8 @@ def holds_archive(files: Sequence[ControlFile]) -> bool:
 
 
 def read_files(session: Session, paths: Sequence[Path]) -> tuple[ControlFile, ...]:
-    """Read control files; a folder stands for all files in it. Raises InputError with every file
-    that cannot be read.
+    """Read control files. A folder means all files in it. Raises InputError with every unreadable
+    file.
     """
     faults: list[Fault] = []
     files: list[ControlFile] = []
@@ -74,9 +74,10 @@ def read_files(session: Session, paths: Sequence[Path]) -> tuple[ControlFile, ..
 def files_for_job(
     session: Session, definition: Definition, files: Sequence[Path]
 ) -> tuple[list[Path], tuple[str, ...]]:
-    """Return the files that a job takes, and what it leaves of folders because nothing in it is
-    the control's, one line each. A folder of which all is taken stays a folder; a file that is
-    named is always taken. Raises InputError.
+    """Return the files that a job uses, and the omitted files of folders, one line each. Raises
+    InputError.
+
+    A folder of which all is taken stays a folder; a file that is named is always taken.
     """
     taken: list[Path] = []
     aside: list[Path] = []
@@ -94,8 +95,7 @@ def files_for_job(
 
 
 def control_entries(session: Session, path: Path) -> list[Path]:
-    """Return ``[path]`` for a file, and for a folder its files; of one without files those of the
-    only folder below it that has some.
+    """Return ``[path]`` for a file, and for a folder its files.
 
     Raises InputError for a folder of results, for several such folders, and for none.
     """
@@ -130,9 +130,7 @@ def _fault(path: Path, message: str, wanted: str) -> InputError:
 
 
 def _endless_number(file: ControlFile) -> Fault | None:
-    """Return the fault of a file with a number that no control holds and no computer reads in
-    reasonable time.
-    """
+    """Return the fault of a file with a number too long for any control."""
     place = file.content.translate(_DIGITS).find(b"0" * (MOST_DIGITS + 1))
     if place < 0:
         return None
@@ -150,7 +148,7 @@ def _endless_number(file: ControlFile) -> Fault | None:
 
 
 def _long_text(file: ControlFile) -> Fault | None:
-    """Return the fault of a text that is longer than any of a control; archives may be longer."""
+    """Return the fault of a text that is longer than any control's text. Archives may be longer."""
     if len(file.content) <= MOST_CONTROL_TEXT or is_container(file):
         return None
     return Fault(
@@ -163,7 +161,7 @@ def _long_text(file: ControlFile) -> Fault | None:
 
 
 def _long_together(files: Sequence[ControlFile]) -> Iterator[Fault]:
-    """Yield the fault of texts that are more than any control's together."""
+    """Yield the fault of texts that together are longer than those of any control."""
     sizes = [len(file.content) for file in files if not is_container(file)]
     if sum(sizes) > MOST_CONTROL_TEXTS:
         yield Fault(

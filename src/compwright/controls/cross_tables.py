@@ -1,4 +1,6 @@
-"""Tables between axes into the control's files and back, and what the card says about them."""
+"""Write tables between axes into the control's files, read them back, and return the card's text
+about them.
+"""
 
 from __future__ import annotations
 
@@ -27,8 +29,8 @@ READ_BACK_WITHIN = 2e-6
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CrossOutcome:
-    """The ``planned`` corrections and whether the control holds them, all ``files`` that it loads,
-    and the resulting state.
+    """The result for corrections between axes: whether the control can hold them, all ``files`` to
+    load, and the new state.
 
     ``after``: None if nothing was written: the corrections between axes are the old ones.
     ``totals``: the resulting corrections between the axes of ``planned``, read back by the judge,
@@ -53,7 +55,7 @@ def write_planned(
     axes: Mapping[str, Axis],
     tabled: Collection[str] = (),
 ) -> CrossOutcome:
-    """Write the tables between axes in addition to ``tables`` (those of the single axes), and read
+    """Write the tables between axes in addition to ``tables`` (those of single axes), and read
     everything back.
 
     ``control``: as it is in the state ``as_found``. ``tabled``: the axes (names of ``axes``) that
@@ -111,8 +113,10 @@ def write_planned(
 def _wrong(
     planned: Sequence[PlannedCross], before: DecodedState, after: DecodedState, quantum: float
 ) -> list[Fault]:
-    """Return a fault for every pair of axes that does not read back as before plus what was
-    planned, up to half a ``quantum``.
+    """Return a fault for every axis pair whose result differs from the old correction plus the
+    planned one.
+
+    Up to half a ``quantum``.
     """
     old, new = (
         {(entry.input, entry.output): [entry] for entry in judged_cross(decoded)}

@@ -1,5 +1,5 @@
-"""A set of control files as both readers understand it; apart from how it is read, so that a
-process which works on an axis need not load the readers.
+"""A set of control files as decoded by both readers. A second process can use it without loading
+the readers.
 
 A control of one's own has no judge: the values that its one reader found are used in its place.
 """
@@ -17,25 +17,25 @@ from compwright.records.correction import ControlFile, ControlState
 
 @dataclass(frozen=True, slots=True)
 class SingleReader:
-    """What a control does, by the reading of its definition alone; mm or deg."""
+    """The corrections of a control by the reader of the definition alone; mm or deg."""
 
     state: ControlState
 
     def addresses(self) -> tuple[str, ...]:
-        """Return the axes that the files speak of."""
+        """Return the axes in the files."""
         return tuple(self.state.axes)
 
     def correction(self, address: str, positions: FloatArray, direction: Direction) -> FloatArray:
-        """Return what is added to the command of an axis at ``positions``, arriving in
-        ``direction``.
-        """
+        """Return the correction of an axis at ``positions``, approached in ``direction``."""
         return self.state.axes[address].at(positions, direction)
 
     def cross_correction(
         self, base: str, corrected: str, positions: FloatArray, direction: Direction
     ) -> FloatArray:
-        """Return what is added to ``corrected`` with ``base`` at ``positions``, arriving in
-        ``direction``; several tables of one pair add up.
+        """Return the correction of ``corrected`` with ``base`` at ``positions``. Several tables of
+        one pair are added.
+
+        Arriving in ``direction``.
         """
         added = (
             entry.at(positions, direction)
@@ -51,8 +51,8 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class DecodedState:
-    """A set of control files as both readers understand it; without files (the state ``none``) no
-    compensation is active and there is no judge.
+    """A set of control files as decoded by both readers. Without files no compensation is active
+    and there is no judge.
     """
 
     files: tuple[ControlFile, ...]
@@ -63,8 +63,8 @@ class DecodedState:
 def judged_values(
     state: DecodedState, address: str, positions: FloatArray, direction: Direction
 ) -> FloatArray:
-    """Return the judge's correction at ``positions`` (mm or deg); zero for an axis that the files
-    do not hold.
+    """Return the second reader's correction at ``positions`` (mm or deg). Zero for an axis that is
+    not in the files.
     """
     if state.judge is None or not judge_knows_axis(state.judge, address):
         return np.zeros(np.shape(positions))
@@ -72,5 +72,5 @@ def judged_values(
 
 
 def judge_knows_axis(judge: VirtualControl | SingleReader, address: str) -> bool:
-    """Return whether the judge finds an axis in the files, which may spell it in another case."""
+    """Return whether the second reader finds an axis in the files, in upper or lower case."""
     return address.casefold() in {known.casefold() for known in judge.addresses()}

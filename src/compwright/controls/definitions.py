@@ -1,5 +1,5 @@
-"""Where the definition of a control comes from. From those that ship, by id; from a user's file, by
-path; or from a plan that contains one.
+"""Find the definition of a control: one that ships, by id; a user's file, by path; or the one in a
+plan.
 """
 
 from __future__ import annotations
@@ -33,8 +33,9 @@ def is_path(name: str) -> bool:
 
 
 def definition_named(session: Session, name: str, folder: Path) -> Definition:
-    """Return the definition of an id that ships, or of a file of the user's own that passes the
-    gate. ``folder``: what its path is relative to.
+    """Return a definition that ships, by id, or one in a user's file that passes its checks.
+
+    ``folder``: what its path is relative to.
 
     Raises UsageError for an unknown id (saying which exist) and with every fault of a file.
     """
@@ -49,7 +50,7 @@ def definition_named(session: Session, name: str, folder: Path) -> Definition:
 
 
 def own_definition(session: Session, path: Path) -> Definition:
-    """Return the definition in a file of the user's own, its keys checked.
+    """Return the definition in a user's file, with its keys checked.
 
     What it extends is in the same folder, or ships. Raises InputError with every fault, and for an
     id that ships: results and folders are named by it.
@@ -62,14 +63,14 @@ def own_definition(session: Session, path: Path) -> Definition:
 
 
 def shipped_definitions(session: Session) -> dict[str, Definition]:
-    """Return every definition that ships, by its id. Raises InputError for one that cannot be
-    read.
-    """
+    """Return every definition that ships, by id. Raises InputError for an unreadable one."""
     return definitions_from(storage.definition_files(session))
 
 
 def name_conflicts(session: Session, definition: Definition) -> tuple[Fault, ...]:
-    """Return the fault of a definition under the id of a control that ships, whatever its case."""
+    """Return the fault of a definition with the id of a control that ships, in upper or lower
+    case.
+    """
     stems = (Path(name).stem for name, _ in storage.definition_files(session))
     shipped = {stem.casefold(): stem for stem in stems}.get(definition.id.casefold())
     if shipped is None:
@@ -86,7 +87,7 @@ def name_conflicts(session: Session, definition: Definition) -> tuple[Fault, ...
 
 
 def carried_definition(session: Session, texts: Texts) -> Definition:
-    """Return the definition that a plan carries. Raises InputError with every fault."""
+    """Return the definition in a plan. Raises InputError with every fault."""
     raise_all(InputError, _gate(texts))
     definition = definition_of(texts, own=True)
     raise_all(InputError, name_conflicts(session, definition))
@@ -94,8 +95,8 @@ def carried_definition(session: Session, texts: Texts) -> Definition:
 
 
 def files_of_definition(texts: Texts) -> dict[str, bytes]:
-    """Return the files of a definition that a plan carries, with what it extends under the names
-    by which it looks for it; its own file first. What ships is left out.
+    """Return the files of a definition in a plan, its own file first. Definitions that ship are
+    left out.
 
     Raises InputError where one lies outside of the definition's folder.
     """
@@ -124,8 +125,8 @@ def files_of_definition(texts: Texts) -> dict[str, bytes]:
 
 
 def definitions_at(session: Session, path: Path) -> list[tuple[str, bytes, Find]]:
-    """Return the definitions in a file or folder: name, bytes, and where what they extend lies.
-    Raises InputError for what cannot be read, and for a base that was named alone.
+    """Return the definitions in a file or folder. Raises InputError for unreadable ones, and for a
+    base alone.
     """
     if is_base(path):
         raise InputError(
@@ -145,7 +146,7 @@ def definitions_at(session: Session, path: Path) -> list[tuple[str, bytes, Find]
 
 
 def is_base(path: Path) -> bool:
-    """Return whether a file is only extended by others, and no control by itself."""
+    """Return whether a file is only a base for other definitions and no control by itself."""
     return path.name.endswith(BASE_ENDING)
 
 
@@ -159,8 +160,8 @@ def _content(session: Session, path: Path) -> bytes:
 
 
 def _neighbour_files(session: Session, folder: Path) -> Find:
-    """Return what finds a definition that is extended: a YAML file seen from ``folder``, else what
-    ships.
+    """Return the function that finds an extended definition: a YAML file near ``folder``, else one
+    that ships.
     """
 
     def find(name: str) -> tuple[str, bytes] | None:
@@ -173,8 +174,8 @@ def _neighbour_files(session: Session, folder: Path) -> Find:
 
 
 def _shipped(session: Session, format_id: str) -> Definition:
-    """Return a definition that ships, reading only the file of that name where there is one
-    (reading all takes a while).
+    """Return a definition that ships. If a file has its name, only that file is read, because
+    reading all takes time.
     """
     files = dict(storage.definition_files(session))
     own = f"{format_id}.yaml"
@@ -211,12 +212,12 @@ def _shipped(session: Session, format_id: str) -> Definition:
 
 
 def _names(definition: Definition) -> set[str]:
-    """Return the names of a definition as `_plain` has them."""
+    """Return the names of a definition without marks and capitals, for comparison."""
     return {_plain(name) for name in (definition.id, *definition.aliases)}
 
 
 def _short(title: str) -> str:
-    """Return a title up to its first comma that is in no bracket."""
+    """Return a title up to its first comma outside brackets."""
     depth = 0
     for place, letter in enumerate(title):
         depth += (letter == "(") - (letter == ")")
@@ -226,5 +227,5 @@ def _short(title: str) -> str:
 
 
 def _plain(name: str) -> str:
-    """Return letters and digits of a name alone, in lower case."""
+    """Return only the letters and digits of a name, in lower case."""
     return "".join(letter for letter in name.casefold() if letter.isalnum())

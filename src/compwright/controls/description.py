@@ -1,4 +1,4 @@
-"""What is known about a control, as lines: its form, quantities, limits and options, each with its
+"""Describe a control as lines of text: its form, quantities, limits and options, each with its
 evidence.
 """
 
@@ -34,8 +34,8 @@ _SIGNS = {
 
 
 def listing(definitions: Iterable[Definition]) -> Iterator[str]:
-    """Yield controls by maker: id, title, the names that are understood, and how many facts are
-    known how well.
+    """Yield the controls by maker: id, title, accepted names, and how many facts have which
+    evidence.
     """
     makers: dict[str, list[Definition]] = {}
     for definition in definitions:
@@ -58,7 +58,7 @@ def listing(definitions: Iterable[Definition]) -> Iterator[str]:
 
 
 def description(definition: Definition) -> Iterator[str]:
-    """Yield what is known about a control: form, quantities, limits, options, each with its
+    """Yield the description of a control: form, quantities, limits, options, each with its
     evidence.
     """
     for heading, section in (

@@ -1,5 +1,7 @@
-"""Differences between two sets of a control's files: the corrections that come out, and every
-value, by the control's own names. One axis that cannot be read hides no other.
+"""Compare two sets of a control's files: their corrections, and every value by the control's own
+names.
+
+One axis that cannot be read hides no other.
 """
 
 from __future__ import annotations
@@ -21,8 +23,8 @@ from compwright.records.correction import AxisCompensation, ControlFile, Control
 
 @dataclass(frozen=True, slots=True)
 class AxisReadings:
-    """``state``: of all axes that could be read, None where none could; ``refused``: why another
-    one could not, by address.
+    """The state of all readable axes (None: no axis is). ``refused``: why another axis is
+    unreadable, by address.
     """
 
     state: ControlState | None
@@ -36,8 +38,10 @@ def read_axis_by_axis(
     among: Collection[str] | None = None,
     caught: type[InputError] | tuple[type[InputError], type[UsageError]] = InputError,
 ) -> AxisReadings:
-    """Return the state that ``read`` gives for one address of ``files`` after the other, ``among``
-    these if given; none if the control's axes may not be read alone.
+    """Return the state from ``files`` by reading one axis at a time. None if the control's axes
+    cannot be read alone.
+
+    ``among`` these if given.
 
     An axis on which nothing is active, by the others, is skipped. ``caught``: errors that leave an
     axis out.
@@ -59,7 +63,7 @@ def read_axis_by_axis(
 
 
 def _together(one: ControlState, other: ControlState) -> ControlState:
-    """Return what two readings of the same files say, each of its own axes."""
+    """Return two readings of the same files combined. Each contributes its own axes."""
     axes, facts = {**one.axes, **other.axes}, {**one.facts, **other.facts}
     return replace(one, axes=axes, facts=facts)
 
@@ -72,8 +76,10 @@ _MOST_FAULTS = 2
 
 @dataclass(frozen=True, slots=True)
 class ComparedSide:
-    """One set of files: all its values, and the resulting state (None: it cannot be read;
-    ``findings`` give the reason). ``unread``: the axes that could not be read, while others could.
+    """One set of files: all its values and its state.
+
+    None: it cannot be read; ``findings`` give the reason. ``unread``: the axes that could not be
+    read, while others could.
     """
 
     files: tuple[ControlFile, ...]
@@ -83,15 +89,13 @@ class ComparedSide:
     unread: frozenset[str] = frozenset()
 
     def knows(self, address: str) -> bool:
-        """Whether it is known what the control makes of an axis."""
+        """Return whether the correction of an axis is known."""
         return self.state is not None and address not in self.unread
 
 
 @dataclass(frozen=True, slots=True)
 class Placed:
-    """One entry that differs, the axes that it belongs to (addresses), and the position of a value
-    of a table.
-    """
+    """One differing entry, its axes (addresses), and the position of a table value."""
 
     change: FileValueChange
     axes: tuple[str, ...]
@@ -99,14 +103,17 @@ class Placed:
 
     @property
     def entry(self) -> FileValue:
-        """The entry as it is, or was."""
+        """The entry as it is now, or as it was."""
         return self.change.entry
 
 
 @dataclass(frozen=True, slots=True)
 class CorrectionChange:
-    """The largest change of the correction of an axis. ``at`` which position (of the axis that
-    moves), arriving in which ``direction``; what it ``was`` and is ``now``, mm or deg.
+    """The largest change of the correction of an axis: position, direction, old and new value, mm
+    or deg.
+
+    ``at`` which position (of the axis that moves), arriving in which ``direction``; what it ``was``
+    and is ``now``.
     """
 
     kind: AxisKind
@@ -117,14 +124,15 @@ class CorrectionChange:
 
     @property
     def most(self) -> float:
-        """By how much, with its sign: new minus old."""
+        """The change with its sign: new minus old."""
         return self.now - self.was
 
 
 @dataclass(frozen=True, slots=True)
 class Differences:
-    """``entries``: every value that differs, those that compensate first. ``corrections`` by
-    address, of axes whose correction changed; ``cross`` by moving and corrected axis; ``complete``:
+    """The differences between two sets of files: ``entries``, then ``corrections`` by address.
+
+    ``entries``: those that compensate first. ``cross`` by moving and corrected axis; ``complete``:
     both sides could be read completely, so the list is complete; ``uncompared``: the axes with
     different entries whose correction could not be compared.
     """
@@ -143,8 +151,10 @@ def compared_side(
     name: str,
     naming: Sequence[ControlFile] = (),
 ) -> ComparedSide:
-    """Return one set of files, read as far as it can be. ``name``: what it is called in findings;
-    ``naming``: the other set, which may say what the axes are called.
+    """Return one set of files, read as far as possible.
+
+    ``name``: what it is called in findings; ``naming``: the other set, which may say what the axes
+    are called.
 
     Raises InputError where the files enter nothing at all, or cannot be opened.
     """
@@ -163,7 +173,7 @@ def compared_side(
 def _in_part(
     control: Control, unread: ComparedSide, name: str, error: InputError | UsageError
 ) -> ComparedSide:
-    """Return a set of files of which the whole cannot be read, as far as single axes can be."""
+    """Return a set of files that is only partly readable, with the axes that can be read."""
     named = {entry.axis for entry in unread.entries.values() if entry.relevant}
     seen: list[Finding] = []
 
@@ -194,8 +204,9 @@ def _unread_finding(name: str, what: str, error: InputError | UsageError) -> Fin
 def _with_data(
     control: Control, files: Sequence[ControlFile], entries: FileValues
 ) -> tuple[tuple[ControlFile, ...], str]:
-    """Return the files that contain compensation, and the names of those without any entry: a
-    folder may contain notes too. A later file may repeat an entry.
+    """Return the files that contain compensation, and the names of those without any.
+
+    A folder may contain notes too. A later file may repeat an entry.
     """
     relevant = {entry.file for entry in entries.values() if entry.relevant}
     used = {entry.file for entry in entries.values()}
@@ -216,8 +227,8 @@ def _with_data(
 def _viewed(
     control: Control, files: Sequence[ControlFile], name: str, address: str | None = None
 ) -> tuple[ControlState, tuple[Finding, ...]]:
-    """Return what the files say, of one axis where that is asked for; by one reader alone where the
-    other refuses them.
+    """Return the contents of the files, for one axis if required. If one reader refuses them, the
+    other reader's result.
     """
     try:
         return decode(control, files, address=address).state, ()
@@ -239,7 +250,7 @@ def _nothing(control: Control, files: Sequence[ControlFile]) -> list[Fault]:
 
 
 def differences(control: Control, old: ComparedSide, new: ComparedSide) -> Differences:
-    """Return what differs between two sets of files."""
+    """Return the differences between two sets of files."""
     placed = [_placed(control, change, old, new) for change in changes(old.entries, new.entries)]
     placed.sort(key=lambda one: not one.entry.relevant)
     corrections: dict[str, CorrectionChange] = {}
@@ -271,7 +282,7 @@ def _placed(
 def _corrections(
     before: ComparedSide, after: ComparedSide, old: ControlState, new: ControlState
 ) -> dict[str, CorrectionChange]:
-    """Return what changed of axes of which both sides say something: missing is not zero."""
+    """Return the changes of axes that are in both sets, because missing is not zero."""
     stated = [
         {entry.axis for entry in side.entries.values() if entry.relevant} | set(state.axes)
         for side, state in ((before, old), (after, new))

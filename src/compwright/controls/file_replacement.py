@@ -1,5 +1,5 @@
-"""New files in place of the control's own, what the control loads of them, and the check that they
-change only what is intended.
+"""Put new files in place of the control's own, and check that they change only the intended
+values.
 """
 
 from __future__ import annotations
@@ -28,9 +28,7 @@ from compwright.verification.read_back import SAME
 def changed_neighbours(
     control: Control, old: Sequence[ControlFile], new: Sequence[ControlFile], axes: Sequence[Axis]
 ) -> list[Fault]:
-    """Return a fault for every entry of an axis outside ``axes`` (and their gantry partners) that
-    the new files change.
-    """
+    """Return a fault for every changed entry of an axis outside ``axes`` and their gantries."""
     addresses = [name for axis in axes for name in (axis.address, axis.gantry) if name is not None]
     mine = all_names(control.definition, old, addresses)
     return [
@@ -51,7 +49,7 @@ def with_new_tables(
     own: Sequence[ControlFile], tables: Sequence[ControlFile], tabled: Collection[str]
 ) -> tuple[ControlFile, ...]:
     """Return the control's own files with new ``tables`` in their place. Entry sheets that these
-    supersede are left out: of an axis (address) that got a table, or of which a new sheet speaks.
+    replace are left out.
     """
     new = {sheet.axis for file in tables if (sheet := _sheet(file)) is not None} | set(tabled)
     kept = [file for file in own if (sheet := _sheet(file)) is None or sheet.axis not in new]
@@ -65,8 +63,9 @@ def _sheet(file: ControlFile) -> EntrySheet | None:
 def contents_after_loading(
     before: Sequence[ControlFile], back: tuple[ControlFile, ...]
 ) -> tuple[ControlFile, ...]:
-    """Return what is in the control after loading. It is what was read ``back``; where an
-    archive was loaded and not read back, that of ``before`` with the new files over it.
+    """Return the contents of the control after loading: what was read ``back``.
+
+    Where an archive was loaded and not read back, that of ``before`` with the new files over it.
     """
     if holds_archive(before) and not holds_archive(back):
         return merged_files(before, back)
@@ -80,7 +79,7 @@ def loadable_files(
     axes: Sequence[Axis],
     image: DecodedState | None,
 ) -> Delivery:
-    """Return what the control loads of the ``files`` that were written for ``axes``.
+    """Return those of the ``files`` written for ``axes`` that the control loads.
 
     Raises UsageError for a form of files that these have not, and CompwrightError (a fault of our
     own) where small files do something else than the whole ``image``, which they stand for.

@@ -1,4 +1,4 @@
-"""Gantries: what the synchronised axis gets that has a table, grid or backlash of its own."""
+"""Gantries: the table for a slave axis that has its own table, grid or backlash."""
 
 from __future__ import annotations
 
@@ -44,8 +44,10 @@ _ANSWERS = (
 def partner_questions(
     job: Job, states: Mapping[str, DecodedState]
 ) -> tuple[list[Fault], list[Fault]]:
-    """Return questions about gantry partners with different compensation, and contradictions
-    between states. The job has to answer what such a partner gets.
+    """Return questions about gantry slaves with different compensation, and contradictions between
+    states.
+
+    The job has to answer what such a partner gets.
     """
     questions: list[Fault] = []
     faults: list[Fault] = []
@@ -95,8 +97,8 @@ def partner_questions(
 
 
 def differing(axis: Axis, state: ControlState) -> list[str]:
-    """Return in which words the partner axis of a gantry differs from the leading axis (table,
-    grid, backlash). Empty where the partner has no compensation.
+    """Return how the slave axis of a gantry differs from its master: table, grid, backlash. Empty
+    without compensation.
     """
     leading, partner = _both(axis, state)
     facts, own_facts = (state.facts_of(address) for address in (axis.address, str(axis.gantry)))
@@ -124,8 +126,8 @@ def differing(axis: Axis, state: ControlState) -> list[str]:
 def with_partners(
     control: Control, fitted: FittedAxes, as_found: DecodedState
 ) -> list[tuple[Axis, FittedTable]]:
-    """Return the tables with those of synchronised axes that get the same change as the leading
-    one, each on its own grid.
+    """Return the tables with those of gantry slaves, which get the same change as their master,
+    each on its own grid.
 
     Raises CapacityError where the control cannot hold one.
     """
@@ -144,8 +146,9 @@ def with_partners(
 
 
 def check_partners(axes: Sequence[tuple[Axis, FittedTable]], loaded: DecodedState) -> None:
-    """Raise CompwrightError (a fault of our own) where the judge reads another table for the
-    synchronised axis of a gantry than was written. ``axes``: as `with_partners` returns them.
+    """Raise CompwrightError if the second reader finds a wrong table on the slave axis of a gantry.
+
+    A fault of our own; ``axes``: as `with_partners` returns them.
     """
     tables = {axis.address: table.compensation for axis, table in axes}
     faults = []
@@ -181,8 +184,7 @@ def skew_findings(
     loaded: DecodedState | None,
     gains: Mapping[str, float],
 ) -> Iterator[Finding]:
-    """Yield by how much the tables of both gantry axes differ before and after loading. Also
-    where the same change moves them apart by more than rounding does.
+    """Yield the difference between the tables of both gantry axes before and after loading.
 
     ``gains``: by how much the parameter that judges tables falls, mm or deg, by name of the axis.
     """
@@ -223,9 +225,7 @@ def skew_findings(
 
 
 def _skew(axis: Axis, state: DecodedState, where: FloatArray) -> list[FloatArray]:
-    """Return by how much the synchronised axis is corrected more than the leading one, by
-    direction.
-    """
+    """Return the correction of the slave axis minus that of the master axis, by direction."""
     own, leading = (
         judged_correction(state, partner_of(axis, str(axis.gantry))),
         judged_correction(state, axis),
@@ -236,7 +236,7 @@ def _skew(axis: Axis, state: DecodedState, where: FloatArray) -> list[FloatArray
 def _skews_differ(
     axis: Axis, states: Mapping[str, DecodedState], measured_in: Sequence[str]
 ) -> bool:
-    """Whether the axes differ in the state of the first test, and otherwise than they do now."""
+    """Return whether the two axes differed in another way during the first test than now."""
     test = [states[name] for name in measured_in if name in states and name != AS_FOUND]
     if not test or AS_FOUND not in states:
         return False
@@ -254,12 +254,12 @@ def _both(axis: Axis, state: ControlState) -> tuple[AxisCompensation, AxisCompen
 
 
 def _grid(table: AxisCompensation, idle: Sequence[float]) -> FloatArray:
-    """Return the nodes of a table, also of one that does not act; one node is a constant."""
+    """Return the nodes of a table, active or not. One node is a constant."""
     return table.positions if table.positions.size > 1 else np.array(idle, dtype=np.float64)
 
 
 def _where(axis: Axis, *tables: AxisCompensation) -> FloatArray:
-    """Return positions over the travel and the nodes of tables."""
+    """Return positions over the travel and at the nodes of tables."""
     nodes = [other.positions for table in tables for other in (table, *table.others)]
     return np.unique(np.concatenate([np.linspace(*axis.travel, _DENSE), *nodes]))
 
@@ -267,9 +267,11 @@ def _where(axis: Axis, *tables: AxisCompensation) -> FloatArray:
 def _changed(
     control: Control, axis: Axis, partner: Axis, table: FittedTable, as_found: DecodedState
 ) -> FittedTable:
-    """Return the table of the synchronised axis: its own total with the change of the leading axis
-    over the travel. Node by node where that is good enough, else the one of two that moves the axes
-    apart the least: node by node, or fitted. Raises CapacityError.
+    """Return the table of the slave axis: its own total plus the change of the master axis. Raises
+    CapacityError.
+
+    Over the travel. Node by node where that is good enough, else the one of two that moves the axes
+    apart the least: node by node, or fitted.
     """
     old, own = _both(axis, as_found.state)
     new, capacity = table.compensation, control.format.capacity(partner)
@@ -329,8 +331,10 @@ def _by_node(
     capacity: Capacity,
     idle: Sequence[float],
 ) -> AxisCompensation | None:
-    """Return the synchronised axis' ``own`` table with the change of the leading axis, from ``old``
-    to ``new``, added at its nodes; None where one curve cannot hold it.
+    """Return the slave axis' ``own`` table with the change of the master axis added at its nodes.
+    None where one curve cannot hold it.
+
+    From ``old`` to ``new``.
 
     Steps count as the lines between their nodes: a step at another place would move the axes apart
     by the whole step. Beyond the nodes around the travel the change stays what it is there.
@@ -368,8 +372,8 @@ def _by_node(
 
 
 def _rounded(table: AxisCompensation, capacity: Capacity) -> AxisCompensation | None:
-    """Return a table whose curves are totals, as the control holds them: one curve and a backlash
-    where both directions agree so, else two curves; None where it has neither.
+    """Return a table of total curves in the form of the control: one curve and a backlash, or two
+    curves. None where neither fits.
     """
     quantum, step = capacity.quantum, capacity.backlash_quantum
     lost = 0.0 if step is None else round(table.backlash / step) * step

@@ -1,4 +1,4 @@
-"""Values that a job leaves to its control: names of axes, and answers in the control's own
+"""Complete a job with facts from its control: names of axes, and answers in the control's own
 files.
 """
 
@@ -34,8 +34,7 @@ _LETTERS = "XYZABCUVW"
 def named_axes(
     job: Job, control: Control, by_name: Callable[[], Mapping[str, tuple[str, str]]]
 ) -> tuple[Job, tuple[Assumption, ...]]:
-    """Return the job with control and axes named as the control names them, and what had to be
-    assumed for that.
+    """Return the job with the control's names of the axes, and the assumptions for that.
 
     ``by_name``: the addresses that the control's own files give to names of axes, and what says so;
     asked only where a job's address is none that the control can have. Raises UsageError for such
@@ -99,7 +98,7 @@ def _address(
 
 
 def _number_question(control: Control, axis: Axis, by_name: Mapping[str, tuple[str, str]]) -> Fault:
-    """Return the question for the number of an axis whose letter alone does not say it."""
+    """Return the question for the number of an axis whose letter does not determine it."""
     names = ", ".join(f"{letter}: {number}" for letter, (number, _) in by_name.items())
     quantity = name_of(control.definition, "axis_letters")
     return Fault(
@@ -114,8 +113,8 @@ def _number_question(control: Control, axis: Axis, by_name: Mapping[str, tuple[s
 
 
 def completed_by_files(job: Job, states: Mapping[str, DecodedState], as_found: str) -> Job:
-    """Return the job with what it leaves to the control's own files: detection units, what tables
-    mean, measuring systems.
+    """Return the job completed from the control's own files: detection units, meaning of table
+    values, measuring systems.
 
     ``states``: all that were read; ``as_found``: the name of the one that is in the control now.
     """
@@ -131,8 +130,8 @@ def completed_by_files(job: Job, states: Mapping[str, DecodedState], as_found: s
 
 
 def completed_axis(axis: Axis, states: Sequence[ControlState], given: Mapping[str, object]) -> Axis:
-    """Return an axis with the options from the control's own files that are not given. ``given``:
-    the controller's options.
+    """Return an axis with the missing options from the control's own files. ``given``: the
+    controller's options.
     """
     options = dict(axis.options)
     for name in (DETECTION_UNIT, TABLE_VALUES):
@@ -147,8 +146,8 @@ def completed_axis(axis: Axis, states: Sequence[ControlState], given: Mapping[st
 
 
 def _with_zero_of_homing(job: Job, as_found: DecodedState) -> Job:
-    """Return the job with the references at which the control's homing counts the correction as
-    zero, where the job gives none. Raises UsageError where the job gives another one.
+    """Return the job with the references that the control's homing defines. Raises UsageError if
+    the job contradicts them.
     """
     axes, faults = {}, []
     for name, entry in job.axes.items():
@@ -176,9 +175,10 @@ def _with_zero_of_homing(job: Job, as_found: DecodedState) -> Job:
 def with_counted_turns(
     job: Job, control: Control, tests: Mapping[str, Sequence[PlannedTest]]
 ) -> tuple[Job, tuple[Assumption, ...]]:
-    """Return the job with rotary axes over several turns that were measured over less than half of
-    their travel as axes whose error repeats every turn, where the control's table takes that turn
-    again and again; and what is assumed by that.
+    """Return the job with rotary axes over several turns treated as endless, with this assumption.
+
+    Measured over less than half of their travel, where the control's table takes that turn again
+    and again.
     """
     axes, assumed = dict(job.axes), []
     for name, entry in job.axes.items():
@@ -203,8 +203,9 @@ def with_counted_turns(
 
 
 def unknown_zeros(job: Job, control: Control, state: ControlState | None) -> Iterator[Fault]:
-    """Yield the axes of fixed positions whose zero of the correction is unknown. Only the
-    control's homing sets it, and neither files nor job state it.
+    """Yield the axes of fixed positions whose zero of the correction is unknown.
+
+    Only the control's homing sets it, and neither files nor job state it.
     """
     if "home_offset" not in control.definition.bindings:
         return
@@ -253,8 +254,8 @@ def _other_zero(job: Job, name: str, key: str, axis: Axis, place: float, home: D
 
 
 def _with_systems_in_use(job: Job, state: ControlState) -> Job:
-    """Return the job with the measuring system that the control's files show to be in use, where
-    the job names none.
+    """Return the job with the measuring systems from the control's files, where the job names
+    none.
     """
     axes = {}
     for name, entry in job.axes.items():
@@ -272,9 +273,7 @@ def _with_systems_in_use(job: Job, state: ControlState) -> Job:
 
 
 def other_joints(axis: Axis, facts: AxisFacts, state: str) -> Iterator[Fault]:
-    """Yield where the files of a state name the joint of an axis by another letter, or drive the
-    axis by a second joint.
-    """
+    """Yield a finding where the files of a state drive an axis by another or a second joint."""
     letters, letter = facts.letters, facts.name
     if not letters:
         return
@@ -308,8 +307,8 @@ def other_joints(axis: Axis, facts: AxisFacts, state: str) -> Iterator[Fault]:
 
 
 def length_unit(definition: Definition) -> tuple[OptionRule, str] | None:
-    """Return the option that states the machine's unit of length, and the file that would state
-    it. None where the definition itself states the unit.
+    """Return the option with the machine's unit of length, and the file that would state it. None
+    where the definition states it.
     """
     rules = definition.options.values()
     rule = next((rule for rule in rules if rule.settled_by == "length_unit"), None)
@@ -322,8 +321,9 @@ def length_unit(definition: Definition) -> tuple[OptionRule, str] | None:
 
 
 def keys_with_effect(definition: Definition) -> dict[str, bool]:
-    """Return, as `idle_keys` takes it, what the control's files count: measuring systems, axes
-    otherwise than by address, backlash at rapid traverse by itself.
+    """Return the job keys that have an effect because of the control's files, for `idle_keys`.
+
+    Measuring systems, axes otherwise than by address, backlash at rapid traverse by itself.
     """
     return {
         "systems": "system" in definition.fields,

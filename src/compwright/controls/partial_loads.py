@@ -1,5 +1,5 @@
-"""Sets of tables of which only some files were loaded. What that does to an axis, for the card; and
-how it shows in the files read back, for `compare`.
+"""The effect of loading only some files of a set: harm to an axis, and how it is recognised after
+reading back.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ _MOST_FILES = 6
 
 @dataclass(frozen=True, slots=True)
 class PartialLoad:
-    """The names of files that were loaded and of those that were not."""
+    """The names of the files that were loaded, and of those that were not."""
 
     loaded: tuple[str, ...]
     missing: tuple[str, ...]
@@ -40,8 +40,9 @@ def harmful_parts(
     tables: Sequence[ControlFile],
     works: Mapping[str, AxisWork],
 ) -> tuple[str, ...]:
-    """Return, in words, each part of the ``tables`` that makes an axis worse if it is loaded
-    alone. ``own``: the control's files before.
+    """Return, as text, each part of the ``tables`` that makes an axis worse if it is loaded alone.
+
+    ``own``: the control's files before.
     """
     old = {file.name: file.content for file in own}
     changed = [file for file in tables if old.get(file.name) != file.content]
@@ -69,7 +70,7 @@ def harmful_parts(
 
 
 def _worse(work: AxisWork, new: Correction) -> str:
-    """Return by how much ``new`` makes the first test of an axis worse; empty: it does not."""
+    """Return by how much ``new`` makes the first test of an axis worse. Empty: it does not."""
     first, axis = work.results[0], work.planned.axis
     name = judged_parameter(first)
     if name is None:
@@ -95,9 +96,11 @@ def _worse(work: AxisWork, new: Correction) -> str:
 
 
 def partial_load(before: FileValues, planned: FileValues, back: FileValues) -> PartialLoad | None:
-    """Return which files of a plan were loaded and which were not, where each was as a whole: by
-    what the control's files held ``before``, what is ``planned`` and what was read ``back``. None:
-    all were, none was, or something else is wrong.
+    """Return which files of a plan were loaded, if each was loaded completely or not at all. None
+    otherwise.
+
+    By what the control's files held ``before``, what is ``planned`` and what was read ``back``.
+    None: all were, none was, or something else is wrong.
     """
     new_in: dict[str, None] = {}
     old_in: dict[str, None] = {}

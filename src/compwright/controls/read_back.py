@@ -1,5 +1,6 @@
-"""Comparison of everything read back from a control with the expected contents: the state that was
-patched, with the plan's files in their place.
+"""Compare everything read back from a control with the expected contents.
+
+The state that was patched, with the plan's files in their place.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ from compwright.foundations.units import outside_factor, outside_unit
 
 @dataclass(frozen=True, slots=True)
 class ReadBackDifferences:
-    """``own``: values that differ, by the name of an axis of the plan; ``others``: all else."""
+    """The differing values. ``own``: by the name of an axis of the plan; ``others``: all others."""
 
     own: Mapping[str, tuple[Difference, ...]]
     others: Others
@@ -34,7 +35,9 @@ class ReadBackDifferences:
 
 
 def not_read_back(plan_file: Path, loaded: Sequence[Path]) -> Iterator[Finding]:
-    """Yield what lies where `run` wrote the tables of this plan: it says nothing of the control."""
+    """Yield a note on files in the folder of `run`'s own tables, because they prove nothing about
+    the control.
+    """
     own = storage.resolved(plan_file.parent / "tables")
     for path in loaded:
         if own in (there := storage.resolved(path), *there.parents):
@@ -44,8 +47,8 @@ def not_read_back(plan_file: Path, loaded: Sequence[Path]) -> Iterator[Finding]:
 def read_back_differences(
     control: Control, expected: ComparedSide, found: ComparedSide, names: Mapping[str, str]
 ) -> ReadBackDifferences:
-    """Compare what was read back with the expected contents. ``names``: the axes of the plan by
-    address, gantry partners too.
+    """Return the differences between the contents read back and the expected ones. ``names``: axis
+    names by address.
 
     Files that were not read back are ignored; so is a value that was in no file before, unless its
     file was.
@@ -70,7 +73,9 @@ def read_back_differences(
 
 
 def _compared(placed: Placed, known: set[str]) -> bool:
-    """Whether a difference is one: both sides say it, or it is new in a file that was there."""
+    """Return whether a difference counts: both sides state the value, or it is new in an existing
+    file.
+    """
     change = placed.change
     if change.new is None:
         return False
@@ -88,8 +93,8 @@ def _difference(placed: Placed, axis: str) -> Difference:
 def _corrections(
     whole: Differences, compensating: list[Placed], names: Mapping[str, str]
 ) -> Iterator[Difference]:
-    """Yield by how much the corrections of neighbours changed, and those between axes, as far as
-    entries that were compared explain it.
+    """Yield changes of the corrections of other axes and between axes that the compared entries
+    explain.
     """
     touched = [set(one.axes) for one in compensating]
     for address, change in whole.corrections.items():

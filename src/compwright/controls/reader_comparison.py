@@ -1,4 +1,4 @@
-"""Where the two readers of a control's files do not agree."""
+"""Find where the two readers of a control's files disagree."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ LEFT_OUT = frozenset({"CW-S011", "CW-S050", "CW-S051"})
 
 
 def disagreements(state: ControlState, judge: VirtualControl) -> list[Fault]:
-    """Return where the judge reads other tables than ``state`` holds."""
+    """Return where the second reader reads a different table than ``state`` contains."""
     faults = []
     unseen = sorted(
         address for address in state.axes if not judge_knows_axis(judge, address)
@@ -67,8 +67,10 @@ def disagreements(state: ControlState, judge: VirtualControl) -> list[Fault]:
 def _apart(
     mine: Correction, theirs: Correction, where: FloatArray, table: tuple[str, str, str]
 ) -> Iterator[Fault]:
-    """Yield the direction of arrival in which two readings of one table differ at ``where`` (n,),
-    with the worst place. ``table``: its name, the message, the unit.
+    """Yield each direction in which two readings of a table differ at ``where`` (n,), with the
+    worst place.
+
+    ``table``: its name, the message, the unit.
     """
     name, words, unit = table
     for direction in Direction:
@@ -88,7 +90,7 @@ def _apart(
 
 
 def _cross_disagreements(state: ControlState, judge: VirtualControl) -> list[Fault]:
-    """Compare the tables between axes of both readers; several of one pair add up."""
+    """Compare the tables between axes of both readers. Several tables of one pair are added."""
     between = "the readers of compwright do not agree on a table between axes"
     mine: dict[tuple[str, str], list[CrossCompensation]] = {}
     for entry in state.cross:
@@ -138,7 +140,7 @@ def _total(
 
 
 def probe_positions(nodes: FloatArray) -> FloatArray:
-    """Return positions that show a whole table: its nodes, between them, and outside on both
+    """Return positions that test a whole table: its nodes, between them, and outside on both
     sides.
     """
     if nodes.size == 0:
@@ -152,8 +154,7 @@ def probe_positions(nodes: FloatArray) -> FloatArray:
 
 
 def table_positions(nodes: FloatArray, travel: tuple[float, float]) -> FloatArray:
-    """Return positions at which a table of a plan defines the correction: those of
-    `probe_positions` over its nodes and the travel.
+    """Return positions at which a table of a plan defines the correction.
 
     Beyond both a plan's table only holds its ends, whatever the control does there (it may repeat).
     """

@@ -1,1 +1,1 @@
-"""JSON in and out: the one place where units change for the outside."""
+"""JSON in and out. Only here units are converted to those of the JSON."""

@@ -1,4 +1,4 @@
-"""The entry of a circular test in the answer of ``evaluate`` (``compwright/evaluation/1``):
+"""The entry of a circular test in the JSON of ``evaluate`` (``compwright/evaluation/1``):
 deviations in µm.
 """
 
@@ -86,9 +86,10 @@ def machine_document(
     contradictions: Sequence[tuple[str, Sequence[tuple[str, str, float, float]]]],
     findings: Iterable[Finding],
 ) -> dict[str, Any]:
-    """Return what several circles show of one machine: ``values`` with standard error by cause and
-    axis or plane; ``contradictions``: of a cause the circles with their axes, value and error;
-    ``stated``: ``machine`` and ``serial`` of their files.
+    """Return the common result of several circles of one machine.
+
+    ``values`` with standard error by cause and axis or plane; ``contradictions``: of a cause the
+    circles with their axes, value and error; ``stated``: ``machine`` and ``serial`` of their files.
     """
     return {
         **stated,
@@ -125,14 +126,14 @@ def machine_document(
 
 
 def _number(value: float, factor: float = 1.0) -> float | None:
-    """Return a number that JSON can hold; None for one that is not finite."""
+    """Return a number for JSON. None for one that is not finite."""
     return (
         round(float(value) * factor, _DIGITS) + 0.0 if np.isfinite(value) else None
     )  # no minus zero
 
 
 def _micrometres(value: float | None) -> float | None:
-    """Return a length of mm in µm."""
+    """Return a length in mm converted to µm."""
     return None if value is None else _number(value, MICROMETRES_PER_MILLIMETRE)
 
 
@@ -183,8 +184,9 @@ def _diagnosis(diagnosis: Diagnosis | None) -> dict[str, Any]:
 
 
 def _effect(effect: CircularEffect, *, given: bool) -> dict[str, Any]:
-    """Return one cause, in its own unit; ``low`` only where the value cannot be negative, and what
-    else belongs to it. A cause that is not ``given`` keeps its standard error alone.
+    """Return one cause in its own unit. ``low`` only where the value cannot be negative.
+
+    And what else belongs to it. A cause that is not ``given`` keeps its standard error alone.
     """
     entry = {
         "value": _number(effect.value) if given else None,
@@ -201,8 +203,9 @@ def _effect(effect: CircularEffect, *, given: bool) -> dict[str, Any]:
 
 
 def _plain(value: object) -> Any:
-    """Return what the instrument printed as JSON values: numbers stay as they are, what JSON cannot
-    hold becomes text or null.
+    """Return the results printed by the instrument as JSON values.
+
+    Numbers stay as they are, what JSON cannot hold becomes text or null.
     """
     if isinstance(value, Mapping):
         return {str(key): _plain(entry) for key, entry in value.items()}
@@ -223,7 +226,7 @@ def _run(run: CircularRun) -> dict[str, Any]:
 
 
 def _numbers(values: FloatArray) -> list[float | None]:
-    """Return `_number` of each."""
+    """Return `_number` of each value."""
     if not np.all(np.isfinite(values)):
         return [_number(value) for value in values.tolist()]
     return [round(value, _DIGITS) + 0.0 for value in values.tolist()]

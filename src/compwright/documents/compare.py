@@ -22,8 +22,9 @@ SCHEMA = "compwright/compare/1"
 
 @dataclass(frozen=True, slots=True)
 class Difference:
-    """One quantity that differs: ``axis`` of the plan, the address of another one, or empty. Text
-    as the control writes it, or numbers in ``unit`` (um, arcsec); None: not there.
+    """One differing quantity, as text of the control or as numbers in ``unit`` (um, arcsec).
+
+    ``axis`` of the plan, the address of another one, or empty; None: not there.
     """
 
     axis: str
@@ -69,7 +70,9 @@ def compare_document(
     assumed: Sequence[Assumption],
     findings: Sequence[Finding],
 ) -> dict[str, Any]:
-    """Return the document: one entry per differing quantity, ``verdict`` same or different."""
+    """Return the document: one entry per differing quantity, and the ``verdict`` same or
+    different.
+    """
     own = (difference for axis in axes.values() for difference in axis.differences)
     differences = [*own, *others.differences]
     unreadable = any(isinstance(axis.read_back, str) for axis in axes.values())

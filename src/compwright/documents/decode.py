@@ -1,4 +1,4 @@
-"""The answer of ``decode`` (``compwright/decode/1``)."""
+"""The JSON of ``decode`` (``compwright/decode/1``)."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ SCHEMA = "compwright/decode/1"
 
 @dataclass(frozen=True, slots=True)
 class DecodedAxis:
-    """What a control does on one axis: corrections (k,) by approach direction at ``positions``
-    (k,), mm or deg. ``kind`` None: unknown.
+    """The corrections of one axis (k,) by approach direction at ``positions`` (k,), mm or deg.
+    ``kind`` None: unknown.
     """
 
     kind: AxisKind | None
@@ -35,9 +35,10 @@ def decode_document(
     cross: Iterable[CrossCompensation] = (),
     unknown: Container[str] = (),
 ) -> dict[str, Any]:
-    """Return what the control does, by address; positions keep their order. ``cross``: what one
-    axis' position adds to another. ``unknown``: addresses of axes of unknown kind; their
-    corrections are thousandths of the unit of their positions, and ``unit`` is null.
+    """Return the corrections of a control by address. Positions keep their order.
+
+    ``cross``: what one axis' position adds to another. ``unknown``: addresses of axes of unknown
+    kind; their corrections are thousandths of the unit of their positions, and ``unit`` is null.
     """
     return {
         "schema": SCHEMA,
@@ -49,7 +50,7 @@ def decode_document(
 
 
 def assumed_documents(assumed: Iterable[Assumption]) -> list[dict[str, str]]:
-    """Return assumptions, each fact once, in their order."""
+    """Return the assumptions in their order, each fact once."""
     unique = {(entry.fact, entry.value): entry for entry in reversed(list(assumed))}
     return [
         {"fact": entry.fact, "value": entry.value, "evidence": entry.evidence}

@@ -1,4 +1,4 @@
-"""The answer of ``diff``: what differs between two backups of one machine."""
+"""The JSON of ``diff``: the differences between two backups of one machine."""
 
 from __future__ import annotations
 
@@ -18,9 +18,11 @@ MOST_EXAMPLES = 5
 
 @dataclass(frozen=True, slots=True)
 class EntryDifference:
-    """One value that differs, as the control writes it. ``quantity``: its name up to the value;
-    ``group``: what many such are counted by; ``addresses``: the axes that it belongs to; ``old``,
-    ``new`` None: not there; ``at``: the position of a value of a table.
+    """One differing value, as the control writes it.
+
+    ``quantity``: its name up to the value; ``group``: what many such are counted by; ``addresses``:
+    the axes that it belongs to; ``old``, ``new`` None: not there; ``at``: the position of a value
+    of a table.
     """
 
     quantity: str
@@ -35,7 +37,7 @@ class EntryDifference:
 
 @dataclass(frozen=True, slots=True)
 class Changed:
-    """By how much a correction changed at most, mm or deg, and where."""
+    """The largest change of a correction, mm or deg, and its place."""
 
     kind: AxisKind
     most: float
@@ -112,8 +114,8 @@ def _entry(entry: EntryDifference, address: str | None) -> dict[str, Any]:
 
 
 def others_document(entries: Iterable[EntryDifference]) -> list[dict[str, Any]]:
-    """Return the differences of values that are not known to compensate, counted by parameter;
-    those on both sides first.
+    """Return the differences of other values, counted by parameter. Those in both backups come
+    first.
     """
     groups: dict[str, list[EntryDifference]] = {}
     for entry in entries:

@@ -1,5 +1,5 @@
-"""The answer of ``evaluate`` (``compwright/evaluation/1``): deviations in µm or arcsec, positions
-in mm or deg.
+"""The JSON of ``evaluate`` (``compwright/evaluation/1``): deviations in µm or arcsec, positions in
+mm or deg.
 """
 
 from __future__ import annotations
@@ -29,9 +29,7 @@ COVERAGE: Final = 2.0
 def evaluation_document(
     results: Iterable[PositioningResult], errors: Iterable[Fault] = ()
 ) -> dict[str, Any]:
-    """Return evaluations and the faults of what could not be evaluated as the contract's JSON
-    document.
-    """
+    """Return evaluations, and the faults of files without evaluation, as the JSON document."""
     return {
         "schema": SCHEMA,
         "results": [result_document(result) for result in results],
@@ -95,14 +93,16 @@ _AT_LENGTH = frozenset(
 
 
 def in_short(entry: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the entry of a test, of either kind, without what its size grows with: parameters,
-    causes, facts and findings stay. Of a thousand tests in one answer that is not JSON.
+    """Return the short entry of a test: parameters, causes, facts and findings, without targets and
+    readings.
+
+    Without what its size grows with. Of a thousand tests in one answer that is not JSON.
     """
     return {key: value for key, value in entry.items() if key not in _AT_LENGTH}
 
 
 def _outside(value: float | None, factor: float) -> float | None:
-    """Return a deviation in the unit outside; None for one that does not exist."""
+    """Return a deviation in the unit of the JSON. None for a missing one."""
     if value is None or not np.isfinite(value):
         return None
     return round(float(value) * factor, _DIGITS) + 0.0  # no minus zero
@@ -133,8 +133,8 @@ def _extreme(extreme: Extreme, factor: float) -> dict[str, Any]:
 
 
 def _budget(result: PositioningResult) -> dict[str, Any] | None:
-    """Return the contributors, their standard uncertainties (µm or arcsec), and the sum over the
-    measured length of what one reading at its far end has.
+    """Return the contributors, their standard uncertainties (µm or arcsec), and their sum at the
+    far end of the measured length.
     """
     if not result.budget:
         return None
@@ -184,8 +184,8 @@ def _targets(result: PositioningResult, factor: float) -> list[dict[str, Any]]:
 
 
 def _expansion(test: PositioningTest, i: int, factor: float) -> dict[str, Any]:
-    """Return by how much the readings at a target were more before they were reduced: one value for
-    all, or one for each.
+    """Return how much expansion was subtracted from the readings: one value for all targets, or one
+    for each.
     """
     if test.removed is not None:
         return {

@@ -1,4 +1,4 @@
-"""Summary of many tests: by axis their number and size, and the count of each finding."""
+"""Summarise many tests: number and size by axis, and the count of each finding."""
 
 from __future__ import annotations
 
@@ -94,5 +94,5 @@ def _findings(results: Iterable[Mapping[str, Any]]) -> list[dict[str, Any]]:
 
 
 def first_file(result: Mapping[str, Any]) -> str:
-    """Return the file of a test, its name where none is known."""
+    """Return the file of a test. Its name where no file is known."""
     return str(result["sources"][0]["file"] if result["sources"] else result["name"])

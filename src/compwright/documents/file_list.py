@@ -1,5 +1,6 @@
-"""The list of what commands wrote into a folder that has no record: ``.compwright-files.json``
-(``compwright/files/1``), each file with its SHA-256, its size and the command.
+"""The list of files that commands wrote into a folder without a record: ``.compwright-files.json``.
+
+``compwright/files/1``, each file with its SHA-256, its size and the command.
 
 It is hidden, so that the folder can be handed on as it is, and carries no dates: same input, same
 bytes.
@@ -22,7 +23,7 @@ LIST: Final = ".compwright-files.json"
 
 @dataclass(frozen=True, slots=True)
 class ListedFile:
-    """A file that a command wrote; ``by``: its name. ``size`` in bytes."""
+    """A file written by a command. ``by``: the command; ``size`` in bytes."""
 
     sha256: str
     size: int
@@ -30,7 +31,7 @@ class ListedFile:
 
 
 def listed_now(files: Mapping[str, bytes], command: str) -> dict[str, ListedFile]:
-    """Return the entries of files that ``command`` writes, by relative name."""
+    """Return the list entries of the files that ``command`` writes, by relative name."""
     return {
         encoded(name).decode(): ListedFile(fingerprint(content), len(content), command)
         for name, content in files.items()
@@ -38,7 +39,7 @@ def listed_now(files: Mapping[str, bytes], command: str) -> dict[str, ListedFile
 
 
 def list_text(entries: Mapping[str, ListedFile]) -> bytes:
-    """Return the list as the bytes of its file."""
+    """Return the list of files as the bytes of its file."""
     listed = [
         {"file": name, "sha256": entry.sha256, "size": entry.size, "by": entry.by}
         for name, entry in sorted(entries.items())
@@ -47,7 +48,7 @@ def list_text(entries: Mapping[str, ListedFile]) -> bytes:
 
 
 def listed_before(content: bytes) -> dict[str, ListedFile]:
-    """Return the entries of an earlier list, empty where ``content`` is none."""
+    """Return the entries of an earlier list. Empty where ``content`` is not such a list."""
     try:
         listed = read_json(content, LIST, SCHEMA, "list of files", "the list that a command left")
         return {

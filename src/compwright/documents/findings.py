@@ -1,4 +1,4 @@
-"""Findings as every document holds them, and as a plan hands them on."""
+"""Findings as JSON, in documents and in plans."""
 
 from __future__ import annotations
 
@@ -11,9 +11,7 @@ from compwright.words.sentences import Amount, Sentence, say
 
 
 def finding_documents(findings: Iterable[Finding]) -> list[dict[str, Any]]:
-    """Return each finding once, with its sentence in English and the values in it: numbers, texts,
-    lists, and objects of value and unit.
-    """
+    """Return each finding once, with its English sentence and its values."""
     return [
         {
             "code": finding.code,
@@ -26,13 +24,13 @@ def finding_documents(findings: Iterable[Finding]) -> list[dict[str, Any]]:
 
 
 def planned_finding(finding: Finding) -> dict[str, Any]:
-    """Return a finding as a plan hands it on: `read_sentence` makes its sentence again."""
+    """Return a finding as stored in a plan. `read_sentence` makes its sentence again."""
     return {**asdict(finding), "message": finding.message}
 
 
 def read_sentence(written: object, message: str) -> Sentence:
-    """Return the sentence of a plan's finding; as ``message`` states it where this version has no
-    such sentence, or another one of that name.
+    """Return the sentence of a plan's finding. If this version has no such sentence: the stored
+    ``message``.
     """
     try:
         sentence = _value(written)

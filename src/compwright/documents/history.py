@@ -27,7 +27,7 @@ _MOST = 99.0
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TestSeries:
-    """The tests of one axis or plane of a machine, in their order in time, and the changes between
+    """The tests of one axis or plane of a machine in the order of time, and the changes between
     them.
 
     ``key``: identifies the machine, also where it has no name.
@@ -48,8 +48,8 @@ def history_document(
     notes: Iterable[str],
     errors: Iterable[Fault],
 ) -> dict[str, Any]:
-    """Return the history of machines. ``folders``: the result folders that were read, each with its
-    ``notes`` and ``files`` that are not as they were written.
+    """Return the history of machines. ``folders``: the result folders, with their ``notes`` and
+    changed ``files``.
     """
     machines: dict[str, dict[str, Any]] = {}
     for one in series:
@@ -146,8 +146,8 @@ def _rounded(value: float | None) -> float | None:
 
 
 def history_csv(document: Mapping[str, Any]) -> bytes:
-    """Return every test as a row: comma, decimal point, UTF-8; positions of a change marked by
-    ``changed``, the parameters that differ from before.
+    """Return every test as a CSV row: comma, decimal point, UTF-8. ``changed``: the parameters that
+    differ from before.
     """
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")

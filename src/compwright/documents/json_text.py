@@ -1,4 +1,4 @@
-"""A document as JSON text: the same document gives the same bytes, and nothing in it is NaN."""
+"""Write a document as JSON text. Equal documents give equal bytes, and NaN is refused."""
 
 from __future__ import annotations
 
@@ -19,8 +19,7 @@ _UNSEEN: Final = re.compile(
 
 
 def to_json(document: Mapping[str, Any]) -> str:
-    """Return ``document`` as JSON, indented by two blanks, with a final newline, characters
-    unescaped (write it as UTF-8).
+    """Return ``document`` as JSON text with an indentation of two blanks and a final newline.
 
     Keys keep their order. Characters that cannot be encoded (a file's name that is no UTF-8) and
     control characters are written as escapes. Raises ValueError for NaN or infinity: an unknown
@@ -31,7 +30,8 @@ def to_json(document: Mapping[str, Any]) -> str:
 
 
 def _pieces(value: Any, line: str) -> Iterator[str]:
-    """Yield the text of a value; ``line``: a line break with the blanks of the indentation.
+    """Yield the text of a value in pieces. ``line``: a line break with the blanks of the
+    indentation.
 
     The standard library writes indented text number by number, in Python. Rows of numbers are most
     of a document; they are written by its fast encoder, which does not indent.
@@ -59,12 +59,12 @@ def _pieces(value: Any, line: str) -> Iterator[str]:
 
 
 def no_number(word: str) -> float:
-    """Raise ValueError for NaN and the infinities, which are no JSON and no measured value."""
+    """Raise ValueError for NaN and infinite numbers, which JSON does not allow."""
     raise ValueError(f"{word} in the place of a number")
 
 
 def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    """Return the mapping of an object. Raises ValueError for a duplicate key."""
+    """Return the mapping of a JSON object. Raises ValueError for a duplicate key."""
     data = dict(pairs)
     if len(data) < len(pairs):
         names = [key for key, _ in pairs]
@@ -74,7 +74,7 @@ def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
 
 
 def read_json(content: bytes, file: str, schema: str, name: str, expected: str) -> dict[str, Any]:
-    """Return a document of this ``schema``. Raises InputError for anything else (file, key,
+    """Return a document of this ``schema``. Raises InputError for any other contents (file, key,
     expected, found).
 
     ``name``: what such a document is called; ``expected``: the file that should have been given.

@@ -9,8 +9,8 @@ from typing import Any
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class UpdatedAxis:
-    """One axis of the plan. ``updated``: it is worked on in the next round; ``table``: it gets a
-    further table there; ``reason``: in plain words, why or why not.
+    """One axis of the plan in the next round. ``updated``: it is part of it; ``table``: it gets a
+    table; ``reason``: why, as text.
     """
 
     reason: str
@@ -25,8 +25,8 @@ def next_document(
     *,
     written: bool = False,
 ) -> dict[str, Any]:
-    """Return the key ``next``. ``between``: what becomes of corrections between axes, in
-    sentences; ``written``: the folder of the next round is.
+    """Return the key ``next``. ``between``: sentences about corrections between axes; ``written``:
+    whether the folder exists.
     """
     return {
         "written": written,

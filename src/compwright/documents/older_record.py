@@ -1,4 +1,4 @@
-"""The record of a result folder that an older version left without one: what its documents say."""
+"""Rebuild the record of a result folder from its documents, if an older version wrote none."""
 
 from __future__ import annotations
 
@@ -17,8 +17,7 @@ def older_record(
     verification: Mapping[str, Any] | None,
     errors: Errors,
 ) -> dict[str, Any]:
-    """Return a record rebuilt from the documents of a folder of an older version; None for a
-    document that is missing.
+    """Return a record rebuilt from the documents of an older version. None for a missing document.
 
     Files cannot be checked. Raises KeyError, TypeError, ValueError or AttributeError for documents
     that violate their schema.
@@ -45,7 +44,7 @@ def older_record(
 
 
 def _inputs(plan: Mapping[str, Any]) -> list[dict[str, Any]]:
-    """Return the files of the states, which a plan carries as text of their bytes."""
+    """Return the files of the states, which a plan contains as text."""
     return [
         {
             "role": "state",
@@ -72,7 +71,7 @@ def _measured_in(plan: Mapping[str, Any]) -> dict[str, str]:
 def _after(
     verification: Mapping[str, Any] | None, evaluation: Mapping[str, Any] | None
 ) -> list[dict[str, Any]]:
-    """Return the tests after loading from a verification: only their parameters."""
+    """Return the tests after loading from a verification, with only their parameters."""
     if verification is None:
         return []
     before = {

@@ -19,12 +19,14 @@ _NUMBER: Final = f"a number, not larger than {LARGEST:g}"
 
 
 def is_number(value: Any) -> bool:
-    """Return whether a value is a finite number of a size that means something."""
+    """Return whether a value is a finite number of plausible size."""
     return isinstance(value, int | float) and not isinstance(value, bool) and abs(value) <= LARGEST
 
 
 def _array(value: Any) -> Any:
-    """One fault for a whole row: a file that was damaged may hold thousands."""
+    """Return the schema of an array. A damaged row is one fault, because a file may contain
+    thousands.
+    """
     odd = value if not isinstance(value, list) else [one for one in value if not is_number(one)]
     if odd or not isinstance(value, list):
         expected = f"a list of numbers, none larger than {LARGEST:g}"
@@ -41,7 +43,7 @@ def _bytes(value: Any) -> bytes:
 
 
 def _anything(value: Any) -> Any:
-    """Return a value whose meaning somebody else checks (an option of a control)."""
+    """Return a value that is checked elsewhere, such as an option of a control."""
     faults = list(_odd(value, ()))
     if faults:
         refuse(*faults)

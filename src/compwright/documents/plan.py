@@ -1,5 +1,7 @@
-"""``plan.json`` (``compwright/plan/1``): mm or deg, totals before rounding, the control's own files
-byte by byte.
+"""The plan file ``plan.json``: mm or deg, totals before rounding, and byte copies of the control's
+own files.
+
+``compwright/plan/1``.
 """
 
 from __future__ import annotations
@@ -38,7 +40,7 @@ _T = TypeVar("_T")
 
 
 def plan_document(plan: Plan) -> dict[str, Any]:
-    """Return a plan as plain data. It carries no dates: same input, same bytes."""
+    """Return a plan as plain data without dates, so that the same input gives the same bytes."""
     untested = {name: _record_out(axis) for name, axis in plan.untested.items()}
     return {
         "schema": SCHEMA,
@@ -75,9 +77,7 @@ def _budgets_out(budgets: Mapping[AxisKind, UncertaintyBudget] | None) -> dict[s
 
 
 def carried_definition(content: bytes) -> Texts:
-    """Return the definition of one's own that a plan carries; empty where it has none, or is no
-    plan.
-    """
+    """Return the user's definition in a plan. Empty where it has none, or is no plan."""
     try:
         return _definition_in(json.loads(content))
     except (ValueError, TypeError, KeyError, AttributeError, RecursionError):
@@ -85,7 +85,9 @@ def carried_definition(content: bytes) -> Texts:
 
 
 def _definition_out(texts: Texts) -> dict[str, Any]:
-    """Return nothing for a control that ships: every installation has its definition."""
+    """Return the stored definition: nothing for a control that ships, because every installation
+    has it.
+    """
     entries = [{"name": name, "text": content.decode("utf-8")} for name, content in texts]
     return {"definition": entries} if entries else {}
 
@@ -96,8 +98,8 @@ def _definition_in(data: Mapping[str, Any]) -> Texts:
 
 
 def listed_files(content: bytes) -> Mapping[str, str]:
-    """Return the results (relative name -> SHA-256) that an earlier plan lists, empty where there
-    is no such list.
+    """Return the results (relative name -> SHA-256) listed in an earlier plan. Empty without a
+    list.
     """
     try:
         listed = json.loads(content)["results"]
@@ -107,8 +109,9 @@ def listed_files(content: bytes) -> Mapping[str, str]:
 
 
 def read_plan(content: bytes, file: str) -> Plan:
-    """Read a plan. Raises InputError when it is not one, is of a newer schema, or does not hold
-    what a plan promises: every fault at once (file, key path, expected, found).
+    """Read a plan. Raises InputError with every fault at once (file, key path, expected, found).
+
+    When it is not one, is of a newer schema, or does not hold what a plan promises.
     """
     data = read_json(content, file, SCHEMA, "plan", "plan.json of a run")
     try:
@@ -226,7 +229,9 @@ def _arrays_out(record: Any) -> dict[str, Any]:
 
 
 def _wanted_out(wanted: WantedCorrection) -> dict[str, Any]:
-    """Return the wanted correction; the tests that judge a goal only where the job has one."""
+    """Return the wanted correction. It includes the tests that judge a goal only if the job has
+    one.
+    """
     out = _arrays_out(replace(wanted, scenarios=None))
     del out["scenarios"]
     if wanted.scenarios is None:

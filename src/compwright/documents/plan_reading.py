@@ -1,4 +1,4 @@
-"""A plan from its JSON, checked like a job: see `record_schemas`."""
+"""Read a plan from its JSON, with the same checks as a job; see `record_schemas`."""
 
 from __future__ import annotations
 
@@ -31,9 +31,7 @@ from compwright.records.positioning import PositioningTest
 
 
 def plan_of(data: Mapping[str, Any]) -> tuple[Plan | None, list[KeyFault]]:
-    """Return the plan that a document holds, and everything that is wrong with it; None where
-    something is.
-    """
+    """Return the plan in a document, and all its faults. The plan is None with faults."""
     plan, faults = checked(plan_validator(Plan), data)
     faults = faults or list(contradictions(plan))
     return (None if faults else cast("Plan", plan)), faults
@@ -41,30 +39,32 @@ def plan_of(data: Mapping[str, Any]) -> tuple[Plan | None, list[KeyFault]]:
 
 @cache
 def plan_validator(cls: type) -> SchemaValidator:
-    """Return what reads a record of a plan."""
+    """Return the function that reads a record of a plan."""
     return RecordSchemas(FORMS, RULES, PLAIN).validator(cls)
 
 
 def _periods(values: dict[str, Any]) -> dict[str, Any]:
-    """Move the periods of an estimate to a key of their own."""
+    """Move the periods of an estimate to their own key."""
     estimate = replace(values["estimate"], periods=values.get("periods", ()))
     return {**values, "estimate": estimate}
 
 
 def _finding(values: dict[str, Any]) -> dict[str, Any]:
-    """The sentence of a finding, as the plan states it where it is of another version."""
+    """Return the sentence of a finding. If another version wrote it, the sentence stays as
+    stored.
+    """
     return {**values, "sentence": read_sentence(values.get("sentence"), values["message"])}
 
 
 def _unit(unit: Any, info: cs.ValidationInfo) -> None:
-    """Check that the unit of an axis is that of its kind."""
+    """Check that the unit of an axis belongs to its kind."""
     axis = info.data.get("axis")
     if axis is not None and unit not in (None, axis.kind.unit):
         refuse(KeyFault((), "is not the unit of this axis", axis.kind.unit, shown(unit)))
 
 
 def _readings(rows: Any) -> FloatArray:
-    """Rows of numbers, each as long; null is a reading that is missing."""
+    """Return the schema of rows of numbers of equal length. null is a missing reading."""
     if not isinstance(rows, list) or not all(isinstance(row, list) for row in rows):
         refuse(KeyFault((), "is not a table", "a list of rows, one for each target", shown(rows)))
     width = mode(len(row) for row in rows) if rows else 0
@@ -94,7 +94,7 @@ def _definition(entries: Any) -> Any:
 
 
 def _both(sides: Any) -> Any:
-    """Check the active correction in both directions: one fault for any other keys."""
+    """Check the active correction in both directions. All wrong keys are one fault."""
     if not isinstance(sides, dict) or set(sides) != {"positive", "negative"}:
         expected = "null, or the keys positive and negative"
         refuse(KeyFault((), "is not an accepted value", expected, shown(sides)))

@@ -1,5 +1,4 @@
-"""What the records of a plan promise beyond the types of their fields: finite numbers, sizes,
-order, names that belong together.
+"""Rules for the records of a plan beyond types: finite numbers, sizes, order, and matching names.
 
 A plan may have been edited, or cut and pasted, before it comes back; a record that breaks its word
 would end as a fault of compwright's own somewhere later, or, worse, as a table.
@@ -26,14 +25,14 @@ from compwright.records.positioning import PositioningTest
 
 
 def contradictions(plan: Plan) -> Iterator[KeyFault]:
-    """Yield what does not hold together between the parts of a plan, each with its key path."""
+    """Yield the contradictions between the parts of a plan, each with its key path."""
     yield from _names(plan)
     yield from _between(plan)
     yield from _copies(plan)
 
 
 def _names(plan: Plan) -> Iterator[KeyFault]:
-    """Check that keys are names of existing things; names of states are used in paths of files."""
+    """Check that keys name existing objects. Names of states must be usable in paths."""
     for name, entry in plan.axes.items():
         yield from _other(("axes", name, "axis", "name"), name, entry.axis.name)
     for name, axis in plan.untested.items():
@@ -67,7 +66,9 @@ def _between(plan: Plan) -> Iterator[KeyFault]:
 
 
 def _copies(plan: Plan) -> Iterator[KeyFault]:
-    """The copies of the control's own files are those that the run wrote for the way back."""
+    """Check that the copies of the control's own files are those that the run wrote for the way
+    back.
+    """
     for index, file in enumerate(plan.states.get(AS_FOUND, ())):
         listed = plan.results.get(f"rollback/{plan.format}/{file.name}")
         found = fingerprint(file.content)
@@ -111,7 +112,9 @@ def _estimate(estimate: ErrorEstimate) -> Iterator[str]:
 
 
 def _scenarios(tests: Scenarios) -> Iterator[str]:
-    """As many targets in every test; of a direction that was not measured there is nothing."""
+    """Check that every simulated test has the same number of targets. An unmeasured direction has
+    none.
+    """
     size = tests.positions.size
     sides = ((tests.positive, tests.half_positive), (tests.negative, tests.half_negative))
     whole = tests.count > 0 and size > 0 and size % tests.count == 0
@@ -168,7 +171,7 @@ def _readings(test: PositioningTest) -> Iterator[str]:
 
 
 def _active(planned: PlannedTest) -> Iterator[str]:
-    """Check that the active correction is given for every target, or not at all."""
+    """Check that the active correction is given for every target, or for none."""
     fits = planned.acted is None or all(
         side.shape == planned.test.targets.shape and bool(np.isfinite(side).all())
         for side in planned.acted
@@ -177,7 +180,7 @@ def _active(planned: PlannedTest) -> Iterator[str]:
 
 
 def _one_kind(axis: PlannedAxis) -> Iterator[str]:
-    """Everything of an axis is in the one unit of its kind."""
+    """Check that all data of an axis have the unit of its kind."""
     compensations = [axis.active, None if axis.fitted is None else axis.fitted.compensation]
     kinds = {axis.axis.kind, axis.estimate.kind, *(planned.test.kind for planned in axis.tests)}
     kinds |= {entry.kind for entry in (*compensations, axis.wanted) if entry is not None}

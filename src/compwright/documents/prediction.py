@@ -41,8 +41,7 @@ def prediction_document(
     *,
     judged: Judged,
 ) -> dict[str, Any]:
-    """Return the prediction of a run; ``cross`` holds what one axis' position adds to another, by
-    the names of the job.
+    """Return the prediction of a run. ``cross``: the corrections between axes, by the job's names.
 
     ``doubts``: what has to be settled before the tables are loaded; ``acknowledged``: what the job
     acknowledges of it. ``judged``: by whom the files
@@ -67,7 +66,7 @@ def acknowledged_outside(acknowledged: Iterable[Acknowledged]) -> list[dict[str,
 
 
 def cross_outside(entry: CrossCompensation) -> dict[str, Any]:
-    """Return the correction that one axis adds to another: positions mm or deg, corrections µm or
+    """Return the correction of one axis by another: positions in mm or deg, corrections in µm or
     arcsec.
 
     ``correction`` is that of both directions; where they differ, that of +, and both are in
@@ -92,7 +91,7 @@ def cross_outside(entry: CrossCompensation) -> dict[str, Any]:
 
 def circle_outside(circle: CirclePrediction) -> dict[str, Any]:
     """Return one circular test, before and predicted: parameters in µm, causes in their own units,
-    by their contract names.
+    by JSON names.
     """
     return {
         "before": circle_values(circle.before),
@@ -102,7 +101,7 @@ def circle_outside(circle: CirclePrediction) -> dict[str, Any]:
 
 
 def circle_values(result: CircularResult) -> dict[str, float | None]:
-    """Return the parameters (µm) and causes (their own units) of a circular test by their contract
+    """Return the parameters (µm) and causes (their own units) of a circular test by their JSON
     names.
     """
     values = {
@@ -120,7 +119,7 @@ def circle_values(result: CircularResult) -> dict[str, float | None]:
 
 
 def circle_quantiles(circle: CirclePrediction) -> dict[str, dict[str, float]]:
-    """Return what a fresh circular test will show, in the units of `circle_values`."""
+    """Return the predicted quantiles of a circular test, in the units of `circle_values`."""
     return {
         **quantiles_outside(circle.predicted, AxisKind.LINEAR),
         **{
@@ -158,8 +157,8 @@ def quantiles_outside(
 
 
 def compensation_outside(table: AxisCompensation) -> dict[str, Any]:
-    """Return a table as decode and prediction give it: totals (table and backlash) per direction,
-    µm or arcsec.
+    """Return a table as in the JSON: totals (table and backlash) for each direction, µm or
+    arcsec.
     """
     factor = outside_factor(table.kind.unit)
     return table_outside(
@@ -173,8 +172,8 @@ def compensation_outside(table: AxisCompensation) -> dict[str, Any]:
 def table_outside(
     positions: FloatArray, positive: FloatArray, negative: FloatArray, kind: AxisKind
 ) -> dict[str, Any]:
-    """Return positions (mm, deg) and corrections (already in µm or arcsec) in the contract's
-    form.
+    """Return positions (mm, deg) and corrections (already in µm or arcsec) in the form of the
+    JSON.
     """
     return {
         "positions": positions.tolist(),
@@ -264,8 +263,10 @@ def _accept(accept: Mapping[str, AcceptDecision]) -> dict[str, Any]:
 
 
 def _evidence(evidence: PeriodEvidence, factor: float) -> dict[str, Any]:
-    """Return periods in mm or deg, the natural logarithm of what speaks for each, and the least
-    amplitude that the test shows (``factor``: to the unit outside; None: none).
+    """Return periods in mm or deg, the log evidence for each, and the smallest amplitude that the
+    test shows.
+
+    ``factor``: to the unit outside; None: none.
     """
     return {
         "periods": evidence.periods.tolist(),

@@ -1,4 +1,6 @@
-"""What a verification proved, as lines to be added to a job and to the definition of a control."""
+"""Write the facts that a verification proved as lines for a job and for the definition of a
+control.
+"""
 
 from __future__ import annotations
 

@@ -1,5 +1,7 @@
-"""``record.json`` (``compwright/record/1``): what a result folder was made from, with what, what
-was decided and what came of it. Deviations in µm or arcsec.
+"""The file ``record.json``: inputs, software, decisions and results of a result folder, in µm or
+arcsec.
+
+``compwright/record/1``.
 
 It carries no dates but those that the measurement files state: same input, same bytes.
 """
@@ -26,8 +28,8 @@ COPIES_OF_VERIFY = "inputs/verify/"
 
 
 def definition_entry(definition_id: str, data: Any, files: Iterable[str], *, own: bool) -> Any:
-    """Return how a definition is recorded: its id, the hash of its contents, the files that hold
-    it.
+    """Return the entry about a definition in a record: its id, the hash of its contents, its
+    files.
     """
     text = json.dumps(data, sort_keys=True, ensure_ascii=False, default=str)
     return {
@@ -48,8 +50,10 @@ def run_record(
     measured_in: Mapping[str, str],
     errors: Errors,
 ) -> dict[str, Any]:
-    """Return the record of a run. ``about``: software, machine, control and rules; ``files``: all
-    that it writes; ``measured_in``, ``errors``: as `measured_test` takes them.
+    """Return the record of a run.
+
+    ``about``: software, machine, control and rules; ``files``: all that it writes; ``measured_in``,
+    ``errors``: as `measured_test` takes them.
     """
     plan = files.get("plan.json")
     return {
@@ -73,7 +77,7 @@ def run_record(
 def planned_record(
     about: Mapping[str, Any], plan: str, evaluation: Mapping[str, Any], errors: Errors
 ) -> dict[str, Any]:
-    """Return the record of a run that left none, from its plan (and the SHA-256 of that)."""
+    """Return the record of a run without a record file, from its plan."""
     return {
         "schema": SCHEMA,
         **about,
@@ -88,7 +92,7 @@ def planned_record(
 
 
 def elsewhere(record: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the record of a run for another folder, which holds none of its files."""
+    """Return the record of a run for another folder, which contains none of its files."""
     inputs = [{**entry, "copy": None} for entry in record["inputs"]]
     return {**record, "inputs": inputs, "files": []}
 
@@ -117,7 +121,7 @@ def _decided(axis: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _of_circles(circles: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the decisions about circles that have limits; nothing without any."""
+    """Return the decisions about circles with limits. Empty without limits."""
     limited = {
         name: {"accept": dict(circle["accept"])}
         for name, circle in circles.items()
@@ -136,7 +140,7 @@ def verified_record(
     version: str,
     errors: Errors,
 ) -> dict[str, Any]:
-    """Return the record of a run with its verification; an earlier one is replaced.
+    """Return the record of a run with its verification, which replaces an earlier one.
 
     ``evaluation``: of the tests after loading; ``files``: all that ``verify`` writes.
     """
@@ -172,7 +176,8 @@ def verified_record(
 
 
 def kept_verification(record: Mapping[str, Any], earlier: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the record of a repeated run where an ``earlier`` record (of `read_record`) exists.
+    """Return the record of a repeated run. The verification in an ``earlier`` record stays if it
+    still applies.
 
     It keeps the earlier verification where that belongs to the same plan; else only the copies of
     the measurements after loading, which may exist nowhere else.
@@ -197,9 +202,7 @@ def kept_verification(record: Mapping[str, Any], earlier: Mapping[str, Any]) -> 
 
 
 def _planned(record: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the entries of a record that depend on its plan, independent of file names and the
-    working folder.
-    """
+    """Return the entries of a record that depend only on the plan, not on file names or folders."""
     apart = ("version", "plan", "files", "inputs", "tests", "verification")
     return {
         **{key: value for key, value in record.items() if key not in apart},
@@ -218,8 +221,8 @@ def _planned(record: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def outdated_verification(record: Mapping[str, Any], earlier: Mapping[str, Any]) -> dict[str, str]:
-    """Return the files of the verification that an ``earlier`` record lists (relative name ->
-    SHA-256), where the plan is no longer that which was verified; none of them was measured.
+    """Return the verification files in an ``earlier`` record that belong to a different plan
+    (relative name -> SHA-256).
     """
     if _planned(earlier) == _planned(record):
         return {}
@@ -244,16 +247,16 @@ def _verified(axis: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _read_back(findings: Iterable[Mapping[str, str]]) -> str:
-    """Return whether the values read back were the planned ones: ``equal``, ``other`` or ``none``
-    (none were given).
+    """Return whether the values read back were the planned ones: ``equal``, ``other``, or ``none``
+    without values.
     """
     codes = {finding["code"] for finding in findings}
     return "other" if "CW-V011" in codes else "equal" if "CW-V010" in codes else "none"
 
 
 def read_record(content: bytes, file: str) -> dict[str, Any]:
-    """Return a record. Raises InputError when it is none or of a newer schema, and for every key
-    that does not fit.
+    """Return a record. Raises InputError for another file, a newer schema, and every invalid
+    key.
     """
     data = read_json(content, file, SCHEMA, "record", f"{RECORD} of a run")
     raise_all(InputError, [fault.in_file(file) for fault in faults_of_record(data)])
@@ -261,7 +264,7 @@ def read_record(content: bytes, file: str) -> dict[str, Any]:
 
 
 def is_record(content: bytes) -> bool:
-    """Whether these bytes are a record of this schema."""
+    """Return whether these bytes are a record of this schema."""
     try:
         read_record(content, RECORD)
     except InputError:
@@ -270,8 +273,8 @@ def is_record(content: bytes) -> bool:
 
 
 def copied_by_record(content: bytes) -> dict[str, str]:
-    """Return the inputs (relative name of the copy -> SHA-256) that an earlier record lists, empty
-    where there is no such list.
+    """Return the inputs in an earlier record (relative name of the copy -> SHA-256). Empty without
+    a list.
     """
     try:
         listed = json.loads(content)["inputs"]
@@ -281,9 +284,7 @@ def copied_by_record(content: bytes) -> dict[str, str]:
 
 
 def listed_in_record(content: bytes) -> dict[str, str]:
-    """Return the files (relative name -> SHA-256) that an earlier record lists, empty where there
-    is no such list.
-    """
+    """Return the files in an earlier record (relative name -> SHA-256). Empty without a list."""
     try:
         listed = json.loads(content)["files"]
         return {str(entry["file"]): str(entry["sha256"]) for entry in listed}

@@ -1,6 +1,4 @@
-"""The keys of ``record.json`` that a later command reads, checked like a job: an edited record is
-refused with every key that does not fit. Other keys are left alone.
-"""
+"""The checked keys of ``record.json``. An edited record is refused with every invalid key."""
 
 from __future__ import annotations
 
@@ -21,8 +19,8 @@ from compwright.records.input_record import InputRole
 
 
 def faults_of_record(data: Mapping[str, Any]) -> list[KeyFault]:
-    """Return what does not fit in a record, or in what an older version left in place of one, each
-    with its key path.
+    """Return the faults of a record, or of older documents in place of a record, each with its key
+    path.
     """
     return checked(_validator(), data)[1]
 
@@ -64,7 +62,9 @@ class _Squareness:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Test:
-    """What every test says. ``measured_in``: the state, of one before loading; else empty."""
+    """The common entries of every test. ``measured_in``: the state of a test before loading, else
+    empty.
+    """
 
     name: str
     taken: Literal["before", "after"]

@@ -1,4 +1,4 @@
-"""The record of one test, in µm or arcsec, from the document of its evaluation."""
+"""The record of one test, in µm or arcsec, made from the document of its evaluation."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ def _axis(result: Mapping[str, Any], errors: Errors) -> dict[str, Any]:
 
 
 def _slope(result: Mapping[str, Any]) -> dict[str, float]:
-    """Return the slope of the mean deviation of a linear axis, in µm/m, by least squares."""
+    """Return the least-squares slope of the mean deviation of a linear axis, in µm/m."""
     found = []
     for target in result["targets"]:
         means = (target.get(name) for name in ("mean", "mean_positive", "mean_negative"))

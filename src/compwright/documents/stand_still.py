@@ -1,4 +1,4 @@
-"""Tests of two columns in the answer of ``evaluate``: stand-still tests, lost motion."""
+"""Entries of stand-still tests and lost-motion tables in the JSON of ``evaluate``."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ from compwright.records.drift import DriftTest, LostMotionTest
 def stand_still_document(
     drift: DriftTest, E_VE: float, findings: Iterable[Finding]
 ) -> dict[str, Any]:
-    """Return the entry of a stand-still test: the range ``E_VE`` (µm or arcsec) over the whole of
-    its ``duration_min``, and the readings over time.
+    """Return the entry of a stand-still test: the range ``E_VE`` (µm or arcsec) over its whole
+    duration, and the readings.
     """
     unit = drift.kind.unit
     factor = outside_factor(unit)
@@ -49,8 +49,10 @@ def lost_motion_document(
     depends: bool,
     findings: Iterable[Finding],
 ) -> dict[str, Any]:
-    """Return the entry of a table of lost motion: the best ``constant`` and what it leaves at most
-    (``left``), µm; ``depends``: whether the lost motion is not one constant.
+    """Return the entry of a lost-motion table: the best ``constant`` and the largest remaining
+    error (``left``), µm.
+
+    ``depends``: whether the lost motion is not one constant.
     """
     return {
         "kind": "lost_motion",

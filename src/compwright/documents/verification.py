@@ -31,8 +31,8 @@ SCHEMA = "compwright/verification/1"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ExpectedMeans:
-    """Mean deviations (m,) that the plan expects after loading, mm or deg, and the scatter ``s`` of
-    one reading.
+    """The mean deviations (m,) that the plan predicts after loading, mm or deg, and the scatter
+    ``s`` of one reading.
     """
 
     positions: FloatArray
@@ -63,8 +63,8 @@ class VerifiedAxis:
 
 @dataclass(frozen=True, slots=True)
 class SquarenessCheck:
-    """Squareness after loading, µm/m: the value (None where the test does not determine it), what
-    the plan expects, the uncertainty (k = 2) of their difference, and how much was corrected.
+    """The squareness after loading, µm/m: its value, its prediction, the uncertainty of the
+    difference, and the correction.
     """
 
     value: float | None
@@ -74,8 +74,8 @@ class SquarenessCheck:
 
     @property
     def decision(self) -> Decision:
-        """reject where the difference exceeds its uncertainty; accept where the test would also
-        show that the correction is missing; else undecided.
+        """The decision about squareness: reject where the difference exceeds its uncertainty, else
+        accept or undecided.
         """
         if self.value is None:
             return "undecided"
@@ -86,9 +86,10 @@ class SquarenessCheck:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class VerifiedCircle:
-    """What ``verify`` found on one circular test; ``squareness`` only where that of its plane was
-    corrected from circles; ``accept`` and ``acknowledged`` as of an axis; ``findings``: what its
-    limits lack.
+    """The result of ``verify`` for one circular test.
+
+    ``squareness`` only where that of its plane was corrected from circles; ``accept`` and
+    ``acknowledged`` as of an axis; ``findings``: what its limits lack.
     """
 
     prediction: CirclePrediction
@@ -106,7 +107,9 @@ def verification_document(
     circles: Mapping[str, VerifiedCircle] | None = None,
     findings: Iterable[Finding] = (),
 ) -> dict[str, Any]:
-    """Return the verification of a run; ``findings``: those of no single axis."""
+    """Return the verification of a run as JSON. ``findings``: those that belong to no single
+    axis.
+    """
     general, tests = tuple(findings), circles or {}
     every: list[VerifiedAxis | VerifiedCircle] = [*axes.values(), *tests.values()]
     of_tests = [
@@ -139,7 +142,7 @@ def _headline(
     circles: Mapping[str, VerifiedCircle],
     verdict: Literal["good", "bad", "undecided"],
 ) -> str:
-    """Return the verdict in words; of limits only where there are any."""
+    """Return the verdict as text. It mentions limits only where the job has any."""
     if verdict == "bad":
         limits = (entry.decision for one in circles.values() for entry in one.accept.values())
         return SentenceText(say("headline.bad", circles="reject" in limits))
@@ -194,7 +197,7 @@ def _accept(accept: Mapping[str, AcceptDecision]) -> dict[str, Any]:
 
 
 def _circle(circle: VerifiedCircle) -> dict[str, Any]:
-    """Return one circular test: parameters in µm and causes in their own units, by their contract
+    """Return one circular test: parameters in µm and causes in their own units, by their JSON
     names.
     """
     after, predicted = circle_values(circle.after), circle_quantiles(circle.prediction)
@@ -231,7 +234,7 @@ def _circle(circle: VerifiedCircle) -> dict[str, Any]:
 
 
 def _within(value: float | None, band: Mapping[str, float], guard: float = 0.0) -> bool | None:
-    """Whether the value lies in the 90 % interval with its ``guard`` band on either side; None
-    where the test does not have it.
+    """Return whether the value is in the 90 % interval, widened by ``guard`` on both sides. None
+    where the test lacks it.
     """
     return None if value is None else band["p05"] - guard <= value <= band["p95"] + guard

@@ -1,3 +1,1 @@
-"""Job file or command line -> `compwright.records.job.Job`. Reads bytes and text only; paths stay
-as written.
-"""
+"""Read a job file or command line as a `compwright.records.job.Job`. Paths stay as written."""

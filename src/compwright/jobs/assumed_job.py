@@ -1,5 +1,5 @@
-"""The job file that ``run FILE...`` leaves: the values of its options, and every assumed value with
-its source.
+"""The job file that ``run FILE...`` writes: the given options, and every assumed value with its
+source.
 
 A value with a key of the job file is written under that key. An option of the control that was left
 at its default is written as a comment: as a key it would count as known, and results would no
@@ -45,15 +45,16 @@ _OPTION = "option "
 
 @dataclass(frozen=True, slots=True)
 class _JobLine:
-    """A line of the file: its text, and the source of its value."""
+    """One line of a job file: its text, and the source of its value."""
 
     text: str
     source: str = ""
 
 
 def assumed_of(data: Mapping[str, Any], by_files: Mapping[str, object]) -> tuple[Assumption, ...]:
-    """Return what the options of ``run`` left to be assumed of axis, test and job; ``by_files``:
-    keys of the axis that the control's files answered.
+    """Return the facts about axis, test and job that ``run`` had to assume.
+
+    ``by_files``: keys of the axis that the control's files answered.
     """
     ((axis, section),) = data["axes"].items()
     left = _left_out(section, by_files)
@@ -85,7 +86,7 @@ def assumed_job(
     assumed: Sequence[Assumption],
     by_files: Mapping[str, object],
 ) -> str:
-    """Return the job file of a run without one.
+    """Return the job file for a run that had none.
 
     ``data``: the values of its command line, in the form of a job; ``options``: every option of the
     control with its final value; ``assumed``: what a run lists as assumed; ``by_files``: as in
@@ -118,8 +119,8 @@ def assumed_job(
 def _options(
     given: Mapping[str, object], left: Sequence[Assumption], values: Mapping[str, object]
 ) -> Iterator[_JobLine]:
-    """Yield the options of the control: those given, and as comments those left at their
-    default.
+    """Yield the options of the control: the given ones, and as comments those with default
+    values.
     """
     yield from [_JobLine("  options:")] if given else []
     for name, value in given.items():
@@ -159,7 +160,7 @@ def _listed(key: str, files: Sequence[str], indent: int, source: str) -> Iterato
 
 
 def _option(key: str) -> str:
-    """Return the option that fills a key of an axis."""
+    """Return the command-line option for a key of an axis."""
     return {"encoder": "--option encoder_system", "table": "--option spacing, mode"}.get(
         key, f"--option {key}"
     )

@@ -1,6 +1,4 @@
-"""What ties the keys of an axis of a job together: its travel and table, its tests, limits and
-temperatures.
-"""
+"""Checks between the keys of an axis in a job: travel and table, tests, limits, temperatures."""
 
 from __future__ import annotations
 
@@ -30,7 +28,7 @@ _MOST_NODES = 100_000  # no control holds a tenth of that; a finer grid is a sli
 def axis_contradictions(
     section: Mapping[str, Any], path: KeyPath, states: Sequence[str], standard: Any, thermal: Any
 ) -> Iterator[KeyFault]:
-    """Yield what does not hold together in the ``section`` of an axis at ``path``.
+    """Yield the contradictions in the ``section`` of an axis at ``path``.
 
     ``states``: the names that its tests may be measured in; ``standard``, ``thermal``: those of the
     job, as read.
@@ -86,9 +84,7 @@ def _geometry(section: Mapping[str, Any], path: KeyPath) -> Iterator[KeyFault]:
 def _test_sections(
     section: Mapping[str, Any],
 ) -> Iterator[tuple[KeyPath, str | None, Mapping[str, Any]]]:
-    """Yield path below the axis, name and mapping of each test, in every way in which tests may be
-    written.
-    """
+    """Yield path, name and mapping of each test below an axis, in every allowed form."""
     before = section.get("before")
     for index, entry in enumerate(before if isinstance(before, list) else [before]):
         path: KeyPath = ("before", index) if isinstance(before, list) else ("before",)
@@ -113,8 +109,10 @@ def _tests(section: Mapping[str, Any], path: KeyPath, states: Sequence[str]) -> 
 
 
 def _thermal(section: Mapping[str, Any], path: KeyPath, of_job: Any) -> Iterator[KeyFault]:
-    """Keys of an axis and of its tests go over those of the job: together they have to say
-    coefficient and temperature. Angles do not expand.
+    """Check that an axis has expansion coefficient and temperature. Keys of axis and test override
+    those of the job.
+
+    Angles do not expand.
     """
     of_axis = section.get("thermal")
     stated: list[tuple[KeyPath, Any, bool]] = [((), of_axis, "thermal" in section)]
@@ -137,7 +135,9 @@ def _thermal(section: Mapping[str, Any], path: KeyPath, of_job: Any) -> Iterator
 
 
 def implausible(thermal: Any, path: KeyPath) -> Iterator[KeyFault]:
-    """Temperatures in another unit than °C, and expansions that no metal, glass or ceramic has."""
+    """Yield temperatures that are probably not in °C, and expansions that no metal, glass or
+    ceramic has.
+    """
     for key in ("T_m", "T_d"):
         value = mapping_of(thermal).get(key)
         low, high = PLAUSIBLE_TEMPERATURES
@@ -163,7 +163,7 @@ def implausible(thermal: Any, path: KeyPath) -> Iterator[KeyFault]:
 
 
 def _in_celsius(number: float) -> str:
-    """Return what a temperature is in °C, where it would be that of a hall in °F or in K."""
+    """Return a temperature in °C, if the given number is plausible only in °F or K."""
     for unit, celsius in (("°F", (number - 32.0) / 1.8), ("K", number - 273.15)):
         if 0.0 <= celsius <= 50.0:
             return f"; {number:g} {unit} are {celsius:.1f} °C"

@@ -1,5 +1,5 @@
-"""Checks of the keys of a job that concern several axes: circles, measurements of one axis over
-another, and their corrections.
+"""Checks of job keys that concern several axes: circles, measurements of one axis over another,
+corrections between axes.
 """
 
 from __future__ import annotations
@@ -21,9 +21,7 @@ from compwright.records.job import other_axis
 
 
 def circles(circles: Any, states: Sequence[str]) -> Iterator[KeyFault]:
-    """Find circles without files, with the name of another, or with limits on what a circular test
-    does not have.
-    """
+    """Yield faults of circles: no files, a repeated name, or limits on unknown parameters."""
     seen: set[str] = set()
     for index, entry in enumerate(list_of(circles)):
         circle, path = mapping_of(entry), ("circles", index)
@@ -44,7 +42,9 @@ def circles(circles: Any, states: Sequence[str]) -> Iterator[KeyFault]:
 
 
 def cross_measurements(cross: Any, axes: Any, states: Sequence[str]) -> Iterator[KeyFault]:
-    """Find measurements of a pair of axes again, of an axis over itself, or of unequal lengths."""
+    """Yield faults of cross measurements: a repeated pair, one axis with itself, or lists of
+    unequal length.
+    """
     seen: set[tuple[str, str]] = set()
     for index, entry in enumerate(list_of(cross)):
         section, path = mapping_of(entry), ("cross", index)
@@ -74,7 +74,9 @@ def cross_measurements(cross: Any, axes: Any, states: Sequence[str]) -> Iterator
 
 
 def _cross_unit(section: Mapping[str, Any], path: KeyPath, axes: Any) -> Iterator[KeyFault]:
-    """Deviations are lengths of a linear output axis and angles of a rotary one."""
+    """Check the unit of a cross measurement: lengths for a linear output axis, angles for a rotary
+    one.
+    """
     unit, output = section.get("unit"), mapping_of(mapping_of(axes).get(str(section.get("output"))))
     if not isinstance(unit, str) or unit not in TO_INSIDE or not output:
         return
@@ -89,7 +91,7 @@ def _cross_unit(section: Mapping[str, Any], path: KeyPath, axes: Any) -> Iterato
 
 
 def applied(section: Any) -> Iterator[KeyFault]:
-    """Find planes that are named twice, and bent axes that they do not have."""
+    """Yield faults of planes that are named twice, or whose bent axis is not in the plane."""
     seen: set[frozenset[str]] = set()
     for plane, bent in mapping_of(mapping_of(section).get("squareness")).items():
         pair = frozenset({str(bent), other_axis(str(plane), str(bent))})

@@ -40,7 +40,9 @@ _WHOLE = re.compile(r"[-+]?\d{1,15}", re.ASCII)
 
 @dataclass(frozen=True, slots=True)
 class StatedJob:
-    """A job without a file, and what of a job file the options say: its plain ``data``."""
+    """A job from the command line without a job file. ``data``: its keys and values as plain
+    data.
+    """
 
     job: Job
     data: Mapping[str, Any]
@@ -57,8 +59,7 @@ def job_from_options(
     profile: str | None = None,
     further: Further | None = None,
 ) -> StatedJob:
-    """Return the job that the options of ``run`` describe: one axis, one test of all ``files``,
-    named after the first; all paths as they are written.
+    """Return the job that the options of ``run`` describe: one axis, and one test of all ``files``.
 
     ``travel`` is ``LO:HI`` in mm or deg; ``states`` are the control's own files, or the single word
     ``none``, or empty (the control's contents are then unknown). Of ``options`` (``K=V``) the keys
@@ -106,7 +107,7 @@ def job_from_options(
 def _sorted_options(
     options: Sequence[str], section: dict[str, Any]
 ) -> tuple[dict[str, str], list[Fault]]:
-    """Put the options of the axis into ``section``; return those of the controller, and faults."""
+    """Put the options of the axis into ``section``. Return those of the controller, and faults."""
     controller: dict[str, str] = {}
     faults: list[Fault] = []
     seen: set[str] = set()
@@ -141,12 +142,12 @@ def _sorted_options(
 
 
 def _numbers(text: str) -> Any:
-    """Return a number, or a list of them where commas separate several."""
+    """Return a number, or a list of numbers separated by commas."""
     return [_number(part) for part in text.split(",")] if "," in text else _number(text)
 
 
 def _number(text: str) -> Any:
-    """Return ``text`` as a number; other text is returned unchanged, and the schema refuses it."""
+    """Return ``text`` as a number. Other text is returned unchanged, and the schema refuses it."""
     word = text.strip()
     if _WHOLE.fullmatch(word):
         return int(word)
@@ -166,7 +167,7 @@ def _whole_travel(travel: str) -> Fault:
 
 
 def _option(place: str, axis: str) -> str:
-    """Return the option that filled a place of the job."""
+    """Return the command-line option for a place in the job."""
     places = {
         f"axes.{axis}.travel": "--travel",
         f"axes.{axis}.before[0].profile": "--profile",

@@ -24,7 +24,7 @@ _AXIS_NAME = re.compile(r"\w[\w+-]*")
 
 
 def contradictions(data: Mapping[str, Any]) -> list[KeyFault]:
-    """Return everything that does not hold together in a job as read."""
+    """Return all contradictions between the keys of a job."""
     names = [AS_FOUND, *mapping_of(data.get("states"))]
     standard = data.get("standard", "iso230-2:2014")
     found = [*_states(data.get("states")), *_addresses(data.get("axes"))]
@@ -57,7 +57,7 @@ def contradictions(data: Mapping[str, Any]) -> list[KeyFault]:
 
 
 def unusable(value: Any, path: KeyPath = ()) -> Iterator[KeyFault]:
-    """Find keys without a value and numbers that are too large, at any depth."""
+    """Yield faults of keys without a value and of numbers that are too large, at any depth."""
     if isinstance(value, dict):
         for key, inner in value.items():
             yield from unusable(inner, (*path, key))
@@ -101,7 +101,7 @@ def _states(states: Any) -> Iterator[KeyFault]:
 
 
 def _addresses(axes: Any) -> Iterator[KeyFault]:
-    """Two axes under one address would be written into one table."""
+    """Check that no two axes have the same address, because one table would get both."""
     seen: dict[str, str] = {}
     for name, axis in mapping_of(axes).items():
         section = mapping_of(axis)
@@ -128,7 +128,9 @@ def _addresses(axes: Any) -> Iterator[KeyFault]:
 
 
 def _untested(data: Mapping[str, Any]) -> Iterator[KeyFault]:
-    """Refuse an axis without any test, unless a circle or a cross measurement uses it."""
+    """Yield a fault for an axis without any test, unless a circle or a cross measurement uses
+    it.
+    """
     if list_of(data.get("circles")) or list_of(data.get("cross")):
         return
     for name, axis in mapping_of(data.get("axes")).items():
@@ -142,7 +144,7 @@ def _untested(data: Mapping[str, Any]) -> Iterator[KeyFault]:
 
 
 def _acknowledged(section: Any, axes: Sequence[str]) -> Iterator[KeyFault]:
-    """Only a doubt can be acknowledged, and only of an axis that exists."""
+    """Check that each acknowledgement names a doubt and an existing axis."""
     for code, value in mapping_of(section).items():
         path: KeyPath = ("acknowledged", code)
         if code in REMARKS | RESULTS:

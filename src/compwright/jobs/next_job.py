@@ -1,5 +1,4 @@
-"""The job of the next round, made from the last job: the files read back become the present state,
-and the tests after loading come first.
+"""Make the job of the next round from the last job. The files read back become the present state.
 
 It works on the plain data of a job file, so that everything else stays as the engineer wrote it:
 axes, options, grid, uncertainty, expansion, limits.
@@ -23,7 +22,7 @@ TEMPERATURES = ("T_m", "T_d")
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class NextAxis:
-    """What the next round changes for an axis.
+    """The changes for an axis in the next round.
 
     ``before``: its tests, the one after loading first. ``resolved``: keys of the axis that the job
     leaves open and the files of the last round answered. ``limited``: the test to which the limits
@@ -37,7 +36,7 @@ class NextAxis:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class NextRound:
-    """What the next round changes.
+    """The changes for the next round.
 
     ``paths``: the copies of profiles, stand-still tests and the logo, by their paths in the last
     job; ``squareness``: the planes that are corrected again.
@@ -52,23 +51,21 @@ class NextRound:
 
 
 def name_of_round(states: Sequence[str]) -> str:
-    """Return the name for the state that was in the control until now: ``round_1``, then
-    ``round_2``.
-    """
+    """Return the name for the previous state of the control: ``round_1``, then ``round_2``."""
     numbers = [number_of_round(name) or 0 for name in states]
     return f"round_{max(numbers, default=0) + 1}"
 
 
 def number_of_round(state: str) -> int | None:
-    """Return which round that is over is called so: 1 of ``round_1``; None of any other name."""
+    """Return the number of a past round from its name: 1 for ``round_1``. None for any other
+    name.
+    """
     found = _ROUND.fullmatch(state)
     return int(found[1]) if found else None
 
 
 def test_sections(section: Mapping[str, Any]) -> list[dict[str, Any]]:
-    """Return the tests of an axis as mappings with ``files`` (a list) and ``name``, however the job
-    writes them.
-    """
+    """Return the tests of an axis in one form: mappings with ``files`` (a list) and ``name``."""
     before = section.get("before", [])
     entries = before if isinstance(before, list) else [before]
     found = []
@@ -82,8 +79,9 @@ def test_sections(section: Mapping[str, Any]) -> list[dict[str, Any]]:
 def earlier_test(
     section: Mapping[str, Any], files: Sequence[str], name: str, was: str, paths: Mapping[str, str]
 ) -> dict[str, Any]:
-    """Return a test of the last round: under ``name``, in the state in which it was taken (``was``:
-    what the state that was in the control then is called now).
+    """Return a test of the last round with its ``name`` and the state in which it was taken.
+
+    ``was``: what the state that was in the control then is called now.
     """
     measured_in = str(section.get("measured_in", AS_FOUND))
     return {
@@ -99,8 +97,8 @@ def test_after(
     temperatures: Mapping[str, Sequence[float]],
     paths: Mapping[str, str],
 ) -> dict[str, Any]:
-    """Return the test after loading, as that of ``section`` was taken, with its own
-    ``temperatures`` (°C, at the start and at the end).
+    """Return the test after loading in the form of the repeated test ``section``, with its own
+    ``temperatures`` (°C).
     """
     test = {**_copied(section, files, paths), "measured_in": AS_FOUND}
     own = test.get("thermal")
@@ -122,7 +120,7 @@ def _copied(
 
 
 def next_job(data: Mapping[str, Any], then: NextRound) -> dict[str, Any]:
-    """Return the data of the next job. ``data``: that of the last one.
+    """Return the data of the next job from the ``data`` of the last job.
 
     Direct measurements between axes are left out: they were taken before, and what corrects them
     is in the control. Of ``apply`` remains what ``then`` looks at again.
@@ -170,7 +168,7 @@ def _axis(section: Mapping[str, Any], then: NextAxis) -> dict[str, Any]:
 
 
 def _acknowledged(section: Mapping[str, Any], axes: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
-    """Yield the acknowledgements of the axes that are in the next job."""
+    """Yield the acknowledgements for the axes in the next job."""
     for code, given in section.items():
         kept = [
             entry
@@ -182,7 +180,7 @@ def _acknowledged(section: Mapping[str, Any], axes: Mapping[str, Any]) -> Iterat
 
 
 def environment_files(section: Any) -> list[str]:
-    """Return the files of a record of the environment, however the job writes them."""
+    """Return the files of an environment record from any form in which the job writes them."""
     files = section.get("files", []) if isinstance(section, dict) else section or []
     return files if isinstance(files, list) else [files]
 
@@ -201,8 +199,9 @@ def _uncertainty(section: Mapping[str, Any], paths: Mapping[str, str]) -> dict[s
 
 
 def _applied(section: Mapping[str, Any], then: NextRound) -> dict[str, Any]:
-    """Return ``apply`` with what circles still decide: squareness of planes that were measured
-    again, and where lost motion comes from.
+    """Return the key ``apply`` with the entries that repeated circles still decide.
+
+    Squareness of planes that were measured again, and where lost motion comes from.
     """
     planes = section.get("squareness", {})
     kept = {plane: bent for plane, bent in planes.items() if plane in then.squareness}

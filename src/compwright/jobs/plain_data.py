@@ -1,4 +1,4 @@
-"""Plain data of a job before the schema has checked their types, and their faults."""
+"""Plain data of a job before the schema has checked the types, and their faults."""
 
 from __future__ import annotations
 
@@ -11,9 +11,7 @@ from compwright.records.job import AS_FOUND
 
 
 def default_name(file: str) -> str:
-    """Return the default name of a test: the stem of its file, whichever way its path is
-    written.
-    """
+    """Return the default name of a test: the name of its file without folder and ending."""
     return PureWindowsPath(file).stem or file
 
 
@@ -35,7 +33,7 @@ def number_of(value: Any) -> float | None:
 
 
 def repeated_files(files: Sequence[Any], path: KeyPath) -> Iterator[KeyFault]:
-    """Find files that a list names twice."""
+    """Yield a fault for each file that a list names twice."""
     for index, file in enumerate(files):
         if isinstance(file, str) and file in files[:index]:
             yield KeyFault((*path, index), "is given twice", "each file once", shown(file))
@@ -44,7 +42,7 @@ def repeated_files(files: Sequence[Any], path: KeyPath) -> Iterator[KeyFault]:
 def unknown_state(
     section: Mapping[str, Any], path: KeyPath, states: Sequence[str]
 ) -> Iterator[KeyFault]:
-    """Find a test measured in a state that the job does not know."""
+    """Yield a fault for a test measured in a state that is not in the job."""
     state = section.get("measured_in", AS_FOUND)
     if isinstance(state, str | int) and str(state) not in states:
         yield KeyFault(

@@ -1,4 +1,4 @@
-"""A job file -> `Job`, with every fault at once."""
+"""Read a job file as a `Job`. All faults are reported at once."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ from compwright.records.job import (
 
 @dataclass(frozen=True, slots=True)
 class CheckedJob:
-    """What `check` hands back: the validated sections, or the faults."""
+    """The result of `check`: the validated sections, or the faults."""
 
     section: JobSection | None
     faults: tuple[Fault, ...]
@@ -72,8 +72,9 @@ def _nothing_further(_data: Mapping[str, Any]) -> Iterable[KeyFault]:
 
 
 def read_job(content: bytes, file: str, further: Further = _nothing_further) -> Job:
-    """Read a job file. ``file`` is its name for messages; paths inside stay as written; ``further``
-    adds checks of the data.
+    """Read a job file. Paths in it stay as written.
+
+    ``file`` is its name for messages; ``further`` adds checks of the data.
 
     Raises UsageError with every fault at once, each with file, ``line N, key.path``, expected and
     found: text that is not YAML, keys given twice, unknown keys (with the nearest known one), wrong
@@ -94,7 +95,9 @@ def read_job(content: bytes, file: str, further: Further = _nothing_further) -> 
 
 
 def check(document: YamlDocument, file: str, further: Further = _nothing_further) -> CheckedJob:
-    """Check plain data against the schema, against itself and against ``further``."""
+    """Check plain data against the schema, for contradictions, and with the checks in
+    ``further``.
+    """
     data = document.data
     if not isinstance(data, dict):
         return CheckedJob(
@@ -133,7 +136,7 @@ def _line(place: str) -> int:
 
 
 def _refuse_other_versions(document: YamlDocument, file: str) -> None:
-    """A newer schema is refused before anything else: its other keys mean nothing here."""
+    """Refuse a newer version of the job file first, because its other keys are unknown here."""
     version = document.data.get("compwright") if isinstance(document.data, dict) else None
     if version == SCHEMA_VERSION or not isinstance(version, int) or isinstance(version, bool):
         return
@@ -154,7 +157,7 @@ def _refuse_other_versions(document: YamlDocument, file: str) -> None:
 
 
 def job_of(section: JobSection, file: str) -> Job:
-    """Return the record of a job that was found free of faults."""
+    """Return the record of a job without faults."""
     findings = (
         *_idle_findings(section),
         *_absent_axes(section),
@@ -268,8 +271,8 @@ def _test(
 
 
 def _thermal(*sections: OwnThermalSection | None) -> Thermal | None:
-    """Return the differential expansion of the keys of ``sections``, each over those before it;
-    None without any.
+    """Return the differential expansion from the keys of ``sections``; later sections override
+    earlier ones. None without any.
     """
     keys: dict[str, Any] = {}
     for section in sections:
@@ -355,7 +358,7 @@ def _circular_budget(section: JobSection) -> CircularBudget | None:
 
 
 def _range(variation: float | DriftSection) -> float:
-    """Return a range of the environmental variation; 0 until its stand-still test is read."""
+    """Return a range of the environmental variation. 0 until its stand-still test is read."""
     return 0.0 if isinstance(variation, DriftSection) else variation
 
 
@@ -373,9 +376,7 @@ def _drifts(section: JobSection) -> dict[AxisKind, DriftRequest]:
 
 
 def _absent_axes(section: JobSection) -> list[Finding]:
-    """Return a finding for every correction of an axis whose travel or address is not in
-    the job.
-    """
+    """Return a finding for every correction of an axis that is not in the job."""
     requested: list[tuple[str, tuple[str, ...]]] = [
         (f"cross[{index}]", (entry.input, entry.output))
         for index, entry in enumerate(section.cross)

@@ -1,4 +1,4 @@
-"""The schema of a job file as pydantic models: keys, types, ranges of single values, defaults.
+"""The schema of a job file as pydantic models: keys, types, ranges of values, defaults.
 
 What ties several keys together (names that must exist, ends in order) is in
 `compwright.jobs.consistency`, so that its faults are listed together with those found here. Units:
@@ -52,13 +52,13 @@ Standard = Literal[
 
 
 class JobMapping(BaseModel):
-    """A mapping of the job file: unknown keys are refused and no value is converted."""
+    """Base of all mappings in the job file. Unknown keys are refused, and no value is converted."""
 
     model_config = ConfigDict(strict=True, extra="forbid")
 
 
 class MachineSection(JobMapping):
-    """Which machine it is."""
+    """The machine: name, serial number, type."""
 
     name: Text | None = None
     serial: Text | None = None
@@ -66,7 +66,7 @@ class MachineSection(JobMapping):
 
 
 class ControllerSection(JobMapping):
-    """The control's format and the options that hold for all axes."""
+    """The control's format and its options for all axes."""
 
     format: Text
     """Id of the control's format, as `compwright formats list` shows it, or the path of a
@@ -88,18 +88,14 @@ class PositionMapSection(JobMapping):
 
 
 class EncoderSection(JobMapping):
-    """The measuring system; without ``system`` the one that the control's files show to be in use,
-    else 1.
-    """
+    """The measuring system. ``system`` defaults to the one that the control's files use, else 1."""
 
     type: Literal["incremental", "absolute", "distance_coded"] = "incremental"
     system: Annotated[Literal[1, 2] | None, BeforeValidator(no_truth_value)] = None
 
 
 class OwnThermalSection(JobMapping):
-    """Keys of the differential expansion that an axis, or a test, has otherwise than what stands
-    above it.
-    """
+    """Keys of the differential expansion that an axis or a test overrides."""
 
     alpha_m: float | None = None
     """Coefficient of expansion of the machine's scale or of the workpiece. Unit: µm/(m K).
@@ -121,14 +117,14 @@ class OwnThermalSection(JobMapping):
 
 class ThermalSection(OwnThermalSection):
     """Nominal differential expansion: µm/(m K), °C, µm/(m K), °C, mm. ``T_m`` may come from the
-    record of the environment.
+    environment record.
     """
 
     alpha_m: float
 
 
 class InstrumentAirSection(JobMapping):
-    """The air for which the display of a laser counts."""
+    """The air that the display of a laser assumes."""
 
     air_c: float = Field(20.0, ge=-20.0, le=60.0)
     """Temperature of the air. Unit: °C. Default: `20`."""
@@ -139,7 +135,7 @@ class InstrumentAirSection(JobMapping):
 
 
 class EnvironmentSection(JobMapping):
-    """Records of the environment and what the display of the laser counts for."""
+    """Records of the environment, and the air that the display of the laser assumes."""
 
     files: Annotated[list[Text], BeforeValidator(listed), Field(min_length=1)]
     """Path, or list of paths, of CSV files with the columns `time` and `air_c`, `pressure_hpa`,
@@ -184,8 +180,9 @@ class TestSection(JobMapping):
 
 
 class TableSection(JobMapping):
-    """Wishes for the grid; None: as it is in the control, or as compwright chooses. ``gain``: from
-    which gain on a table is written.
+    """The requested grid of a table. None: the control's grid, or one that compwright chooses.
+
+    ``gain``: from which gain on a table is written.
     """
 
     start: float | None = None
@@ -212,14 +209,14 @@ class TableSection(JobMapping):
 
 
 class GantrySection(JobMapping):
-    """The synchronised axis, or the word none; what it gets where it has a table of its own."""
+    """The slave axis of a gantry, or the word none. Also which table it gets if it has its own."""
 
     axis: Text
     table: Literal["same", "change"] | None = None
 
 
 class AxisSection(JobMapping):
-    """One axis. ``accept`` (parameter names, and ``test``) and an empty ``before``: see
+    """One axis. Further rules for ``accept`` and ``before`` are in
     `compwright.jobs.consistency`.
     """
 
@@ -300,8 +297,9 @@ class AxisSection(JobMapping):
 
 
 class CircleSection(JobMapping):
-    """One circular test: one file with both runs, or a file per run. ``centre`` in machine
-    coordinates, mm; ``accept``: limits in µm by parameter.
+    """One circular test: one file with both runs, or one file per run.
+
+    ``centre`` in machine coordinates, mm; ``accept``: limits in µm by parameter.
     """
 
     file: Text | None = None
@@ -323,8 +321,9 @@ class CircleSection(JobMapping):
 
 
 class CrossSection(JobMapping):
-    """Deviation of one axis over another, in ``unit``, and the state (of ``states``) in which it
-    was measured.
+    """Deviations of one axis over another, in ``unit``, and the state in which they were measured.
+
+    Of ``states``.
     """
 
     input: Text
@@ -342,7 +341,7 @@ class CrossSection(JobMapping):
 
 
 class ApplySection(JobMapping):
-    """What of the circular tests is to be corrected."""
+    """Which results of the circular tests are corrected."""
 
     squareness: dict[str, Text] = {}
     """`{XY: Y}`: in the plane XY the axis Y is bent; each plane once. Default: nothing."""
@@ -362,7 +361,7 @@ class DeviceSection(JobMapping):
 
 
 class DriftSection(JobMapping):
-    """The file of a stand-still test, and how long a positioning test takes, min."""
+    """The file of a stand-still test, and the duration of a positioning test, min."""
 
     file: Text
     duration_min: Positive | None = None
@@ -429,7 +428,7 @@ class UncertaintySection(JobMapping):
 
 
 class ProvenSection(JobMapping):
-    """A machine on which tables of this kind were seen to act."""
+    """A machine on which tables for this control were seen to be active."""
 
     control: Text
     machine: Text
@@ -438,14 +437,14 @@ class ProvenSection(JobMapping):
 
 
 class AcknowledgementSection(JobMapping):
-    """Why a doubt does not count; ``axis``: for one axis only."""
+    """The reason why a doubt does not count. ``axis``: for one axis only."""
 
     reason: Text
     axis: Text | None = None
 
 
 class ReportSection(JobMapping):
-    """The form of reports and the contents of their heading; ``logo``: a file."""
+    """The form of reports and the contents of their heading. ``logo``: a file."""
 
     language: Literal["en", "de", "fr", "ru"] = "en"
     number: Text | None = None
@@ -456,8 +455,8 @@ class ReportSection(JobMapping):
 
 
 class StateSection(JobMapping):
-    """The files of a state, or the word none; whether compensation was active, where the files
-    switch it off or do not state it.
+    """The files of a state, or the word none. ``active``: whether compensation was active, if the
+    files leave it open.
     """
 
     files: Annotated[list[Text], BeforeValidator(listed), Field(min_length=1)]
@@ -465,7 +464,7 @@ class StateSection(JobMapping):
 
 
 class JobSection(JobMapping):
-    """The whole file. What ties ``states`` together is checked in `compwright.jobs.consistency`."""
+    """The whole job file. Rules for ``states`` are in `compwright.jobs.consistency`."""
 
     compwright: int
     """Version of this schema: `1`. A newer one is refused before anything else is looked at.
@@ -536,8 +535,8 @@ class JobSection(JobMapping):
 
 
 def known_keys(location: KeyPath) -> list[str]:
-    """Return the keys of the section at ``location``; keys of free mappings and indices of lists
-    are passed over.
+    """Return the keys of the section at ``location``. Free mappings and list indices are
+    skipped.
     """
     section: type[BaseModel] = JobSection
     for part in location:

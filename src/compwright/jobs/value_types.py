@@ -1,4 +1,4 @@
-"""What the keys of a job file accept: text, numbers, lists, and short forms of mappings."""
+"""Types of values in a job file: text, numbers, lists, and short forms of mappings."""
 
 from __future__ import annotations
 
@@ -27,27 +27,27 @@ def _one_line_of_text(value: Any) -> Any:
 
 
 def listed(value: Any) -> Any:
-    """Accept one entry in place of a list of one."""
+    """Accept a single entry instead of a list."""
     return value if isinstance(value, list) else [value]
 
 
 def named_file(value: Any) -> Any:
-    """Accept a file in place of a mapping with ``files``."""
+    """Accept a file name instead of a mapping with ``files``."""
     return {"files": [value]} if isinstance(value, str) else value
 
 
 def named_axis(value: Any) -> Any:
-    """Accept an axis in place of a mapping with ``axis``."""
+    """Accept an axis name instead of a mapping with ``axis``."""
     return value if isinstance(value, dict) else {"axis": value}
 
 
 def acknowledgements(value: Any) -> Any:
-    """Accept a reason alone, one mapping, or several, one for each axis."""
+    """Accept a reason alone, one mapping, or one mapping per axis."""
     return [{"reason": one} if isinstance(one, str) else one for one in listed(value)]
 
 
 def no_truth_value(value: Any) -> Any:
-    """Keep ``true`` from passing for 1, which it equals."""
+    """Refuse ``true`` as a number, although it equals 1."""
     if isinstance(value, bool):
         raise PydanticCustomError("truth_value", "is a truth value")
     return value
@@ -61,7 +61,7 @@ def yes_or_no(value: Any) -> Any:
 
 
 def files_or_mapping(value: Any) -> Any:
-    """Accept one file or several in place of a mapping with ``files``."""
+    """Accept one or several file names instead of a mapping with ``files``."""
     return value if isinstance(value, dict) else {"files": value}
 
 
@@ -70,12 +70,14 @@ def _auto_or_number(value: Any) -> str:
 
 
 def drift_file(value: Any) -> Any:
-    """Accept a file in place of a mapping with ``file``."""
+    """Accept a file name instead of a mapping with ``file``."""
     return {"file": value} if isinstance(value, str) else value
 
 
 def drift_or_number(value: Any) -> str:
-    """Distinguish a file from a number, and from text that was meant as a number (``1,5``)."""
+    """Return whether a value is a file name, a number, or text that was meant as a number
+    (``1,5``).
+    """
     if isinstance(value, dict):
         return "drift"
     named = isinstance(value, str) and re.search(r"[^\W\d_]", value) is not None

@@ -15,7 +15,7 @@ from typing import Any
 
 @dataclass(frozen=True, slots=True)
 class Prefilled:
-    """A value with its source; ``value`` None: the user has to fill it in, and ``source`` describes
+    """A value with its source. ``value`` None: the user must fill it in; ``source`` describes
     it.
     """
 
@@ -25,9 +25,7 @@ class Prefilled:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AxisDraft:
-    """One axis of a draft: values by key of the job file, in the order in which they are
-    written.
-    """
+    """One axis of a new job file: values by key, in the order of writing."""
 
     name: str
     values: Mapping[str, Prefilled]
@@ -72,8 +70,8 @@ def _line(indent: int, name: str, entry: Prefilled) -> str:
 
 
 def _plain(value: object) -> str:
-    """Return a value as YAML on one line: words as they are, everything else as JSON, which YAML
-    reads too.
+    """Return a value as YAML on one line: plain words, everything else as JSON, which is valid
+    YAML.
     """
     if isinstance(value, str) and _is_word(value):
         return value
@@ -81,8 +79,8 @@ def _plain(value: object) -> str:
 
 
 def data_text(data: Mapping[str, Any], heading: Sequence[str]) -> str:
-    """Return a whole job as YAML that reads back as the same plain data. ``heading``: comment lines
-    above it.
+    """Return a whole job as YAML that reads back as the same data. ``heading``: comment lines above
+    it.
     """
     lines = [f"# {line}" for line in heading]
     for key, value in data.items():
@@ -100,7 +98,7 @@ _SPREAD = frozenset({"axes", "states"})
 
 
 def _spread(name: str, value: object, indent: int) -> list[str]:
-    """Return a mapping with a line for each of its keys; anything else on one line."""
+    """Return a mapping with one line per key. Anything else stays on one line."""
     if not (isinstance(value, Mapping) and value):
         return _entry(name, value, indent)
     lines = [f"{' ' * indent}{word(name)}:"]
@@ -110,7 +108,7 @@ def _spread(name: str, value: object, indent: int) -> list[str]:
 
 
 def _entry(key: str, value: object, indent: int) -> list[str]:
-    """Return one key with its value on its line; a list of mappings has a line for each."""
+    """Return one key with its value on one line. A list of mappings has one line each."""
     start = f"{' ' * indent}{word(key)}:"
     if isinstance(value, list) and value and all(isinstance(each, Mapping) for each in value):
         return [start, *(f"{' ' * indent}  - {flow(each)}" for each in value)]
@@ -118,7 +116,7 @@ def _entry(key: str, value: object, indent: int) -> list[str]:
 
 
 def flow(value: object) -> str:
-    """Return a value on one line, words and numbers as they are."""
+    """Return a value as YAML on one line."""
     if isinstance(value, Mapping):
         return "{" + ", ".join(f"{word(key)}: {flow(each)}" for key, each in value.items()) + "}"
     if isinstance(value, list | tuple):
@@ -127,7 +125,7 @@ def flow(value: object) -> str:
 
 
 def word(text: str) -> str:
-    """Return text as a plain word, or in quotes with everything escaped that no line can show."""
+    """Return text as a plain YAML word, or in quotes with special characters escaped."""
     if _is_word(text):
         return text
     quoted = text.replace("\\", "\\\\").replace('"', '\\"')
