@@ -1,3 +1,3 @@
-"""The ground floor: errors, units, findings, provenance, storage, YAML. Imports nothing of the
-house.
+"""Common foundations: errors, units, findings, provenance, storage, YAML. They import no other room
+except the sentences.
 """

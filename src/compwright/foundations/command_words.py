@@ -17,8 +17,10 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, slots=True)
 class OptionForm:
-    """How an option is written. ``several``: it takes several values; ``more``: whether a word may
-    follow a value of it; ``files``: its values are files.
+    """How an option of the command line is written.
+
+    ``several``: it takes several values; ``more``: whether a word may follow a value of it;
+    ``files``: its values are files.
     """
 
     flag: bool = False
@@ -30,8 +32,8 @@ class OptionForm:
 
 @dataclass(frozen=True, slots=True)
 class Own:
-    """The files of the command itself: how many it asks for at least, whether it takes any number,
-    and with what the name of one ends where that is known.
+    """The file arguments of a command: their least number, whether any number is allowed, and their
+    file ending if known.
     """
 
     needed: int
@@ -40,9 +42,7 @@ class Own:
 
 
 def spread(words: Sequence[str], options: Mapping[str, OptionForm], own: Own) -> list[str]:
-    """Return ``words`` with the files of the command first and each value behind an option of its
-    own.
-    """
+    """Return the command line with its files first, and each option value after its own option."""
     given, files, further = _sorted(words, options)
     if own.needed and not files and further:
         kept = _held_back(given, further, own)
@@ -55,7 +55,7 @@ def spread(words: Sequence[str], options: Mapping[str, OptionForm], own: Own) ->
 
 
 def _held_back(given: Sequence[str], further: Sequence[range], own: Own) -> Sequence[int]:
-    """Return the places of the words that are files of the command."""
+    """Return the indices of the words that are files of the command."""
     named = [
         place
         for places in further
@@ -70,8 +70,8 @@ def _held_back(given: Sequence[str], further: Sequence[range], own: Own) -> Sequ
 def _sorted(
     words: Sequence[str], options: Mapping[str, OptionForm]
 ) -> tuple[list[str], list[str], list[range]]:
-    """Return options with their values, the files, and for each option with several files the
-    places of those behind the first.
+    """Return options with their values, the files, and for options with several files the indices
+    of the further ones.
     """
     given: list[str] = []
     files: list[str] = []
@@ -100,8 +100,8 @@ def _sorted(
 
 
 def _set_off(word: str, options: Mapping[str, OptionForm], left: list[str]) -> str:
-    """Return the option of a word such as ``--state=a``, its value put in front of what is
-    ``left``; any other word as it is.
+    """Return the option of a word such as ``--state=a``. Its value is put in front of what is
+    ``left``; other words stay.
     """
     name, mark, value = word.partition("=")
     form = options.get(name)

@@ -1,4 +1,4 @@
-"""Dates as instruments write them, as far as they can be read in one way only."""
+"""Read dates as instruments write them, if they have only one meaning."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ _SLASHES = re.compile(rf"\s*(?P<a>\d{{1,2}})[/-](?P<b>\d{{1,2}})[/-](?P<y>\d{{4}
 
 
 def day_of(text: str) -> str:
-    """Return a date as ``YYYY-MM-DD``, with `` HH:MM:SS`` where the time is given; empty for text
-    that is not a date or has two meanings (03/04/2026 is in March or in April).
+    """Return a date as ``YYYY-MM-DD``, with `` HH:MM:SS`` where the time is given. Empty for other
+    text and ambiguous dates.
     """
     for form in _FORMS:
         found = form.fullmatch(text)

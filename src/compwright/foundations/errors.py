@@ -1,5 +1,4 @@
-"""Errors by cause. Each carries every fault at once, one line per fault, and the exit code of its
-cause.
+"""Errors by cause. Each error contains all faults, one per line, and the exit code of its cause.
 
 A fault names what is wrong, in which file, at which place (line, column or key path), what was
 expected, what was found and what to do next. Nothing here prints; the command line turns an error
@@ -30,8 +29,8 @@ _LISTED = 3
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Fault:
-    """One thing that is wrong. ``place`` is a line, a column or a key path; empty parts are left
-    out.
+    """One fault. ``place``: a line, a column or a key path; empty parts are left out of the
+    message.
     """
 
     message: str
@@ -66,7 +65,7 @@ class Fault:
         return self if self.file else replace(self, file=file)
 
     def within(self, place: str) -> Fault:
-        """Return the same fault with ``place`` before its own place."""
+        """Return the same fault with ``place`` prepended to its own place."""
         return replace(self, place=f"{place}, {self.place}" if self.place else place)
 
 
@@ -88,9 +87,7 @@ class CompwrightError(Exception):
         super().__init__("\n".join(self.lines()))
 
     def lines(self) -> list[str]:
-        """Return the faults as lines; many lines of one file that are wrong in the same way are
-        one.
-        """
+        """Return the faults as lines. Equal faults of many lines in one file become one."""
         groups: dict[object, list[Fault]] = {}
         for i, fault in enumerate(self.faults):
             same = (fault.message, fault.file, fault.expected)
@@ -102,24 +99,25 @@ class CompwrightError(Exception):
         return found
 
     def __reduce__(self) -> tuple[type[CompwrightError], tuple[Fault, ...]]:
-        """Return how a copy is made: of the faults, not of the words."""
+        """Return how to copy the error: from its faults, not from its text."""
         return type(self), self.faults
 
 
 class UsageError(CompwrightError):
-    """A wrong option, or a wrong or incomplete job (exit 2)."""
+    """A wrong option, or an incomplete or wrong job (exit code 2)."""
 
     exit_code = 2
 
 
 class InputError(CompwrightError):
-    """Input that cannot be read or that contradicts itself (exit 3)."""
+    """Input that is unreadable or contradicts itself (exit code 3)."""
 
     exit_code = 3
 
 
 class CapacityError(CompwrightError):
-    """The control cannot hold what is asked, or no certified solution was found (exit 4).
+    """The control cannot hold the required correction, or no certified solution was found (exit
+    code 4).
 
     The fault says which limit is broken, by how much, and what would help.
     """
@@ -128,7 +126,7 @@ class CapacityError(CompwrightError):
 
 
 class StorageError(CompwrightError):
-    """A file cannot be written: it exists, no permission, the disk is full (exit 5)."""
+    """A file cannot be written: it exists, no permission, or a full disk (exit code 5)."""
 
     exit_code = 5
 
@@ -140,5 +138,5 @@ def raise_all(kind: type[CompwrightError], faults: Sequence[Fault]) -> None:
 
 
 def collect(errors: Iterable[CompwrightError]) -> tuple[Fault, ...]:
-    """Return the faults of several errors in their order."""
+    """Return the faults of several errors in one list."""
     return tuple(fault for error in errors for fault in error.faults)

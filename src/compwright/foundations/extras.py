@@ -18,7 +18,7 @@ _PACKAGES: Final = {
 
 
 def installing(extra: str) -> str:
-    """Return the next step where a library of the ``extra`` is missing: a command to copy."""
+    """Return the next step where a library of the ``extra`` is missing: an installation command."""
     return (
         f"install what the extra {extra} needs:"
         f' "{sys.executable}" -m pip install {_PACKAGES[extra]}'
@@ -37,7 +37,7 @@ def need(module: str, extra: str = "report", purpose: str = "plots and reports")
 
 
 def installed_version(package: str) -> str:
-    """Return the version of an installed package; "not installed" where there is none."""
+    """Return the version of an installed package, or "not installed"."""
     metadata = importlib.import_module("importlib.metadata")  # slow to load: only where it is asked
     try:
         return str(metadata.version(package))

@@ -1,5 +1,6 @@
-"""What kind of file a content is, as far as compwright can tell: one line for a file that was given
-in the place of another one.
+"""Recognise the kind of a file by its contents, for the case that the user gives a wrong kind.
+
+One line for a file that was given in the place of another one.
 """
 
 from __future__ import annotations
@@ -51,8 +52,9 @@ _CHECKED: Final = (*_USAGE, PLAN, MEASUREMENT, CONTROL)
 
 
 def refuse_other_kind(content: bytes, kind: InputKind, file: str) -> None:
-    """Raise where ``content`` is a file of compwright, or a measurement, of another kind than
-    ``kind``: UsageError in the place of a file that says what to do, else InputError.
+    """Raise an error if ``content`` is a known file of a kind other than ``kind``.
+
+    UsageError in the place of a file that says what to do, else InputError.
     """
     if kind not in _CHECKED:
         return
@@ -69,7 +71,7 @@ def refuse_other_kind(content: bytes, kind: InputKind, file: str) -> None:
 
 
 def _kind_of(content: bytes) -> str:
-    """Return the kind of a file in words; empty where it is unknown."""
+    """Return the kind of a file as text. Empty where it is unknown."""
     head = content[:_HEAD]
     schema = _SCHEMA.match(head)
     if schema is not None:

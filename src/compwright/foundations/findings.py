@@ -1,4 +1,4 @@
-"""Findings: records with stable codes; nothing is printed before the end of a command.
+"""Findings: remarks with stable codes, collected during a command and shown at its end.
 
 Code families: ``CW-R`` reading, ``CW-T`` test checks, ``CW-J`` job, ``CW-S`` state of the control,
 ``CW-E`` error estimate, ``CW-F`` fit, ``CW-X`` format and export, ``CW-P`` prediction, ``CW-V``
@@ -57,8 +57,10 @@ DOUBTS_FIRST: Final = say("doubts.first")
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """A remark for the user. ``code`` is stable across versions; ``sentence``: name and values.
-    ``axes``: those that it concerns, empty for all; by name, in the control's files by address.
+    """A remark for the user, with a stable ``code`` and a ``sentence``.
+
+    ``sentence``: name and values. ``axes``: those that it concerns, empty for all; by name, in the
+    control's files by address.
     """
 
     code: str
@@ -70,14 +72,16 @@ class Finding:
     def of(
         cls, name: str, severity: Severity, /, axes: tuple[str, ...] = (), **values: object
     ) -> Finding:
-        """Return a finding with the sentence ``name`` of the catalogue, which is the code of the
-        finding, with a dot and a word more where one code has several sentences.
+        """Return a finding with the sentence ``name`` of the catalogue. The name begins with the
+        finding's code.
+
+        With a dot and a word more where one code has several sentences.
         """
         return cls(name.partition(".")[0], severity, say(name, **values), axes)
 
     @property
     def message(self) -> str:
-        """The sentence in English; pages take it in their language."""
+        """The sentence in English. Pages use their own language."""
         return SentenceText(self.sentence)
 
     @property
@@ -87,21 +91,21 @@ class Finding:
 
     @property
     def is_doubt(self) -> bool:
-        """Whether nothing may be decided until this is clear or acknowledged; no info is."""
+        """Whether the finding blocks decisions until it is resolved or acknowledged. Information
+        never does.
+        """
         return self.code in DOUBTS and self.severity != "info"
 
 
 def next_step(codes: Iterable[str]) -> Sentence | None:
-    """Return what to do about the doubts among findings that stand first, by their ``codes``; None
-    where there is none.
-    """
+    """Return the next step for the doubts with these ``codes``. None without a doubt."""
     doubts = [code for code in dict.fromkeys(codes) if code in DOUBTS]
     return say("doubts.step", codes=doubts) if doubts else None
 
 
 def doubts_of(findings: Iterable[Finding]) -> tuple[Finding, ...]:
-    """Return those of ``findings`` that stand first, doubts and results, each once, the errors
-    first; no infos.
+    """Return the doubts and important results of ``findings``, each once, errors first. Information
+    is left out.
     """
     first = dict.fromkeys(
         finding

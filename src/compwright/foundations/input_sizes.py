@@ -1,4 +1,4 @@
-"""How large an input may be, by what it is: the one place that says so.
+"""The largest size of each kind of input.
 
 What is larger is refused before it is read, so that no input fills the memory. The largest real
 files known are far below: a circle 1 MB, a whole backup of a control some 20 MB, a job 30 kB.

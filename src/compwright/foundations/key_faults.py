@@ -1,4 +1,4 @@
-"""A fault with its key path, and the words for what was found and for what was meant."""
+"""A fault with its key path, and texts for expected and found values."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def key_path_text(path: KeyPath) -> str:
 
 @dataclass(frozen=True, slots=True)
 class KeyFault:
-    """What is wrong under a key of a mapping; the caller adds file and line."""
+    """A fault of a key in a mapping. The caller adds file and line."""
 
     path: KeyPath
     message: str
@@ -57,7 +57,9 @@ class KeyFault:
     hint: str = ""
 
     def in_file(self, file: str, place: Callable[[KeyPath], str] = key_path_text) -> Fault:
-        """Return the fault; ``place``: from a key path to the words for it."""
+        """Return the fault with file and place. ``place``: a function from a key path to its
+        text.
+        """
         return Fault(
             message=self.message,
             file=file,
@@ -69,8 +71,10 @@ class KeyFault:
 
 
 def usual_hint(path: KeyPath, message: str, expected: str = "", found: str = "") -> str:
-    """Return the next step that follows from the kind of a complaint about a key: the text to
-    write, where ``expected`` has an example, the accepted values or the nearest name.
+    """Return the usual next step for a fault of a key: a text to write, the accepted values, or the
+    nearest name.
+
+    Where ``expected`` has an example.
     """
     if not path:
         return "correct the file; the docs of compwright describe its keys"
@@ -95,14 +99,12 @@ def usual_hint(path: KeyPath, message: str, expected: str = "", found: str = "")
 
 
 def too_large(value: Any) -> bool:
-    """Whether a number is infinite or beyond all use, so that it must be a slip or text without
-    quotes.
-    """
+    """Return whether a number is infinite or implausibly large, so that it must be a mistake."""
     return isinstance(value, int | float) and not abs(value) <= LARGEST_NUMBER
 
 
 def shown(value: Any) -> str:
-    """Return what was found, short enough for one line."""
+    """Return a found value as text, short enough for one line."""
     if isinstance(value, dict):
         return "a mapping" if value else "an empty mapping"
     if isinstance(value, list):
@@ -116,14 +118,16 @@ def shown(value: Any) -> str:
 
 
 def nearest(word: str, known: Iterable[str]) -> str | None:
-    """Return the known name that is most like a word, whatever its case; None where none is."""
+    """Return the known name that is most similar to a word, in upper or lower case. None where no
+    name is similar.
+    """
     lowered = {name.lower(): name for name in known}
     near = difflib.get_close_matches(word.lower(), list(lowered), n=1)
     return lowered[near[0]] if near else None
 
 
 def suggestion(word: str, known: Iterable[str]) -> str:
-    """Return the nearest known name, or where none is near the list of all."""
+    """Return the most similar known name, or the list of all names where none is similar."""
     words = set(known)
     if not words:
         return "nothing, none is defined"
@@ -132,7 +136,7 @@ def suggestion(word: str, known: Iterable[str]) -> str:
 
 
 def number_hint(text: str) -> str:
-    """Return why ``text`` was not read as a number, empty when it does not look like one."""
+    """Return why ``text`` was not read as a number. Empty when it does not look like one."""
     for pattern, hint in _NUMBER_HINTS:
         if re.fullmatch(pattern, text.strip()):
             return hint

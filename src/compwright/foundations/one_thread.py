@@ -1,4 +1,4 @@
-"""What Python and its libraries keep once for a process, changed by one thread at a time."""
+"""Change process-wide settings of Python and its libraries by one thread at a time."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A fault of compwright itself as one line instead of a traceback."""
+"""Report an internal fault of compwright as one line instead of a traceback."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ OWN_FAULT = 70
 
 
 def own_fault(error: Exception, file: str = "") -> Fault:
-    """Return the report of an unexpected error while ``file`` was read: its class, its text, and
-    the line of compwright that raised it.
+    """Return the report of an internal fault during the reading of ``file``: its class, its text
+    and its line in compwright.
     """
     from traceback import extract_tb  # loaded where there is a fault: help and results need none
 

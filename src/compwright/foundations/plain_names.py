@@ -1,4 +1,4 @@
-"""Names that may become part of a file's name on every system."""
+"""Names that are valid as part of a file name on every system."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ _FORBIDDEN: Final = frozenset('/\\:*?"<>|')
 
 
 def is_plain_name(text: str) -> bool:
-    """Return whether a text names one thing and nothing else: no folder, no drive, no control
-    characters, nothing that a file system drops at its end.
+    """Return whether a text is a plain file name: no folder, no drive, no control characters, no
+    blank or point at its end.
     """
     return (
         bool(text.strip())

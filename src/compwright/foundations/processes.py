@@ -1,5 +1,6 @@
-"""Parallel work in several processes: most of the work is Python code, which runs on one processor
-per process. They are started with ``spawn``, which every system supports.
+"""Work in several processes in parallel, because Python code uses only one processor per process.
+
+They are started with ``spawn``, which every system supports.
 """
 
 from __future__ import annotations
@@ -32,9 +33,10 @@ _MOST: Final = 8
 
 @contextmanager
 def side_by_side(items: int, ready: Callable[[], None]) -> Iterator[Each]:
-    """Provide a function that works on up to ``items`` items in this process and in further ones,
-    which call ``ready`` first. It works in turn for one item, on one processor, and where the
-    system starts no process.
+    """Provide a function that works on up to ``items`` items in several processes.
+
+    In this process and in further ones, which call ``ready`` first. It works in turn for one item,
+    on one processor, and where the system starts no process.
     """
     keep_free_memory()
     others = min(processors(), items, _MOST) - 1
@@ -60,8 +62,8 @@ def _pool(others: int) -> ProcessPoolExecutor | None:
 
 @contextmanager
 def _ctrl_c_later() -> Iterator[None]:
-    """Hold Ctrl-C back, also in processes that are started meanwhile, which would else answer with
-    a traceback from the midst of their imports; where the system can hold signals back.
+    """Delay Ctrl-C while processes start, because a process would answer with a traceback during
+    its imports.
     """
     if not hasattr(signal, "pthread_sigmask"):
         yield
@@ -74,7 +76,9 @@ def _ctrl_c_later() -> Iterator[None]:
 
 
 def _begin() -> None:
-    """Begin as the first process did, and end at Ctrl-C without a word: that one says it."""
+    """Start a further process like the first one. At Ctrl-C it ends without a message, because the
+    first process reports it.
+    """
     Thread(target=_end_with_the_first, daemon=True).start()
     look_for_garbage_seldom()
     keep_free_memory()
@@ -84,8 +88,10 @@ def _begin() -> None:
 
 
 def _end_with_the_first() -> None:
-    """End this process when the first one is gone: one that was killed cannot say that there is no
-    more work, and its queue would be waited at for ever.
+    """End this process when the first process no longer exists.
+
+    One that was killed cannot say that there is no more work, and its queue would be waited at for
+    ever.
     """
     first = parent_process()
     if first is not None:
@@ -94,7 +100,7 @@ def _end_with_the_first() -> None:
 
 
 class _Several:
-    """Works on items from the last on, while other processes work from the first on.
+    """Works on items from the end, while other processes work from the beginning.
 
     What another process could not do, for whatever reason, is done here once more, so that errors
     are those of working in turn.
@@ -125,8 +131,8 @@ class _Several:
 
 
 class _Shared(Generic[T, R]):
-    """Items that this and ``others`` processes work on until they meet. ``done``: for every item a
-    list of what was made of it, empty where nothing was.
+    """Items on which this process and ``others`` work from both ends. ``done``: the result of each
+    item as a list.
 
     A process is handed its next items only when it has done those before, by a thread that waits
     for it: the queue of an executor would keep back items that this process, idle then, could do.
@@ -139,13 +145,13 @@ class _Shared(Generic[T, R]):
         self._taking = Lock()
 
     def work_here(self) -> None:
-        """Work on the last items, one by one, until all are begun."""
+        """Work on the last items, one by one, until all items are begun."""
         while (place := self._taken_here()) is not None:
             with suppress(CompwrightError):  # raised again in turn: an earlier item may raise, too
                 self.done[place] = [self._work(self._items[place])]
 
     def work_there(self, pool: ProcessPoolExecutor) -> None:
-        """Hand the first items to another process until all are begun."""
+        """Send the first items to another process until all items are begun."""
         while places := self._taken_there():
             batch = [self._items[place] for place in places]
             try:
@@ -157,7 +163,7 @@ class _Shared(Generic[T, R]):
                 return
 
     def close(self) -> None:
-        """Let nothing more be begun."""
+        """Start no further items."""
         with self._taking:
             self._last = self._first
 
@@ -169,7 +175,7 @@ class _Shared(Generic[T, R]):
             return self._last
 
     def _taken_there(self) -> range:
-        """Return the next items of another process: several where many are left."""
+        """Return the next items for another process: several where many remain."""
         with self._taking:
             first = self._first
             count = -(-(self._last - first) // (_TURNS * (self._others + 1)))

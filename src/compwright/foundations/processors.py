@@ -1,5 +1,5 @@
-"""How many processors there are, how many the linear algebra may use (one), how often Python looks
-for garbage, and what becomes of memory that is free again.
+"""Settings of the process: processors, threads of the linear algebra (one), garbage collection,
+free memory.
 """
 
 from __future__ import annotations
@@ -20,12 +20,12 @@ _KEEPING: Final = ((-3, 32 * 1024 * 1024), (-1, 64 * 1024 * 1024))
 
 
 def look_for_garbage_seldom() -> None:
-    """Let this process look for circles of garbage only after many new objects."""
+    """Make Python search for unused object cycles only after many new objects."""
     gc.set_threshold(_NEW_OBJECTS, *gc.get_threshold()[1:])
 
 
 def keep_free_memory() -> None:
-    """Let this process keep its free memory for later arrays (glibc; elsewhere nothing happens).
+    """Make this process keep its free memory for later arrays (only with the C library glibc).
 
     Otherwise the system clears every page of each large array anew: a tenth of the processor time
     of a run.
@@ -43,8 +43,7 @@ def keep_free_memory() -> None:
 
 
 def use_one_thread() -> None:
-    """Tell the linear algebra of numpy and scipy to stay on one thread; to be called before numpy
-    is loaded.
+    """Restrict the linear algebra of numpy and scipy to one thread. Call it before numpy is loaded.
 
     The matrices here are small: threads cost five times what they gain (27 s of processor time
     against 6 s for a job of four axes). Who has set these variables keeps his values.

@@ -1,4 +1,4 @@
-"""Where numbers come from: source files with their hash."""
+"""The origin of numbers: source files with their hash."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, slots=True)
 class Source:
-    """A file that was read: its name as the user gave it, and the SHA-256 of its bytes."""
+    """A file that was read: its name as the user wrote it, and the SHA-256 of its bytes."""
 
     file: str
     sha256: str
 
 
 def fingerprint(content: bytes) -> str:
-    """Return the SHA-256 of ``content`` as hexadecimal text."""
+    """Return the SHA-256 hash of ``content`` as hexadecimal text."""
     return hashlib.sha256(content).hexdigest()
 
 
@@ -26,5 +26,7 @@ def source_of(file: str, content: bytes) -> Source:
 
 
 def share_a_file(one: Iterable[Source], other: Iterable[Source]) -> bool:
-    """Return whether two records come from one file, by its content: its name may have changed."""
+    """Return whether two records come from the same file contents. The file name does not
+    matter.
+    """
     return not {source.sha256 for source in one}.isdisjoint(source.sha256 for source in other)

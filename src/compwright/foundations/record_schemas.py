@@ -1,4 +1,4 @@
-"""Records from mappings: the types of a record's fields are its schema for pydantic.
+"""Make records from mappings. The types of a record's fields are its schema for pydantic.
 
 A `RecordForm` says where the mapping is written otherwise. Lists give tuples, words give members of
 an enumeration; apart from that no value is converted.
@@ -25,7 +25,7 @@ Rules = Mapping[type, Callable[[Any], Iterator[str]]]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RecordForm:
-    """The differences between the mapping of a record and its fields.
+    """The differences between a mapping and the fields of its record.
 
     ``keys``: the key of a field with another name. ``absent``: keys that may be missing.
     ``constant``: values of fields that the mapping does not contain, or not always (``absent``).
@@ -49,7 +49,7 @@ class RecordForm:
 
 
 def listed(item: cs.CoreSchema) -> cs.CoreSchema:
-    """Return the schema of a list of any length; its result is a tuple."""
+    """Return the schema of a list of any length, read as a tuple."""
     return cs.tuple_schema([item], variadic_item_index=0, strict=False)
 
 
@@ -61,8 +61,8 @@ def mapping(
     others: bool = False,
     ref: str | None = None,
 ) -> cs.CoreSchema:
-    """Return the schema of a mapping with these keys, of which ``build`` makes a value; ``others``:
-    further keys are left alone.
+    """Return the schema of a mapping with these keys, which ``build`` converts. ``others``: further
+    keys are allowed.
     """
     known = cs.typed_dict_schema(
         {
@@ -77,9 +77,7 @@ def mapping(
 
 
 class RecordSchemas:
-    """Makes the schemas of record classes. ``plain``: schemas of further types (text, words of a
-    closed list, lists and mappings are known).
-    """
+    """Makes the schemas of record classes. ``plain``: schemas of further types."""
 
     def __init__(
         self, forms: Mapping[type, RecordForm], rules: Rules, plain: Mapping[Any, cs.CoreSchema]
@@ -88,13 +86,13 @@ class RecordSchemas:
         self._records: dict[str, cs.CoreSchema | None] = {}
 
     def validator(self, cls: type) -> SchemaValidator:
-        """Return what makes a record of ``cls`` of a mapping."""
+        """Return the function that makes a record of ``cls`` from a mapping."""
         top = self.of(cls)
         records = [schema for schema in self._records.values() if schema is not None]
         return SchemaValidator(cs.definitions_schema(top, records))
 
     def of(self, hint: Any) -> cs.CoreSchema:
-        """Return the schema of a type; a schema is its own."""
+        """Return the schema of a type. A schema is returned unchanged."""
         if isinstance(hint, dict):
             return cast("cs.CoreSchema", hint)
         origin, inner = get_origin(hint) or hint, get_args(hint)
@@ -115,8 +113,9 @@ class RecordSchemas:
         return _word(hint)
 
     def _union(self, options: tuple[Any, ...]) -> cs.CoreSchema:
-        """Return the schema of a value that may be missing, or one of several kinds: records by
-        their ``kind``, else whichever fits.
+        """Return the schema of a value that may be missing or have one of several types.
+
+        Records by their ``kind``, else whichever fits.
         """
         kinds = [one for one in options if one is not types.NoneType]
         if len(kinds) == 1:
@@ -142,7 +141,7 @@ class RecordSchemas:
         return self.named(value, cs.dict_schema(keys, self.of(value), strict=True))
 
     def named(self, cls: Any, schema: cs.CoreSchema) -> cs.CoreSchema:
-        """Return the schema of a mapping whose records of ``cls`` bear the names of its keys."""
+        """Return the schema of a mapping of records of ``cls``, each with its key as its name."""
         name = self._forms.get(cls, RecordForm()).named if isinstance(cls, type) else ""
         if not name:
             return schema

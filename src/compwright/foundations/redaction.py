@@ -1,4 +1,4 @@
-"""Replace the personal texts of a file before the file is given away.
+"""Replace the personal texts in a file before it is given to others.
 
 A remark becomes ``redacted``; a name, a serial number or a path ``redacted_N``, the same N for the
 same text in all files of one command, so that the files of a machine still belong together. N
@@ -39,17 +39,17 @@ _ENCODINGS: Final = ("utf-8", "cp1252", "utf-16-le", "utf-16-be")
 
 @dataclass(slots=True)
 class Names:
-    """The names that one command found, each with its number."""
+    """The personal names that one command has found, each with its number."""
 
     numbers: dict[str, int] = field(default_factory=dict)
 
     def of(self, text: str) -> str:
-        """Return the replacement of a name; its case and its blanks make no difference."""
+        """Return the replacement of a name. Upper and lower case and blanks do not matter."""
         number = self.numbers.setdefault(_plain(text), len(self.numbers) + 1)
         return f"{NEUTRAL}_{number}"
 
     def knows(self, text: str) -> bool:
-        """Whether a text was found as a name."""
+        """Return whether a text was found as a name."""
         return _plain(text) in self.numbers
 
 
@@ -59,15 +59,15 @@ def _plain(text: str) -> str:
 
 @dataclass(slots=True)
 class Cuts:
-    """The texts removed from one file: ``removed`` has kind (``comment``, ``name``, ...) and text,
-    each as often as it was found.
+    """The texts removed from one file. ``removed``: kind (``comment``, ``name``, ...) and text, as
+    often as found.
     """
 
     names: Names
     removed: list[tuple[str, str]] = field(default_factory=list)
 
     def remark(self, text: str, kind: str = "comment") -> str:
-        """Return the replacement of free text; empty text stays empty."""
+        """Return the replacement of free text. Empty text stays empty."""
         if not text.strip():
             return ""
         if _NEUTRAL.fullmatch(text.strip()) is None:
@@ -75,7 +75,7 @@ class Cuts:
         return NEUTRAL
 
     def name(self, text: str, kind: str = "name") -> str:
-        """Return the replacement of a name; empty text stays empty."""
+        """Return the replacement of a name. Empty text stays empty."""
         if not text.strip():
             return ""
         if text.strip() == NEUTRAL:
@@ -90,7 +90,7 @@ class Cuts:
 
 
 def left_over(removed: Iterable[str], copy: Iterable[bytes], allowed: frozenset[str]) -> list[str]:
-    """Return the removed texts that a copy still contains, wholly or in part.
+    """Return the removed texts that a copy still contains, completely or in part.
 
     ``copy``: its bytes; of an archive those of its members. They are searched in every usual
     encoding, with entities and percent signs resolved, in small letters. ``allowed``: words in
@@ -111,7 +111,9 @@ def left_over(removed: Iterable[str], copy: Iterable[bytes], allowed: frozenset[
 
 
 def telling(text: str, allowed: frozenset[str]) -> Iterator[str]:
-    """Yield the words and numbers of a text, in small letters, that may identify somebody."""
+    """Yield the words and numbers of a text, in lower case, that may identify a person or
+    company.
+    """
     if _DECIMAL.fullmatch(text):
         return
     for piece in _PIECE.findall(text.casefold()):
@@ -125,13 +127,13 @@ def telling(text: str, allowed: frozenset[str]) -> Iterator[str]:
 
 
 def _whole(text: str, allowed: frozenset[str]) -> str:
-    """Return a text of several words in small letters; empty where it identifies no one."""
+    """Return a text of several words in lower case. Empty where it identifies no one."""
     whole = " ".join(text.casefold().split())
     return whole if " " in whole and any(telling(whole, allowed)) else ""
 
 
 def _forms(content: bytes) -> Iterator[str]:
-    """Yield the texts as which the bytes may be read, in small letters."""
+    """Yield the bytes as text in each possible encoding, in lower case."""
     for encoding in _ENCODINGS if b"\x00" in content else _ENCODINGS[:2]:
         text = content.decode(encoding, errors="replace").casefold()
         yield text
@@ -142,7 +144,7 @@ def _forms(content: bytes) -> Iterator[str]:
 
 
 def not_the_same(file: str, found: str) -> InputError:
-    """Return the error about a copy whose reader finds other numbers than in the original."""
+    """Return the error that the reader finds other numbers in a copy than in the original."""
     return InputError(
         Fault(
             message="the file was not copied: without its texts a reader would find other "
@@ -163,7 +165,7 @@ def refuse_left_over(
     *,
     in_lines: bool = True,
 ) -> None:
-    """Raise InputError where the copy still contains a removed text.
+    """Raise InputError if the copy still contains a removed text.
 
     The error does not show the text. With ``in_lines`` it names the lines of the copy, which are
     those of the original.
@@ -190,6 +192,6 @@ def refuse_left_over(
 
 
 def _lines(numbers: Sequence[int]) -> str:
-    """Return line numbers in words; empty for a workbook, which has no lines."""
+    """Return line numbers as text. Empty for a workbook, which has no lines."""
     listed = ", ".join(map(str, numbers[:5])) + (", .." if len(numbers) > 5 else "")
     return f"line{'s' if len(numbers) > 1 else ''} {listed}" if numbers else ""

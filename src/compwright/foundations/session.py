@@ -1,4 +1,4 @@
-"""What belongs to one command alone: what it has read, will write and has put right.
+"""The data of one command: files it has read, files it will write, folders it has repaired.
 
 Every command makes its own `Session` and hands it to whatever reads or writes files, so that
 several commands can work in one process. Only `storage` changes what a session holds, and one
@@ -19,7 +19,7 @@ Identity = tuple[int, int]
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Session:
-    """The files and folders that one command knows.
+    """The files and folders that one command uses.
 
     ``inputs``: the files that were read. The command never overwrites or deletes them, whatever
     name leads to them: a link, other cases of the letters and a way around through ``..`` are still
@@ -36,8 +36,10 @@ class Session:
     restored: list[str] = field(default_factory=list)
 
     def with_pending(self, folder: Path, files: Mapping[str, bytes]) -> Session:
-        """Return this session with ``files`` (relative name with ``/`` -> bytes) that can be read
-        below ``folder`` before they are written, whatever is there on the disk.
+        """Return this session with pending ``files`` that can be read from ``folder`` before they
+        are written.
+
+        Relative name with ``/`` -> bytes; whatever is there on the disk.
 
         A result folder that holds its own inputs is written as a whole: its job is computed as if
         the inputs were there already. Such a file is no input that was read from the disk. All else
@@ -47,6 +49,8 @@ class Session:
         return replace(self, pending={**self.pending, **mine})
 
     def search_again(self) -> None:
-        """Forget which folders were searched: another process may have been stopped meanwhile."""
+        """Forget which folders were checked, because another process may have been stopped
+        since.
+        """
         self.searched.clear()
         self.unrestored.clear()

@@ -1,5 +1,5 @@
-"""Work on many things alike: one after the other, or side by side on the processors that there
-are.
+"""Do the same work on many items: one after the other, or in parallel on the available
+processors.
 """
 
 from __future__ import annotations
@@ -24,11 +24,11 @@ _WEIGHT: Final = 32 * 1024 * 1024
 
 
 class Each(Protocol):
-    """Does the same work on every one of some items."""
+    """A function that does the same work on each of several items."""
 
     def __call__(self, work: Callable[[T], R], items: Sequence[T]) -> list[R]:
-        """Return what ``work`` makes of each item, in their order. Raises what ``work`` raises for
-        the first item for which it raises anything.
+        """Return the result of ``work`` for each item, in their order. Raises the error of the
+        first item that fails.
 
         ``work`` is a function of a module, and what it takes and returns can be copied to another
         process.
@@ -36,20 +36,22 @@ class Each(Protocol):
 
 
 class Crew(Protocol):
-    """Provides who works on up to ``items`` items; ``ready`` loads what the work needs."""
+    """A function that provides parallel workers for up to ``items`` items. ``ready`` loads the
+    modules that they need.
+    """
 
     def __call__(self, items: int, ready: Callable[[], None]) -> AbstractContextManager[Each]:
-        """Return what works on the items as long as it is entered."""
+        """Return the function that works on items while the context is open."""
 
 
 def in_turn(work: Callable[[T], R], items: Sequence[T]) -> list[R]:
-    """Return what ``work`` makes of each item, one after the other."""
+    """Return the result of ``work`` for each item, one after the other."""
     return [work(item) for item in items]
 
 
 @contextmanager
 def alone(items: int, ready: Callable[[], None]) -> Iterator[Each]:  # noqa: ARG001
-    """Provide what works on items in turn, in this process."""
+    """Provide the function that works on items one after the other, in this process."""
     yield in_turn
 
 
@@ -62,8 +64,10 @@ def in_order(
     count: int,
     weight: Callable[[T], int],
 ) -> Iterator[R]:
-    """Yield what ``work`` makes of each of at most ``count`` ``items``, in their order, as soon as
-    it is known; items are taken when they are needed. Raises what ``work`` raises, as `Each` does.
+    """Yield the results of ``work`` in the order of the ``items``, each as soon as it is known.
+
+    At most ``count`` items; they are taken when they are needed. Raises what ``work`` raises, as
+    `Each` does.
 
     Work begins in turn. A crew is called where the items that are left would take longer than
     `_WORTH` in turn, by the time that those before them took: to start a process takes a good part
@@ -103,7 +107,7 @@ def _by_the_crew(
 
 
 def _taken(waiting: Iterator[T], most: int, weight: Callable[[T], int]) -> list[T]:
-    """Return the next items: one at least, ``most`` of them at most, and no more than weigh
+    """Return the next items: at least one, at most ``most``, and with a total weight of at most
     `_WEIGHT`.
     """
     taken: list[T] = []

@@ -1,4 +1,4 @@
-"""Units and the factors between them. Inside: mm and deg for positions and deviations alike."""
+"""Units and their factors. Internally positions and deviations are in mm or deg."""
 
 from __future__ import annotations
 
@@ -23,9 +23,7 @@ TO_INSIDE: Final[dict[str, tuple[PositionUnit, float]]] = {
 
 
 def outside_factor(unit: PositionUnit) -> float:
-    """Return the factor from the unit inside (mm, deg) to that of evaluations and reports (um,
-    arcsec).
-    """
+    """Return the factor from mm or deg to the unit of evaluations and reports (um, arcsec)."""
     return MICROMETRES_PER_MILLIMETRE if unit == "mm" else ARCSECONDS_PER_DEGREE
 
 
@@ -35,5 +33,5 @@ def outside_unit(unit: PositionUnit) -> DeviationUnit:
 
 
 def shown_unit(unit: PositionUnit) -> str:
-    """Return the unit of deviations as people read it: µm for mm, arcsec for deg."""
+    """Return the printed unit of deviations: µm for mm, arcsec for deg."""
     return "µm" if unit == "mm" else "arcsec"

@@ -1,5 +1,6 @@
-"""Text as UTF-8 for every file name: Python holds a name that is not UTF-8 as lone surrogates,
-which no encoding has.
+"""UTF-8 text for every file name, also for names that are not valid UTF-8.
+
+Python holds such a name as lone surrogates, which no encoding has.
 """
 
 from __future__ import annotations
@@ -9,12 +10,12 @@ from unicodedata import category
 
 
 def encoded(text: str) -> bytes:
-    r"""Return ``text`` in UTF-8, lone surrogates (of a file's name) as ``\udcff``."""
+    r"""Return ``text`` in UTF-8. Invalid bytes of a file name become ``\\udcff``."""
     return text.encode("utf-8", errors="backslashreplace")
 
 
 def shown_path(path: Path) -> str:
-    """Return the name of a file as printable text; for a UTF-8 name the same as ``str(path)``."""
+    """Return the name of a file as printable text. For a UTF-8 name it equals ``str(path)``."""
     return encoded(str(path)).decode("utf-8")
 
 
@@ -27,7 +28,7 @@ def visible(text: str) -> str:
 
 
 def visible_lines(text: str) -> str:
-    """Return ``text`` as `visible` does, line breaks as they are."""
+    """Return ``text`` as `visible` does, but keep its line breaks."""
     return "\n".join(map(visible, text.split("\n")))
 
 

@@ -1,5 +1,5 @@
-"""Files that a user writes, checked by pydantic: every complaint as a fault with its key path, what
-was expected and what was found.
+"""Check files of the user with pydantic. Every complaint becomes a fault with key path, expected
+and found value.
 
 Models of pydantic and the schemas of `record_schemas` give the same complaints. Slow to import:
 only commands that check such a file do so.
@@ -34,7 +34,7 @@ Known = Callable[[KeyPath], list[str]]
 
 
 def refuse(*faults: KeyFault) -> NoReturn:
-    """Raise these faults inside a function that pydantic calls; paths start at the value that it
+    """Raise these faults inside a function that pydantic calls. Their paths begin at the value it
     was given.
     """
     raise ValidationError.from_exception_data(
@@ -55,7 +55,7 @@ def refuse(*faults: KeyFault) -> NoReturn:
 
 
 def worded(schema: cs.CoreSchema, message: str, expected: str) -> cs.CoreSchema:
-    """Return a schema with words of its own for what does not keep to it."""
+    """Return a schema with its own message for invalid values."""
     return cs.custom_error_schema(
         schema,
         _WORDED,
@@ -65,7 +65,9 @@ def worded(schema: cs.CoreSchema, message: str, expected: str) -> cs.CoreSchema:
 
 
 def unknown_key(known: list[str]) -> cs.CoreSchema:
-    """Return the schema of a value under any other key than ``known``: nothing is accepted."""
+    """Return the schema for values under unknown keys, which refuses all. ``known``: the allowed
+    keys.
+    """
 
     def refuse_key(_value: Any) -> NoReturn:
         raise PydanticCustomError(_UNKNOWN, "unknown key", {"known": known})
@@ -74,8 +76,8 @@ def unknown_key(known: list[str]) -> cs.CoreSchema:
 
 
 def checked(validator: SchemaValidator, data: Any) -> tuple[Any, list[KeyFault]]:
-    """Return what a schema makes of ``data``, and everything that is wrong; None where something
-    is.
+    """Return the value that a schema makes from ``data``, and all faults. The value is None with
+    faults.
     """
     try:
         return validator.validate_python(data), []
@@ -90,7 +92,9 @@ def key_faults(
     missing: Missing = {},  # noqa: B006  # only read
     again: Callable[[Any], object] | None = None,
 ) -> Iterator[KeyFault]:
-    """Yield one fault per complaint about ``data``; ``again`` validates data once more."""
+    """Yield one fault per complaint about ``data``. ``again``: a function that validates data once
+    more.
+    """
     for complaint in error.errors(include_url=False):
         path = _path_in(data, complaint)
         if complaint["type"] in ("missing", "union_tag_not_found"):
@@ -111,8 +115,8 @@ def key_faults(
 
 
 def _expected_at(path: KeyPath, data: Any, again: Callable[[Any], object] | None) -> str:
-    """Return what is expected under a missing key: the expectation when a value of no type is
-    there.
+    """Return the expected value under a missing key, from the complaint about a value without a
+    type.
     """
     if again is None:
         return "a value"
@@ -136,8 +140,9 @@ def _with(data: Any, path: KeyPath, value: object) -> Any:
 
 
 def _path_in(data: Any, complaint: ErrorDetails) -> KeyPath:
-    """Return the part of a complaint's location that was really written: shorthand forms have fewer
-    levels than the schema. A key that is missing is part of the path.
+    """Return the part of a complaint's location that exists in the file.
+
+    Shorthand forms have fewer levels than the schema. A key that is missing is part of the path.
     """
     location, context = complaint["loc"], complaint.get("ctx", {})
     path: list[str | int] = []
@@ -158,7 +163,7 @@ def _path_in(data: Any, complaint: ErrorDetails) -> KeyPath:
 
 
 def _words(complaint: ErrorDetails) -> tuple[str, str]:
-    """Return message and expectation of one complaint."""
+    """Return the message and the expected value of one complaint."""
     kind, found, context = complaint["type"], complaint["input"], complaint.get("ctx", {})
     if kind in ("float_type", "int_type", "int_from_float"):
         number = "a number" if kind == "float_type" else "a whole number"

@@ -1,5 +1,5 @@
-"""YAML as people mean it: no duplicate keys, no octal or base-60 numbers, no yes/no; every key
-knows its line.
+"""Read YAML without surprises: no duplicate keys, no octal or base-60 numbers, no yes/no as truth
+values. Each key knows its line.
 
 YAML 1.1 reads ``010`` as 8, ``1:30`` as 90 and ``no`` as false. Here they stay text, and the schema
 that expects a number says so with the line. Only plain data comes out: dict, list, str, int, float,
@@ -22,29 +22,25 @@ from compwright.foundations.key_faults import KeyFault, KeyPath, key_path_text
 
 @dataclass(frozen=True, slots=True)
 class YamlDocument:
-    """Plain data and, for each key path such as ``("axes", "X", "travel")``, the line (from 1) on
-    which its key stands.
-    """
+    """Plain data with the line (from 1) of each key path, such as ``("axes", "X", "travel")``."""
 
     data: Any
     lines: dict[KeyPath, int] = field(default_factory=dict)
 
     def line(self, path: KeyPath) -> int:
-        """Return the line of a key path, or of its nearest known ancestor; 0 where there is
-        none.
-        """
+        """Return the line of a key path, or of its nearest known parent. 0 where there is none."""
         while path and path not in self.lines:
             path = path[:-1]
         return self.lines.get(path, 0)
 
     def place(self, path: KeyPath) -> str:
-        """Return ``line N: a.b[2]`` for a key path, with the line of its nearest known ancestor."""
+        """Return ``line N: a.b[2]`` for a key path, with the line of its nearest known parent."""
         line = self.line(path)
         name = key_path_text(path)
         return ", ".join(part for part in (f"line {line}" if line else "", name) if part)
 
     def faults(self, found: Iterable[KeyFault], file: str) -> list[Fault]:
-        """Return faults with their places, in the order of the lines."""
+        """Return faults with file and line, in the order of the lines."""
         ordered = sorted(found, key=lambda fault: self.line(fault.path))
         return [fault.in_file(file, self.place) for fault in ordered]
 
@@ -53,7 +49,7 @@ _LONE_SURROGATE = re.compile("[\ud800-\udfff]")  # cannot be written to any file
 
 
 class _StrictLoader(yaml.SafeLoader):
-    """A safe loader with the narrow scalar rules above, for plain data only."""
+    """A safe YAML loader for plain data with restricted number and truth-value rules."""
 
     def __init__(self, text: str, file: str) -> None:
         super().__init__(text)
@@ -62,8 +58,8 @@ class _StrictLoader(yaml.SafeLoader):
         self.words = 0
 
     def get_event(self) -> yaml.Event:
-        """Return the next event. Raises InputError for YAML that is no plain data, or nested deeper
-        than any file of ours.
+        """Return the next YAML event. Raises InputError for anything but plain data, and for too
+        deep nesting.
         """
         # # the stubs leave it open
         event: yaml.Event = super().get_event()  # type: ignore[no-untyped-call]
@@ -187,8 +183,8 @@ def read_yaml(content: bytes, file: str) -> YamlDocument:
 
 
 def read_yaml_with_faults(content: bytes, file: str) -> tuple[YamlDocument, tuple[Fault, ...]]:
-    """Read as `read_yaml`, but return faults of single keys and values (a duplicate key) with
-    what could be read.
+    """Read YAML as `read_yaml` does, but return faults of single keys with the data that could be
+    read.
 
     A schema can then list its own faults together with these. Of a key given twice the first value
     stands; a value that cannot be read is None. Raises InputError when there is no document at all.

@@ -1,3 +1,1 @@
-"""Measurement files to records: bytes in, records out. The entry is
-`compwright.instruments.reading`.
-"""
+"""Read measurement files as records, from bytes. The entry is `compwright.instruments.reading`."""

@@ -1,4 +1,4 @@
-"""Answers of the user about a file of a known form, for facts that the file leaves open."""
+"""The user's answers about a file of a known form, for facts that the file does not state."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ Sign = Literal["measured minus target", "target minus measured"]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Answers:
-    """None where not answered. ``unit``: of the deviations, a key of `foreign_units`; ``sign``: of
-    the deviations.
+    """The user's answers, None where not given. ``unit`` of the deviations (a key of
+    `foreign_units`) and their ``sign``.
     """
 
     unit: str | None = None

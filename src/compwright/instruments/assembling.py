@@ -1,4 +1,4 @@
-"""Single readings to a positioning test: the checks that need all readings, and the arrays."""
+"""Combine single readings to a positioning test, with the checks that need all readings."""
 
 from __future__ import annotations
 
@@ -22,8 +22,10 @@ _MOST_ONE_SIDED = 0.25
 
 @dataclass(frozen=True, slots=True)
 class ReadingGrid:
-    """The readings as arrays: ``targets`` (m,) ascending; per direction ``deviations`` (m, n), NaN
-    for none, and ``runs`` (n,).
+    """The readings of a test as arrays.
+
+    ``targets`` (m,) ascending; per direction ``deviations`` (m, n), NaN for none, and ``runs``
+    (n,).
 
     ``times``: when they were taken, None if the file does not state it. ``one_sided``: targets that
     were left out, because a bidirectional test approached them from one side only, in words.
@@ -37,12 +39,12 @@ class ReadingGrid:
 
 
 def as_text(position: float) -> str:
-    """Return a position as text: no exponent for usual sizes, no trailing zeros."""
+    """Return a position as text, without exponent for usual sizes and without trailing zeros."""
     return f"{position:.10g}"
 
 
 def grid_of(readings: Readings, kind: AxisKind, faults: FaultList) -> ReadingGrid:
-    """Return the readings as arrays, in any order given.
+    """Return the readings as arrays. The readings may come in any order.
 
     Raises InputError (with the faults noted before) when there are no readings or too many, a
     reading is given twice, or a bidirectional test does not have the same targets in both
@@ -127,7 +129,7 @@ def _first_of(readings: Readings, direction: Direction) -> dict[float, int]:
 def _check_both_directions(
     readings: Readings, kind: AxisKind, faults: FaultList
 ) -> dict[float, str]:
-    """Return the targets of a bidirectional test that only one direction has, in words, if they are
+    """Return as text the targets that only one direction of a bidirectional test has, if they are
     few.
 
     If they are many, each is a fault; so is one near a different target of the opposite direction.

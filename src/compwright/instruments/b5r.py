@@ -56,7 +56,7 @@ _FEED_SHARE: Final = 0.05
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Spec:
-    """Specification of the test: mm, mm/min, deg; NaN after a fault."""
+    """The plan of the test: mm, mm/min, deg. NaN after a fault."""
 
     length: float
     feed: float
@@ -69,8 +69,8 @@ class _Spec:
 
 @dataclass(frozen=True, slots=True)
 class _FeedRun:
-    """A run and its true feed (mm/min), None when the file does not state the sample rate;
-    ``stray``: number of samples that differ from the rule.
+    """A run with its true feed (mm/min), None where the sample rate is missing. ``stray``: number
+    of irregular samples.
     """
 
     run: CircularRun
@@ -237,8 +237,9 @@ def _runs(elements: Sequence[Element], spec: _Spec, faults: FaultList) -> list[_
 def _run(
     element: Element, sense: Sense, number: int, spec: _Spec, faults: FaultList
 ) -> _FeedRun | None:
-    """Return one run: sample k of N at start + (k + 1/2) extent/N for ccw, at the end minus that
-    for cw (deg).
+    """Return one run with the angle of each sample (deg).
+
+    Sample k of N at start + (k + 1/2) extent/N for ccw, at the end minus that for cw.
     """
     readings = _readings(element, faults)
     indices = _indices(element, readings, faults)
@@ -309,9 +310,7 @@ def _readings(element: Element, faults: FaultList) -> FloatArray | None:
 def _indices(
     element: Element, readings: FloatArray | None, faults: FaultList
 ) -> tuple[int, int] | None:
-    """Return first and last sample of the arc; None after a fault, or when the readings have a
-    fault.
-    """
+    """Return the first and last sample of the arc. None after a fault."""
     found: list[int] = []
     for tag in ("START_INDEX", "END_INDEX"):
         text, place = text_of(element, faults, tag)
@@ -382,7 +381,7 @@ def _findings(
 
 
 def _elsewhere(root: Element, elements: Sequence[Element]) -> list[Finding]:
-    """Return the finding about runs in places where no runs are read."""
+    """Return the finding about runs at places in the file that are not read."""
     read = {element.line for element in elements}
     lines = [
         (run.line, run.tag)

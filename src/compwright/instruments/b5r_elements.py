@@ -1,4 +1,4 @@
-"""Known elements of a ballbar's file, with the meaning of their texts and attributes."""
+"""The known elements of a ballbar file, with the meaning of their texts and attributes."""
 
 from __future__ import annotations
 

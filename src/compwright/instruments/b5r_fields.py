@@ -1,4 +1,4 @@
-"""Required elements of a ``.b5r`` file as text and numbers; faults are noted."""
+"""Required elements of a ``.b5r`` file as text and numbers. Faults are noted."""
 
 from __future__ import annotations
 
@@ -14,7 +14,9 @@ _NUMBER: Final = re.compile(r"[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[
 
 
 def text_of(parent: Element, faults: FaultList, *path: str) -> tuple[str, str]:
-    """Return text and place of a required element; empty text after noting that it is missing."""
+    """Return text and place of a required element. If it is missing, note a fault and return empty
+    text.
+    """
     element = parent.first(*path)
     if element is None or not element.text:
         place = f"line {(element or parent).line}, {parent.tag}/{'/'.join(path)}"
@@ -24,7 +26,7 @@ def text_of(parent: Element, faults: FaultList, *path: str) -> tuple[str, str]:
 
 
 def finite(text: str) -> float | None:
-    """Return a number; None for anything else, or one too large to be plausible."""
+    """Return a finite number of plausible size. None for anything else."""
     value = float(text) if _NUMBER.fullmatch(text) else math.nan
     return value if abs(value) <= LARGEST else None
 
@@ -32,7 +34,9 @@ def finite(text: str) -> float | None:
 def number_of(
     parent: Element, tag: str, faults: FaultList, *, above: float = -LARGEST, most: float = LARGEST
 ) -> float:
-    """Return a number with above < number <= most, NaN after noting a fault."""
+    """Return a number with above < number <= most. If there is none, note a fault and return
+    NaN.
+    """
     text, place = text_of(parent, faults, tag)
     if not text:
         return math.nan

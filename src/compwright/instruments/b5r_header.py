@@ -46,7 +46,7 @@ _HEADER: Final[Mapping[str, tuple[str, ...]]] = {
 
 
 def header_of(root: Element, elements: Sequence[Element]) -> dict[str, str]:
-    """Return the facts about test, machine and instrument, under compwright's own keys."""
+    """Return the facts about test, machine and instrument under compwright's own keys."""
     header = {
         key: " ".join(found.text.split())
         for key, path in _HEADER.items()
@@ -71,8 +71,9 @@ def header_of(root: Element, elements: Sequence[Element]) -> dict[str, str]:
 def vendor_results(
     root: Element, elements: Sequence[Element], runs: Sequence[CircularRun]
 ) -> dict[str, object]:
-    """Return the printed results: by run (``ccw``, ``cw``, ``ccw 2``) and by analysis (name and
-    version), then by feature name.
+    """Return the results printed by the vendor's software, by run and by analysis.
+
+    By run (``ccw``, ``cw``, ``ccw 2``) and by analysis (name and version), then by feature name.
     """
     groups = [
         *(

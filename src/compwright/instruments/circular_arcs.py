@@ -1,6 +1,4 @@
-"""Samples of a circular run: their order, the arc that they cover, and whether all runs cover the
-same arc.
-"""
+"""The samples of circular runs: their order, their arc, and whether all runs have the same arc."""
 
 from __future__ import annotations
 
@@ -32,8 +30,8 @@ _TINY: Final = 1e-9  # deg: rounding of sums
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Sweep:
-    """The samples of one run in ascending order. ``order`` (n,): indices into what was given;
-    ``angles`` (n,) deg, ascending.
+    """The samples of one run in ascending order: ``angles`` (n,) deg, and ``order`` (n,), the
+    indices of the samples.
 
     The first angle lies in 0 <= a < 360. ``step``: median distance of neighbours, deg; ``gap``: the
     widest distance inside and where it begins. ``full``: the run covers the circle up to one
@@ -49,23 +47,23 @@ class Sweep:
 
     @property
     def extent(self) -> float:
-        """Angle from the first to the last sample, deg."""
+        """The angle from the first to the last sample, deg."""
         return float(self.angles[-1] - self.angles[0])
 
     @property
     def full(self) -> bool:
-        """Whether the extent plus one sample is a whole circle."""
+        """Whether the extent plus one sample step is a whole circle."""
         return 360.0 - self.extent <= _ONE_SAMPLE * self.step + _TINY
 
     @property
     def name(self) -> str:
-        """Name of the run in messages."""
+        """The name of the run in messages."""
         return f"{self.sense} run {self.number}"
 
 
 def sweep_of(sense: Sense, number: int, angles: FloatArray, faults: FaultList) -> Sweep | None:
-    """Return the samples of a run in ascending order, given their ``angles`` (n,) deg in any order;
-    None after noting a fault.
+    """Return the samples of a run in ascending order, from ``angles`` (n,) deg in any order. If
+    impossible, note a fault and return None.
 
     Angles may be counted modulo 360, so an arc through 0 is given as two pieces: the widest gap on
     the circle is the part outside the arc. Samples all around with a gap of at most 5 deg are a
@@ -138,8 +136,8 @@ def run_of(sweep: Sweep, deviations: FloatArray, start: float) -> CircularRun:
 
 
 def common_arc(sweeps: Sequence[Sweep], faults: FaultList) -> tuple[float, float]:
-    """Return (least angle, extent) of the arc of all runs, deg; a fault for every run that covers
-    another arc than the first.
+    """Return (smallest angle, extent) of the common arc, deg. A run with a different arc gives a
+    fault.
 
     Runs may differ by one sample at either end.
     """
@@ -168,8 +166,8 @@ def check_same_arc(
     names: tuple[str, str],
     faults: FaultList,
 ) -> None:
-    """Note a fault when two arcs (least angle, extent; deg) differ by more than ``step`` at either
-    end.
+    """Note a fault when two arcs (smallest angle, extent; deg) differ by more than ``step`` at
+    either end.
     """
     shift = (other[0] - one[0] + 180.0) % 360.0 - 180.0
     if max(abs(shift), abs(shift + other[1] - one[1])) > step + _TINY:

@@ -68,8 +68,8 @@ _RADII: Final = {
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Samples:
-    """Of one run, in the order of the file: commanded angles (n,) deg, values (n,) as written, and
-    lines.
+    """The samples of one run in the order of the file: commanded angles (n,) deg, values (n,) as
+    written, and lines.
     """
 
     angles: FloatArray
@@ -79,7 +79,7 @@ class _Samples:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Keys:
-    """Values in the comment lines, in mm, mm/min; NaN after a fault."""
+    """The values in the comment lines, in mm and mm/min. NaN after a fault."""
 
     axes: tuple[str, str]
     radius: float
@@ -187,8 +187,8 @@ def _axes(comments: Comments, faults: FaultList) -> tuple[str, str]:
 
 
 def axes_of_plane(text: str) -> tuple[str, str] | None:
-    """Return first and second axis of a plane such as ``XY`` or ``X1-Y1``; None when ``text`` does
-    not name two axes.
+    """Return the two axes of a plane such as ``XY`` or ``X1-Y1``. None when ``text`` does not name
+    two axes.
     """
     match = PLANE.fullmatch(text.strip())
     if match is None or match[1].upper() == match[2].upper():
@@ -243,7 +243,7 @@ def _centre(comments: Comments, faults: FaultList) -> tuple[float, ...] | None:
 
 
 def centre_of(text: str) -> tuple[float, ...] | None:
-    """Return the two or three coordinates (mm) that ``text`` lists, None when it lists no such
+    """Return the two or three coordinates (mm) in ``text``. None when it contains no such
     numbers.
     """
     inner = text.strip().strip("[]()").strip()
@@ -258,8 +258,8 @@ def centre_of(text: str) -> tuple[float, ...] | None:
 
 
 def _value_column(table: CsvTable, faults: FaultList) -> str:
-    """Return the column that holds the samples. Raises InputError when a column is missing: every
-    row would repeat it.
+    """Return the column with the samples. Raises InputError when a column is missing, because every
+    row would repeat the fault.
     """
     place = f"line {table.line}"
     found = f"columns {', '.join(table.columns[:8])}"
@@ -388,9 +388,7 @@ def _assembled(
     keys: _Keys,
     faults: FaultList,
 ) -> tuple[list[Sweep], list[CircularRun], tuple[float, float]]:
-    """Return sweeps, runs and the arc, ccw before cw, runs by their numbers; raises InputError
-    after the last check.
-    """
+    """Return the sorted samples, the runs and the arc. Raises InputError after the last check."""
     sweeps: list[Sweep] = []
     deviations: list[FloatArray] = []
     for (sense, number), ours in sorted(samples.items(), key=lambda item: item[0]):
@@ -415,7 +413,9 @@ def _assembled(
 
 
 def _check_unit(radii: FloatArray, nominal: float, name: str, faults: FaultList) -> None:
-    """Note a fault when the radii differ much from nominal, with the unit that would explain it."""
+    """Note a fault when the radii differ much from the nominal one, with the unit that would
+    explain it.
+    """
     middle = float(np.median(radii))
     far = max(_FAR[0], _FAR[1] * nominal)
     if abs(middle - nominal) <= far:

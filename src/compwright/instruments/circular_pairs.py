@@ -1,4 +1,4 @@
-"""Pairs two files of one circular test, one per direction.
+"""Pair two files of one circular test, one for each direction.
 
 Codes made here:
 
@@ -29,8 +29,8 @@ _ENOUGH: Final = 2  # partners that make a file doubtful; more need not be sough
 
 
 def paired(tests: Sequence[CircularTest]) -> tuple[CircularTest, ...]:
-    """Return the tests in their order, with files of one direction joined to a test of both where
-    that is unambiguous.
+    """Return the tests in their order. Files with one direction are joined to a test of both, if
+    the pair is certain.
 
     A file of only ccw and one of only cw fit when plane, axes, radius, feed, arc, and (if both
     state them) centre and machine are the same (`merge_circular`). First those of one folder are
@@ -52,7 +52,9 @@ def paired(tests: Sequence[CircularTest]) -> tuple[CircularTest, ...]:
 
 
 def _partners(tests: Mapping[int, CircularTest], *, by_name: bool) -> dict[int, list[int]]:
-    """Return for each test of one direction those of the other that fit it, at most two of them."""
+    """Return for each one-directional test its possible partners of the other direction, at most
+    two.
+    """
     ways: dict[tuple[Sense, Hashable], list[int]] = defaultdict(list)
     mine: dict[int, tuple[Sense, Hashable]] = {}
     for index, test in tests.items():
@@ -81,13 +83,13 @@ def _partners(tests: Mapping[int, CircularTest], *, by_name: bool) -> dict[int, 
 
 
 def _only(test: CircularTest) -> Sense | None:
-    """Return the only direction of the test; None for both."""
+    """Return the only direction of the test. None if it has both."""
     senses = {run.sense for run in test.runs}
     return senses.pop() if len(senses) == 1 else None
 
 
 def _belong(one: CircularTest, other: CircularTest) -> bool:
-    """Return whether both files can be of one test."""
+    """Return whether two files can belong to one test."""
     if any(
         one.header.get(key) and other.header.get(key) and one.header[key] != other.header[key]
         for key in _SAME_MACHINE
@@ -128,7 +130,7 @@ def _file_of(test: CircularTest) -> str:
 
 
 def _doubtful(test: CircularTest, others: Sequence[CircularTest]) -> CircularTest:
-    """Return the test with a finding: several unused files fit it, and no pair is certain."""
+    """Return the test with a finding that several files may be its second direction."""
     return replace(
         test,
         findings=(*test.findings, Finding.of("CW-R039", "warning", files=map(_file_of, others))),

@@ -1,5 +1,5 @@
-"""Entry for circular tests: bytes of a ``.b5r`` or plain CSV file to a record, and the files of one
-test to one record.
+"""Read circular tests: bytes of a ``.b5r`` or plain CSV file to a record. Several files of one test
+become one record.
 
 Codes made here:
 
@@ -43,8 +43,11 @@ _SAME_CENTRE: Final = 0.01  # mm
 
 @dataclass(frozen=True, slots=True)
 class CircularForm:
-    """``read`` takes content, name of the file and name of the test; ``grammar``: the meaning of
-    each part of the text, by which `redact` keeps and replaces.
+    """A file form of circular tests. ``read``: its reader; ``grammar``: the meaning of each part of
+    its text.
+
+    ``read`` takes content, name of the file and name of the test; by the grammar `redact` keeps and
+    replaces.
     """
 
     name: str
@@ -58,13 +61,13 @@ CIRCULAR_FORMS: Final = (BALLBAR, PLAIN_CIRCLE)
 
 
 def circular_form(content: bytes) -> CircularForm:
-    """Return the form of a circular test, recognised by its first character."""
+    """Return the form of a circular test, recognised by the first character of the file."""
     start = content[:64].lstrip(codecs.BOM_UTF8 + codecs.BOM_UTF16_LE + b" \t\r\n\x00")
     return BALLBAR if start.startswith(b"<") else PLAIN_CIRCLE
 
 
 def is_circular(content: bytes, file: str) -> bool:
-    """Return whether ``content`` is a circular test, or XML, by its first lines.
+    """Return whether ``content`` is a circular test or XML, by its first lines.
 
     XML is a ballbar's file, or is refused later. The file name decides only if the content is
     neither: an empty or broken ``.b5r`` is still a ballbar's file.
@@ -87,7 +90,7 @@ def is_circular(content: bytes, file: str) -> bool:
 
 
 def read_circular(content: bytes, file: str) -> CircularTest:
-    """Return the circular test in ``content``; ``file`` is its name in messages and in the record's
+    """Return the circular test in ``content``. ``file``: its name in messages and in the record's
     source.
 
     Reads ``.b5r`` and the plain CSV form (contract, "Plain CSV"), recognised by the content.
@@ -102,8 +105,8 @@ def read_circular(content: bytes, file: str) -> CircularTest:
 
 
 def merge_circular(tests: Sequence[CircularTest], name: str) -> CircularTest:
-    """Return the test whose runs were written into several files, one per direction or per run;
-    runs are counted on.
+    """Return one test from several files, one per direction or per run. The runs are numbered
+    continuously.
 
     Raises InputError when the files do not belong together (plane, radius, feed, arc, centre) or a
     file is given twice, UsageError when there is none.
@@ -211,7 +214,7 @@ def _apart(one: Sequence[float], other: Sequence[float]) -> bool:
 
 
 def _joined_header(tests: Sequence[CircularTest]) -> dict[str, str]:
-    """Return every key with its values, each once, one per line."""
+    """Return every header key with its different values, one per line."""
     keys = dict.fromkeys(key for test in tests for key in test.header)
     return {
         key: "\n".join(dict.fromkeys(test.header[key] for test in tests if key in test.header))
@@ -220,7 +223,7 @@ def _joined_header(tests: Sequence[CircularTest]) -> dict[str, str]:
 
 
 def _joined_vendor(tests: Sequence[CircularTest]) -> Mapping[str, object]:
-    """Return the printed results of the only file that has any, else by file."""
+    """Return the vendor's printed results: those of the only file that has any, else by file."""
     printed = {_file_of(test): test.vendor for test in tests if test.vendor}
     return next(iter(printed.values())) if len(printed) == 1 else printed
 

@@ -1,4 +1,5 @@
-"""Plain CSV in the code page of an older Windows, read only if no relevant text depends on it.
+"""Read plain CSV in the code page of an older Windows, only if no relevant text depends on the code
+page.
 
 Numbers, directions and key words are ASCII, which all these code pages share. Only free text
 (comment lines, and names in the header row) may need the code page, and that is reported.
@@ -19,8 +20,7 @@ _NAMES = {"cp1252": "Windows-1252", "cp1251": "Windows-1251", "gbk": "GBK"}
 
 
 def read_plain_lines(content: bytes, file: str) -> tuple[list[str], Finding | None]:
-    """Return the lines of a plain CSV file as `read_lines` does, of one in a code page too, and the
-    assumption on its encoding.
+    """Return the lines of a plain CSV file, and the assumption about its encoding.
 
     Raises InputError as `read_lines` does, also if a row of readings is not ASCII in a file that is
     not UTF-8: its contents may matter.

@@ -56,7 +56,7 @@ _SIGNS = {"measured minus target": 1.0, "target minus measured": -1.0}
 
 @dataclass(frozen=True, slots=True)
 class Comments:
-    """Contents of the comment lines: ``header`` as text by key, ``places`` the line of each
+    """The contents of the comment lines. ``header``: text by key; ``places``: the line of each
     decisive key.
     """
 
@@ -64,12 +64,12 @@ class Comments:
     places: dict[str, str] = field(default_factory=dict)
 
     def get(self, key: str) -> str:
-        """Return the value of a key, empty when the file does not have it."""
+        """Return the value of a key. Empty where the file does not have it."""
         return self.header.get(key, "")
 
 
 def comment_text(line: str) -> str | None:
-    """Return the text of a comment line, None for any other line.
+    """Return the text of a comment line. None for any other line.
 
     A spreadsheet that saves a comment as one cell of a row adds quotes and trailing delimiters;
     both are removed. A line ``sep=;``, which sets the delimiter for a spreadsheet, is a comment
@@ -88,7 +88,7 @@ def comment_text(line: str) -> str | None:
 
 
 def plain_key(written: str) -> str:
-    """Return a key in normal form: lower case, ``_`` for blanks and hyphens."""
+    """Return a key in standard form: lower case, with ``_`` for blanks and hyphens."""
     return re.sub(r"[ -]+", "_", written).lower()
 
 
@@ -108,8 +108,9 @@ def read_comments(
     any_key: bool = True,
     decisive: frozenset[str] = DECISIVE_KEYS,
 ) -> Comments:
-    """Return the contents of comment lines (number of the line, text without ``#``); ``decisive``:
-    the keys that the form depends on.
+    """Return the contents of comment lines. ``decisive``: the keys on which the form depends.
+
+    Number of the line, text without ``#``.
 
     With ``any_key`` false only known keys are taken as keys, all else is free text; ``unit`` too,
     because the target data form explains its own key UNIT in such a line. A decisive key that is
@@ -150,8 +151,8 @@ def _take_decisive(comments: Comments, key: str, value: str, place: str, faults:
 
 
 def cycle_of(comments: Comments, faults: FaultList) -> Cycle | None:
-    """Return the test cycle that the file states, None when it says nothing (ISO 230-2, standard
-    and step cycle).
+    """Return the test cycle stated in the file (ISO 230-2, standard or step cycle). None where it
+    is not stated.
     """
     value = comments.get("cycle").lower()
     if value == "standard":
@@ -170,8 +171,8 @@ def cycle_of(comments: Comments, faults: FaultList) -> Cycle | None:
 
 
 def sign_of(comments: Comments, faults: FaultList) -> float | None:
-    """Return the factor (+1 or -1) from the stated deviations to measured minus target, None when
-    the file does not state it.
+    """Return the sign factor from the stated deviations to measured minus target. None where it is
+    not stated.
     """
     value = " ".join(comments.get("deviation").lower().split())
     if value and value not in _SIGNS:

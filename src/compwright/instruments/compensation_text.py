@@ -1,5 +1,5 @@
-"""Compensation text of laser software (``.ren``, the output of its error compensation): keys
-without a colon, then a list of values or a table.
+"""The text form ``.ren`` of laser software for error compensation: keys without a colon, then a
+list or table of values.
 
 ``Sign convention`` states whether the values are errors (measured minus target) or corrections; it
 is an option of that software and is never assumed. Values and positions in mm. Source: two readers
@@ -73,7 +73,7 @@ class _Text:
 
 
 def is_compensation_text(text: Sequence[str]) -> bool:
-    """Whether the lines of a file are of this form."""
+    """Return whether the lines of a file have this form."""
     keys = (_KEY.fullmatch(line) for line in text if "compensation" in line.lower())
     found = {match["key"].lower() for match in keys if match is not None}
     return len(found & {"compensation start", "compensation end", "compensation spacing"}) >= 2
@@ -101,8 +101,7 @@ def spans_of(text: Sequence[str]) -> Iterator[Spans]:
 
 
 def read_compensation_text(text: Sequence[str], faults: FaultList, answers: Answers) -> Parsed:
-    """Return the table as one run per direction, deviations measured minus target; every fault is
-    noted.
+    """Return the table as one run per direction, as measured minus target. Every fault is noted.
 
     Faults: no statement of the sign, a type other than absolute values, one table with a backlash
     (its direction is unknown), values that may be counts of the resolution, a number of rows that
@@ -180,13 +179,15 @@ def _text(text: Sequence[str]) -> _Text:
 
 
 def _header(line: str) -> tuple[str, ...]:
-    """Return the columns of a header row of a table, empty for any other line."""
+    """Return the columns of a table's header row. Empty for any other line."""
     names = [_COLUMNS.get(cell.lower(), "") for cell in re.split(r"\s{2,}|\t|;", line) if cell]
     return tuple(names) if "axis position" in names and "" not in names else ()
 
 
 def _sign(found: _Text, answers: Answers, faults: FaultList) -> float:
-    """Return the factor to measured minus target, from the file's field, else from the answers."""
+    """Return the sign factor to measured minus target, from the file, else from the user's
+    answers.
+    """
     written = found.get("sign convention").lower()
     if written in _SIGNS:
         return _SIGNS[written]
@@ -232,7 +233,7 @@ def _length(
 
 
 def _grid(found: _Text, marks: DecimalMarks, faults: FaultList) -> list[float]:
-    """Return the positions by start, end and spacing."""
+    """Return the positions from start, end and spacing."""
     start, end, spacing = (
         _length(found, f"compensation {what}", marks, faults)
         for what in ("start", "end", "spacing")
@@ -306,7 +307,9 @@ def _unit(
     answers: Answers,
     faults: FaultList,
 ) -> float:
-    """Return the factor of the values to mm: 1, unless they may be counts of the resolution."""
+    """Return the factor from the values to mm. It is 1 unless the values are counts of the
+    resolution.
+    """
     if answers.unit is not None:
         if answers.unit not in LENGTHS:
             faults.add(

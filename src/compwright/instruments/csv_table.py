@@ -70,7 +70,8 @@ INCHES = (
 
 @dataclass(frozen=True, slots=True)
 class CsvTable:
-    """``columns`` are the names in the form of `column_name`; ``line`` is that of the header row.
+    """A table with its columns. ``columns``: names as `column_name` makes them; ``line``: the line
+    of the header row.
 
     The rows are stored by column, because there may be a million: ``lines`` of the file, and for
     each name the ``cells``, stripped.
@@ -83,7 +84,7 @@ class CsvTable:
     cells: tuple[Sequence[str], ...]
 
     def of(self, column: str) -> Sequence[str]:
-        """Return the cells of a column."""
+        """Return the cells of a column by its name."""
         return self.cells[self.columns.index(column)]
 
     def place(self, column: str) -> Callable[[int], str]:
@@ -93,8 +94,10 @@ class CsvTable:
     def which(
         self, column: str, words: tuple[str, str], spelt: Callable[[str], str], faults: FaultList
     ) -> IntArray:
-        """Return for each row the index in ``words`` of its cell, in the form of ``spelt``: 0 or 1,
-        -1 after noting a fault if it is neither.
+        """Return for each row the index (0 or 1) in ``words`` of its cell. -1 after a fault if it
+        is neither.
+
+        In the form of ``spelt``.
         """
         cells, place = self.of(column), self.place(column)
         places = {words[0]: 0, words[1]: 1}
@@ -113,20 +116,20 @@ class CsvTable:
 
 
 def column_name(text: str) -> str:
-    """Return a header cell in normal form: stripped, lower case, ``u`` for the micro sign, ``-``
+    """Return a header cell in standard form: stripped, lower case, ``u`` for the micro sign, ``-``
     for minus.
     """
     return " ".join(plain_signs(text).lower().replace("µ", "u").replace("μ", "u").split())
 
 
 def plain_signs(text: str) -> str:
-    """Return ``text`` with every typographic minus and dash as ``-`` and the wide plus as ``+``."""
+    """Return ``text`` with every typographic minus or dash as ``-`` and the wide plus as ``+``."""
     return text.translate(_SIGNS)
 
 
 def traverse_of(column: str) -> tuple[str, int] | None:
-    """Return direction and run of a wide column such as ``+1``, ``- 2``, ``3+``, ``run 3 +`` or
-    ``+3 up``, None for any other column.
+    """Return direction and run of a column such as ``+1``, ``- 2``, ``3+`` or ``run 3 +``. None for
+    any other column.
 
     One sign or one arrow gives the direction; words for a direction may repeat it, but ``up 3`` is
     not a traverse, and ``+3 down`` contradicts itself.
@@ -154,8 +157,8 @@ def traverse_of(column: str) -> tuple[str, int] | None:
 
 
 def like_traverse(column: str) -> bool:
-    """Return whether a column that is no traverse by `traverse_of` may be meant as one: a number
-    with a sign or a word for a direction.
+    """Return whether an unrecognised column may be meant as a traverse: a number with a sign or a
+    direction word.
     """
     return (
         any(character.isdigit() for character in column)
@@ -164,9 +167,7 @@ def like_traverse(column: str) -> bool:
 
 
 def in_inches(names: Iterable[str]) -> str:
-    """Return the first column (or unit) that is in inches or parts of an inch, empty when there is
-    none.
-    """
+    """Return the first column or unit in inches. Empty when there is none."""
     return next((name for name in names if _INCH.fullmatch(name)), "")
 
 
@@ -188,8 +189,10 @@ def split_lines(lines: Sequence[str]) -> tuple[list[tuple[int, str]], list[tuple
 def rows_as_comments(
     lines: Sequence[str], header_line: int, cells_of: Callable[[str], list[str] | None], width: int
 ) -> list[tuple[int, str]]:
-    """Return the lines below the header row that start like a comment and have cells like a row:
-    rows that were commented out, and rows whose target a spreadsheet shows as ``#####`` or
+    """Return comment lines below the header row that look like data rows, as spreadsheets or users
+    make them.
+
+    Rows that were commented out, and rows whose target a spreadsheet shows as ``#####`` or
     ``#REF!``.
     """
     found = []
@@ -202,7 +205,7 @@ def rows_as_comments(
 
 
 def first_row(lines: Sequence[str]) -> tuple[int, str] | None:
-    """Return the first line that is neither blank nor a comment, with its number; None where there
+    """Return the first line that is neither blank nor a comment, with its number. None where there
     is none.
     """
     return next(
@@ -216,8 +219,8 @@ def first_row(lines: Sequence[str]) -> tuple[int, str] | None:
 
 
 def header_names(header: str) -> tuple[str, list[str], int]:
-    """Return the delimiter of a header row, its names, and how many of them belong to a positioning
-    file.
+    """Return the delimiter of a header row, its names, and how many of them are typical of a
+    positioning file.
 
     The delimiter is the one that gives most of these names, else the one that gives most cells.
     """
@@ -291,7 +294,7 @@ def _rows(
 
 
 class GatheredRows:
-    """Collects rows and stores them as columns, some thousand rows at a time."""
+    """Collects rows and stores them as columns, in blocks of some thousand rows."""
 
     def __init__(self, width: int) -> None:
         self.lines = array("q")
@@ -299,7 +302,7 @@ class GatheredRows:
         self._rows: list[Sequence[str]] = []
 
     def add(self, line: int, cells: Sequence[str]) -> None:
-        """Add the cells of a row, one per column."""
+        """Add the cells of a row, one for each column."""
         self.lines.append(line)
         self._rows.append(cells)
         if len(self._rows) >= _AT_ONCE:
@@ -327,7 +330,7 @@ def _decimal_comma_hint(cells: Sequence[str], delimiter: str, wanted: int) -> st
 
 
 def is_number(text: str) -> bool:
-    """Return whether ``text`` is a number and nothing else."""
+    """Return whether ``text`` is only a number."""
     try:
         parse_number(text)
     except ValueError:
@@ -336,8 +339,8 @@ def is_number(text: str) -> bool:
 
 
 def _without_unnamed(table: CsvTable, faults: FaultList) -> CsvTable:
-    """Remove columns without a name: spreadsheets leave them at the end of every row. A value in
-    one of them is a fault.
+    """Remove columns without a name, which spreadsheets add at the end. A value in one of them is a
+    fault.
     """
     for index, name in enumerate(table.columns):
         if not name and any(table.cells[index]):
@@ -359,8 +362,8 @@ def _without_unnamed(table: CsvTable, faults: FaultList) -> CsvTable:
 
 
 def row_cells(line: str, delimiter: str) -> list[str] | None:
-    """Return the stripped cells of one line, None when a quote is not closed or a cell is absurdly
-    long.
+    """Return the stripped cells of one line. None for an unclosed quote or a cell of absurd
+    length.
     """
     if '"' not in line and len(line) < csv.field_size_limit():
         return [cell.strip() for cell in line.split(delimiter)] if line else []

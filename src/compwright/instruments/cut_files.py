@@ -1,5 +1,7 @@
-"""Checks whether a file may have been cut off: its last rows belong to an incomplete traverse or
-target while all others are complete, or it holds less than it states itself.
+"""Check whether a file was cut off: its last traverse or target is incomplete, or readings that it
+announces are missing.
+
+While all others are complete, or it holds less than it states itself.
 """
 
 from __future__ import annotations
@@ -22,13 +24,13 @@ _RUNS: Final = frozenset({"runs", "n runs", "number of runs", "cycles", "number 
 
 
 def cut_findings(readings: Readings, kind: AxisKind, header: Mapping[str, str]) -> list[Finding]:
-    """Return the findings; ``readings`` in the order of the file."""
+    """Return the findings about a cut file. ``readings`` are in the order of the file."""
     why = (_unfinished(readings, kind), *_promises(readings, header))
     return [cut_finding(sentence) for sentence in why if sentence is not None]
 
 
 def _unfinished(readings: Readings, kind: AxisKind) -> Sentence | None:
-    """Return why the last rows may belong to a traverse or target that was cut off."""
+    """Return why the last rows may belong to an incomplete traverse or target."""
     if not len(readings):
         return None
     last = readings.one(-1)
@@ -51,8 +53,8 @@ def _unfinished(readings: Readings, kind: AxisKind) -> Sentence | None:
 
 
 def _lacking(groups: IntArray, others: IntArray) -> tuple[int, int] | None:
-    """Return how many readings are missing of how many in the group of the last reading, if only
-    that group has fewer than the others and its end is what is missing.
+    """Return how many readings are missing, if only the group of the last reading is incomplete at
+    its end.
 
     ``groups``, ``others`` (n,): traverse and target of each reading, or the reverse, or run and
     approach to a target, from 0. Groups go through the others in one order, or back and forth. A

@@ -1,5 +1,7 @@
-"""The plain CSV forms of two columns, one row per reading, in any order. Comment keys are kept as
-for other tests, and other columns are ignored.
+"""The two plain CSV forms with two columns and one row per reading: stand-still tests and lost
+motion.
+
+In any order. Comment keys are kept as for other tests, and other columns are ignored.
 
 Stand-still test: ``time_min`` and ``deviation_um`` (linear axes) or ``deviation_arcsec`` (rotary
 axes). Lost motion: ``distance_mm`` or ``speed_mm_min`` of the move, and ``lost_motion_um``.
@@ -35,7 +37,7 @@ _FEWEST: Final = 3
 
 
 def is_drift(text: Sequence[str]) -> bool:
-    """Return whether the lines of a file are those of a stand-still test."""
+    """Return whether the lines of a file are a stand-still test."""
     return any(line.lower().lstrip('"').startswith(TIME) for line in text)
 
 
@@ -46,14 +48,15 @@ def is_lost_motion(text: Sequence[str]) -> bool:
 
 
 def is_two_columns(text: Sequence[str]) -> bool:
-    """Return whether the lines of a file are one of the two forms."""
+    """Return whether the lines of a file have one of the two forms."""
     return is_drift(text) or is_lost_motion(text)
 
 
 def read_drift(content: bytes, file: str, kind: AxisKind | None = None) -> DriftTest:
-    """Return the stand-still test of axes of a kind; None: of the kind that its columns say. Raises
-    InputError with every fault at once: no such columns, cells that are no numbers, a time given
-    twice, fewer than three readings.
+    """Return the stand-still test in a file. Raises InputError with every fault at once.
+
+    Of axes of a kind; None: of the kind that its columns say. Faults: no such columns, cells that
+    are no numbers, a time given twice, fewer than three readings.
     """
     faults = FaultList(file)
     comments, table = _columns(content, faults, (TIME, _VALUE[kind or AxisKind.LINEAR]))
@@ -129,7 +132,7 @@ def _columns(
 def _pairs(
     table: CsvTable, columns: tuple[str, str], what: str, faults: FaultList
 ) -> list[tuple[float, float]]:
-    """Return the rows of two columns; ``what``: the fault of a table that lacks one."""
+    """Return the rows of two columns. ``what``: the message for a table without one of them."""
     if any(name not in table.columns for name in columns):
         faults.add(
             what,

@@ -1,6 +1,9 @@
-"""The plain CSV form of a record of the environment: a column ``time`` and ``air_c``,
-``pressure_hpa`` and ``humidity_percent`` (the air in the beam), or ``material_c`` (scale or
-workpiece), or both; one row per moment, in any order; other columns are left alone.
+"""The plain CSV form of an environment record: columns for the time and for air or material
+temperatures.
+
+``time`` and ``air_c``, ``pressure_hpa`` and ``humidity_percent`` (the air in the beam), or
+``material_c`` (scale or workpiece), or both; one row per moment, in any order; other columns are
+left alone.
 """
 
 from __future__ import annotations
@@ -34,8 +37,10 @@ _PLAUSIBLE: Final = {
 
 
 def read_environment(content: bytes, file: str) -> EnvironmentRecord:
-    """Return the record in a file. Raises InputError with every fault at once: no column of times,
-    no column of values, cells that are no numbers or cannot be in that unit, a time given twice.
+    """Return the environment record in a file. Raises InputError with every fault at once.
+
+    No column of times, no column of values, cells that are no numbers or cannot be in that unit, a
+    time given twice.
     """
     faults = FaultList(file)
     _, lines = split_lines(read_lines(content, file))
@@ -90,8 +95,10 @@ def read_environment(content: bytes, file: str) -> EnvironmentRecord:
 
 
 def joined(records: Sequence[EnvironmentRecord]) -> EnvironmentRecord:
-    """Return several files as one record. Raises InputError where they do not give the same columns
-    and the same kind of time, or the same moment twice.
+    """Return several files as one environment record. Raises InputError for different columns or
+    repeated times.
+
+    Where they do not give the same columns and the same kind of time, or the same moment twice.
     """
     first, *others = records
     found = first

@@ -1,5 +1,6 @@
-"""Collects every fault of one file, so that the user sees them all at once and not a thousand of
-one kind.
+"""Collect every fault of one file, but only a few of each kind.
+
+So that the user sees them all at once and not a thousand of one kind.
 """
 
 from __future__ import annotations
@@ -37,7 +38,7 @@ class FaultList:
         found: str = "",
         hint: str = "",
     ) -> None:
-        """Note one fault; the first `SHOWN_PER_KIND` of a kind are kept with their places.
+        """Note one fault. Of each kind the first `SHOWN_PER_KIND` are kept with their places.
 
         Without a ``hint`` the next step is to correct the place.
         """
@@ -56,9 +57,7 @@ class FaultList:
             )
 
     def raise_if_any(self) -> None:
-        """Raise InputError with the faults in the order of the lines in the file; do nothing
-        without faults.
-        """
+        """Raise InputError with the faults in the order of lines. Do nothing without faults."""
         if not self._shown:
             return
         more = [
@@ -74,18 +73,18 @@ class FaultList:
 
 
 def _line(fault: Fault) -> float:
-    """Line of a fault; a missing part has none and comes last."""
+    """The line of a fault. Faults without a line come last."""
     match = _LINE.match(fault.place)
     return int(match[1]) if match else float("inf")
 
 
 def by_profile(file: str) -> str:
-    """Return the commands that read a table of another program."""
+    """Return the commands that read a table of another program with a profile."""
     return f"`compwright profile {shlex.quote(file)} --out P.yaml`, then `--profile P.yaml`"
 
 
 def shown(text: str) -> str:
-    """Return ``text`` in a form for messages: quoted, on one line, cut to a readable length."""
+    """Return ``text`` for messages: quoted, on one line, cut to a readable length."""
     flat = " ".join(text.split())
     printable = "".join(character if character.isprintable() else "?" for character in flat)
     return (

@@ -1,4 +1,4 @@
-"""Rows and columns of a table of another program: any delimiter, any header row, text before and
+"""The rows and columns of another program's table: any delimiter, any header row, text before and
 after it.
 """
 
@@ -31,12 +31,12 @@ class ForeignTable:
     before: tuple[str, ...] = ()
 
     def of(self, column: str) -> Sequence[str]:
-        """Return the cells of a column."""
+        """Return the cells of a column by its name."""
         return self.cells[self.columns.index(column)]
 
 
 def cells_of(line: str, delimiter: str) -> list[str] | None:
-    """Return the stripped cells of one line, None when a quote is not closed.
+    """Return the stripped cells of one line. None for an unclosed quote.
 
     ``delimiter`` is the character; a blank stands for any number of blanks.
     """
@@ -47,8 +47,9 @@ def cells_of(line: str, delimiter: str) -> list[str] | None:
 
 
 def named_columns(cells: Sequence[str]) -> tuple[str, ...]:
-    """Return a name for each cell of a header row: its text; ``column 3`` if it has none, and added
-    to the text if two have the same.
+    """Return a unique name for each cell of a header row.
+
+    Its text; ``column 3`` if it has none, and added to the text if two have the same.
     """
     times = Counter(cells)
     return tuple(

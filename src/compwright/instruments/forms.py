@@ -1,5 +1,5 @@
-"""Forms of positioning files: how each is recognised and read, and the meaning of the parts of its
-lines.
+"""The forms of positioning files: how each is recognised and read, and the meaning of the parts of
+its lines.
 """
 
 from __future__ import annotations
@@ -28,8 +28,11 @@ from compwright.instruments.spans import SpansOf
 
 @dataclass(frozen=True, slots=True)
 class MeasurementForm:
-    """``name``: in messages; ``read`` takes the lines of the file and the user's answers;
-    ``spans_of``: the meaning of the parts of each line, by which `redact` keeps and replaces.
+    """One form of positioning files. ``read``: its reader; ``spans_of``: the meaning of the parts
+    of each line.
+
+    ``name``: in messages; the reader takes the lines of the file and the user's answers; by the
+    spans `redact` keeps and replaces.
 
     ``words``: names of its sections and keys, which may stay in a redacted copy. ``code_pages``:
     text of users in it may be in an old code page.

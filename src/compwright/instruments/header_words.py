@@ -1,5 +1,5 @@
-"""Words in headers of measurement tables in English, German, French, Russian, Italian and Spanish:
-the contents of a column, its unit and its direction.
+"""Header words of measurement tables in six languages: the contents of a column, its unit and its
+direction.
 
 A word gives the contents of a column, never a sign: whether forward is + stays open.
 """
@@ -155,7 +155,7 @@ def plain(text: str) -> str:
 
 
 def role_of(header: str) -> Role | None:
-    """Return the contents of a column by its header, None if no word of it is known."""
+    """Return the contents of a column from its header. None if no word of it is known."""
     words = _WORD.findall(plain(without_unit(header)))
     for role, beginnings in _ROLES.items():
         for word in words:
@@ -168,13 +168,13 @@ def role_of(header: str) -> Role | None:
 
 
 def without_unit(header: str) -> str:
-    """Return a header without a unit in brackets at its end."""
+    """Return a header without the unit in brackets at its end."""
     match = _BRACKETS.search(header[:_LONGEST])
     return header[: match.start()] if match and unit_of(match[1]) else header
 
 
 def unit_of(text: str) -> str:
-    """Return the unit in a text: all of it, in brackets or at its end; empty without one."""
+    """Return the unit in a text: the whole text, in brackets, or at its end. Empty without one."""
     text = text[:_LONGEST]
     inside = re.findall(r"[\[({]\s*([^\])}]+?)\s*[\])}]", text)
     for part in (text, *inside, text.rpartition(" ")[2], text.rpartition("_")[2]):
@@ -185,13 +185,14 @@ def unit_of(text: str) -> str:
 
 
 def is_unit(text: str) -> bool:
-    """Return whether a text is a unit and nothing else."""
+    """Return whether a text is only a unit."""
     return text.strip(" .[](){}").casefold() in _UNITS
 
 
 def stated_unit(line: str) -> str:
-    """Return the unit in a line above a table, such as ``Einheit: µm`` or ``Abweichungen in µm``,
-    empty for all other lines.
+    """Return the unit in a line above a table, such as ``Einheit: µm``. Empty for other lines.
+
+    Or ``Abweichungen in µm``.
     """
     titled = {unit for match in _IN_UNIT.finditer(line) if (unit := unit_of(match[1]))}
     if not _UNIT_WORDS.search(plain(line)):
@@ -205,7 +206,7 @@ def stated_unit(line: str) -> str:
 
 def sign_word(text: str) -> str:
     """Return ``+`` or ``-`` for a word that means a sign, ``out`` or ``back`` for a word that means
-    a way, empty for all else.
+    a way. Else empty.
     """
     found = {
         sign
@@ -217,9 +218,7 @@ def sign_word(text: str) -> str:
 
 
 def difference_of(text: str) -> str:
-    """Return the sign of a deviation stated in a text, such as ``Ist - Soll``, empty without
-    one.
-    """
+    """Return the sign of deviations stated in a text, such as ``Ist - Soll``. Empty without one."""
     for match in _DIFFERENCE.finditer(plain(text)):
         roles = (role_of(match["first"]), role_of(match["second"]))
         if roles == ("measured", "target"):

@@ -33,7 +33,9 @@ _COLUMNS: Final = 16384
 
 @dataclass(frozen=True, slots=True)
 class Hidden:
-    """Rows and columns of a sheet, counted from 1, and whether all of it is hidden."""
+    """The hidden rows and columns of a sheet, counted from 1, and whether the whole sheet is
+    hidden.
+    """
 
     rows: frozenset[int] = frozenset()
     columns: frozenset[int] = frozenset()
@@ -44,7 +46,7 @@ NOTHING_HIDDEN: Final = Hidden()
 
 
 def hidden_of(archive: zipfile.ZipFile) -> dict[str, Hidden]:
-    """Return the hidden parts of each sheet, by its name; unknown ones are left out."""
+    """Return the hidden parts of each sheet by name. Unknown sheets are left out."""
     # What is not a workbook needs no reader of XML.
     from compwright.instruments.safe_xml import read_xml
 
@@ -70,7 +72,7 @@ def hidden_of(archive: zipfile.ZipFile) -> dict[str, Hidden]:
 
 
 def _link(sheet: Element) -> str:
-    """Return the id under which a sheet is linked, whatever the name space is called."""
+    """Return the id that links a sheet, in any XML name space."""
     return next((text for key, text in sheet.attributes.items() if key.endswith(":id")), "")
 
 
@@ -99,8 +101,10 @@ def _span(attributes: Mapping[bytes, bytes]) -> range:
 
 
 def hidden_finding(hidden: Hidden, lines: Sequence[str]) -> Finding | None:
-    """Return the finding about hidden rows and columns with contents, which were read like the
-    others; None without any. ``lines``: those of the sheet, cells separated by tabs.
+    """Return the finding about hidden rows and columns with contents, which were read too. None
+    without any.
+
+    ``lines``: those of the sheet, cells separated by tabs.
     """
     cells = [line.split("\t") for line in lines]
     rows = sorted(row for row in hidden.rows if row <= len(lines) and lines[row - 1])
@@ -128,7 +132,7 @@ def _descriptions(
 
 
 def _letters(column: int) -> str:
-    """Return a column as a spreadsheet program names it: A, B, .., Z, AA."""
+    """Return the letters of a spreadsheet column: A, B, .., Z, AA."""
     name = ""
     while column:
         column, rest = divmod(column - 1, 26)

@@ -70,8 +70,8 @@ _LEAST_MICRORADIAN = 5.0
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _RunRows:
-    """Rows in the order of the file: ``indices`` (n,) of targets from 1, ``values`` (n,) as
-    written, and their ``lines``.
+    """The rows of a file in order: ``indices`` (n,) of targets from 1, ``values`` (n,) as written,
+    and their ``lines``.
     """
 
     indices: IntArray
@@ -81,16 +81,14 @@ class _RunRows:
 
 @dataclass(slots=True)
 class _Runs:
-    """Rows by run number."""
+    """The rows of a file by run number."""
 
     rows: dict[int, _RunRows]
     targets: list[float]
     promised: int | None
 
     def order(self, run: int) -> int:
-        """Return +1 if the targets of a run are in rising order, -1 if falling, 0 for neither or
-        for a single one.
-        """
+        """Return +1 if the targets of a run rise, -1 if they fall, 0 otherwise."""
         steps = np.unique(np.sign(np.diff(self.rows[run].indices))).tolist()
         return int(steps[0]) if len(steps) == 1 else 0
 
@@ -100,14 +98,14 @@ class _Runs:
 
 
 def is_laser_runs(text: Sequence[str]) -> bool:
-    """Whether the lines of a file are of this form."""
+    """Return whether the lines of a file have this form."""
     return has_section(text, [_ROWS, _RUNS]) or (
         has_section(text, ["HEADER", _TARGETS]) and not is_mean_blocks(text)
     )
 
 
 def read_laser_runs(text: Sequence[str], faults: FaultList, answers: Answers) -> Parsed:
-    """Return the test in the lines of a file; every fault is noted.
+    """Return the test in the lines of a file. Every fault is noted.
 
     Faults: another type of file, counts that disagree with the contents, rows that are invalid or
     name a run or target that does not exist, targets whose order leaves the directions open. Raises
@@ -148,7 +146,9 @@ def read_laser_runs(text: Sequence[str], faults: FaultList, answers: Answers) ->
 def _readings(
     runs: _Runs, directions: Mapping[int, tuple[Direction, int]], factor: float
 ) -> Readings:
-    """Return the rows of the runs that count; ``factor`` to mm or deg, measured minus target."""
+    """Return the readings of the runs that count. ``factor``: to mm or deg, measured minus
+    target.
+    """
     used = [(rows, *directions[run]) for run, rows in runs.rows.items() if run in directions]
     sizes = [rows.lines.size for rows, _, _ in used]
     indices = np.concatenate([rows.indices for rows, _, _ in used])
@@ -163,7 +163,7 @@ def _readings(
 
 
 def place(line: int | np.int64) -> str:
-    """Return a line of the file as the place of a fault."""
+    """Return the place of a line for a fault."""
     return f"line {line}"
 
 
@@ -203,7 +203,7 @@ def _targets(sections: FileSections, marks: DecimalMarks) -> list[float]:
 
 
 def _rows(sections: FileSections, marks: DecimalMarks, faults: FaultList) -> dict[int, _RunRows]:
-    """Return the rows by run, in ascending order of the runs."""
+    """Return the rows of each run, in ascending order of the runs."""
     table = GatheredRows(3)
     for number, text in sections.lines.get(_ROWS, ()):
         cells = text.split()
@@ -232,9 +232,7 @@ def _rows(sections: FileSections, marks: DecimalMarks, faults: FaultList) -> dic
 
 
 def _stray(sections: FileSections) -> list[Line]:
-    """Return the lines outside the section of readings and the list of targets that look like a
-    reading.
-    """
+    """Return lines that look like readings but are outside the readings and the list of targets."""
     found: list[Line] = []
     for name in sections.lines.keys() - {_ROWS}:
         listing = False
@@ -302,7 +300,7 @@ def _check_counts(sections: FileSections, runs: _Runs, faults: FaultList) -> Non
 def _directions(
     sections: FileSections, runs: _Runs, faults: FaultList
 ) -> tuple[Mapping[int, tuple[Direction, int]], tuple[str, ...], list[Finding]]:
-    """Return direction and run number of each traverse, the assumption in words, and findings about
+    """Return direction and run number of each traverse, the assumption as text, and findings about
     it.
 
     Odd traverses go from the first target to the last, even ones back. Evidence, in this order: an
@@ -358,7 +356,7 @@ def _directions(
 
 
 def _other_version(sections: FileSections) -> list[str]:
-    """Return a text if the layout is that of another version than the file's."""
+    """Return a text if the layout belongs to another version than the file states."""
     version = sections.value("HEADER", "Version no")[0]
     if version.startswith(_KNOWN_VERSION) or not version:
         return []
@@ -370,9 +368,7 @@ def _traverses(runs: Sequence[int]) -> str:
 
 
 def _fewer_runs(runs: _Runs) -> Finding | None:
-    """Return the finding about fewer runs or rows than the header states; `plausibility` reports a
-    hole within a run.
-    """
+    """Return the finding about fewer runs or rows than the header states."""
     last = max(runs.rows)
     if runs.promised is None or last >= runs.promised:
         return None
@@ -382,7 +378,7 @@ def _fewer_runs(runs: _Runs) -> Finding | None:
 def _unit(
     kind: AxisKind, runs: _Runs, answers: Answers, faults: FaultList
 ) -> tuple[float, tuple[str, ...], Finding | None]:
-    """Return the factor to mm or deg, the assumption in words, and the doubt about it."""
+    """Return the factor to mm or deg, the assumption as text, and the doubt about it."""
     units = LENGTHS if kind is AxisKind.LINEAR else ANGLES
     if answers.unit is not None:
         if answers.unit not in units:

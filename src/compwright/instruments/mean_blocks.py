@@ -1,5 +1,7 @@
-"""Means of a positioning test in the text form ``.pos`` (API laser): blocks of a title line
-``Position <tab> Forward Directional Avg Error`` and rows of position and mean deviation, in mm.
+"""The text form ``.pos`` of a laser (API): mean deviations of a positioning test, in mm.
+
+Blocks of a title line ``Position <tab> Forward Directional Avg Error`` and rows of position and
+mean deviation.
 
 The deviation is measured minus target. Source: one reader of a third party; no real file was at
 hand. The readings themselves are not in such a file.
@@ -55,12 +57,12 @@ _Block = dict[float, tuple[float, int]]
 
 
 def is_mean_blocks(text: Sequence[str]) -> bool:
-    """Whether the lines of a file are of this form."""
+    """Return whether the lines of a file have this form."""
     return any("Avg" in line and _TITLE.fullmatch(line) for line in text)
 
 
 def spans_of(text: Sequence[str]) -> Iterator[Spans]:
-    """Yield the meaning of the parts of each line: rows below a title, up to the next section."""
+    """Yield the meaning of the parts of each line, from a title to the next section."""
     block = False
     for line, found in zip(text, spans_of_sections(text), strict=True):
         title = _TITLE.fullmatch(line)
@@ -73,7 +75,7 @@ def spans_of(text: Sequence[str]) -> Iterator[Spans]:
 
 
 def read_mean_blocks(text: Sequence[str], faults: FaultList, answers: Answers) -> Parsed:
-    """Return the means in the lines of a file as one run per direction; every fault is noted.
+    """Return the means in the lines of a file as one run per direction. Every fault is noted.
 
     If the means of the way back are not printed, they are twice those of both directions less those
     of the way out. Faults: means of both directions alone, which give no direction; blocks at
@@ -137,7 +139,7 @@ def read_mean_blocks(text: Sequence[str], faults: FaultList, answers: Answers) -
 def _blocks(
     text: Sequence[str], marks: DecimalMarks, faults: FaultList
 ) -> tuple[Mapping[str, _Block], int]:
-    """Return the blocks by kind of mean, and the number of decimals of the means."""
+    """Return the blocks of means by kind, and the number of decimals of the means."""
     blocks: dict[str, _Block] = {}
     current: _Block | None = None
     decimals = 0
@@ -181,9 +183,7 @@ def _blocks(
 
 
 def _above(text: Sequence[str]) -> list[tuple[int, str]]:
-    """Return the lines above the first title that look like a position and its mean; targets may
-    have a list of their own.
-    """
+    """Return the lines above the first title that look like a position with its mean."""
     found: list[tuple[int, str]] = []
     listing = False
     for number, line in enumerate(text, start=1):

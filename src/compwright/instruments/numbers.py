@@ -1,5 +1,5 @@
-"""Numbers as text, independent of the locale: decimal point or decimal comma, one of them
-throughout a file.
+"""Read numbers with a decimal point or a decimal comma, one of them throughout a file, whatever the
+locale is.
 """
 
 from __future__ import annotations
@@ -63,8 +63,8 @@ def parse_count(text: str) -> int:
 
 
 def plain_numbers(cells: Sequence[str], mark: str) -> FloatArray | None:
-    """Return the numbers (n,) in cells that are all short and have no other decimal mark than
-    ``mark``, as `parse_number` reads them; None where a cell is anything else.
+    """Return the numbers (n,) in cells that are short and have only the decimal mark ``mark``. None
+    for other cells.
     """
     if not all(map(_PLAIN[mark].fullmatch, cells)):
         return None
@@ -75,8 +75,8 @@ def plain_numbers(cells: Sequence[str], mark: str) -> FloatArray | None:
 def counts_of(
     cells: Sequence[str], place: Callable[[int], str], what: str, faults: FaultList
 ) -> IntArray:
-    """Return the whole numbers of at least 1 in the cells of a column; 0, after noting the fault,
-    for any other cell.
+    """Return the whole numbers of at least 1 in a column. A different cell is a fault and becomes
+    0.
     """
     known: dict[str, int] = {}
     reasons: dict[str, str] = {}
@@ -99,7 +99,7 @@ def counts_of(
 
 @dataclass(slots=True)
 class _Marked:
-    """The numbers of a file that have one decimal mark."""
+    """The numbers of a file with the same decimal mark."""
 
     count: int = 0
     #: Line (0 where it is not counted) and place of the first.
@@ -112,8 +112,8 @@ class _Marked:
 
 
 class DecimalMarks:
-    """Checks which decimal mark the numbers of one file have. Pass every number to `parse`, then
-    call `check`.
+    """Checks the decimal mark of all numbers in one file. Pass every number to `parse`, then call
+    `check`.
     """
 
     def __init__(self, faults: FaultList) -> None:
@@ -124,8 +124,8 @@ class DecimalMarks:
     def parse(
         self, text: str, *, place: str, column: str, expected: str = "a number"
     ) -> float | None:
-        """Return the number in a cell, or None after noting the fault. ``column`` groups numbers
-        that are printed alike.
+        """Return the number in a cell. After a fault: None. ``column`` groups numbers with the same
+        print format.
         """
         try:
             value = parse_number(text)
@@ -159,8 +159,8 @@ class DecimalMarks:
         column: str,
         expected: str = "a number",
     ) -> FloatArray:
-        """Return the numbers (n,) in the cells of a column, each as `parse` reads it, NaN after
-        noting a fault; ``place`` of a cell by its index.
+        """Return the numbers (n,) in a column. NaN after a fault. ``place``: of a cell by its
+        index.
         """
         for mark in _PLAIN:
             plain = plain_numbers(cells, mark)
@@ -182,7 +182,7 @@ class DecimalMarks:
         place: Callable[[int], str],
         column: str,
     ) -> None:
-        """Note the marks of plain numbers, as `parse` does one by one."""
+        """Record the decimal marks of several plain numbers at once."""
         at = [index for index, text in enumerate(cells) if mark in text]
         if len(at) < len(cells):
             self._unmarked_columns.add(column)
@@ -198,8 +198,8 @@ class DecimalMarks:
         seen.columns.add(column)
 
     def check(self, *, comma_is_delimiter: bool = False) -> None:
-        """Note a fault when points and commas are mixed, the comma is the delimiter too, or it may
-        mark thousands.
+        """Note a fault for mixed points and commas, for a comma that is also the delimiter, and for
+        possible thousands marks.
         """
         point, comma = self._marked["."], self._marked[","]
         if comma.count and comma_is_delimiter:
@@ -234,8 +234,8 @@ class DecimalMarks:
             )
 
     def doubtful_point(self) -> str:
-        """Return a number such as ``1.250`` that was read as a decimal fraction although it may be
-        1250, empty when none.
+        """Return a number such as ``1.250``, which was read as a fraction but may mean 1250. Empty
+        without one.
 
         The point is the decimal mark of this form. It is doubtful if no number of the file proves
         it and whole numbers are in the same column (500, 750, 1.000); 100.000, 200.000 throughout

@@ -1,4 +1,4 @@
-"""Files of unknown forms, with a guess of what they are."""
+"""Recognise files of unknown forms, with a guess of their kind."""
 
 from __future__ import annotations
 
@@ -27,8 +27,8 @@ _FORM_KEY = re.compile(r"positioning\s+([0-9]{1,9})")
 
 
 def refuse_other_files(lines: Sequence[tuple[int, str]], comments: Comments, file: str) -> None:
-    """Raise InputError when the file is not a plain CSV positioning file, with a guess of what it
-    is.
+    """Raise InputError when the file is not a plain CSV positioning file, with a guess of its
+    kind.
     """
     form = comments.get("compwright").lower()
     match = _FORM_KEY.fullmatch(form)

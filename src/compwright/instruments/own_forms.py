@@ -1,4 +1,4 @@
-"""Compwright's own two forms, plain CSV and target data, converted to `Parsed` like all others."""
+"""Compwright's own two text forms, plain CSV and target data, read as `Parsed` like all others."""
 
 from __future__ import annotations
 
@@ -46,15 +46,15 @@ _HEADS: Mapping[Meaning, Meaning] = {"other cell": "column"}
 
 
 def is_target_data_file(text: Sequence[str]) -> bool:
-    """Return whether the lines of a file are of the form ``TGT_DATA[1]=``."""
+    """Return whether the lines of a file have the form ``TGT_DATA[1]=``."""
     first = first_row(text)
     data = (line for line in text if "_DATA" in line and comment_text(line) is None)
     return first is not None and is_target_data(chain([first[1]], data))
 
 
 def is_plain_csv(text: Sequence[str]) -> bool:
-    """Return whether the header row of a file has a target and a value column of the plain CSV
-    forms.
+    """Return whether the header row of a file has a target column and a value column of the plain
+    CSV forms.
     """
     first = first_row(text)
     names = header_names(first[1])[1] if first is not None else []
@@ -64,7 +64,7 @@ def is_plain_csv(text: Sequence[str]) -> bool:
 
 
 def read_plain_csv(text: Sequence[str], faults: FaultList) -> Parsed:
-    """Return the test in the lines of a plain CSV file; faults of cells are noted.
+    """Return the test in the lines of a plain CSV file. Faults of cells are noted.
 
     Raises InputError for a file of another form, with a guess of what it is.
     """
@@ -100,7 +100,7 @@ def read_plain_csv(text: Sequence[str], faults: FaultList) -> Parsed:
 
 
 def read_target_data_file(text: Sequence[str], faults: FaultList) -> Parsed:
-    """Return the test in the lines of a file of the form ``TGT_DATA[1]=``; faults are noted."""
+    """Return the test in the lines of a file of the form ``TGT_DATA[1]=``. Faults are noted."""
     comment_lines, lines = split_target_data(text)
     comments = read_comments(comment_lines, faults, any_key=False)
     read = read_target_data(lines, faults)
@@ -160,9 +160,7 @@ def _of_column(name: str) -> Meaning:
 
 
 def _in_cells(line: str, delimiter: str, meanings: Sequence[Meaning]) -> Spans:
-    """Return the spans of the cells of a line, with their quotes and blanks, separated as by
-    `row_cells`.
-    """
+    """Return the parts of a line that belong to its cells, with their quotes and blanks."""
     spans: list[TextSpan] = []
     start, cell = 0, _cell(delimiter)
     names: Iterator[Meaning] = chain(meanings, repeat("other cell"))

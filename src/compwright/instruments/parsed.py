@@ -1,5 +1,5 @@
-"""Result of the reader of one form: the readings of one test and the facts in the file, before the
-checks that need all readings.
+"""The result of one reader: the readings of a test and the facts in the file, before further
+checks.
 """
 
 from __future__ import annotations
@@ -15,7 +15,8 @@ from compwright.records.positioning import Cycle
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Parsed:
-    """``readings``: targets and deviations (measured minus target) in mm or deg by ``kind``.
+    """The readings of one test: targets and deviations (measured minus target) in mm or deg, by the
+    ``kind`` of axis.
 
     ``header`` keeps the facts in the file as text, under the known keys of `comments.KNOWN_KEYS` if
     it is one of them. ``assumed``: facts that the file leaves open and their assumed values, in

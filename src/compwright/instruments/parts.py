@@ -1,6 +1,4 @@
-"""The tests in one file: the sheets of a workbook, and the axes of a table that names them row by
-row.
-"""
+"""Split a file into tests: by the sheets of a workbook, or by the axes in a column."""
 
 from __future__ import annotations
 
@@ -18,7 +16,7 @@ AXIS_COLUMN = "axis"
 
 @dataclass(frozen=True, slots=True)
 class TestPart:
-    """The lines of one test; those of other axes are blank, so that a line keeps its number.
+    """The lines of one test. Lines of other axes are blank, so that line numbers stay.
 
     ``axis``: from the column of axes, else empty. ``sheet``: the name of the sheet, else empty.
     """
@@ -29,7 +27,7 @@ class TestPart:
 
 
 def plain_parts(text: Sequence[str], faults: FaultList) -> tuple[TestPart, ...]:
-    """Return the parts of a plain CSV file: one per axis where it has a column ``axis``."""
+    """Return the parts of a plain CSV file: one per axis if it has a column ``axis``."""
     first = first_row(text)
     if first is None:
         return (TestPart(text),)
@@ -48,7 +46,8 @@ def parts_by_axis(
     rows: Sequence[int],
     faults: FaultList,
 ) -> tuple[TestPart, ...]:
-    """Return a part per axis in the column ``header`` (its line and index) of the lines ``rows``.
+    """Return one part per axis, by the column ``header`` (its line and index) of the lines
+    ``rows``.
 
     A row with contents but without an axis name is a fault.
     """

@@ -50,7 +50,7 @@ _UNITS_OF = {AxisKind.LINEAR: "um or mm", AxisKind.ROTARY: "arcsec or deg"}
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CsvReadings:
-    """Contents of the rows: the kind of axis, the readings in mm or deg, and remarks about the
+    """The contents of the rows: kind of axis, readings in mm or deg, and remarks about the
     columns.
     """
 
@@ -64,7 +64,7 @@ class CsvReadings:
 
 
 def read_csv(table: CsvTable, comments: Comments, faults: FaultList) -> CsvReadings:
-    """Return the readings of a plain CSV file; faults of cells are noted.
+    """Return the readings of a plain CSV file. Faults of cells are noted.
 
     Raises InputError when the columns do not form one of the two forms.
     """
@@ -122,8 +122,8 @@ def read_csv(table: CsvTable, comments: Comments, faults: FaultList) -> CsvReadi
 
 # one caller
 def _refuse_unsigned(table: CsvTable, wide: bool, faults: FaultList) -> None:  # noqa: FBT001
-    """Raise for columns named 1, 2, ... or +0: spreadsheets remove the plus sign, and then the
-    direction is lost.
+    """Raise an error for columns named 1, 2, ... or +0. Spreadsheets remove the plus sign, and then
+    the direction is lost.
 
     In a ``wide`` file also for ``up 3`` or ``+3 up``: a traverse that is left out would go
     unnoticed.
@@ -150,7 +150,7 @@ def _refuse_unsigned(table: CsvTable, wide: bool, faults: FaultList) -> None:  #
 def _refuse_twice(
     table: CsvTable, traverses: Mapping[str, tuple[str, int]], faults: FaultList
 ) -> None:
-    """Note a traverse that two columns name, ``+3`` and ``3 +``."""
+    """Note a fault for two columns of the same traverse, such as ``+3`` and ``3 +``."""
     first: dict[tuple[str, int], str] = {}
     for column, traverse in traverses.items():
         other = first.setdefault(traverse, column)
@@ -249,7 +249,7 @@ def _value_column(table: CsvTable, target: str, faults: FaultList) -> str:
 
 
 def _wide_factor(target: str, comments: Comments, faults: FaultList) -> float:
-    """Return the factor from the key ``unit`` to mm or deg; 1 after noting a fault."""
+    """Return the factor from the key ``unit`` to mm or deg. 1 after a fault."""
     unit = comments.get("unit")
     wanted = (
         f"a comment line such as '# unit: {'arcsec' if target == 'target_deg' else 'um'}' above the"
@@ -310,9 +310,7 @@ def _long(
 
 
 def _timed(table: CsvTable, readings: Readings) -> Readings:
-    """Return the readings with the times of a column ``time``, NaN where a row gives none; without
-    them where no row does.
-    """
+    """Return the readings with the times in a column ``time``. NaN where a row has no time."""
     if TIME not in table.columns:
         return readings
     clock, times = times_of(table.of(TIME), table.place(TIME), FaultList(""))
@@ -326,7 +324,7 @@ def _wide(
     marks: DecimalMarks,
     faults: FaultList,
 ) -> tuple[Readings, FloatArray]:
-    """Return the readings and the targets of all rows, NaN after noting a fault."""
+    """Return the readings and the targets of all rows. NaN after a fault."""
     target, traverses = columns
     names = list(traverses)
     positions = marks.parse_all(table.of(target), table.lines, table.place(target), target)
@@ -356,9 +354,7 @@ def _wide(
 def _rows_of_new_targets(
     table: CsvTable, target: str, positions: Sequence[float], faults: FaultList
 ) -> list[int]:
-    """Return the rows without repeated targets, after noting the fault: else each of their readings
-    would be reported as given twice.
-    """
+    """Return the rows without repeated targets, which are faults."""
     first: dict[float, int] = {}
     rows = []
     for row, position in enumerate(positions):

@@ -1,4 +1,4 @@
-"""Checks while reading a positioning file. Nothing is changed or dropped: the user decides.
+"""Checks during the reading of a positioning file. Nothing is changed or dropped; the user decides.
 
 Codes of this room:
 
@@ -63,7 +63,7 @@ _LISTED = 5
 
 
 def findings_of(grid: ReadingGrid, kind: AxisKind) -> tuple[Finding, ...]:
-    """Return the findings about the readings of one test, most general first."""
+    """Return the findings about the readings of one test, the most general ones first."""
     return tuple(
         finding
         for finding in (
@@ -204,8 +204,8 @@ def _near_targets(grid: ReadingGrid, kind: AxisKind) -> Finding | None:
 
 
 def skipped_finding(names: Sequence[str]) -> Finding | None:
-    """Return the finding about the files of a folder that are no measurements by their endings;
-    None without any.
+    """Return the finding about files in a folder that are no measurements, by their endings. None
+    without any.
     """
     if not names:
         return None

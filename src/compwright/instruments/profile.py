@@ -1,4 +1,4 @@
-"""A mapping profile: the meaning of the columns of another program's table, as a small YAML file.
+"""A mapping profile: a small YAML file with the meaning of the columns in another program's table.
 
 No key that decides a sign, a unit or a direction has a default: a required key that is empty is
 refused. ``docs/measurement-files.md`` explains it key by key.
@@ -24,8 +24,10 @@ SIGNS: Final = ("measured minus target", "target minus measured")
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Profile:
-    """``layout``: long (one row per reading), wide (one column per traverse) or own (a form that
-    has its own reader; only ``unit`` and ``sign`` count).
+    """A mapping profile. ``layout``: long (one row per reading), wide (one column per traverse) or
+    own.
+
+    Own: a form that has its own reader; only ``unit`` and ``sign`` count.
 
     Columns by their names in the header row; ``traverses``: column -> direction and run;
     ``directions``: word in the column ``direction`` -> direction. ``position_map``: None if it
@@ -59,10 +61,10 @@ class Profile:
 
     @property
     def kind(self) -> AxisKind:
-        """The kind of axis, by the unit of the targets."""
+        """The kind of axis (linear, rotary), by the unit of the targets."""
         return AxisKind.LINEAR if self.target_unit in LENGTHS else AxisKind.ROTARY
 
     @property
     def answers(self) -> Answers:
-        """The profile's answers about a file of a form with its own reader."""
+        """The profile's answers about a file whose form has its own reader."""
         return Answers(unit=self.unit, sign=self.sign)

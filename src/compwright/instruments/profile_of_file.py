@@ -1,6 +1,4 @@
-"""Bytes of a file to the profile that is proposed for it, or to the statement that it needs
-none.
-"""
+"""Propose a profile for the bytes of a file, or state that it needs none."""
 
 from __future__ import annotations
 
@@ -20,8 +18,8 @@ from compwright.instruments.workbook import is_workbook, sheets_of
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Proposed:
-    """``text`` of the profile; readings in words, observations, and the keys to fill in with their
-    reasons.
+    """The ``text`` of a proposed profile, sample readings as text, and the keys that the user must
+    fill in.
     """
 
     text: str
@@ -31,7 +29,7 @@ class Proposed:
 
 
 def proposed_profile(content: bytes, file: str) -> Proposed:
-    """Return the profile for ``content``; ``file`` is its name in messages.
+    """Return the proposed profile for ``content``. ``file``: its name in messages.
 
     Raises InputError for a file without a table, UsageError for one whose form leaves nothing open.
     """
@@ -54,7 +52,7 @@ def proposed_profile(content: bytes, file: str) -> Proposed:
 
 
 def _of_workbook(content: bytes, file: str) -> Proposed:
-    """Return the profile for the first sheet of a workbook that holds a table."""
+    """Return the profile for the first sheet of a workbook that contains a table."""
     sheets = sheets_of(content, file)
     for sheet in sheets:
         if is_plain_csv(sheet.lines):
@@ -93,7 +91,7 @@ def _proposed(lines: Sequence[str], encoding: str, file: str) -> Proposed:
 
 
 def _answers(form: MeasurementForm, file: str) -> Proposed:
-    """Return the profile of a file whose own reader may need its unit or its sign."""
+    """Return the profile for a file of a known form that lacks its unit or its sign."""
     text = (
         f"# For {file}: {form.name}. Only what its own reader cannot know has to be filled in.\n"
         f"{MARK}: {VERSION}\n"

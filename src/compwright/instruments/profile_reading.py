@@ -1,4 +1,4 @@
-"""A mapping profile from its YAML, with every fault at once."""
+"""Read a mapping profile from YAML. All faults are reported at once."""
 
 from __future__ import annotations
 
@@ -81,7 +81,7 @@ def read_profile(content: bytes, file: str) -> Profile:
 
 
 def _empty(data: Mapping[str, Any]) -> Iterator[KeyFault]:
-    """Yield the keys that this profile needs and that are empty."""
+    """Yield the empty keys that this profile needs."""
     layout = data.get("layout")
     needed = ["layout", *_NEEDED.get(layout if isinstance(layout, str) else "", ())]
     if layout in ("long", "wide") and data.get("value_is") != "measured":
@@ -109,7 +109,7 @@ def _version(value: Any) -> None:
 
 
 def _choice(key: str, convert: Callable[[str], Any] = str) -> cs.CoreSchema:
-    """Return the schema of a word; an empty one counts as none."""
+    """Return the schema of a choice of words. An empty word means none."""
     word = cs.no_info_after_validator_function(convert, cs.literal_schema([*_CHOICES[key]]))
     return cs.no_info_before_validator_function(
         lambda value: None if value == "" else value, cs.nullable_schema(word)
@@ -164,9 +164,7 @@ def _left_out(names: list[Any]) -> frozenset[str]:
 
 
 def _own(values: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the contents of a profile by the names of the record; empty keys keep their
-    default.
-    """
+    """Return the contents of a profile as fields of the record. Empty keys keep their default."""
     names = {key: key for key in values if key != MARK} | {"value_is": "measured"}
     return {name: values[key] for key, name in names.items() if values.get(key) is not None}
 

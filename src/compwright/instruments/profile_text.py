@@ -1,4 +1,4 @@
-"""A proposed mapping profile as text, and remarks about it."""
+"""Write a proposed mapping profile as text, with remarks."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ _MEANINGS: Final[dict[str, str]] = {
 
 
 def profile_text(proposal: Proposal, file: str) -> str:
-    """Return the profile as YAML with a comment behind each key; open keys are empty and marked.
+    """Return the profile as YAML with a comment after each key. Open keys are empty and marked.
 
     ``file``: the name of the table that it was made for.
     """
@@ -72,7 +72,7 @@ def profile_text(proposal: Proposal, file: str) -> str:
 
 
 def worked_rows(proposal: Proposal, text: Sequence[str], file: str) -> list[str]:
-    """Return three readings in words, as the proposal reads them.
+    """Return three readings as text, as the proposed profile reads them.
 
     If only the sign or directions are open: with an assumed answer, which is named. If more is
     open: as written in the file.
@@ -96,8 +96,8 @@ def worked_rows(proposal: Proposal, text: Sequence[str], file: str) -> list[str]
 
 
 def _with_answers(proposal: Proposal) -> tuple[Proposal | None, list[str]]:
-    """Return the proposal with one answer to an open sign and open directions, and that answer in
-    words; None if something else is open.
+    """Return the proposal with one answer to an open sign and open directions, and that answer as
+    text.
     """
     keys, words = dict(proposal.keys), []
     for key in sorted(proposal.why, key=lambda one: one != "sign"):
@@ -120,7 +120,7 @@ def _with_answers(proposal: Proposal) -> tuple[Proposal | None, list[str]]:
 
 
 def _as_written(proposal: Proposal) -> list[str]:
-    """Return three rows as written in the file, if too much is open to interpret them."""
+    """Return three rows as written in the file, for the case that too much is open."""
     keys, lines = proposal.keys, []
     names = [keys.get(key) for key in ("target", "value", "direction", "run")]
     names += list(keys.get("traverses") or ())[:2]
@@ -132,8 +132,8 @@ def _as_written(proposal: Proposal) -> list[str]:
 
 
 def _filled(proposal: Proposal) -> list[tuple[str, Proposal]]:
-    """Return the proposal itself if nothing is open, else with each of two answers to the first
-    open sign or direction, in words.
+    """Return the proposal, or two variants with the possible answers to its first open sign or
+    direction.
     """
     if not proposal.why:
         return [("", proposal)]

@@ -1,4 +1,4 @@
-"""A table of another program, read by a mapping profile (`profile.Profile`)."""
+"""Read a table of another program with a mapping profile (`profile.Profile`)."""
 
 from __future__ import annotations
 
@@ -44,8 +44,8 @@ _SAME_STEP = 1e-4  # mm, deg: rounding of printed positions
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _ProfiledRows:
-    """Contents of rows: targets and deviations (n,) in mm or deg, the cells of their direction and
-    run columns, and their lines.
+    """The contents of rows: targets and deviations (n,) in mm or deg, direction and run cells, and
+    line numbers.
     """
 
     targets: FloatArray
@@ -56,8 +56,8 @@ class _ProfiledRows:
 
 
 def at_its_header(text: Sequence[str], profile: Profile) -> Profile:
-    """Return the profile with the line of its header row in this file: files of one program differ
-    in how much text is above.
+    """Return the profile with the header line of this file, because the amount of text above the
+    table varies.
 
     Unchanged if its own line has all columns, if there is no header row, and if no line or more
     than one has them all.
@@ -76,7 +76,7 @@ def at_its_header(text: Sequence[str], profile: Profile) -> Profile:
 
 
 def has_columns(text: Sequence[str], profile: Profile) -> bool:
-    """Return whether all columns of a profile are in the lines of a file."""
+    """Return whether the lines of a file contain all columns of a profile."""
     faults = FaultList("")
     top = text[: profile.header_line] if profile.header_line else text
     table = foreign_table(top, profile.delimiter, profile.header_line, faults)
@@ -84,7 +84,7 @@ def has_columns(text: Sequence[str], profile: Profile) -> bool:
 
 
 def read_by_profile(text: Sequence[str], profile: Profile, faults: FaultList) -> Parsed:
-    """Return the test in the lines of a file; every fault is noted.
+    """Return the test in the lines of a file. Every fault is noted.
 
     Rows whose target holds no digit (means, remarks) and columns that the profile does not name are
     left out with a warning; any other cell that is not a number is a fault. Raises InputError if
@@ -136,8 +136,8 @@ def read_by_profile(text: Sequence[str], profile: Profile, faults: FaultList) ->
 def _refuse_contradictions(
     before: Sequence[str], axis: str, profile: Profile, faults: FaultList
 ) -> None:
-    """Note where the text above a table contradicts the profile, which may have been made for
-    another file.
+    """Note where the text above a table contradicts the profile. The profile may belong to another
+    file.
     """
     named = any(map(unit_of, (profile.value, *profile.traverses)))  # the column says it itself
     unit = "" if named else next(filter(None, map(stated_unit, before)), "")
@@ -159,7 +159,7 @@ def _refuse_contradictions(
 def profiled_parts(
     text: Sequence[str], profile: Profile, faults: FaultList
 ) -> tuple[TestPart, ...]:
-    """Return the parts of a table: one per axis where the profile names a column of axes."""
+    """Return the parts of a table: one per axis if the profile names a column of axes."""
     if not profile.axis_column or not has_columns(text, profile):
         return (TestPart(text),)
     table = foreign_table(text, profile.delimiter, profile.header_line, FaultList(""))
@@ -170,7 +170,7 @@ def profiled_parts(
 
 
 def columns_of(profile: Profile) -> list[str]:
-    """Return the names of the columns that a profile reads."""
+    """Return the names of the columns that a profile uses."""
     axis = [profile.axis_column] if profile.axis_column else []
     if profile.layout == "wide":
         return [profile.target, *profile.traverses, *axis]
@@ -184,13 +184,13 @@ def _has_digit(text: str) -> bool:
 
 
 class _Cells:
-    """Cells by the name of their column, and as numbers with the decimal mark of the profile."""
+    """Cells by column name, as text and as numbers with the profile's decimal mark."""
 
     def __init__(self, table: ForeignTable, profile: Profile, faults: FaultList) -> None:
         self.table, self.profile, self.faults = table, profile, faults
 
     def text(self, rows: Sequence[int], name: str) -> list[str]:
-        """Return the cells of a column in these rows, empty ones where it has no name."""
+        """Return the cells of a column in these rows. Empty cells where it has no name."""
         if not name:
             return [""] * len(rows)
         cells = self.table.of(name)
@@ -200,7 +200,7 @@ class _Cells:
         return any(self.table.of(name))
 
     def numbers(self, rows: Sequence[int], name: str) -> FloatArray:
-        """Return the numbers (n,) of a column in these rows, NaN after noting a fault."""
+        """Return the numbers (n,) of a column in these rows. NaN after a fault."""
         texts = self.text(rows, name)
         plain = plain_numbers(texts, self.profile.decimal)
         if plain is not None:
@@ -232,8 +232,8 @@ class _Cells:
         return self.numbers(rows, self.profile.target) * _factor(self.profile.target_unit) + 0.0
 
     def deviations(self, rows: Sequence[int], name: str, targets: FloatArray) -> FloatArray:
-        """Return measured minus target (n,) in mm or deg of the values in a column; ``targets`` in
-        mm or deg.
+        """Return the deviations measured minus target (n,), mm or deg, from the values in a column.
+        ``targets`` in mm or deg.
         """
         values = self.numbers(rows, name) * _factor(self.profile.unit or "")
         if self.profile.measured:
@@ -246,7 +246,7 @@ def _factor(unit: str) -> float:
 
 
 def _wide(rows: Sequence[int], cells: _Cells, profile: Profile) -> tuple[Readings, FloatArray]:
-    """Return the readings and the targets of all rows."""
+    """Return the readings and the targets of all rows of a table with one column per traverse."""
     targets = cells.targets(rows)
     lines = np.array([cells.table.lines[row] for row in rows], dtype=np.int64)
     names = list(profile.traverses)
@@ -276,7 +276,7 @@ def _wide(rows: Sequence[int], cells: _Cells, profile: Profile) -> tuple[Reading
 def _long(
     rows: Sequence[int], cells: _Cells, profile: Profile, faults: FaultList
 ) -> tuple[Readings, FloatArray]:
-    """Return the readings and the targets of all rows."""
+    """Return the readings and the targets of all rows of a table with one column per traverse."""
     targets = of_rows = cells.targets(rows)
     values = cells.text(rows, profile.value)
     # an empty value is a reading that was not made; `plausibility` counts them
@@ -306,8 +306,8 @@ def _long(
 
 
 def _refuse_steps(rows: _ProfiledRows, profile: Profile, faults: FaultList) -> None:
-    """Note values that are the distances of the targets: some programs print them in a column
-    too.
+    """Note a fault for values that are the distances between targets, which some programs print in
+    a column.
     """
     steps = np.diff(rows.targets)
     if profile.measured or steps.size < 2 or not np.any(steps):
@@ -344,16 +344,16 @@ def _directions(
 
 
 def traverses_of(targets: FloatArray) -> list[slice]:
-    """Return the traverses of targets (n,) in the order of time: a new one begins where a target
-    follows itself.
+    """Return the traverses of targets (n,) in the order of time. A new one begins where a target
+    repeats immediately.
     """
     ends = (np.flatnonzero(np.diff(targets) == 0.0) + 1).tolist()
     return [slice(a, b) for a, b in pairwise([0, *ends, len(targets)])]
 
 
 def _by_order(rows: _ProfiledRows, faults: FaultList) -> Iterator[Direction | None]:
-    """Yield the direction of each row: rising targets are approached from below, falling ones from
-    above; the axis turns where a target follows itself.
+    """Yield the direction of each row: + for rising targets, - for falling ones. The axis reverses
+    where a target repeats.
     """
     for part in traverses_of(rows.targets):
         targets = rows.targets[part]
@@ -375,9 +375,7 @@ def _by_order(rows: _ProfiledRows, faults: FaultList) -> Iterator[Direction | No
 def _runs(
     rows: _ProfiledRows, directions: Sequence[Direction], profile: Profile, faults: FaultList
 ) -> list[int]:
-    """Return the run of each row: by its column, or the number of times that its target came in
-    this direction; 0 after noting a fault.
-    """
+    """Return the run of each row, by its column or by counting. 0 after a fault."""
     if not profile.run:
         times: Counter[tuple[float, Direction]] = Counter()
         counted = []
@@ -410,8 +408,8 @@ def _count(text: str) -> int:
 
 
 def _above(text: Sequence[str], table: ForeignTable, profile: Profile) -> list[tuple[int, str]]:
-    """Return the lines above the header row with a number in the column of the target and in one
-    of readings.
+    """Return the lines above the header row with numbers in the target column and in a reading
+    column.
     """
     if not profile.header_line:
         return []

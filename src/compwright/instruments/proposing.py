@@ -1,5 +1,4 @@
-"""A mapping profile proposed for another program's table: what its header and its numbers prove,
-and what stays open.
+"""Propose a mapping profile for another program's table, from its header and its numbers.
 
 A sign, a unit or a direction is never guessed: such a key stays empty, and the profile is refused
 until it is filled in.
@@ -45,8 +44,9 @@ _MOST_WORDS = 6
 
 @dataclass(slots=True)
 class Proposal:
-    """``keys`` of the profile in their order, None: unknown; ``why``: of those, what to look for;
-    ``notes``: observations, in words. ``table`` as it was read.
+    """A proposed profile. ``keys``: None where unknown; ``why``: what the user should look for.
+
+    In their order; ``notes``: observations, in words. ``table`` as it was read.
     """
 
     table: ForeignTable
@@ -61,7 +61,9 @@ class Proposal:
 
 
 def propose(text: Sequence[str], encoding: str, file: str) -> Proposal:
-    """Return the profile for the lines of a table. Raises InputError where no table is found."""
+    """Return the proposed profile for the lines of a table. Raises InputError where no table is
+    found.
+    """
     faults = FaultList(file)
     text = text[:_MOST_LINES]
     shape = shape_of(text)
@@ -134,7 +136,7 @@ def _decimal(table: ForeignTable, proposal: Proposal) -> str | None:
 
 
 class _ProposedColumns:
-    """The columns of a table by their contents."""
+    """The columns of a table, sorted by their contents."""
 
     def __init__(self, table: ForeignTable, decimal: str) -> None:
         self.table, self.decimal = table, decimal
@@ -143,7 +145,7 @@ class _ProposedColumns:
         self.roles: dict[str, Role | None] = {name: role_of(name) for name in table.columns}
 
     def numbers(self, name: str) -> FloatArray:
-        """Return the numbers of a column, NaN where a cell is none."""
+        """Return the numbers of a column. NaN where a cell is not a number."""
         if name not in self._numbers:
             found = [number_in(text, self.decimal) for text in self.texts[name]]
             self._numbers[name] = np.array([np.nan if one is None else one for one in found])
@@ -161,7 +163,9 @@ class _ProposedColumns:
         return float(np.nanmax(values) - np.nanmin(values)) if np.isfinite(values).any() else 0.0
 
     def target(self) -> str | None:
-        """Return the column of targets: by its name, else the numeric one that spreads most."""
+        """Return the column of targets: by its name, else the numeric column with the largest
+        range.
+        """
         named = [name for name in self.of("target") if self.numeric(name)]
         if len(named) == 1:
             return named[0]
@@ -174,8 +178,8 @@ class _ProposedColumns:
         return ranked[0]
 
     def traverses(self, target: str | None) -> list[str]:
-        """Return the columns that look like one traverse each: numbers, with a sign, a way or a
-        count in the name.
+        """Return the columns that look like one traverse each: numbers, with a sign, a direction or
+        a count in the name.
         """
         return [
             name
@@ -300,7 +304,7 @@ def _direction(proposal: Proposal, columns: _ProposedColumns, target: str | None
 def _direction_words(
     proposal: Proposal, columns: _ProposedColumns, target: str | None, name: str
 ) -> Mapping[str, str | None]:
-    """Return the sign of each word of a direction column: by its meaning, or by the order of its
+    """Return the sign of each word in a direction column: by its meaning, or by the order of its
     targets.
     """
     words = dict.fromkeys(text for text in columns.texts[name] if text)
@@ -330,7 +334,7 @@ def _both_orders(
 
 
 def _steps_of(columns: _ProposedColumns, target: str | None, name: str, word: str) -> set[int]:
-    """Return the signs of the steps between consecutive targets with the same word."""
+    """Return the signs of the steps between successive targets with the same word."""
     if target is None:
         return set()
     values, texts = columns.numbers(target), columns.texts[name]
@@ -342,7 +346,9 @@ def _steps_of(columns: _ProposedColumns, target: str | None, name: str, word: st
 
 
 def _order(columns: _ProposedColumns, target: str | None) -> str:
-    """Return whether the targets go up and down in turns (``turns``), only rise, or neither."""
+    """Return the order of the targets: alternately up and down (``turns``), only rising, or
+    neither.
+    """
     if target is None:
         return ""
     values = columns.numbers(target)
@@ -356,7 +362,9 @@ def _order(columns: _ProposedColumns, target: str | None) -> str:
 
 
 def _run_counts(columns: _ProposedColumns, keys: Mapping[str, Any]) -> str:
-    """Return ``traverses`` if no run has both directions: then runs count each way separately."""
+    """Return ``traverses`` if no run has both directions, so that runs count each traverse
+    separately.
+    """
     direction = keys.get("direction")
     if not direction:
         return "runs"
@@ -367,7 +375,7 @@ def _run_counts(columns: _ProposedColumns, keys: Mapping[str, Any]) -> str:
 
 
 def _follows_targets(columns: _ProposedColumns, target: str | None, name: str) -> bool:
-    """Return whether the values of a column grow with the targets as measured positions do."""
+    """Return whether the values of a column grow with the targets, as measured positions do."""
     if target is None:
         return False
     x, y = columns.numbers(target), columns.numbers(name)
@@ -404,8 +412,8 @@ def _sign(
 def _proven_sign(
     columns: _ProposedColumns, target: str | None, value: str | None, keys: Mapping[str, Any]
 ) -> str:
-    """Return the sign that a third column of measured positions proves, empty where there is
-    none.
+    """Return the sign that a third column of measured positions proves. Empty without such a
+    column.
     """
     measured = [name for name in columns.of("measured") if name != value]
     if target is None or value is None or len(measured) != 1 or not keys.get("unit"):

@@ -1,5 +1,5 @@
-"""Entry of the room: bytes of a measurement file to records. The form is recognised by the content,
-never by the file's name.
+"""Read the bytes of a measurement file as records. The form is recognised by the contents, never by
+the file's name.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ _DYNAMIC: Final = re.compile(
 
 @dataclass(frozen=True, slots=True)
 class _Read:
-    """One test of a file before its record: the parsed contents, and their lines."""
+    """One test of a file before it becomes a record: the parsed contents, and their lines."""
 
     parsed: Parsed
     part: TestPart
@@ -62,8 +62,8 @@ class _Read:
 def read_tests(
     content: bytes, file: str, profile: Profile | None = None
 ) -> tuple[PositioningTest, ...]:
-    """Return the positioning tests in ``content``: one, or one per axis of a plain table with a
-    column ``axis``, and per sheet of a workbook.
+    """Return the positioning tests in ``content``: one per file, per axis in a column ``axis``, or
+    per sheet of a workbook.
 
     ``file`` is the name in messages and in the record's source. Reads the forms of `forms.FORMS`,
     the plain CSV forms (contract, "Plain CSV"), the same in an Excel workbook, and any other table
@@ -132,7 +132,7 @@ def _marked(parsed: Parsed, profile: Profile) -> Parsed:
 
 
 def _has_own_form(content: bytes, file: str) -> bool:
-    """Return whether a file certainly has one of `FORMS`."""
+    """Return whether a file certainly has one of the known forms (`FORMS`)."""
     try:
         return form_of(read_any_lines(content, file)[0], file) is not PLAIN_CSV
     except InputError:
@@ -183,8 +183,8 @@ def _listed(names: Sequence[str]) -> str:
 
 
 def _source(read: _Read, content: bytes, file: str, *, several: bool) -> Source:
-    """Return the source of a test; one of several has the fingerprint of its own lines, because the
-    bytes of the file are those of the others too.
+    """Return the source of a test. If a file has several tests, each has the hash of its own
+    lines.
     """
     if not several:
         return source_of(file, content)
@@ -200,9 +200,7 @@ def _name(read: _Read, file: str, reads: Sequence[_Read]) -> str:
 
 
 def _test_of(read: _Read, source: Source, name: str) -> PositioningTest:
-    """Return the record of one test. Raises InputError with the faults noted so far and those that
-    need all readings.
-    """
+    """Return the record of one test. Raises InputError with all faults."""
     parsed = read.parsed
     grid = grid_of(parsed.readings, parsed.kind, read.faults)
     header, assumed = _with_axis(parsed, read.part)
@@ -235,8 +233,8 @@ def _test_of(read: _Read, source: Source, name: str) -> PositioningTest:
 
 
 def _with_axis(parsed: Parsed, part: TestPart) -> tuple[dict[str, str], tuple[str, ...]]:
-    """Return the header with the axis of the part, and the assumption made: the name of a sheet is
-    no statement.
+    """Return the header with the axis of the part, and the assumption for it. A sheet name is not a
+    statement.
     """
     header = dict(parsed.header)
     if part.axis:
@@ -258,13 +256,13 @@ def _mapped(test: PositioningTest, profile: Profile | None) -> PositioningTest:
 
 
 def stem(file: str) -> str:
-    """Return the name of a file without its folders and its ending."""
+    """Return the name of a file without folder and ending."""
     name = re.split(r"[\\/]", file)[-1]
     return name.rpartition(".")[0] or name
 
 
 def _text_and_form(content: bytes, file: str) -> tuple[list[str], MeasurementForm, Finding | None]:
-    """Return the lines of a file, their form, and the assumed encoding of plain CSV.
+    """Return the lines of a file, their form, and the assumed encoding.
 
     Encodings other than UTF-8 and UTF-16 only if the form has them, or no number depends on it.
     """

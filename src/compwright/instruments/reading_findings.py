@@ -1,4 +1,4 @@
-"""Findings that readers of several forms share."""
+"""Findings that several readers share."""
 
 from __future__ import annotations
 
@@ -20,19 +20,17 @@ _NOTHING = frozenset({"", "no", "none", "nothing", "-"})
 
 
 def assumed_finding(assumed: Sequence[str]) -> Finding | None:
-    """Return the finding about facts that the file leaves open, None without any."""
+    """Return the finding about facts that the file does not state. None without any."""
     return Finding.of("CW-R001", "info", assumed=assumed) if assumed else None
 
 
 def left_out_finding(columns: Sequence[str]) -> Finding | None:
-    """Return the finding about columns that are not part of the form, None without any."""
+    """Return the finding about columns that are not part of the form. None without any."""
     return Finding.of("CW-R005", "warning", columns=columns) if columns else None
 
 
 def stray_finding(lines: Sequence[tuple[int, str]]) -> Finding | None:
-    """Return the finding about lines (number, text) that look like readings where none are read,
-    None without any.
-    """
+    """Return the finding about lines that look like readings but are not read. None without any."""
     if not lines:
         return None
     listed = [f"{number} {shown(text)}" for number, text in lines[:_LISTED]]
@@ -40,8 +38,9 @@ def stray_finding(lines: Sequence[tuple[int, str]]) -> Finding | None:
 
 
 def unread_finding(targets: FloatArray, readings: Readings, kind: AxisKind) -> Finding | None:
-    """Return the finding about targets of rows (n,), in the unit of ``kind``, without any reading;
-    None if there are none.
+    """Return the finding about targets of rows (n,) without any reading. None without such targets.
+
+    In the unit of ``kind``.
     """
     without = np.setdiff1d(targets[np.isfinite(targets)], readings.targets)
     if not without.size:
@@ -62,7 +61,7 @@ def sheets_finding(sentence: Sentence) -> Finding:
 
 
 def unfinished_finding(lines: Sequence[str]) -> Finding | None:
-    """Return the finding about a file that may have been cut off inside its last number, None if it
+    """Return the finding about a file that may have been cut off inside its last number. None if it
     was not.
     """
     number = unfinished_number(lines)
@@ -72,9 +71,7 @@ def unfinished_finding(lines: Sequence[str]) -> Finding | None:
 
 
 def doubtful_finding(number: str) -> Finding | None:
-    """Return the finding about a point that may mark thousands (`DecimalMarks.doubtful_point`),
-    None for an empty ``number``.
-    """
+    """Return the finding about a point that may mark thousands. None for an empty ``number``."""
     if not number:
         return None
     return Finding.of("CW-R015", "warning", number=shown(number))
@@ -92,7 +89,7 @@ def header_findings(header: Mapping[str, str]) -> list[Finding]:
 
 
 def measured_findings(header: Mapping[str, str], *, sign_stated: bool) -> list[Finding]:
-    """Return the findings about a file of measured positions instead of deviations."""
+    """Return the findings about a file with measured positions instead of deviations."""
     findings = [Finding.of("CW-R003", "info")]
     if sign_stated and header.get("deviation"):
         findings.append(Finding.of("CW-R013", "warning", deviation=header.get("deviation")))
@@ -100,12 +97,12 @@ def measured_findings(header: Mapping[str, str], *, sign_stated: bool) -> list[F
 
 
 def cut_finding(sentence: Sentence) -> Finding:
-    """Return the finding about a file that may have been cut off; ``sentence``: why."""
+    """Return the finding about a file that may have been cut off. ``sentence``: the reason."""
     return Finding("CW-R053", "warning", sentence)
 
 
 def falling_finding(sentence: Sentence) -> Finding:
-    """Return the finding about targets that are not listed from low to high; ``sentence``: how the
-    directions were taken.
+    """Return the finding about targets that are not in ascending order. ``sentence``: how the
+    directions were determined.
     """
     return Finding("CW-R014", "warning", sentence)

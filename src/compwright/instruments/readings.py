@@ -1,4 +1,4 @@
-"""The readings of one test as columns: a file may hold a million of them."""
+"""The readings of one test as columns, because a file may contain a million of them."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ BoolArray = NDArray[np.bool_]
 
 @dataclass(frozen=True, slots=True)
 class ApproachReading:
-    """One approach: ``target`` and ``deviation`` (measured minus target) in mm or deg, and its
-    place in the file.
+    """One reading: ``target`` and ``deviation`` (measured minus target) in mm or deg, and its place
+    in the file.
     """
 
     target: float
@@ -30,8 +30,10 @@ class ApproachReading:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Readings:
-    """The approaches of one test in the order of the file: ``targets`` and ``deviations`` (n,) in
-    mm or deg, ``positive`` (n,) whether approached in direction +, ``runs`` (n,) from 1.
+    """The readings of one test in the order of the file, mm or deg.
+
+    ``targets`` and ``deviations`` (n,), ``positive`` (n,) whether approached in direction +,
+    ``runs`` (n,) from 1.
 
     ``place``: function from an index to the place of the reading in the file. ``times`` (n,): when
     each was taken, in the form ``clock``; None if the file does not state it.
@@ -46,11 +48,11 @@ class Readings:
     times: FloatArray | None = None
 
     def __len__(self) -> int:
-        """Return how many there are."""
+        """Return the number of readings."""
         return int(self.targets.size)
 
     def one(self, index: int) -> ApproachReading:
-        """Return a reading by its index."""
+        """Return one reading by its index."""
         return ApproachReading(
             float(self.targets[index]),
             Direction.POSITIVE if self.positive[index] else Direction.NEGATIVE,
@@ -60,7 +62,7 @@ class Readings:
         )
 
     def only(self, chosen: BoolArray | IntArray) -> Readings:
-        """Return those that are chosen by a mask or by their indices, in that order."""
+        """Return the readings chosen by a mask or by indices, in that order."""
         indices = np.arange(len(self))[chosen]
         place = self.place
         return Readings(
@@ -81,7 +83,7 @@ def readings_at(
     runs: Sequence[int] | IntArray,
     deviations: Sequence[float] | FloatArray,
 ) -> Readings:
-    """Return readings, each on a line of its own; all (n,), mm or deg."""
+    """Return readings from arrays (n,), mm or deg, each on its own line."""
     at = np.array(lines, dtype=np.int64)
     return Readings(
         np.array(targets, dtype=np.float64) + 0.0,  # no negative zero

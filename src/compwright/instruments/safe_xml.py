@@ -1,5 +1,7 @@
-"""XML of a measurement file to a plain tree: no document type, hence no entities of its own and
-nothing fetched; bounded size.
+"""Read the XML of a measurement file safely as a plain tree: no entities, no external files,
+bounded size.
+
+No document type, hence no entities of its own and nothing fetched.
 
 The standard library's expat does the parsing; a document type declaration stops it before any
 entity could grow.
@@ -28,7 +30,7 @@ _CUT_SHORT: Final = frozenset(
 
 @dataclass(slots=True)
 class Element:
-    """An element: name, attributes, its own text (stripped), children, and the line on which it
+    """An XML element: name, attributes, its own stripped text, children, and the line on which it
     starts.
     """
 
@@ -39,7 +41,7 @@ class Element:
     children: list[Element] = field(default_factory=list)
 
     def all(self, *path: str) -> Iterator[Element]:
-        """Yield every element at ``path`` below this one."""
+        """Yield every element at ``path`` below this element."""
         if not path:
             yield self
             return
@@ -48,11 +50,11 @@ class Element:
                 yield from child.all(*path[1:])
 
     def first(self, *path: str) -> Element | None:
-        """Return the first element at ``path``, None when there is none."""
+        """Return the first element at ``path``. None when there is none."""
         return next(self.all(*path), None)
 
     def anywhere(self, tag: str) -> Iterator[Element]:
-        """Yield every element of this name below this one, however deep."""
+        """Yield every element with this name below this element, at any depth."""
         for child in self.children:
             if child.tag == tag:
                 yield child

@@ -1,5 +1,6 @@
-"""Text in sections: a line ``NAME::`` opens one, ``EOF::`` ends the file; a section has ``Key:
-value`` lines and rows of numbers.
+"""Text with sections: a line ``NAME::`` opens a section, ``EOF::`` ends the file.
+
+A section has ``Key: value`` lines and rows of numbers.
 
 The frame of the files of laser software. No real file of a maker was at hand: the layout is that of
 six independent programs of third parties which read and write it.
@@ -70,8 +71,7 @@ _AXIS = re.compile(
 
 @dataclass(slots=True)
 class FileSections:
-    """``lines`` of each section in the order of the file, without blank ones; those before the
-    first section are under the empty name.
+    """The lines of each section in the order of the file, without blank lines.
 
     ``ended``: the line ``EOF::`` is there. ``last``: the last line that is not blank.
     """
@@ -81,7 +81,9 @@ class FileSections:
     last: Line = (0, "")
 
     def value(self, section: str, key: str) -> tuple[str, str]:
-        """Return the value of a key (any case) and its place, both empty if it is missing."""
+        """Return the value of a key (upper or lower case) and its place. Both are empty if it is
+        missing.
+        """
         for number, text in self.lines.get(section, ()):
             match = _KEY.fullmatch(text)
             if match and match["key"].lower() == key.lower():
@@ -90,7 +92,7 @@ class FileSections:
 
 
 def spans_of(text: Sequence[str]) -> Iterator[Spans]:
-    """Yield the meaning of the parts of each line of a file in sections."""
+    """Yield the meaning of the parts of each line in a file with sections."""
     rows = False
     for line in text:
         match = _SECTION.fullmatch(line)
@@ -103,7 +105,7 @@ def spans_of(text: Sequence[str]) -> Iterator[Spans]:
 
 
 def spans_in(line: str, *, rows: bool) -> Spans:
-    """Return the meaning of the parts of a line in a section; ``rows``: it may hold rows of
+    """Return the meaning of the parts of a line in a section. ``rows``: it may contain rows of
     numbers.
     """
     match = _KEY.fullmatch(line)
@@ -114,7 +116,7 @@ def spans_in(line: str, *, rows: bool) -> Spans:
 
 
 def opens_section(line: str) -> bool:
-    """Return whether a line opens a section of any name."""
+    """Return whether a line opens a section."""
     return _SECTION.fullmatch(line) is not None
 
 
@@ -130,9 +132,7 @@ def has_section(text: Sequence[str], names: Iterable[str]) -> bool:
 
 
 def sections_of(text: Sequence[str], faults: FaultList) -> FileSections:
-    """Return the sections of a file; a section that opens twice and text after ``EOF::`` are
-    faults.
-    """
+    """Return the sections of a file. A repeated section and text after ``EOF::`` are faults."""
     found = FileSections()
     current = found.lines.setdefault("", [])
     for number, raw in enumerate(text, start=1):
@@ -168,8 +168,9 @@ def sections_of(text: Sequence[str], faults: FaultList) -> FileSections:
 
 
 def header_of(sections: FileSections, names: Iterable[str]) -> dict[str, str]:
-    """Return the ``Key: value`` lines of these sections as text; known keys get their usual name,
-    other lines are kept as comment.
+    """Return the ``Key: value`` lines of these sections as text.
+
+    Known keys get their usual name, other lines are kept as comment.
     """
     header: dict[str, list[str]] = {}
     for name in names:
@@ -184,16 +185,16 @@ def header_of(sections: FileSections, names: Iterable[str]) -> dict[str, str]:
 
 
 def axis_name(text: str) -> str:
-    """Return the name of an axis in a free text such as ``X``, ``X axis`` or ``Achse X``, empty if
-    it is uncertain.
+    """Return the axis name in a free text such as ``X``, ``X axis`` or ``Achse X``. Empty if it is
+    uncertain.
     """
     match = _AXIS.fullmatch(text.strip())
     return match["name"].upper() if match else ""
 
 
 def with_axis(header: Mapping[str, str], text: str) -> dict[str, str]:
-    """Return ``header`` with the file's text about its axis: as ``axis`` if it is a name, else as
-    text.
+    """Return ``header`` with the file's text about its axis. A clear axis name gets the key
+    ``axis``.
     """
     name = axis_name(text)
     if name:
@@ -202,9 +203,7 @@ def with_axis(header: Mapping[str, str], text: str) -> dict[str, str]:
 
 
 def check_units(sections: FileSections, names: Iterable[str], faults: FaultList) -> None:
-    """Note a line with a unit other than that of this form: it is unknown which values it refers
-    to.
-    """
+    """Note a line with a unit other than that of this form, because its meaning is unclear."""
     for name in names:
         for number, text in sections.lines.get(name, ()):
             match = _KEY.fullmatch(text)
@@ -219,7 +218,7 @@ def check_units(sections: FileSections, names: Iterable[str], faults: FaultList)
 
 
 def no_end_finding(sections: FileSections) -> Finding | None:
-    """Return the finding about a file without ``EOF::``, None if it is there."""
+    """Return the finding about a file without ``EOF::``. None if it is there."""
     if sections.ended:
         return None
     number, text = sections.last

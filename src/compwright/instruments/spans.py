@@ -1,4 +1,4 @@
-"""Meaning of the parts of a line of a measurement file, as the reader of its form understands it.
+"""The meaning of the parts of a line in a measurement file, as its reader understands it.
 
 A reader gives the spans of each line; a part that no span covers is unknown. `redaction` keeps and
 replaces by them, so that no form has its sections and keys listed twice.
@@ -49,7 +49,7 @@ Meaning = Literal[
 
 @dataclass(frozen=True, slots=True)
 class TextSpan:
-    """A part of a line: characters from ``start`` (counted from 0) up to, but without, ``end``."""
+    """A part of a line: characters from ``start`` (counted from 0) to before ``end``."""
 
     start: int
     end: int
@@ -68,14 +68,16 @@ def by_key(keys: Mapping[Meaning, Sequence[str]]) -> Mapping[str, Meaning]:
 
 
 def whole(line: str, meaning: Meaning) -> Spans:
-    """Return the span of a whole line."""
+    """Return the whole line as one part with a meaning."""
     return (TextSpan(0, len(line), meaning),)
 
 
 @dataclass(frozen=True, slots=True)
 class Elements:
-    """Meaning of the elements of an XML form: their own text by ``tags``, their ``attributes`` by
-    name in capitals. ``names``: the meaning of the attribute NAME where it is no result.
+    """The meaning of the elements of an XML form.
+
+    Their own text by ``tags``, their ``attributes`` by name in capitals. ``names``: the meaning of
+    the attribute NAME where it is no result.
     """
 
     tags: Mapping[str, Meaning]

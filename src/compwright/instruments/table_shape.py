@@ -1,4 +1,4 @@
-"""Where in a text a table of numbers is: its delimiter and its header row."""
+"""Find a table of numbers in a text: its delimiter and its header row."""
 
 from __future__ import annotations
 
@@ -16,14 +16,12 @@ _LOOKED_AT: Final = 400
 
 
 def has_table(text: Sequence[str]) -> bool:
-    """Return whether the lines hold a table of numbers."""
+    """Return whether the lines contain a table of numbers."""
     return shape_of(text) is not None
 
 
 def shape_of(text: Sequence[str]) -> tuple[str, int] | None:
-    """Return the delimiter, by name, and the line of the header row (0: none) of the largest
-    table.
-    """
+    """Return the delimiter, by name, and the header line (0: none) of the largest table."""
     best: tuple[int, int, str, int] | None = None
     lines = text[:_LOOKED_AT]
     for name, delimiter in DELIMITERS.items():
@@ -48,14 +46,15 @@ def shape_of(text: Sequence[str]) -> tuple[str, int] | None:
 
 
 def _numbers_in(line: str, delimiter: str) -> tuple[int, int]:
-    """Return how many cells of a line are numbers, and how many cells it has."""
+    """Return the number of numeric cells in a line, and the number of all its cells."""
     cells = cells_of(line, delimiter) or []
     return sum(number_in(cell, None) is not None for cell in cells), len(cells)
 
 
 def _names_in(lines: Sequence[str], first: int, delimiter: str) -> bool:
-    """Return whether the first row of numbers is a header row of names such as ``+1``: it has a
-    word where the next row has a number.
+    """Return whether the first row of numbers is a header row of names such as ``+1``.
+
+    It has a word where the next row has a number.
     """
     if first + 1 >= len(lines):
         return False
@@ -67,7 +66,7 @@ def _names_in(lines: Sequence[str], first: int, delimiter: str) -> bool:
 
 
 def _header_line(lines: Sequence[str], first: int, delimiter: str, width: int) -> int:
-    """Return the line (from 1) of the header row above the first row of numbers, 0 if there is
+    """Return the line (from 1) of the header row above the first row of numbers. 0 if there is
     none.
     """
     for index in range(first - 1, max(first - 4, -1), -1):
@@ -79,7 +78,7 @@ def _header_line(lines: Sequence[str], first: int, delimiter: str, width: int) -
 
 
 def number_in(text: str, decimal: str | None) -> float | None:
-    """Return the number in a cell, None for other text; ``decimal``: the allowed decimal mark,
+    """Return the number in a cell. None for other text. ``decimal``: the allowed decimal mark,
     None: any.
     """
     if decimal is not None and {".": ",", ",": "."}[decimal] in text:
@@ -91,7 +90,7 @@ def number_in(text: str, decimal: str | None) -> float | None:
 
 
 def thousands_in(text: Sequence[str]) -> str:
-    """Return in words the first number with thousands marks, which no table may have."""
+    """Return as text the first number with thousands marks, which are not allowed in a table."""
     for line in text[:_LOOKED_AT]:
         for delimiter in DELIMITERS.values():
             for cell in cells_of(line, delimiter) or []:

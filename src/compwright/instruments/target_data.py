@@ -1,5 +1,6 @@
-"""The text form ``TGT_DATA[i]=``, ``REF_DATA_FWD[i,j]=``, ``REF_DATA_BWD[i,j]=`` of the ecmc test
-tools (ESS, PSI).
+"""The text form ``TGT_DATA[i]=`` of the ecmc test tools (ESS, PSI).
+
+``REF_DATA_FWD[i,j]=``, ``REF_DATA_BWD[i,j]=``.
 
 One ``KEY=value`` per line, indices from 1: i counts targets, j cycles. The reference values are
 absolute readings in the unit of the key ``UNIT`` (mm when it is absent, as the form itself states).
@@ -50,7 +51,8 @@ _DEGREES = {"degree": "deg", "degrees": "deg", "°": "deg"}
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TargetData:
-    """Contents of the file: kind, readings in mm or deg (deviations), header keys, and remarks.
+    """The contents of the file: kind of axis, readings in mm or deg (deviations), header keys, and
+    remarks.
 
     ``alone``: the name of the readings if they are those of one direction; else empty.
     """
@@ -65,8 +67,9 @@ class TargetData:
 
 @dataclass(slots=True)
 class _TargetColumn:
-    """The entries of one name in the order of the file: indices (``j`` 0 if there is only one),
-    values as text, and the line of each.
+    """The entries with one name in the order of the file: indices, values as text, and lines.
+
+    ``j`` 0 if there is only one index.
     """
 
     i: array[int] = field(default_factory=lambda: array("q"))
@@ -77,8 +80,8 @@ class _TargetColumn:
 
 @dataclass(frozen=True, slots=True)
 class _Entries:
-    """The entries of one name, each pair of indices once, sorted by them: all (n,); ``values`` NaN
-    if one cannot be read.
+    """The entries with one name as arrays (n,), each index pair once, sorted by index. NaN for an
+    unreadable value.
     """
 
     i: IntArray
@@ -89,7 +92,7 @@ class _Entries:
 
 @dataclass(slots=True)
 class _Found:
-    """Contents of the lines: columns by name, and all other keys with the line of each."""
+    """The contents of the lines: columns by name, and all other keys with their lines."""
 
     columns: dict[str, _TargetColumn] = field(
         default_factory=lambda: {name: _TargetColumn() for name in (_TARGET, *_DIRECTIONS)}
@@ -127,9 +130,7 @@ def split_target_data(
 
 
 def is_target_data(lines: Iterable[str]) -> bool:
-    """Return whether the lines (without comments) are of this form: a line of data, or one of its
-    keys first.
-    """
+    """Return whether the lines (without comments) have this form."""
     return any(
         _DATA.match(line) or (index == 0 and _KEYS_OF_FORM.match(line))
         for index, line in enumerate(lines)
@@ -137,7 +138,7 @@ def is_target_data(lines: Iterable[str]) -> bool:
 
 
 def spans_in(line: str) -> Spans:
-    """Return the meaning of the parts of a line other than a comment."""
+    """Return the meaning of the parts of a line that is not a comment."""
     match = _ASSIGNMENT.fullmatch(line)
     if match is None:
         return whole(line, "remark")
@@ -153,7 +154,7 @@ def spans_in(line: str) -> Spans:
 
 
 def read_target_data(lines: Iterable[tuple[int, str]], faults: FaultList) -> TargetData:
-    """Return the readings of the lines (without comments and blank lines); every fault is noted.
+    """Return the readings in the lines (without comments and blank lines). Every fault is noted.
 
     Faults: a line that is no assignment, wrong indices, an entry given twice, an index that is
     missing or has no target, ``CYCLES`` or ``POSITIONS`` that disagree with the entries, an unknown
@@ -225,7 +226,7 @@ def _take_entry(
 
 
 def _entries(name: str, column: _TargetColumn, marks: DecimalMarks, faults: FaultList) -> _Entries:
-    """Return the numbers of a column; for repeated indices the first ones."""
+    """Return the numbers of a column. For repeated indices the first one counts."""
     i, j, lines = (np.array(each, dtype=np.int64) for each in (column.i, column.j, column.lines))
 
     def label(at: int) -> str:
@@ -248,7 +249,7 @@ def _entries(name: str, column: _TargetColumn, marks: DecimalMarks, faults: Faul
 
 
 def _readings(entries: Mapping[str, _Entries], factor: float) -> Readings:
-    """Return the readings that have a target, in mm or deg by ``factor``."""
+    """Return the readings that have a target, converted to mm or deg by ``factor``."""
     wanted = entries[_TARGET]
     parts = []
     for name, direction in _DIRECTIONS.items():
@@ -305,9 +306,7 @@ def _unit(keys: Mapping[str, tuple[str, int]], faults: FaultList) -> tuple[str, 
 def _check_complete(
     entries: Mapping[str, _Entries], keys: Mapping[str, tuple[str, int]], faults: FaultList
 ) -> None:
-    """Note counts that disagree with the entries, and entries that are missing by the counts of
-    targets and cycles.
-    """
+    """Note counts that disagree with the entries, and missing entries."""
     targets = entries[_TARGET].i
     positions = int(targets.max(initial=0))
     cycles = max(int(entries[name].j.max(initial=0)) for name in _DIRECTIONS)
@@ -330,7 +329,7 @@ def _check_complete(
 def _check_block(
     name: str, block: _Entries, positions: int, cycles: int, faults: FaultList
 ) -> None:
-    """Note readings without a target, and those of the grid that are not there."""
+    """Note readings without a target, and missing readings of the grid."""
     inside = block.i <= positions
     for at in np.flatnonzero(~inside):
         faults.add(

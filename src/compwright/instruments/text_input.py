@@ -1,5 +1,5 @@
-"""Bytes of a measurement file to numbered lines of text. Nothing is replaced or dropped: bytes that
-are not text are refused.
+"""Read the bytes of a measurement file as numbered lines of text. Bytes that are not text are
+refused.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ _CYRILLIC = re.compile(rb"[\xc0-\xff\xa8\xb8]{3,}")
 
 
 def read_lines(content: bytes, file: str) -> list[str]:
-    """Return the lines of a text file without their ends (LF, CRLF or CR); line n of the file is
+    """Return the lines of a text file without their ends (LF, CRLF or CR). Line n of the file is
     item n - 1.
 
     UTF-8 with or without byte order mark, UTF-16 with one. Raises InputError for an empty file, a
@@ -49,8 +49,8 @@ def read_lines(content: bytes, file: str) -> list[str]:
 
 
 def read_any_lines(content: bytes, file: str, encoding: str | None = None) -> tuple[list[str], str]:
-    """Return the lines as `read_lines` does, of text in the code page of old Windows programs too,
-    and the name of the encoding.
+    """Return the lines of a text file and the name of its encoding, which may be an old Windows
+    code page.
 
     Without ``encoding`` by `encoding_of`. Raises InputError for a binary file and for bytes that
     are invalid in that encoding.
@@ -148,8 +148,7 @@ def _lines(text: str, file: str) -> list[str]:
 
 
 def unfinished_number(lines: Sequence[str]) -> str:
-    """Return the number at the end of a file that has no last line end and may lack digits, empty
-    if there is no doubt.
+    """Return the last number of a file without a final line end, if it may lack digits. Else empty.
 
     A number is complete if all others at the end of a line like it have the same number of
     decimals, at least one.
@@ -173,7 +172,7 @@ def _last_cell(line: str) -> str:
 
 
 def _kind(line: str) -> str:
-    """Return the subject of a line ``KEY[index]=value``, empty for a row of a table."""
+    """Return the key of a line ``KEY[index]=value``. Empty for a row of a table."""
     return line.partition("[")[0].strip() if "=" in line else ""
 
 
@@ -207,7 +206,7 @@ def _decode(content: bytes, file: str) -> str:
 
 
 def _as_windows(byte: bytes) -> str:
-    """Return a byte in the code page of western Windows, the most frequent one."""
+    """Return a byte as text in the code page of western Windows, the most frequent one."""
     try:
         character = byte.decode("cp1252")
     except UnicodeDecodeError:

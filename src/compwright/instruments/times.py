@@ -1,4 +1,4 @@
-"""Times in the cells of a table: a date with a time, a time of day, or a number."""
+"""Read times in the cells of a table: a date with a time, a time of day, or a number."""
 
 from __future__ import annotations
 
@@ -25,8 +25,7 @@ _DAY_FIRST: Final = re.compile(r"(\d{1,2})\.(\d{1,2})\.(\d{4})[ T]+(.*)")
 def times_of(
     cells: Sequence[str], place: Callable[[int], str], faults: FaultList
 ) -> tuple[Clock, FloatArray]:
-    """Return the form of the times in a column, and the times (n,): s since 1970, s since midnight,
-    or the numbers themselves.
+    """Return the form of the times in a column, and the times (n,).
 
     NaN, after noting the fault, for a cell without a time, or in another form than the first.
     Without cells the form is "number".

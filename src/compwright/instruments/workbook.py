@@ -1,5 +1,5 @@
-"""Excel workbooks (``.xlsx``) as lines of text, one list per sheet: cells separated by tabs,
-numbers with every digit in the workbook.
+"""Read Excel workbooks (``.xlsx``) as lines of text, one list per sheet. Numbers keep every
+digit.
 """
 
 from __future__ import annotations
@@ -37,7 +37,9 @@ _XML: Final = (".xml", ".rels")
 
 @dataclass(frozen=True, slots=True)
 class WorkbookSheet:
-    """``lines``: line n of the sheet is item n - 1; a row without cells is an empty line.
+    """The lines of one sheet. Line n of the sheet is item n - 1; a row without cells is an empty
+    line.
+
     ``hidden``: the parts that a spreadsheet program does not show.
     """
 
@@ -47,7 +49,7 @@ class WorkbookSheet:
 
 
 def is_workbook(content: bytes) -> bool:
-    """Return whether the first bytes are those of a workbook (or of another zip archive)."""
+    """Return whether the first bytes are those of a workbook or another zip archive."""
     return content.startswith(_SIGNATURE)
 
 
@@ -98,7 +100,7 @@ def sheets_of(content: bytes, file: str) -> tuple[WorkbookSheet, ...]:
 
 
 def _check_size(content: bytes, file: str) -> bool:
-    """Return whether a workbook holds formulas. Raises InputError for an invalid or a huge
+    """Return whether a workbook contains formulas. Raises InputError for an invalid or a huge
     workbook.
     """
     try:
@@ -134,8 +136,8 @@ def _check_size(content: bytes, file: str) -> bool:
 
 
 def _check_parts(parts: Sequence[zipfile.ZipInfo], file: str) -> None:
-    """Raise InputError for parts that are too large by the sizes in the archive; no part is
-    unpacked beyond its size.
+    """Raise InputError for parts whose stated size is too large. No part is unpacked beyond its
+    stated size.
     """
     tables = sum(part.file_size for part in parts if part.filename.startswith(_TABLES))
     others = sum(part.file_size for part in parts if part.filename.endswith(_XML)) - tables
@@ -156,8 +158,8 @@ def _check_parts(parts: Sequence[zipfile.ZipInfo], file: str) -> None:
 
 
 def _look_into(archive: zipfile.ZipFile, names: Sequence[str], file: str) -> bool:
-    """Return whether the sheets hold formulas. Raises InputError if they hold too many cells, or a
-    part declares a document type.
+    """Return whether the sheets contain formulas. Raises InputError for too many cells or a
+    document type.
     """
     cells, formulas = 0, False
     for name in names:
@@ -231,7 +233,9 @@ def _sheets(values: Any, formulas: Any | None, file: str) -> Iterator[WorkbookSh
 
 
 def _line(cells: list[str]) -> str:
-    """Return the cells as one line; a comment whose value is in the next cell is joined to it."""
+    """Return the cells of a row as one line. A comment with its value in the next cell is joined to
+    it.
+    """
     while cells and not cells[-1]:
         cells.pop()
     if len(cells) > 1 and cells[0].startswith("#") and ":" not in cells[0]:

@@ -1,5 +1,5 @@
-"""Readings as sentences, so that a wrong sign, unit or direction is noticed before anything is
-loaded.
+"""Write readings as sentences, so that the user notices a wrong sign, unit or direction before
+loading.
 """
 
 from __future__ import annotations
@@ -17,8 +17,8 @@ _SHOWN = 3
 
 
 def worked_readings(readings: Readings, kind: AxisKind) -> list[str]:
-    """Return up to three readings in words: the largest deviation of each direction, and one of the
-    middle target.
+    """Return up to three readings as sentences: the largest deviation of each direction, and one at
+    the middle target.
     """
     chosen: dict[str, ApproachReading] = {}
     for positive in (True, False):
@@ -35,8 +35,8 @@ def worked_readings(readings: Readings, kind: AxisKind) -> list[str]:
 
 
 def read_so_finding(readings: Readings, kind: AxisKind, by: str = "") -> Finding | None:
-    """Return the finding that shows readings in words, None without any; ``by``: the source of the
-    reading rules.
+    """Return the finding that shows readings as sentences. None without any. ``by``: the source of
+    the reading rules.
     """
     if not len(readings):
         return None

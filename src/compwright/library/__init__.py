@@ -1,1 +1,1 @@
-"""The public library: what ``import compwright`` gives, on the commands' own functions."""
+"""The public library: what ``import compwright`` provides, based on the commands' own functions."""

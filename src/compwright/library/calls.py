@@ -1,5 +1,5 @@
-"""The functions of the library. Each makes a session of its own: calls in several threads do not
-share anything.
+"""The functions of the library. Each has its own session, so calls in several threads share
+nothing.
 """
 
 from __future__ import annotations
@@ -195,7 +195,8 @@ def decode(
     options: Mapping[str, object] | None = None,
     axis: str | None = None,
 ) -> DecodedFiles:
-    """Read what a control does with its files, by a reader that shares no code with the writer.
+    """Return the corrections that a control makes with given files, by a reader that shares no code
+    with the writer.
 
     ``format``: an id of ``compwright formats list`` or the path of a definition; ``options``: as
     ``controller.options`` of a job; ``axis``: only this address. Raises UsageError and InputError.
@@ -226,7 +227,7 @@ def compare(plan: PathName, loaded: PathName | Sequence[PathName]) -> Comparison
 def simulate(
     machine: PathName, *, tables: PathName | None = None, seed: int = 0
 ) -> list[MeasuredTest]:
-    """Measure every axis and circle of a virtual machine; the same ``seed`` gives the same tests.
+    """Measure every axis and circle of a virtual machine. The same ``seed`` gives the same tests.
 
     ``machine``: a machine file; ``tables``: a folder with what its control loads. Raises UsageError
     with every fault of the machine file, InputError for files that cannot be read.

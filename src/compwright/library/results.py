@@ -1,4 +1,4 @@
-"""Results of the library: frozen, with values and units in ``repr``, ``to_dict`` and ``plot``.
+"""Results of the library: immutable, with values and units in ``repr``, ``to_dict`` and ``plot``.
 
 Each holds the document that the command line writes as JSON, so that both give the same values.
 """
@@ -45,12 +45,12 @@ def _listed(values: Mapping[str, float | None], unit: str) -> str:
 
 @dataclass(frozen=True, slots=True, repr=False)
 class DocumentResult:
-    """A result with its JSON document (units in the document's own keys)."""
+    """A result with its JSON document. The document's keys state the units."""
 
     _document: Mapping[str, Any]
 
     def to_dict(self) -> dict[str, Any]:
-        """Return the JSON document that the command line writes, as plain data of your own."""
+        """Return the JSON document of the command line as plain data that you may change."""
         return deepcopy(dict(self._document))
 
     @property
@@ -69,7 +69,7 @@ class Evaluation(DocumentResult):
         return f"Evaluation({about}: {_listed(self.parameters, self.unit)})"
 
     def __getitem__(self, name: str) -> float | None:
-        """Return a parameter in `unit`; None where the standard does not define it for this test.
+        """Return a parameter in `unit`. None where the standard does not define it for this test.
 
         Raises KeyError for a name that is no parameter of this kind of test.
         """
@@ -77,12 +77,12 @@ class Evaluation(DocumentResult):
 
     @property
     def name(self) -> str:
-        """Name of the test."""
+        """The name of the test."""
         return str(self._document["name"])
 
     @property
     def unit(self) -> str:
-        """Unit of the parameters: um or arcsec."""
+        """The unit of the parameters: um or arcsec."""
         return str(self._document["unit"])
 
     @property
@@ -92,7 +92,7 @@ class Evaluation(DocumentResult):
 
     @property
     def diagnosis(self) -> dict[str, Any]:
-        """Causes of a circular test (value, std_error, unit); empty for a positioning test."""
+        """The causes of a circular test (value, std_error, unit). Empty for a positioning test."""
         return deepcopy(dict(self._document.get("diagnosis") or {}))
 
     def to_frame(self) -> Any:
@@ -113,7 +113,8 @@ class Evaluation(DocumentResult):
         return pandas.DataFrame([dict(target) for target in targets])
 
     def plot(self, ax: Any = None) -> Any:
-        """Draw the means by direction over the position into matplotlib axes; returns the axes.
+        """Draw the means of each direction over the position into matplotlib axes. Returns the
+        axes.
 
         Raises UsageError without matplotlib, and for a circular test.
         """
@@ -161,7 +162,7 @@ class EstimatedError:
         return self._at(positions, approach)[0]
 
     def std(self, positions: ArrayLike, approach: Approach) -> FloatArray:
-        """Return its standard uncertainty at ``positions`` (k,), in `unit`."""
+        """Return the standard uncertainty of the error at ``positions`` (k,), in `unit`."""
         return self._at(positions, approach)[1]
 
     @property
@@ -209,7 +210,7 @@ class EstimatedError:
 
 @dataclass(frozen=True, slots=True, repr=False)
 class LoadedJob:
-    """A job file that was read and checked, and where its results go by default."""
+    """A job file that was read and checked, and its default result folder."""
 
     path: Path
     out: Path
@@ -221,18 +222,18 @@ class LoadedJob:
 
     @property
     def control(self) -> str:
-        """Id of the control's format."""
+        """The id of the control's format."""
         return self.record.format
 
     @property
     def axes(self) -> tuple[str, ...]:
-        """Names of the axes."""
+        """The names of the axes."""
         return tuple(self.record.axes)
 
 
 @dataclass(frozen=True, slots=True, repr=False)
 class JobPlan(DocumentResult):
-    """Tables and prediction of a job; nothing is on the disk before `write`.
+    """Tables and prediction of a job. Nothing is on the disk before `write`.
 
     ``exit_code``: that of ``compwright run`` for the same job: 0 where every limit is predicted to
     be met and nothing is in doubt, 1 where not, 2 where no table is made because the state of the
@@ -262,7 +263,9 @@ class JobPlan(DocumentResult):
 
     @property
     def prediction(self) -> dict[str, Any]:
-        """By axis: ``before``, ``predicted``, ``table``, ``accept`` as in ``prediction.json``."""
+        """The prediction by axis: ``before``, ``predicted``, ``table``, ``accept`` as in
+        ``prediction.json``.
+        """
         return deepcopy(dict(self._document["axes"]))
 
     @property
@@ -277,7 +280,7 @@ class JobPlan(DocumentResult):
 
     @property
     def tables(self) -> dict[str, bytes]:
-        """What the control loads: file name -> bytes; empty where no table is made."""
+        """The files that the control loads: name -> bytes. Empty where no table is made."""
         folder = f"tables/{self.job.control}/"
         return {
             name.removeprefix(folder): content
@@ -300,10 +303,10 @@ class JobPlan(DocumentResult):
 
 @dataclass(frozen=True, slots=True, repr=False)
 class Verification(DocumentResult):
-    """What the tests after loading show: ``verdict`` good, bad or undecided."""
+    """The result of the tests after loading: ``verdict`` good, bad or undecided."""
 
     def __repr__(self) -> str:
-        """Return the verdict and, by axis, whether the table is active."""
+        """Return the verdict, and for each axis whether the table is active."""
         axes = ", ".join(
             f"{name} {axis['loading']['verdict']}" for name, axis in self._document["axes"].items()
         )
@@ -320,7 +323,7 @@ class Comparison(DocumentResult):
     """The control's files compared with a plan."""
 
     def __repr__(self) -> str:
-        """Return the verdict and, by axis, what differs."""
+        """Return the verdict, and for each axis the differences."""
         axes = ", ".join(
             f"{name} {axis['verdict']}" for name, axis in self._document["axes"].items()
         )
@@ -334,7 +337,7 @@ class Comparison(DocumentResult):
 
 @dataclass(frozen=True, slots=True, repr=False)
 class DecodedFiles(DocumentResult):
-    """What a control does with its files: ``decoded["X"]`` is the correction of an axis."""
+    """The decoded files of a control. ``decoded["X"]`` is the correction of an axis."""
 
     _state: DecodedState
     _unknown: Sequence[str]
@@ -350,7 +353,9 @@ class DecodedFiles(DocumentResult):
         return f"DecodedFiles({', '.join(parts).rstrip()})"
 
     def __getitem__(self, address: str) -> AxisCorrection:
-        """Return the correction of the axis that the control calls ``address``. Raises KeyError."""
+        """Return the correction of the axis with the control's name ``address``. Raises
+        KeyError.
+        """
         axis = self._state.state.axes[address]
         unit = None if address in self._unknown else outside_unit(axis.kind.unit)
         return AxisCorrection(address, unit, outside_factor(axis.kind.unit), self._state)
@@ -366,7 +371,8 @@ class DecodedFiles(DocumentResult):
 
 @dataclass(frozen=True, slots=True, repr=False)
 class AxisCorrection:
-    """What the control adds to the command of one axis, a function of position and approach.
+    """The correction that the control adds to the command of one axis, as a function of position
+    and approach.
 
     ``unit``: um or arcsec; None where the files do not tell whether the axis is linear or rotary
     (then thousandths of the unit of its positions).
@@ -382,7 +388,9 @@ class AxisCorrection:
         return f"AxisCorrection({self.address}, {_micro(self.unit or 'unit unknown')})"
 
     def __call__(self, positions: ArrayLike, approach: Approach) -> FloatArray:
-        """Return the correction at ``positions`` (k,), mm or deg, arriving in ``approach``."""
+        """Return the correction at ``positions`` (k,), mm or deg, approached in direction
+        ``approach``.
+        """
         from compwright.controls.decoded_state import judged_values
 
         where = np.atleast_1d(np.asarray(positions, dtype=np.float64))

@@ -1,4 +1,4 @@
-"""Sentences as a name and values; their text is built here from the catalogue of a language.
+"""Sentences as a name with values. The text is made here from the catalogue of a language.
 
 A template is text with fields. ``{name}`` inserts a value, in the form behind a colon:
 
@@ -36,9 +36,7 @@ _MOST_ODDS: Final = 0.999e6
 
 
 def _russian_plural(number: float) -> int:
-    """Return 0 for 1, 21, ..., 1 for 2-4, 22-24, ..., 2 for others; a fraction goes with 1 (the
-    genitive singular).
-    """
+    """Return the Russian plural form of a number: 0 for 1 and 21, 1 for 2 to 4, 2 for others."""
     if number != int(number):
         return 1
     tens, ones = int(abs(number)) % 100, int(abs(number)) % 10
@@ -91,40 +89,40 @@ _MORE_THAN: Final[dict[Language, str]] = {
 
 
 class NumberText(str):
-    """A number as it is written in English, with a decimal point."""
+    """A number as written in English, with a decimal point."""
 
     __slots__ = ()
 
     def text(self, language: Language) -> str:
-        """Return it with the decimal mark of the language."""
+        """Return the number with the decimal mark of the language."""
         return str(self).replace(".", _DECIMAL_MARK[language])
 
 
 class DateText(str):
-    """A text with a date as ISO 8601 writes it."""
+    """A text with a date in the form of ISO 8601."""
 
     __slots__ = ()
 
     def text(self, language: Language) -> str:
-        """Return it with the date as the language writes it."""
+        """Return the text with its date as the language writes it."""
         text = _COMPACT_DATE.sub(r"\1-\2-\3 \4:\5:\6", self)
         return _ISO_DATE.sub(_DATE[language], text)
 
 
 @dataclass(frozen=True, slots=True)
 class Amount:
-    """A number with its unit as people read it (µm, arcsec, mm, deg) and its number format."""
+    """A number with its printed unit (µm, arcsec, mm, deg) and its number format."""
 
     value: float
     unit: str
     form: str = ".2f"
 
     def __str__(self) -> str:
-        """Return it in English."""
+        """Return the text in English."""
         return self.text("en")
 
     def text(self, language: Language) -> str:
-        """Return number and unit."""
+        """Return number and unit as text."""
         unit = in_language(self.unit, language)
         between = "" if unit in _CLOSE else " "
         return f"{number_text(self.value, self.form, language)}{between}{unit}".rstrip()
@@ -132,7 +130,7 @@ class Amount:
 
 @dataclass(frozen=True, slots=True)
 class Sentence:
-    """The name of a template of the catalogue and the values in it.
+    """The name of a template in the catalogue, with the values to fill in.
 
     A value is a number, a text, an `Amount`, another sentence, None, or a tuple of these.
     """
@@ -141,7 +139,7 @@ class Sentence:
     values: tuple[tuple[str, Any], ...] = ()
 
     def __str__(self) -> str:
-        """Return it in English."""
+        """Return the text in English."""
         return self.text("en")
 
     def text(self, language: Language) -> str:
@@ -149,24 +147,24 @@ class Sentence:
         return filled(catalogue(language)[self.name], dict(self.values), language)
 
     def outside(self) -> dict[str, Any]:
-        """Return the values as JSON holds them."""
+        """Return the values in a form for JSON."""
         return {name: _outside(value) for name, value in self.values}
 
 
 class SentenceText(str):
-    """A sentence as it is written in English, for documents; a page takes it in its language."""
+    """An English sentence for documents. A page shows it in its own language."""
 
     __slots__ = ("sentence",)
     sentence: Sentence
 
     def __new__(cls, sentence: Sentence) -> Self:
-        """Return the English text that still knows its sentence."""
+        """Return an English text that keeps its sentence for translation."""
         written = super().__new__(cls, str(sentence))
         written.sentence = sentence
         return written
 
     def __reduce__(self) -> tuple[type[SentenceText], tuple[Sentence]]:
-        """Return how a copy is made."""
+        """Return how to copy the text."""
         return SentenceText, (self.sentence,)
 
     def text(self, language: Language) -> str:
@@ -175,8 +173,8 @@ class SentenceText(str):
 
 
 class ControlText(str):
-    """A text of a control's definition or family, filled in, in English; each other language
-    translates its template. A value that is a text in several languages stays one.
+    """An English text from a control's definition or family, filled in. Other languages translate
+    its template.
     """
 
     __slots__ = ("template", "values")
@@ -184,32 +182,32 @@ class ControlText(str):
     values: Mapping[str, str]
 
     def __new__(cls, template: str, values: Mapping[str, str]) -> Self:
-        """Return the English text that still knows its template."""
+        """Return an English text that keeps its template for translation."""
         written = super().__new__(cls, _inserted(template, values, "en"))
         written.template, written.values = template, dict(values)
         return written
 
     def __reduce__(self) -> tuple[type[ControlText], tuple[str, Mapping[str, str]]]:
-        """Return how a copy is made."""
+        """Return how to copy the text."""
         return ControlText, (self.template, self.values)
 
     def text(self, language: Language) -> str:
-        """Return the text in the language; in English where the language has none."""
+        """Return the text in a language. Without a translation: in English."""
         template = control_texts(language).get(self.template, self.template)
         return _inserted(template, self.values, language)
 
     def translated(self, language: Language) -> bool:
-        """Return whether the language has this text."""
+        """Return whether the language has a translation of this text."""
         return language == "en" or self.template in control_texts(language)
 
 
 def control_text(template: str, /, **values: str) -> ControlText:
-    """Return a text whose English ``template`` is given where it is asked for."""
+    """Return a text with the given English ``template``, translated when it is shown."""
     return ControlText(template, values)
 
 
 def unconfirmed(what: str) -> ControlText:
-    """Return the evidence of a fact that nothing confirms."""
+    """Return the evidence text of an unconfirmed fact."""
     return control_text("unconfirmed: {what}", what=what)
 
 
@@ -223,7 +221,7 @@ def say(name: str, /, **values: object) -> Sentence:
 
 
 def number_text(value: float, form: str, language: Language = "en") -> str:
-    """Return a number by a format of a template, with the decimal mark of the language."""
+    """Return a number in the format of a template, with the decimal mark of the language."""
     if form == "odds":
         if value > _MOST_ODDS:
             return f"{_MORE_THAN[language]} 1000000"
@@ -239,7 +237,7 @@ def number_text(value: float, form: str, language: Language = "en") -> str:
 
 
 def in_language(value: object, language: Language) -> str:
-    """Return a value as a text of the language: sentences, numbers, and a unit or symbol alone."""
+    """Return a value as text in a language: a sentence, a number, or a unit or symbol alone."""
     if isinstance(value, Amount | Sentence | NumberText | DateText | SentenceText | ControlText):
         return value.text(language)
     text = str(value)
@@ -247,7 +245,9 @@ def in_language(value: object, language: Language) -> str:
 
 
 def catalogue(language: Language) -> Mapping[str, str]:
-    """Return the templates of a language by name; others than English are loaded when needed."""
+    """Return the templates of a language by name. Languages other than English are loaded when
+    needed.
+    """
     if language == "en":
         from compwright.words import english
 
@@ -258,7 +258,7 @@ def catalogue(language: Language) -> Mapping[str, str]:
 
 
 def control_texts(language: Language) -> Mapping[str, str]:
-    """Return the texts of controls in a language by their English template; none in English."""
+    """Return the translated texts of controls by their English template. None for English."""
     if language == "en":
         return {}
     from compwright.words import french, german, russian
@@ -267,7 +267,7 @@ def control_texts(language: Language) -> Mapping[str, str]:
 
 
 def placeholders(template: str) -> frozenset[str]:
-    """Return the names of all values that a template may put in."""
+    """Return the names of all values that a template may use."""
     return frozenset(_names(template))
 
 
@@ -279,7 +279,9 @@ def _names(template: str) -> Iterator[str]:
 
 
 def _kept(value: Any) -> Any:
-    """Return a value in a form that every processor gives alike: rounded numbers, tuples, texts."""
+    """Return a value in a form that is the same on every processor: rounded numbers, tuples,
+    texts.
+    """
     if value is None or isinstance(value, str | bool | int | Sentence):
         return value
     if isinstance(value, float | Decimal):
@@ -292,7 +294,7 @@ def _kept(value: Any) -> Any:
 
 
 def filled(template: str, values: Mapping[str, Any], language: Language) -> str:
-    """Return the text of a template. Raises KeyError for a value that is not given."""
+    """Return the text of a template with its values. Raises KeyError for a missing value."""
     return "".join(
         text + ("" if field is None else _field(values[field], form or "", values, language))
         for text, field, form, _ in _PARSED.parse(template)
@@ -320,7 +322,7 @@ def _field(value: Any, form: str, values: Mapping[str, Any], language: Language)
 
 
 def parts(form: str) -> list[str]:
-    """Return the texts between the bars of a format, those inside of fields left alone."""
+    """Return the parts of a format between its bars. Bars inside fields do not count."""
     parts, depth = [""], 0
     for character in form:
         depth += (character == "{") - (character == "}")

@@ -1,4 +1,5 @@
-"""The only code that touches the file system: read whole, write whole or not at all.
+"""The only code that accesses the file system. Files are read whole, and written whole or not at
+all.
 
 What a command writes goes from old to new as one (`transaction`); a failure on the way puts back
 what was there before, and where the process itself was stopped, the next one that reads or writes

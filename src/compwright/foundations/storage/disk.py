@@ -1,4 +1,4 @@
-"""The few things that are done to a disk, so that they last when the power fails."""
+"""Disk operations that are durable, even if the power fails."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ _NOT_FOR_FOLDERS = {
 
 
 def write_new(path: Path, content: bytes) -> None:
-    """Write a file that is not there yet and have it on the disk. Raises OSError."""
+    """Write a new file and wait until it is on the disk. Raises OSError."""
     handle = os.open(path, _NEW, 0o666)  # less the bits of the user's mask
     try:
         rest = memoryview(content)
@@ -39,7 +39,7 @@ def write_new(path: Path, content: bytes) -> None:
 
 
 def sync_folder(folder: Path) -> None:
-    """Have the names in a folder on the disk. Raises OSError.
+    """Wait until the names in a folder are on the disk. Raises OSError.
 
     Windows opens no folders and keeps the order of what is done to names itself (NTFS); a file
     system that knows no such thing is left to its own order too.
@@ -60,9 +60,7 @@ def sync_folder(folder: Path) -> None:
 
 
 def move(source: Path, target: Path) -> None:
-    """Give a file another name on the same file system, in place of what is called so. Raises
-    OSError.
-    """
+    """Rename a file within one file system, replacing a file of the new name. Raises OSError."""
     for pause in _PAUSES if _WINDOWS else ():
         try:
             source.replace(target)
@@ -74,7 +72,7 @@ def move(source: Path, target: Path) -> None:
 
 
 def remove(path: Path) -> None:
-    """Remove a file, on Windows one that is marked as read-only too. Raises OSError."""
+    """Remove a file, on Windows also a read-only one. Raises OSError."""
     try:
         path.unlink(missing_ok=True)
     except PermissionError:
@@ -85,7 +83,7 @@ def remove(path: Path) -> None:
 
 
 def make_folder(folder: Path, made: list[Path]) -> None:
-    """Make a folder and those above it, noting each one made, also when a later one fails."""
+    """Make a folder and its parents, and record each new one, also when a later one fails."""
     missing: list[Path] = []
     probe = folder
     while not probe.exists():

@@ -1,4 +1,4 @@
-"""What may not be written over."""
+"""Rules for files that must not be overwritten."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _MOST_NAMED = 4  # files named in a line about several
 def refuse_overwriting(
     session: Session, targets: Mapping[Path, bytes], *, force: bool, completed: Sequence[Path] = ()
 ) -> None:
-    """Raise StorageError, naming every file that may not be written.
+    """Raise StorageError with the name of every file that must not be written.
 
     Those that exist already, unless ``force`` or among those ``completed``. With ``force`` too:
     what this command has read (unless the same bytes go there), folders in the place of a file,
@@ -80,7 +80,7 @@ def _hindrances(session: Session, path: Path, content: bytes) -> Iterator[Fault]
 
 
 def _exist_already(paths: Sequence[Path]) -> Fault:
-    """Return one line about all files that are there already, the first of them named."""
+    """Return one line about all files that exist already. It names the first one."""
     if len(paths) == 1:
         return Fault(
             message="a file of this name exists already",
@@ -99,7 +99,7 @@ def _exist_already(paths: Sequence[Path]) -> Fault:
 
 
 def _twice(targets: Mapping[Path, bytes]) -> Iterator[Fault]:
-    """Yield a fault for each file that two different contents would go to, under whatever names."""
+    """Yield a fault for each file that would get two different contents, under any of its names."""
     seen: dict[object, bytes] = {}
     for path, content in targets.items():
         if seen.setdefault(identity(path) or _place(path), content) != content:

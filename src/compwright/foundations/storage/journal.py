@@ -1,4 +1,5 @@
-"""The journal: it is written before files are moved, so that the next command can restore them.
+"""The journal of a change of files. It is written before files are moved, so that the next command
+can restore them.
 
 While files are written, each folder contains a folder `UNFINISHED`. It holds the lock, the new
 files (``0.new``, ``1.new``, ..), the earlier ones (``0.old``, ..) and the journal, in which files
@@ -27,12 +28,12 @@ _MOST_BYTES = 16 * 1024 * 1024  # of a journal: 50 000 files
 
 
 class DamagedError(Exception):
-    """A journal that cannot be followed; the text says why."""
+    """Raised for a journal that cannot be used; the text gives the reason."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class JournalEntry:
-    """A file that is written or, without ``digest`` (sha256 of the new bytes), removed.
+    """A file that is written or, without ``digest`` (SHA-256 of the new bytes), removed.
 
     ``name``: below the folder, with ``/``; ``there``: whether something stood there before, and
     ``earlier`` the sha256 of its bytes, empty where it was no file or could not be read.
@@ -46,8 +47,10 @@ class JournalEntry:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Journal:
-    """What is done in a folder. ``made``: folders below it that are made for it; ``parts``: the
-    other folders that take part, or ``first``, the one that decides; both named from this folder.
+    """The planned changes in a folder.
+
+    ``made``: folders below it that are made for it; ``parts``: the other folders that take part, or
+    ``first``, the one that decides; both named from this folder.
     """
 
     key: str
@@ -58,28 +61,32 @@ class Journal:
 
 
 def new_file(folder: Path, number: int) -> Path:
-    """Return where the new file of entry ``number`` waits."""
+    """Return the temporary place of the new file for entry ``number``."""
     return folder / UNFINISHED / f"{number}.new"
 
 
 def old_file(folder: Path, number: int) -> Path:
-    """Return where the earlier file of entry ``number`` waits."""
+    """Return the temporary place of the old file for entry ``number``."""
     return folder / UNFINISHED / f"{number}.old"
 
 
 def is_ours(name: str) -> bool:
-    """Whether a file in the folder of what is unfinished is one that is removed with it."""
+    """Return whether a file in the temporary folder belongs to compwright and is removed with
+    it.
+    """
     number, _, kind = name.partition(".")
     return name in (JOURNAL, _PART) or (number.isdecimal() and kind in ("new", "old"))
 
 
 def digest_of(content: bytes) -> str:
-    """Return the sha256 by which a new file is known again."""
+    """Return the SHA-256 hash that identifies a new file."""
     return hashlib.sha256(content).hexdigest()
 
 
 def digest_at(path: Path) -> str:
-    """Return the sha256 of a file, empty for what is no ordinary one. Raises OSError."""
+    """Return the SHA-256 hash of a file, empty for anything but an ordinary file. Raises
+    OSError.
+    """
     if not stat.S_ISREG(path.lstat().st_mode):
         return ""
     with path.open("rb") as stream:
@@ -87,12 +94,14 @@ def digest_at(path: Path) -> str:
 
 
 def is_new(path: Path, entry: JournalEntry) -> bool:
-    """Whether the file at ``path`` is the new one of ``entry``. Raises OSError."""
+    """Return whether the file at ``path`` is the new one of ``entry``. Raises OSError."""
     return digest_at(path) == entry.digest != ""
 
 
 def put_journal(folder: Path, journal: Journal) -> None:
-    """Put a journal in place by one rename, on the disk before it returns. Raises OSError."""
+    """Put a journal in its place with one rename, and wait until it is on the disk. Raises
+    OSError.
+    """
     staging = folder / UNFINISHED
     disk.write_new(staging / _PART, _text(journal).encode("ascii"))
     disk.move(staging / _PART, staging / JOURNAL)
@@ -100,7 +109,7 @@ def put_journal(folder: Path, journal: Journal) -> None:
 
 
 def read_journal(folder: Path) -> Journal | None:
-    """Return the journal of a folder, None where there is none.
+    """Return the journal of a folder. None where there is none.
 
     Raises DamagedError for one that names files outside of the folder or is not as it was written,
     OSError where it cannot be read.
@@ -125,8 +134,9 @@ def read_journal(folder: Path) -> Journal | None:
 
 
 def _has_both(staging: Path) -> bool:
-    """Whether earlier and new files wait side by side. That is so only while there is a journal: it
-    has not come along with a copy.
+    """Return whether both old and new files are in their temporary places.
+
+    That is so only while there is a journal: it has not come along with a copy.
     """
     try:
         kinds = {name.partition(".")[2] for name in os.listdir(staging) if is_ours(name)}  # noqa: PTH208
@@ -179,8 +189,8 @@ def _read(content: bytes) -> Journal:
 
 
 def _is_inside(folder: Path, name: str) -> bool:
-    """Whether a name leads to a file below the folder, whatever links there are on the way, and not
-    to what is unfinished itself.
+    """Return whether a name leads to a file inside the folder, through any links, but not into the
+    temporary folder.
     """
     parts = Path(*PurePosixPath(name).parts).parts  # as this system divides it
     if not parts or ".." in parts or UNFINISHED in parts or "\0" in name:

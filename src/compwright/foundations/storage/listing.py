@@ -1,4 +1,4 @@
-"""What lies in folders, after what stopped commands left there was put right."""
+"""List the contents of folders, after files of interrupted commands were restored."""
 
 from __future__ import annotations
 
@@ -16,8 +16,7 @@ from compwright.foundations.storage.recovery import put_right_above, put_right_i
 
 
 def list_files(session: Session, path: Path) -> list[Path]:
-    """Return ``[path]`` for a file or for nothing, and for a folder all in it but folders by name,
-    hidden ones left out.
+    """Return ``[path]`` for a file, or the files in a folder by name. Hidden ones are left out.
 
     What is no ordinary file (a pipe, a link to nowhere) is listed too: `read_bytes` says so. Raises
     InputError when the folder cannot be listed.
@@ -41,9 +40,7 @@ def list_files(session: Session, path: Path) -> list[Path]:
 
 
 def folders_in(path: Path) -> list[Path]:
-    """Return the folders in a folder by name, hidden ones left out; none of what cannot be
-    listed.
-    """
+    """Return the folders in a folder by name, hidden ones left out. None if it cannot be listed."""
     try:
         return sorted(
             entry for entry in path.iterdir() if entry.is_dir() and not entry.name.startswith(".")
@@ -53,9 +50,7 @@ def folders_in(path: Path) -> list[Path]:
 
 
 def in_folders_of(session: Session, folder: Path, name: str) -> list[Path]:
-    """Return the files called ``name`` that lie in the folders of ``folder``, one level down; what
-    cannot be listed has none.
-    """
+    """Return the files called ``name`` in the folders directly inside ``folder``."""
     found = []
     try:
         for inner in sorted(path for path in folder.iterdir() if path.is_dir()):
@@ -70,8 +65,10 @@ def in_folders_of(session: Session, folder: Path, name: str) -> list[Path]:
 def folders_holding(
     session: Session, top: Path, names: Sequence[str]
 ) -> tuple[list[Path], list[Fault]]:
-    """Return ``top`` and the folders below it that hold a file of one of ``names``, in the order of
-    their names, and those that cannot be read; hidden folders and links to folders are left out.
+    """Return ``top`` and the folders inside it that contain a file of one of ``names``, and the
+    unreadable folders.
+
+    In the order of their names; hidden folders and links to folders are left out.
 
     Raises InputError where ``top`` is no folder.
     """
@@ -114,8 +111,8 @@ def folders_holding(
 
 
 def _names_in(folder: Path) -> tuple[list[str], list[str]]:
-    """Return the names of the folders and of the files in a folder, none where it cannot be listed
-    any more.
+    """Return the names of the folders and of the files in a folder. None where it can no longer be
+    listed.
     """
     try:
         with os.scandir(folder) as entries:
@@ -128,8 +125,8 @@ def _names_in(folder: Path) -> tuple[list[str], list[str]]:
 
 
 def is_there(session: Session, path: Path) -> bool:
-    """Whether there is a file, folder or link at ``path``; False for a name that no file can
-    have. Raises InputError where a stopped command left that open.
+    """Return whether a file, folder or link exists at ``path``. Raises InputError where an
+    interrupted command left that open.
     """
     if path in session.pending:
         return True
@@ -138,8 +135,8 @@ def is_there(session: Session, path: Path) -> bool:
 
 
 def matching(session: Session, pattern: str) -> list[str]:
-    """Return the paths that fit a pattern with ``*`` and ``?`` by name, hidden ones left out; the
-    pattern itself where something is called so, and where nothing fits.
+    """Return the paths that match a pattern with ``*`` and ``?``, without hidden ones. The pattern
+    itself if none matches.
     """
     if not {"*", "?"} & set(pattern) or os.path.lexists(pattern):
         return [pattern]

@@ -1,4 +1,4 @@
-"""A lock that keeps two living processes from writing into one folder at once.
+"""A lock so that two running processes never write into the same folder at once.
 
 It is held on a file in the folder of what is unfinished and goes with the process, however that
 ends: with ``flock`` on POSIX, with ``msvcrt.locking`` on Windows. A file system that has no locks
@@ -41,19 +41,19 @@ _NO_LOCKS = {
 
 @dataclass(slots=True)
 class Lock:
-    """The lock of a folder of what is unfinished, held until `release`."""
+    """The lock of a temporary folder, held until `release`."""
 
     staging: Path
     handle: int
 
     def release(self) -> None:
-        """Let the next process in; nothing happens where this was done before."""
+        """Release the lock. A second call has no effect."""
         if self.handle >= 0:
             handle, self.handle = self.handle, -1
             os.close(handle)
 
     def remove(self) -> None:
-        """Remove the folder, which holds nothing else any more, and release. Raises OSError."""
+        """Remove the now empty folder, and release the lock. Raises OSError."""
         file = self.staging / LOCK
         try:
             file.unlink()
@@ -65,7 +65,7 @@ class Lock:
 
 
 def take(staging: Path, *, make: bool = False, patience: float = PATIENCE) -> Lock:
-    """Return the lock of the folder ``staging``, which is made where it is asked for.
+    """Return the lock of the folder ``staging``. The folder is made if required.
 
     Raises TimeoutError where another process holds it longer than ``patience`` (s), else OSError.
     """
@@ -103,7 +103,7 @@ def _attempt(staging: Path, *, make: bool) -> Lock | None:
 
 
 def _is_still(handle: int, file: Path) -> bool:
-    """Whether the open file is the one of this name: who held it may have removed it."""
+    """Return whether the open file still has its name. Its previous owner may have removed it."""
     try:
         return os.path.samestat(os.fstat(handle), file.lstat())
     except FileNotFoundError:

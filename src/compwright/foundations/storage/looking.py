@@ -1,4 +1,4 @@
-"""What lies at a name, by the file system alone."""
+"""Facts about a name in the file system."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from compwright.foundations.session import Identity
 
 
 def is_folder(path: Path) -> bool:
-    """Whether ``path`` is a folder that can be looked at."""
+    """Return whether ``path`` is a readable folder."""
     try:
         return path.is_dir()
     except (OSError, ValueError):
@@ -18,12 +18,14 @@ def is_folder(path: Path) -> bool:
 
 
 def size_of(paths: Iterable[Path]) -> int:
-    """Return the size of files together, in bytes. Raises OSError for one that is not there."""
+    """Return the total size of files, in bytes. Raises OSError for a missing one."""
     return sum(path.stat().st_size for path in paths)
 
 
 def resolved(path: Path) -> Path:
-    """Return ``path`` from the root, without links; as it is where it cannot be followed."""
+    """Return ``path`` as an absolute path without links. Unchanged where a link cannot be
+    followed.
+    """
     try:
         return path.resolve()
     except (OSError, ValueError, RuntimeError):
@@ -31,8 +33,8 @@ def resolved(path: Path) -> Path:
 
 
 def relative(path: Path, folder: Path) -> str:
-    """Return how ``path`` is named from ``folder``, with ``/``; whole where there is no such way
-    (another drive).
+    """Return the relative name of ``path`` from ``folder``, with ``/``. Absolute where there is
+    none (another drive).
     """
     try:
         return Path(os.path.relpath(path, folder)).as_posix()
@@ -41,8 +43,10 @@ def relative(path: Path, folder: Path) -> str:
 
 
 def way_to(path: Path, folder: Path) -> str:
-    """Return how ``path`` is named from ``folder`` by a name that holds through links, with ``/``;
-    whole where there is no such way (another drive). The folder need not be there yet.
+    """Return the relative name of ``path`` from ``folder`` that also works through links, with
+    ``/``.
+
+    Whole where there is no such way (another drive). The folder need not be there yet.
     """
     plain = path.name not in {"", ".."}
     whole = resolved(path.parent) / path.name if plain else resolved(path)
@@ -50,8 +54,9 @@ def way_to(path: Path, folder: Path) -> str:
 
 
 def named_from(folder: Path, name: str) -> Path:
-    """Return the path of what a file in ``folder`` calls ``name``: without the way into the folder
-    and out of it again, which may not be there yet.
+    """Return the path of the file ``name`` as seen from ``folder``, simplified.
+
+    Without the way into the folder and out of it again, which may not be there yet.
     """
     path = folder / name
     if ".." not in Path(name).parts:
@@ -62,7 +67,7 @@ def named_from(folder: Path, name: str) -> Path:
 
 
 def identity(path: Path) -> Identity | None:
-    """Return what the file at ``path`` is, None where there is none."""
+    """Return the identity of the file at ``path``. None where there is no file."""
     try:
         seen = path.stat()
     except (OSError, ValueError):
@@ -71,9 +76,7 @@ def identity(path: Path) -> Identity | None:
 
 
 def is_existing_file(path: Path) -> bool:
-    """Whether something stands at ``path`` that a file would replace: a file or any link but one to
-    a folder.
-    """
+    """Return whether a new file at ``path`` would replace a file or a link to a file."""
     try:
         return os.path.lexists(path) and (path.is_file() or path.is_symlink()) and not path.is_dir()
     except (OSError, ValueError):
@@ -81,5 +84,5 @@ def is_existing_file(path: Path) -> bool:
 
 
 def reason(error: OSError | ValueError) -> str:
-    """Return why the file system refused, in its own words."""
+    """Return the file system's reason for a refusal."""
     return getattr(error, "strerror", None) or str(error) or type(error).__name__

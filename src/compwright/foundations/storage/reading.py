@@ -1,4 +1,4 @@
-"""Reading whole: ordinary files alone, and what was read is an input of the session."""
+"""Read ordinary files completely. Each file that is read becomes an input of the session."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ _NO_WAITING = (
 
 
 def read_bytes(session: Session, path: Path, kind: InputKind = ANY) -> bytes:
-    """Return the bytes of a file, which is an input of the session from now on; of a pending file
-    the bytes that it will have.
+    """Return the bytes of a file and record it as an input of the session. For a pending file: its
+    new bytes.
 
     Raises InputError when it is missing, cannot be read, is no ordinary file (a pipe or device
     could be waited for without end), is larger than any file of its ``kind`` or plainly of another
@@ -62,7 +62,7 @@ def read_bytes(session: Session, path: Path, kind: InputKind = ANY) -> bytes:
 
 
 def _absent(path: Path) -> Fault:
-    """Return the fault of a missing file; of a result, with the command that writes it."""
+    """Return the fault of a missing file. For a result: with the command that writes it."""
     from compwright.foundations.key_faults import nearest
 
     folder = next((one for one in path.parents if one.is_dir()), path.parent)
@@ -83,8 +83,8 @@ def _absent(path: Path) -> Fault:
 
 
 def _at_most(stream: BinaryIO, count: int) -> bytes:
-    """Return what can be read at once of a stream, ``count`` bytes at most; raises OSError where it
-    lets us wait, as some files of the system do.
+    """Return the bytes of a stream that are available at once, at most ``count``. Raises OSError if
+    it would block.
     """
     content = stream.read(count)
     if content is None:
@@ -93,17 +93,18 @@ def _at_most(stream: BinaryIO, count: int) -> bytes:
 
 
 def earlier_bytes(session: Session, path: Path) -> bytes:
-    """Return the bytes of a result of an earlier run, empty where there is none; it counts as a
-    result, not as an input. Raises InputError where a stopped command left it half-written and that
-    cannot be put right.
+    """Return the bytes of an earlier result, empty where there is none. It does not become an
+    input.
+
+    Raises InputError where a stopped command left it half-written and that cannot be put right.
     """
     put_right_above(session, path, InputError)
     return bytes_as_they_are(path)
 
 
 def bytes_as_they_are(path: Path) -> bytes:
-    """Return the bytes of a file in a folder of another command's, empty where there is none:
-    nothing is waited for or put right there, and it is no input.
+    """Return the bytes of a file in a foreign folder, empty where there is none. Nothing is
+    restored there.
     """
     try:
         small = path.is_file() and path.stat().st_size <= ANY.most_bytes
@@ -117,7 +118,7 @@ def _opened(path: str, flags: int) -> int:
 
 
 def _not_to_be_read(seen: os.stat_result, kind: InputKind) -> Fault | None:
-    """Return why a file cannot be read, None for an ordinary one that is not too large."""
+    """Return why a file cannot be read. None for an ordinary file that is not too large."""
     kinds = (
         (stat.S_ISDIR, "a folder"),
         (stat.S_ISFIFO, "a pipe"),
@@ -141,8 +142,8 @@ def _too_large(kind: InputKind, found: str) -> Fault:
 
 
 def state_of(session: Session, paths: Sequence[Path]) -> str:
-    """Return size and time of files as one text: the same as long as none was changed, added or
-    removed. They count as read.
+    """Return size and time of files as one text, which changes with any file. They become
+    inputs.
     """
     states = []
     for path in paths:
@@ -157,5 +158,5 @@ def state_of(session: Session, paths: Sequence[Path]) -> str:
 
 
 def was_read(session: Session, path: Path) -> bool:
-    """Whether the file at ``path`` was read in this session, by this or another name."""
+    """Return whether the file at ``path`` was read in this session, under this or another name."""
     return identity(path) in session.inputs

@@ -1,4 +1,4 @@
-"""Recovery after a stopped process, by the next command that reads or writes in the folder.
+"""Restore files after an interrupted process. The next command that uses the folder does this.
 
 As long as the journal exists, the earlier files count: new files are removed, earlier ones put
 back, then the journal is removed. Each step can be repeated, so a recovery may be stopped too. All
@@ -37,7 +37,7 @@ Set = tuple[Path, Journal]
 
 
 class NotPutRightError(Exception):
-    """The files of a stopped process cannot be restored; the faults give the reason."""
+    """The files of an interrupted process cannot be restored; the faults give the reason."""
 
     def __init__(self, *faults: Fault) -> None:
         super().__init__("\n".join(map(str, faults)))
@@ -48,8 +48,8 @@ class NotPutRightError(Exception):
 
 
 def put_right_above(session: Session, path: Path, error: type[CompwrightError]) -> None:
-    """Restore the files of stopped processes in the folder of ``path`` and in those above it; each
-    folder is searched once in a session.
+    """Restore the files of interrupted processes in the folder of ``path`` and its parents, once
+    per session.
 
     Raises ``error`` where that is impossible and ``path`` is a file that would have to be put back,
     or a folder with such a file directly in it.
@@ -73,14 +73,14 @@ def put_right_above(session: Session, path: Path, error: type[CompwrightError]) 
 
 
 def put_right_in(session: Session, folder: Path, error: type[CompwrightError]) -> None:
-    """Do as `put_right_above` for a folder and the files in it."""
+    """Restore files as `put_right_above` does, also in the folder itself."""
     put_right_above(session, folder / UNFINISHED, error)
     put_right_above(session, folder, error)
 
 
 def _not_searched(session: Session, folder: Path) -> list[Path]:
-    """Return ``folder`` and the folders above it, as it is named and as it is without links, outer
-    ones first, as far as they were not searched yet.
+    """Return ``folder`` and its parents that were not checked yet, with and without links,
+    outermost first.
     """
     found: list[Path] = []
     for way in (folder, resolved(folder)):
@@ -90,7 +90,7 @@ def _not_searched(session: Session, folder: Path) -> list[Path]:
 
 
 def _put_right(session: Session, folder: Path) -> None:
-    """Take back what was begun in a folder, or note why that is impossible."""
+    """Undo the interrupted change in a folder, or note why that is impossible."""
     if str(folder) in session.unrestored:
         return
     try:
@@ -110,8 +110,8 @@ def _put_right(session: Session, folder: Path) -> None:
 
 
 def _concerns(folder: Path, path: Path) -> bool:
-    """Whether ``path`` is, or is the folder of, a file that the journal in ``folder`` names, or is
-    any below it where that cannot be read.
+    """Return whether a journal in ``folder`` affects ``path``. An unreadable journal affects every
+    path below it.
     """
     real, root = resolved(path.parent) / path.name, resolved(folder)
     try:
@@ -136,8 +136,10 @@ def _take_back(session: Session, folder: Path) -> None:
 
 
 def _sweep(folder: Path) -> None:
-    """Remove files that were prepared and never used, or are left after the end. Those of a running
-    process, and those that cannot be removed, stay; they do no harm.
+    """Remove temporary files that are no longer needed. Those of a running process stay.
+
+    Prepared and never used, or left after the end; and those that cannot be removed: they do no
+    harm.
     """
     with suppress(OSError):
         lock = take(folder / UNFINISHED, patience=0.0)
@@ -170,8 +172,8 @@ def _held(folder: Path, held: ExitStack) -> Lock:
 
 
 def _parts(folder: Path, journal: Journal) -> Iterator[Set]:
-    """Yield the other folders that take part and say so themselves: a folder that was copied since
-    has none.
+    """Yield the other folders of a change, if they confirm it. A later copy of a folder has
+    none.
     """
     for name in journal.parts:
         other = _from(folder, name)
@@ -210,8 +212,9 @@ def _take_back_part(session: Session, folder: Path, journal: Journal) -> None:
 
 
 def _take_back_undone(session: Session, first: Path, folder: Path, journal: Journal) -> None:
-    """Take back all that ``first`` decides on; a copy of a part, of which it knows nothing, before
-    that by itself.
+    """Undo all changes that the folder ``first`` decides on.
+
+    A copy of a part, of which it knows nothing, before that by itself.
     """
     deciding = read_journal(first)
     known = () if deciding is None else tuple(_parts(first, deciding))
@@ -225,8 +228,8 @@ def _take_back_undone(session: Session, first: Path, folder: Path, journal: Jour
 
 
 def _is_swept(first: Path, folder: Path, journal: Journal) -> bool:
-    """Remove what is left of a part that is done, where that can be; return False where its process
-    was stopped just now, before it was done.
+    """Remove the rest of a completed change. Return False if the process was stopped before
+    completion.
     """
     try:
         with ExitStack() as held:
@@ -242,14 +245,14 @@ def _is_swept(first: Path, folder: Path, journal: Journal) -> bool:
 
 
 def _decides(first: Path, journal: Journal) -> bool:
-    """Whether what the journal of a part tells of is not done, by the folder that decides."""
+    """Return whether the change of a part is incomplete, by the folder that decides."""
     theirs = read_journal(first)
     return theirs is not None and theirs.key == journal.key
 
 
 def clear(lock: Lock) -> None:
-    """Remove what is ours in the folder of what is unfinished, and the folder; nothing where that
-    was done before. Raises OSError.
+    """Remove compwright's files in the temporary folder, and the folder. A second call has no
+    effect. Raises OSError.
     """
     if lock.handle < 0:
         return
@@ -263,8 +266,7 @@ def clear(lock: Lock) -> None:
 
 
 def withdraw(sets: Sequence[Set]) -> None:
-    """Put back what was there before in folders whose locks are held, the first of which decides,
-    and remove its journal.
+    """Restore the old files in locked folders, and remove their journals. The first folder decides.
 
     Raises NotPutRightError, and nothing was done, where a file was changed since or an earlier one
     did not come along; OSError.
@@ -290,7 +292,7 @@ def withdraw(sets: Sequence[Set]) -> None:
 
 
 def sync_folders(sets: Sequence[Set]) -> None:
-    """Have all names on the disk that are changed by journals. Raises OSError."""
+    """Wait until all names changed by journals are on the disk. Raises OSError."""
     touched = [
         path
         for folder, journal in sets
@@ -307,7 +309,9 @@ def sync_folders(sets: Sequence[Set]) -> None:
 
 
 def _changed_since(folder: Path, journal: Journal) -> Iterator[Fault]:
-    """Yield a fault for each file that replaced both the earlier and the new one."""
+    """Yield a fault for each file that someone changed since, so that it is neither the old nor the
+    new one.
+    """
     for number, entry in enumerate(journal.entries):
         target = folder / entry.name
         kept = os.path.lexists(old_file(folder, number))
@@ -323,8 +327,10 @@ def _changed_since(folder: Path, journal: Journal) -> Iterator[Fault]:
 
 
 def _lost_since(folder: Path, journal: Journal) -> Iterator[Fault]:
-    """Yield a fault for each earlier file that is gone or damaged: of a folder that is copied or
-    synchronised the files come one by one, and not all of them may have come.
+    """Yield a fault for each old file that is missing or damaged since.
+
+    Of a folder that is copied or synchronised the files come one by one, and not all of them may
+    have come.
     """
     for number, entry in enumerate(journal.entries):
         target, kept = folder / entry.name, old_file(folder, number)
@@ -355,7 +361,7 @@ def _lost(what: str, target: Path, folder: Path) -> Fault:
 
 
 def _is_placed(folder: Path, number: int, journal: Journal) -> bool:
-    """Whether the new file of an entry left the place where it waited."""
+    """Return whether the new file of an entry left its temporary place."""
     return bool(journal.entries[number].digest) and not os.path.lexists(new_file(folder, number))
 
 

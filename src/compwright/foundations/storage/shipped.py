@@ -10,25 +10,24 @@ from compwright.foundations.storage.reading import read_bytes
 
 
 def definition_files(session: Session) -> Iterator[tuple[str, bytes]]:
-    """Yield name and bytes of the controller definitions that ship with compwright, in the order of
-    their names.
-    """
+    """Yield name and bytes of the control definitions that ship with compwright, by name."""
     return _shipped(session, "controller_formats")
 
 
 def demo_files(session: Session) -> dict[str, bytes]:
-    """Return machine and job of the demo, which name a control, by the names of their files."""
+    """Return the files for machine and job of the demo, by file name."""
     return dict(_shipped(session, "controller_formats/demo"))
 
 
 def reference_files(session: Session) -> dict[str, bytes]:
-    """Return the reference data of the self-test by the names of their files."""
+    """Return the reference data of the self-test by file name."""
     return dict(_shipped(session, "reference_data", "*.csv"))
 
 
 def _shipped(session: Session, folder: str, pattern: str = "*.yaml") -> Iterator[tuple[str, bytes]]:
-    """Yield name and bytes of the files of a folder: next to the code in an installed wheel, at the
-    top of a source checkout.
+    """Yield name and bytes of the files in a shipped folder.
+
+    Next to the code in an installed wheel, at the top of a source checkout.
     """
     package = Path(__file__).resolve().parents[2]
     for place in (package / folder, package.parents[1] / folder):

@@ -1,4 +1,4 @@
-"""Files that go from old to new as one, whatever stops the process on the way.
+"""Replace several files together, all or none, even if the process is stopped.
 
 What is written waits in a folder of ours, on the disk, before anything is touched. Then a journal
 is put there by one rename, earlier files are moved to it, new ones to their places, and the removal
@@ -70,7 +70,7 @@ def put(
 
 @dataclass(frozen=True, slots=True)
 class _Change:
-    """A file that is written or, without ``content``, removed. ``name``: below its part."""
+    """A file that is written or, without ``content``, removed. ``name``: relative to its part."""
 
     name: str
     path: Path  # as the caller named it
@@ -79,15 +79,15 @@ class _Change:
 
 @dataclass(slots=True)
 class _Part:
-    """A folder on one file system with what is changed below it."""
+    """A folder with its changes, all on one file system."""
 
     folder: Path
     changes: dict[str, _Change] = field(default_factory=dict)
 
 
 def _parts(folder: Path, targets: Mapping[Path, bytes], removed: Sequence[Path]) -> list[_Part]:
-    """Return the changes by folders: those below ``folder`` on its file system first, then the
-    others each in its own.
+    """Return the changes by folder: first those in ``folder`` on its file system, then the
+    others.
     """
     root = resolved(folder)
     found = {root: _Part(root)}
@@ -102,7 +102,7 @@ def _parts(folder: Path, targets: Mapping[Path, bytes], removed: Sequence[Path])
 
 
 def _device(folder: Path) -> int:
-    """Return on which file system a folder is, or would be made."""
+    """Return the file system of a folder that exists or is to be made."""
     there = next((path for path in (folder, *folder.parents) if path.exists()), folder)
     return there.stat().st_dev
 
@@ -119,7 +119,7 @@ class _Work:
         self.sets: list[tuple[Path, Journal]] = []
 
     def do(self, check: Callable[[], None]) -> None:
-        """Do all of it. Raises StorageError; it is taken back then, and on Ctrl-C too."""
+        """Make all changes. On an error (StorageError) and on Ctrl-C they are undone."""
         try:
             self._prepare(check)
             if self._is_one_step():
@@ -147,7 +147,7 @@ class _Work:
                 lock.release()
 
     def _prepare(self, check: Callable[[], None]) -> None:
-        """Write all new files, on the disk before anything is touched."""
+        """Write all new files to temporary places on the disk, before anything is changed."""
         for part in sorted(self.parts, key=lambda part: str(part.folder)):
             self.current = next(iter(part.changes.values())).path
             disk.make_folder(part.folder, self.above)
@@ -162,7 +162,7 @@ class _Work:
                     self._stage(part, number, change.content)
 
     def _sweep(self, lock: Lock) -> None:
-        """Remove what a stopped process prepared; what it began was taken back before."""
+        """Remove temporary files of an interrupted process."""
         if os.path.lexists(lock.staging / JOURNAL):
             why = self.session.unrestored.get(str(lock.staging.parent), ())
             now = Fault(
@@ -176,7 +176,7 @@ class _Work:
                 disk.remove(lock.staging / name)
 
     def _stage(self, part: _Part, number: int, content: bytes) -> None:
-        """Write a new file where it waits, with the rights of the one that it will replace."""
+        """Write a new file to its temporary place, with the access rights of the replaced file."""
         waiting = new_file(part.folder, number)
         disk.write_new(waiting, content)
         if self.current.is_file():
@@ -199,8 +199,8 @@ class _Work:
         self._clear()
 
     def _begin(self) -> None:
-        """Put the journals in place, that of the folder which decides last: from now on the earlier
-        files are what is put back.
+        """Put the journals in place, the deciding one last. From now on an interruption restores
+        the old files.
         """
         key = os.urandom(8).hex()
         first, *others = self.parts
@@ -228,9 +228,11 @@ class _Work:
             put_journal(folder, journal)
 
     def _move(self) -> None:
-        """Move all earlier files away, then the new ones to their places: a folder never shows old
-        and new files together. The first step is synced before the second begins: a disk that
-        changes the order could lose an earlier file under a new one.
+        """Move all old files away, then the new ones to their places. A folder never shows old and
+        new files together.
+
+        The first step is synced before the second begins: a disk that changes the order could lose
+        an earlier file under a new one.
         """
         for folder, journal in self.sets:
             for number, entry in enumerate(journal.entries):
@@ -248,7 +250,7 @@ class _Work:
                     disk.move(new_file(folder, number), self.current)
 
     def _finish(self) -> None:
-        """Let it have happened: by the removal of the journal, once all else is on the disk."""
+        """Complete the change by removing the journal, after all else is on the disk."""
         sync_folders(self.sets)
         first, _ = self.sets[0]
         (first / UNFINISHED / JOURNAL).unlink()
@@ -257,13 +259,13 @@ class _Work:
             self._clear()
 
     def _clear(self) -> None:
-        """Remove the folders of what is unfinished; what cannot be removed waits for the next."""
+        """Remove the temporary folders. What cannot be removed is left for the next command."""
         for lock in self.locks:
             with suppress(OSError):
                 clear(lock)
 
     def _take_back(self) -> tuple[Fault, ...]:
-        """Undo what was done; return why that was not possible, where it was not."""
+        """Undo the changes. Return why that was impossible, where it was."""
         try:
             if self.sets and os.path.lexists(self.sets[0][0] / UNFINISHED / JOURNAL):
                 withdraw(self.sets)
@@ -299,7 +301,7 @@ def _entry(part: _Part, change: _Change) -> JournalEntry:
 
 
 def _missing(part: _Part) -> tuple[str, ...]:
-    """Return the folders below the part that are to be made, outer ones first."""
+    """Return the folders to be made, outermost first."""
     found: dict[str, None] = {}
     for change in part.changes.values():
         above = (part.folder / change.name).relative_to(part.folder).parents

@@ -1,4 +1,4 @@
-"""Writing several files, all of them or none."""
+"""Write several files, all of them or none."""
 
 from __future__ import annotations
 
@@ -76,8 +76,9 @@ def write_files(
 
 
 def _put_right(session: Session, folder: Path, paths: Sequence[Path], names: Sequence[str]) -> None:
-    """Take back what stopped commands had begun where this one writes; another look is taken, for
-    one may have been stopped meanwhile.
+    """Restore files of interrupted commands in the folders to be written.
+
+    Another look is taken, for one may have been stopped meanwhile.
     """
     session.search_again()
     for path in paths:
@@ -87,7 +88,7 @@ def _put_right(session: Session, folder: Path, paths: Sequence[Path], names: Seq
 
 
 class _Unchanged:
-    """Files as they were when it was decided that they may be replaced or removed."""
+    """The state of files at the time of the decision that they may be replaced or removed."""
 
     def __init__(self, paths: Iterable[Path]) -> None:
         self._seen = {path: _seen(path) for path in paths}
@@ -96,7 +97,7 @@ class _Unchanged:
         self._seen |= {path: _seen(path) for path in paths}
 
     def check(self) -> None:
-        """Raise StorageError naming each file that another program has changed since."""
+        """Raise StorageError with each file that another program has changed since."""
         faults = [
             Fault(
                 message=(
@@ -112,7 +113,7 @@ class _Unchanged:
 
 
 def _seen(path: Path) -> tuple[int, ...]:
-    """Return what the file system says of a file: the same as long as it was not changed."""
+    """Return a text that changes with every change of a file."""
     try:
         seen = path.lstat()
     except (OSError, ValueError):
@@ -121,13 +122,13 @@ def _seen(path: Path) -> tuple[int, ...]:
 
 
 def _lies_in(path: Path, folder: Path) -> bool:
-    """Whether a file is in ``folder`` itself, and not behind a link that leads out of it."""
+    """Return whether a file is in ``folder`` itself, not behind a link that leads outside."""
     return resolved(folder) in (resolved(path.parent) / path.name).parents
 
 
 def _merged(files: dict[Path, bytes], others: dict[Path, bytes]) -> dict[Path, bytes]:
-    """Return both; a path in both with different contents is refused, for one of them would be
-    lost.
+    """Return both sets of files. A path in both with different contents is refused, because one
+    would be lost.
     """
     raise_all(StorageError, list(_twice_named(files, others)))
     return files | others
@@ -146,8 +147,8 @@ def _twice_named(files: Mapping[Path, bytes], others: Mapping[Path, bytes]) -> I
 def _strangers(
     folder: Path, names: Sequence[str], targets: Mapping[Path, bytes]
 ) -> dict[Path, str]:
-    """Return the files in the folders ``names`` that are none of ``targets`` by any name, each with
-    its own relative name.
+    """Return the other files in the folders ``names``, which are not among ``targets``, with
+    relative names.
     """
     written = {identity(path) for path in targets} - {None}
     found: dict[Path, str] = {}
@@ -166,7 +167,7 @@ def _users_files(
     known: Mapping[Path, bool],
     targets: Mapping[Path, bytes],
 ) -> Iterator[Fault]:
-    """Yield a fault for each file that would be replaced although no earlier run wrote it so."""
+    """Yield a fault for each file of the user's that would be replaced."""
     for path in below:
         if not known.get(path, True) and earlier_bytes(session, path) != targets[path]:
             yield Fault(
@@ -188,7 +189,7 @@ def _in_the_way(
     *,
     force: bool,
 ) -> Iterator[Fault]:
-    """Yield a fault for each file that may not stay in a folder that is handed on as a whole."""
+    """Yield a fault for each foreign file in a folder that must contain only its own files."""
     inside = {_below(folder, name) for name in whole}
     for path in gone:
         removable = known.get(path, False) and not was_read(session, path)
@@ -209,8 +210,8 @@ def _in_the_way(
 
 
 def write_file(session: Session, path: Path, content: bytes, *, force: bool = False) -> Path:
-    """Write one file whole. Errors as in `write_files`; with ``force`` any file is replaced that
-    this command has not read.
+    """Write one file completely. Errors as in `write_files`. ``force``: replace any file that was
+    not an input.
     """
     if not path.name:
         raise StorageError(

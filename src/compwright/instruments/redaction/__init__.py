@@ -1,1 +1,1 @@
-"""Measurement files without names and remarks: readings, units and keywords stay."""
+"""Remove names and remarks from measurement files. Readings, units and keywords stay."""

@@ -1,5 +1,7 @@
-"""The lines of a measurement file without private data, by the spans that the reader of its form
-gives: values stay if they have the meaning that the form gives them, all else is removed.
+"""Copy the lines of a measurement file without private data, by the meaning of each part of a line.
+
+By the spans that the reader of its form gives: values stay if they have the meaning that the form
+gives them, all else is removed.
 """
 
 from __future__ import annotations
@@ -63,12 +65,14 @@ _COUNTED: Final[frozenset[Meaning]] = frozenset(
 
 
 def redacted_lines(lines: Sequence[str], spans_of: SpansOf, cuts: Cuts) -> list[str]:
-    """Return the lines of a file, the same number, without private data."""
+    """Return the lines of a file without private data. Their number stays the same."""
     return [_line(line, spans, cuts) for line, spans in zip(lines, spans_of(lines), strict=True)]
 
 
 def _line(line: str, spans: Spans, cuts: Cuts) -> str:
-    """Return a line by its spans. Between them only marks and blanks stay."""
+    """Return a line without private data, by its known parts. Between them only marks and blanks
+    stay.
+    """
     if spans and spans[0].meaning == "comment":
         return redacted_comment(line, cuts)
     made, end = [], 0
@@ -93,7 +97,7 @@ def _between(text: str, cuts: Cuts) -> str:
 
 
 def kept_or_cut(text: str, meaning: Meaning, cuts: Cuts) -> str:
-    """Return a text if its meaning allows it, else its replacement."""
+    """Return a text if its meaning allows that, else its replacement."""
     bare = _bare(text)
     if not bare or (meaning in KEPT and KEPT[meaning](bare)):
         return text if bare else ""
@@ -105,7 +109,7 @@ def kept_or_cut(text: str, meaning: Meaning, cuts: Cuts) -> str:
 
 
 def _bare(text: str) -> str:
-    """Return a text without the blanks around it, a cell without its quotes."""
+    """Return a text without surrounding blanks, and a cell without its quotes."""
     bare = text.strip()
     if not bare.startswith('"') or bare.count('"') % 2:
         return bare

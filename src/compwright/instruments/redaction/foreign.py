@@ -1,5 +1,7 @@
-"""Tables of other programs without private data, by their mapping profile: its columns stay; of all
-others neither the name nor a cell; of the text above the parts that the reading depends on.
+"""Remove private data from other programs' tables, with their mapping profile.
+
+Its columns stay; of all others neither the name nor a cell; of the text above the parts that the
+reading depends on.
 """
 
 from __future__ import annotations
@@ -38,9 +40,7 @@ _DIGITS: Final = 3
 
 
 def redacted_table(lines: Sequence[str], profile: Profile, cuts: Cuts) -> tuple[list[str], Profile]:
-    """Return the lines of a table, the same number, without private data, and the profile that
-    reads them.
-    """
+    """Return the lines of a table without private data, and the profile that reads them."""
     head = profile.header_line
     table = foreign_table(lines, profile.delimiter, head, FaultList(""))
     words = _Words(profile, table.columns, cuts)
@@ -68,7 +68,8 @@ SIGN_TO_FILL_IN: Final = (
 
 
 def profile_lines(profile: Profile, *, sign_open: bool) -> str:
-    """Return a profile as YAML, without remarks except the one about a sign that is
+    """Return a profile as YAML without remarks. A remark about an open sign stays.
+
     ``sign_open``.
     """
     marks = {character: name for name, character in DELIMITERS.items()}
@@ -111,7 +112,7 @@ def profile_lines(profile: Profile, *, sign_open: bool) -> str:
 
 
 class _Words:
-    """Words that stay in the cells of a table, by the meaning of its columns."""
+    """The words that may stay in the cells of a table, by the meaning of its columns."""
 
     def __init__(self, profile: Profile, columns: Sequence[str], cuts: Cuts) -> None:
         self.profile, self.columns, self.cuts = profile, columns, cuts
@@ -126,7 +127,7 @@ class _Words:
         ]
 
     def is_reading(self, cells: Mapping[str, str]) -> bool:
-        """Return whether a row has a target and a value; the reader leaves out any other too."""
+        """Return whether a row has a target and a value, as the reader requires."""
         target = cells.get(self.profile.target, "")
         values = (self.profile.value, *self.profile.traverses)
         return any(map(str.isdigit, target)) and any(cells.get(name) for name in values)
@@ -154,7 +155,7 @@ class _Words:
         return cell if is_keywords(cell) else self.cuts.name(cell)
 
     def renamed(self, names: Mapping[str, str]) -> Profile:
-        """Return the profile for columns of other names."""
+        """Return the profile for a table with renamed columns."""
         profile = self.profile
         return replace(
             profile,
@@ -193,7 +194,7 @@ def _header(cell: str, cuts: Cuts) -> str:
 
 
 def _above(line: str, cuts: Cuts) -> str:
-    """Return the parts of a line above the table that the reading depends on, and its date."""
+    """Return the necessary parts of a line above the table, and its date."""
     dates, rest = without_dates(line)
     if not rest.strip() or is_keywords(rest):
         return line

@@ -1,6 +1,4 @@
-"""Entry: bytes of a measurement file to those of a copy without names, serial numbers and
-remarks.
-"""
+"""Copy a measurement file without names, serial numbers and remarks, from bytes to bytes."""
 
 from __future__ import annotations
 
@@ -64,7 +62,7 @@ def _lines(element: Element, depth: int, known: Elements, cuts: Cuts) -> list[st
 
 
 def _meaning(tag: str, name: str, value: str, known: Elements, cuts: Cuts) -> Meaning | None:
-    """Return the meaning of an attribute; None for an unknown one, which is left out."""
+    """Return the meaning of an attribute. None for an unknown one, which is removed."""
     if name == "NAME":
         return known.names.get(tag, "result")
     meaning = known.attributes.get(name.upper())
@@ -106,9 +104,10 @@ ALLOWED: frozenset[str] = (
 
 @dataclass(frozen=True, slots=True)
 class Redacted:
-    """The bytes of a copy; ``profile``: the text of the profile that reads it, if its original
-    needs one, and ``read_by`` the one that read the original. An unknown sign is left to be filled
-    in.
+    """The bytes of a copy without private data, with the profile that reads it.
+
+    ``profile``: the text of the profile that reads it, if its original needs one, and ``read_by``
+    the one that read the original. An unknown sign is left to be filled in.
     """
 
     content: bytes
@@ -117,13 +116,16 @@ class Redacted:
 
     @property
     def answered(self) -> str:
-        """The profile with any sign: the comparison of the copy's numbers does not depend on it."""
+        """The profile with an arbitrary sign, because the comparison of the copy's numbers does not
+        depend on it.
+        """
         return self.profile.replace(SIGN_TO_FILL_IN, f"sign: {SIGNS[0]}")
 
 
 def is_measurement(content: bytes, file: str, profile: Profile | None = None) -> bool:
-    """Return whether the content of a file is certainly a measurement: its form is known, or it has
-    the columns of the ``profile``.
+    """Return whether the content of a file is certainly a measurement.
+
+    Its form is known, or it has the columns of the ``profile``.
     """
     if is_workbook(content) or is_circular(content, file):
         return True
@@ -139,7 +141,7 @@ def is_measurement(content: bytes, file: str, profile: Profile | None = None) ->
 
 
 def holds_table(content: bytes, file: str) -> bool:
-    """Return whether a text holds a table of numbers, whatever its columns mean."""
+    """Return whether a text contains a table of numbers, whatever its columns mean."""
     try:
         return has_table(read_any_lines(content, file)[0])
     except InputError:
@@ -194,8 +196,10 @@ def _by_profile(
 
 @dataclass(frozen=True, slots=True)
 class _Lines:
-    """``lines`` without their ends; ``ends`` of each, empty after the last; ``mark``: the byte
-    order mark.
+    """The lines of a file with their line ends.
+
+    ``lines`` without their ends; ``ends`` of each, empty after the last; ``mark``: the byte order
+    mark.
     """
 
     lines: tuple[str, ...]
@@ -204,13 +208,13 @@ class _Lines:
     mark: bytes
 
     def to_bytes(self, lines: Sequence[str]) -> bytes:
-        """Return other lines instead of these, the same number, with the same ends and encoding."""
+        """Return other lines as bytes, with the line ends and the encoding of this file."""
         text = "".join(line + end for line, end in zip(lines, self.ends, strict=True))
         return self.mark + text.encode(self.encoding, errors="replace")
 
 
 def _lines_of(content: bytes, file: str, encoding: str | None = None) -> _Lines:
-    """Return the lines of a text file. Raises InputError for what is no text."""
+    """Return the lines of a text file. Raises InputError for other files."""
     read_any_lines(content, file, encoding)  # raises for faults
     mark, name = next(
         ((mark, name) for mark, name in _MARKS if content.startswith(mark)),
@@ -221,8 +225,8 @@ def _lines_of(content: bytes, file: str, encoding: str | None = None) -> _Lines:
 
 
 def _proposed(content: bytes, file: str) -> tuple[Profile, bool]:
-    """Return the profile that is proposed for a table, and whether its sign is open; the copy's
-    numbers do not depend on it. Raises InputError if more than the sign is open.
+    """Return the proposed profile for a table, and whether its sign is open. Raises InputError if
+    more is open.
     """
     proposed = proposed_profile(content, file)
     sign_open = any(one.startswith("sign:") for one in proposed.open)

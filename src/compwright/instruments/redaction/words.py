@@ -1,5 +1,5 @@
-"""Words that may stay in a redacted measurement file: numbers, units, dates, names of axes, and a
-closed list. All else counts as private.
+"""Decide which words may stay in a redacted measurement file: numbers, units, dates, axis names,
+and a fixed list.
 """
 
 from __future__ import annotations
@@ -121,12 +121,12 @@ _MARKS: Final = frozenset("+-*/=.,:;()[]{}<>%°#_±↑↓|'\"")
 
 
 def is_numbers(text: str) -> bool:
-    """Return whether a text is one number or several, and nothing else."""
+    """Return whether a text consists of one or several numbers."""
     return _NUMBERS.fullmatch(text) is not None
 
 
 def is_one_number(text: str) -> bool:
-    """Return whether a text is a number and nothing else."""
+    """Return whether a text is only a number."""
     return _ONE_NUMBER.fullmatch(text) is not None
 
 
@@ -136,21 +136,22 @@ def is_date(text: str) -> bool:
 
 
 def without_dates(text: str) -> tuple[list[str], str]:
-    """Return the dates in a text of several cells, each with the word that marks it as the date of
-    the measurement, and the rest. Any other date may be private.
+    """Return the measurement dates in a text of several cells, and the rest of the text.
+
+    Each with the word that marks it as the date of the measurement. Any other date may be private.
     """
     dated = [f"{found['key']}: {found['date']}" for found in _DATED.finditer(text)]
     return dated, _DATED.sub("", text)
 
 
 def is_axis(text: str) -> bool:
-    """Return whether a text is a name of an axis (``X``, ``X1``, ``AX12``), and no word."""
+    """Return whether a text is the name of an axis (``X``, ``X1``, ``AX12``), not a word."""
     return _AXIS.fullmatch(text.strip()) is not None
 
 
 def is_keywords(text: str, *, digits: int = 2) -> bool:
-    """Return whether a text consists of words of the list, units, single letters, marks, and
-    numbers of at most so many ``digits``.
+    """Return whether a text contains only permitted words, units, letters, marks, and numbers of at
+    most ``digits`` digits.
     """
     for token in _TOKEN.findall(text):
         if token.isspace() or token in _MARKS:
@@ -164,13 +165,14 @@ def is_keywords(text: str, *, digits: int = 2) -> bool:
 
 
 def is_quantity(text: str) -> bool:
-    """Return whether a text is a number with a unit, such as ``25 mm``, or such words as ``As
-    errors``.
+    """Return whether a text is a quantity such as ``25 mm``, or permitted words.
+
+    Such as ``As errors``.
     """
     number, _, unit = text.strip().partition(" ")
     return is_numbers(text) or (is_one_number(number) and is_keywords(unit)) or is_keywords(text)
 
 
 def is_result(text: str) -> bool:
-    """Return whether a text is a name that the instrument's software gives a result or its unit."""
+    """Return whether a text is a name or a unit that the instrument's software gives to results."""
     return all(piece in RESULT_WORDS for piece in text.upper().replace("-", "_").split("_"))

@@ -1,5 +1,5 @@
-"""Excel workbooks without private data: a new workbook with only cells in it, no properties, no
-notes, no formulas, no hidden parts; the same bytes each time.
+"""Copy Excel workbooks without private data: only cells, no properties, notes, formulas or hidden
+parts.
 """
 
 from __future__ import annotations
@@ -26,8 +26,9 @@ _HEAD: Final = '<?xml version="1.0" encoding="UTF-8" standalone="yes"?>\n'
 
 
 def workbook_of(sheets: Sequence[WorkbookSheet]) -> bytes:
-    """Return a workbook with these sheets: cells separated by tabs; numbers as numbers, except in
-    the header row, where ``+1`` would lose its sign.
+    """Return a workbook with these sheets. Cells are separated by tabs.
+
+    Numbers as numbers, except in the header row, where ``+1`` would lose its sign.
     """
     count = range(1, len(sheets) + 1)
     parts = {

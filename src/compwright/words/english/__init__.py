@@ -1,4 +1,4 @@
-"""The English catalogue."""
+"""The English catalogue of sentences."""
 
 from __future__ import annotations
 

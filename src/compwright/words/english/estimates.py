@@ -1,4 +1,4 @@
-"""What the estimate of an error and the diagnosis of circles say."""
+"""Sentences about the estimate of an error and the diagnosis of circles."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Labels and fixed sentences of reports; each further language has all of them."""
+"""Labels and fixed sentences of reports. Each further language has all of them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The French catalogue. Terms: docs/terms.md."""
+"""The French catalogue of sentences. Terms: docs/terms.md."""
 
 from __future__ import annotations
 

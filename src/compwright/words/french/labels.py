@@ -1,4 +1,4 @@
-"""Labels and fixed sentences of reports."""
+"""Labels and fixed sentences of reports, translated."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Sentences of the pages of `run`, `verify` and circles, in French."""
+"""French sentences on the pages of `run`, `verify` and circles."""
 
 from __future__ import annotations
 

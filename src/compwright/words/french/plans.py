@@ -1,4 +1,4 @@
-"""What is decided on the way from results to tables."""
+"""Sentences about decisions between results and tables."""
 
 from __future__ import annotations
 

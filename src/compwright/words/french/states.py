@@ -1,4 +1,4 @@
-"""What is noticed about a control's files, in them and between two sets of them."""
+"""Sentences about a control's files: their contents, and differences between two sets."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the fit of a table says."""
+"""Sentences about the fit of a table."""
 
 from __future__ import annotations
 

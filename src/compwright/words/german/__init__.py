@@ -1,4 +1,4 @@
-"""The German catalogue. Terms: docs/terms.md."""
+"""The German catalogue of sentences. Terms: docs/terms.md."""
 
 from __future__ import annotations
 

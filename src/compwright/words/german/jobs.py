@@ -1,4 +1,4 @@
-"""What is noticed about a job."""
+"""Sentences about a job."""
 
 from __future__ import annotations
 

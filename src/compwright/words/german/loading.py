@@ -1,4 +1,4 @@
-"""What a test after loading shows."""
+"""Sentences about a test after loading."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is noticed about positioning and circular tests."""
+"""Sentences about positioning and circular tests."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The Russian catalogue. Terms: docs/terms.md."""
+"""The Russian catalogue of sentences. Terms: docs/terms.md."""
 
 from __future__ import annotations
 

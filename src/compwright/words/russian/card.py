@@ -1,4 +1,4 @@
-"""The commissioning card: its labels and fixed sentences."""
+"""Labels and fixed sentences of the commissioning card."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is noticed while measurement files are read."""
+"""Sentences about the reading of measurement files."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Sentences and parts of sentences of several findings."""
+"""Sentences and parts of sentences that several findings use."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""French texts of controls: of their definitions and families, by their English template."""
+"""French texts of controls, from their definitions and families, by the English template."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Texts of controls with rows by position, by their English template."""
+"""Translated texts of controls with rows by position, by the English template."""
 
 from __future__ import annotations
 

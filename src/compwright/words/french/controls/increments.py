@@ -1,4 +1,4 @@
-"""Texts of controls with whole steps by section, by their English template."""
+"""Translated texts of controls with whole increments by section, by the English template."""
 
 from __future__ import annotations
 

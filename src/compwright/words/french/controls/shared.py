@@ -1,4 +1,4 @@
-"""Texts of several controls, and of the card itself, by their English template."""
+"""Translated texts of several controls, and of the card, by the English template."""
 
 from __future__ import annotations
 

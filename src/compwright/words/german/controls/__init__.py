@@ -1,4 +1,4 @@
-"""German texts of controls: of their definitions and families, by their English template."""
+"""German texts of controls, from their definitions and families, by the English template."""
 
 from __future__ import annotations
 

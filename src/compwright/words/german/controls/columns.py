@@ -1,4 +1,4 @@
-"""Texts of controls with columns of tables, by their English template."""
+"""Translated texts of controls with columns of tables, by the English template."""
 
 from __future__ import annotations
 

@@ -1,4 +1,6 @@
-"""Texts of controls with tables by index and tables between axes, by their English template."""
+"""Translated texts of controls with tables by index and tables between axes, by the English
+template.
+"""
 
 from __future__ import annotations
 

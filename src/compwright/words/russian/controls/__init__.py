@@ -1,4 +1,4 @@
-"""Russian texts of controls: of their definitions and families, by their English template."""
+"""Russian texts of controls, from their definitions and families, by the English template."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Texts of controls with compensation value lists, by their English template."""
+"""Translated texts of controls with compensation value lists, by the English template."""
 
 from __future__ import annotations
 

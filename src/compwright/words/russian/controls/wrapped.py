@@ -1,4 +1,6 @@
-"""Texts of controls with parts of a count over a length that repeats, by their English template."""
+"""Translated texts of controls with repeating tables in fractions of a count, by the English
+template.
+"""
 
 from __future__ import annotations
 
