@@ -1,4 +1,4 @@
-"""What flows between the rooms: frozen records that carry their own unit, direction, sign and
+"""The common data of all rooms: immutable records that contain their own unit, direction, sign and
 origin.
 
 Inside: positions and deviations in mm (linear) or deg (rotary). Deviation = measured minus target.

@@ -1,4 +1,4 @@
-"""An axis of the machine, as the job and the control name it."""
+"""An axis of the machine, with its names in the job and on the control."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ class Direction(StrEnum):
 
     @property
     def sign(self) -> int:
-        """+1 or -1."""
+        """+1 or -1, as a number."""
         return 1 if self is Direction.POSITIVE else -1
 
     @property
     def opposite(self) -> Direction:
-        """The other direction."""
+        """The opposite direction."""
         return Direction.NEGATIVE if self is Direction.POSITIVE else Direction.POSITIVE
 
 
@@ -41,21 +41,21 @@ Motion = Literal["feed", "rapid"]
 
 
 class AxisKind(StrEnum):
-    """Linear (mm) or rotary (deg)."""
+    """Kind of axis: linear (mm) or rotary (deg)."""
 
     LINEAR = "linear"
     ROTARY = "rotary"
 
     @property
     def unit(self) -> PositionUnit:
-        """Unit of positions and deviations inside: mm or deg."""
+        """The internal unit of positions and deviations: mm or deg."""
         return "mm" if self is AxisKind.LINEAR else "deg"
 
 
 @dataclass(frozen=True, slots=True)
 class PositionMap:
-    """machine = sense * instrument + offset. ``sense`` -1 also swaps the directions and the sign of
-    deviations.
+    """The conversion machine = sense * instrument + offset. ``sense`` -1 also exchanges the
+    directions and the sign of deviations.
     """
 
     sense: Literal[1, -1] = 1
@@ -64,8 +64,9 @@ class PositionMap:
 
 @dataclass(frozen=True, slots=True)
 class Encoder:
-    """The measuring system: ``system`` 1 or 2 (2 is index 1 in files that count from 0); ``stated``
-    False: it is an assumption.
+    """The measuring system of an axis: ``system`` 1 or 2.
+
+    2 is index 1 in files that count from 0; ``stated`` False: it is an assumption.
     """
 
     type: Literal["incremental", "absolute", "distance_coded"] = "incremental"
@@ -75,7 +76,8 @@ class Encoder:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Axis:
-    """One axis. ``travel``, ``reference`` and ``screw_pitch`` in mm or deg, machine coordinates.
+    """One axis of the machine. ``travel``, ``reference`` and ``screw_pitch`` in mm or deg, machine
+    coordinates.
 
     ``address`` is the control's own name of the axis as text (``"1"``, ``"AX1"``, ``"X"``,
     ``"0"``). The correction is zero at ``reference`` approached in ``reference_return``.
@@ -113,9 +115,7 @@ class Axis:
 
 
 def partner_of(axis: Axis, address: str) -> Axis:
-    """Return the synchronised axis of a gantry: everything but its address and its number is as the
-    leading axis has it.
-    """
+    """Return the slave axis of a gantry. Only its address and its number differ from its master."""
     return replace(
         axis,
         name=f"{axis.name} ({address})",

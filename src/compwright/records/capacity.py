@@ -1,5 +1,6 @@
-"""Capacity of one axis of one control: built by ``formats``, used by ``fitting`` and ``prediction``
-instead of the control.
+"""The limits of one axis of one control. Fitting and prediction use these instead of the control.
+
+Built by ``formats``.
 """
 
 from __future__ import annotations
@@ -14,8 +15,10 @@ from compwright.words.sentences import Sentence
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Lattice:
-    """A control that stores whole increments: node m's total = magnification * ``unit`` * sum of
-    the increments from the reference.
+    """A control that stores whole increments: the correction at a node is their sum from the
+    reference.
+
+    Node m's total = magnification * ``unit`` * sum of the increments.
 
     ``unit`` is the detection unit, mm or deg; ``increments`` the least and largest increment, both
     included; ``magnifications`` those that may be chosen, ascending. ``offset_range``: the second
@@ -34,9 +37,10 @@ class Lattice:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Wave:
-    """A second table that repeats over a short period. Whole increments of ``unit``, mm or deg, at
-    most ``increment`` of them in a section; ``room``: points that are free; ``step``: the sections
-    are multiples of it, mm or deg.
+    """A second table that repeats over a short period, in whole increments of ``unit``, mm or deg.
+
+    At most ``increment`` of them in a section; ``room``: points that are free; ``step``: the
+    sections are multiples of it, mm or deg.
     """
 
     unit: float
@@ -45,7 +49,7 @@ class Wave:
     step: float
 
     def holds(self, section: float) -> bool:
-        """Whether a section, mm or deg, can be written exactly."""
+        """Return whether a section length, mm or deg, can be written exactly."""
         return abs(section / self.step - round(section / self.step)) < 1e-6
 
 
@@ -120,6 +124,6 @@ class Capacity:
 
     @property
     def at_most(self) -> int | None:
-        """The largest number of points, set or ever to be set; None: no limit is known."""
+        """The largest possible number of points. None: no limit is known."""
         limits = (self.max_points, self.most_points)
         return min((limit for limit in limits if limit is not None), default=None)

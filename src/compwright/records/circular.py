@@ -1,5 +1,5 @@
-"""A circular test: the radius along a commanded circle in both senses (ISO 230-4 clause 4), and
-what its evaluation gives.
+"""A circular test (ISO 230-4 clause 4): radius along a commanded circle in both directions, and its
+evaluation.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ CIRCULAR_NAMES: Final = (
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CircularRun:
-    """One traverse of the circle or arc, without overshoot.
+    """One run over the circle or arc, without overshoot.
 
     ``angles`` (n,) deg: commanded polar angle from the first axis to the second, in the same sense
     for both directions, in the order in which the samples were taken: ascending for ``ccw`` (from
@@ -51,7 +51,8 @@ class CircularRun:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CircularTest:
-    """A circular test in one plane. Lengths mm, ``feed`` mm/min along the path, angles deg.
+    """A circular test in one plane. Lengths in mm, ``feed`` in mm/min along the path, angles in
+    deg.
 
     ``axes``: first and second axis, in the order of the plane. ``arc``: least angle of the arc (0
     <= start < 360) and its extent (at most 360). ``calibrated``: the length of the bar was
@@ -86,8 +87,8 @@ class CircularTest:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CircularEffect:
-    """One cause of the deviations. ``unit``: um, um/m or ms; ``effect``: its own peak-to-peak
-    radial effect over both runs, µm.
+    """One cause of the deviations. ``unit``: um, um/m or ms; ``effect``: its peak-to-peak radial
+    effect over both runs, µm.
 
     ``share`` is ``effect`` over the sum of all effects. ``low``: lower end of a one-sided 95 %
     interval where the value cannot be negative; None else. ``more``: what belongs to the value, by
@@ -106,8 +107,10 @@ class CircularEffect:
 
 @dataclass(frozen=True, slots=True)
 class FreshRun:
-    """What the fit of a circular test knows of one run of a fresh test. At the ``angles`` (n,) deg:
-    readings without noise ``paths`` and ``noise`` (d, n) mm, each row as probable as the others.
+    """Random draws of one run of a new circular test, by the fit of the measured one.
+
+    At the ``angles`` (n,) deg: readings without noise ``paths`` and ``noise`` (d, n) mm, each row
+    as probable as the others.
     """
 
     angles: FloatArray
@@ -117,9 +120,10 @@ class FreshRun:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FittedRun:
-    """What all causes together make of a run: ``angles`` (n,) deg as measured, ``deviations`` (n,)
-    mm of the fit, ``residuals`` (n,) mm, measured minus fitted. Of a long run only samples at equal
-    steps.
+    """The fit of one run by all causes: angles in deg, deviations and residuals in mm.
+
+    ``angles`` (n,) deg as measured, ``deviations`` (n,) mm of the fit, ``residuals`` (n,) mm,
+    measured minus fitted. Of a long run only samples at equal steps.
     """
 
     sense: Sense
@@ -131,8 +135,10 @@ class FittedRun:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Diagnosis:
-    """Causes by their contract names, their correlation (in the order of ``names``), and what the
-    data cannot separate.
+    """The causes of a circular test by their JSON names, their correlation, and the causes that
+    cannot be separated.
+
+    In the order of ``names``.
 
     ``plain``: the same quantities by the plain harmonic-and-reversal regression, for comparison
     with other software. ``residual``: rms of what remains, mm. ``correlation_length``: of the
@@ -155,8 +161,8 @@ class Diagnosis:
 
     @property
     def not_given(self) -> Mapping[str, Sentence]:
-        """Reasons of the causes that have no value for the outside: those that are undetermined,
-        and a squareness that is not known well enough.
+        """The reasons for causes without a value: undetermined, or a squareness that is too
+        uncertain.
         """
         effect = self.effects.get("squareness")
         if (
@@ -170,8 +176,8 @@ class Diagnosis:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CircularResult:
-    """Parameters by their contract names, mm, None where not defined (reason in
-    ``not_applicable``).
+    """The parameters of a circular test by their JSON names, mm. None where undefined, with the
+    reason in ``not_applicable``.
 
     ``centres`` (``ccw``, ``cw``, ``common``): least-squares centres, mm. ``mean_radius_deviation``
     by sense: radius of the least-squares circle minus nominal, mm. ``zone_centres`` and

@@ -1,5 +1,5 @@
-"""The conditions of a measurement as the job gives them: temperatures with their coefficients, and
-the contributors to the uncertainty.
+"""The conditions of a measurement in the job: temperatures with coefficients, and uncertainty
+contributors.
 
 Apart from the job, because evaluating a file needs these records and nothing else of it.
 """
@@ -36,14 +36,14 @@ class Thermal:
 
     @property
     def slope(self) -> float:
-        """Differential expansion, mm per mm from ``x_fix``."""
+        """The differential expansion, mm per mm from ``x_fix``."""
         return 1e-6 * (self.alpha_m * (self.T_m - 20.0) - self.alpha_d * (self.T_d - 20.0))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class UncertaintyBudget:
-    """Contributors of ISO 230-2:2006 annex A as expanded uncertainties (k = 2): µm (rotary:
-    arcsec), µm/m, K, µm/(m K).
+    """Uncertainty contributors of ISO 230-2:2006 annex A as expanded uncertainties (k = 2): µm
+    (rotary: arcsec), µm/m, K, µm/(m K).
 
     Two are ranges as in the annex: ``misalignment_mm``, the lateral range of the beam over the
     measured length, and ``E_VE``, the drift of a stand-still test as long as the run.
@@ -60,9 +60,10 @@ class UncertaintyBudget:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CircularBudget:
-    """Contributors to the uncertainty of circular tests (k = 2). Instrument ``U`` (a change in
-    length), calibrated ``length`` of the bar and ``setup`` in µm, ``U_theta`` K, ``U_alpha`` µm/(m
-    K); ``E_VE`` is a range, µm.
+    """Uncertainty contributors of circular tests (k = 2).
+
+    Instrument ``U`` (a change in length), calibrated ``length`` of the bar and ``setup`` in µm,
+    ``U_theta`` K, ``U_alpha`` µm/(m K); ``E_VE`` is a range, µm.
     """
 
     U: float = 0.0

@@ -1,5 +1,5 @@
-"""Compensation in a control for one axis, in neutral form: a correction by position and approach
-direction.
+"""The compensation of one axis independent of the control's format: a correction by position and
+approach direction.
 
 Correction = what the control adds to the command, mm or deg. A control that stores errors,
 increments or actual positions is converted to this by the room ``formats``, and independently of it
@@ -29,7 +29,7 @@ Judged = Literal["independent", "read_back"]
 
 @dataclass(frozen=True, slots=True)
 class ControlFile:
-    """A file of a control: its bare name (no folder) and its bytes.
+    """A file of a control: its name without folder, and its bytes.
 
     ``folder``: the folder that was named in its place, empty where the file itself was: files of a
     folder come in the order of their names, which says nothing of the order in which they count.
@@ -50,7 +50,7 @@ class ControlFile:
 
 @dataclass(frozen=True, slots=True)
 class Assumption:
-    """A fact that was not in the files and had to be assumed."""
+    """An assumed fact that was not in the files."""
 
     fact: str
     value: str
@@ -91,9 +91,7 @@ class AxisCompensation:
         return self.positive if direction is Direction.POSITIVE else self.negative
 
     def at(self, positions: FloatArray, direction: Direction) -> FloatArray:
-        """Return the correction at ``positions`` (any shape) approached in ``direction``,
-        everything together.
-        """
+        """Return the total correction at ``positions`` (any shape) approached in ``direction``."""
         where = np.asarray(positions, dtype=np.float64)
         total = np.zeros(where.shape)
         if self.positions.size:
@@ -144,7 +142,7 @@ def no_compensation(
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CrossCompensation:
-    """Correction of one axis by the position of another: squareness, straightness.
+    """The correction of one axis by the position of another axis: squareness, straightness.
 
     ``positions`` (k,) of the axis ``input``, strictly ascending, mm or deg; ``positive``,
     ``negative`` (k,): what the control adds to the axis ``output`` while ``input`` is approached in
@@ -164,7 +162,7 @@ class CrossCompensation:
     period: float | None = None
 
     def at(self, positions: FloatArray, direction: Direction) -> FloatArray:
-        """Return the correction of ``output`` at ``positions`` (any shape) of ``input`` approached
+        """Return the correction of ``output`` at ``positions`` (any shape) of ``input``, approached
         in ``direction``.
         """
         as_axis = AxisCompensation(
@@ -182,7 +180,7 @@ class CrossCompensation:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ControlState:
-    """State in a set of control files: compensation by address, corrections between axes, and
+    """The state in a set of control files: compensation by address, corrections between axes, and
     further facts.
 
     ``facts``: by address. ``tables``: those between axes, active or not. ``reserved``: numbers of
@@ -201,5 +199,5 @@ class ControlState:
     findings: tuple[Finding, ...] = ()
 
     def facts_of(self, address: str) -> AxisFacts:
-        """Return the facts of an axis in the files; empty if they do not name it."""
+        """Return the facts about an axis in the files. Empty if they do not name it."""
         return self.facts.get(address, AxisFacts())

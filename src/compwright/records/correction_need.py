@@ -1,4 +1,4 @@
-"""Whether a squareness or a scale error is known well enough to be corrected."""
+"""Decide whether a squareness or a scale error is certain enough to be corrected."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ Need = Literal["correct", "negligible", "undetermined"]
 
 
 def correction_need(value: float, std_error: float) -> Need:
-    """Return whether a squareness or scale error (both µm/m) is to be corrected, needs no
-    correction, or is not known well enough for either.
+    """Return whether a squareness or scale error (µm/m) is corrected, needs no correction, or is
+    too uncertain.
     """
     uncertainty = _BOTH_SIDES * std_error
     if uncertainty < most_uncertain(value):
@@ -26,7 +26,7 @@ def correction_need(value: float, std_error: float) -> Need:
 
 
 def most_uncertain(value: float) -> float:
-    """Return below what two standard errors of a corrected ``value`` have to be, µm/m."""
+    """Return the largest acceptable value of two standard errors for correcting ``value``, µm/m."""
     return min(0.5 * abs(value), MOST_UNCERTAIN)
 
 

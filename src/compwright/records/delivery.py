@@ -9,8 +9,10 @@ from compwright.records.correction import ControlFile
 
 @dataclass(frozen=True, slots=True)
 class Delivery:
-    """``files``: exactly what the control loads; ``back``: small files, in addition to the byte
-    copies of its own, which restore the old values. ``own``: the files are its own ones, patched.
+    """The files to load into a control, and the files that restore its old contents.
+
+    ``files``: exactly what the control loads; ``back``: small files, in addition to the byte copies
+    of its own, which restore the old values. ``own``: the files are its own ones, patched.
     """
 
     files: tuple[ControlFile, ...]

@@ -1,7 +1,4 @@
-"""Tests of two columns: a stand-still test, that is readings of the instrument over time while the
-axis does not move (environmental temperature variation error, ISO 230-3); lost motion over the
-distance or the speed of the move.
-"""
+"""Stand-still tests (readings over time without motion) and lost motion over distance or speed."""
 
 from __future__ import annotations
 
@@ -15,8 +12,10 @@ from compwright.records.axis import AxisKind, FloatArray
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DriftTest:
-    """Readings over time: ``minutes`` (k,) strictly ascending, ``deviations`` (k,) mm or deg by
-    ``kind``; ``header``: what the file says about the test, as text.
+    """Readings over time while the axis stands still: ``minutes`` (k,) ascending, ``deviations``
+    (k,) mm or deg.
+
+    By ``kind``; ``header``: what the file says about the test, as text.
     """
 
     kind: AxisKind
@@ -28,8 +27,9 @@ class DriftTest:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LostMotionTest:
-    """Lost motion (k,), mm, after ``moves`` (k,) ascending: their distance, mm, or speed, mm/min,
-    by ``over``; ``header``: what the file says about the test, as text.
+    """Lost motion (k,), mm, after ``moves`` (k,) of increasing distance, mm, or speed, mm/min.
+
+    By ``over``; ``header``: what the file says about the test, as text.
     """
 
     over: Literal["distance", "speed"]
@@ -41,7 +41,7 @@ class LostMotionTest:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DriftRequest:
-    """The file of a stand-still test, and the duration (min) of a positioning test of the job;
+    """The file of a stand-still test, and the duration (min) of a positioning test of the job.
     None: not given.
     """
 

@@ -1,4 +1,4 @@
-"""What was around a machine over time, and when its readings were taken."""
+"""The environment of a machine over time, and the times of its readings."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ MATERIAL: Final = "material_c"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ReadingTimes:
-    """When the readings of a test were taken, by direction (m, n); s, or what the file's own
-    numbers count; NaN where no reading is.
+    """The times of a test's readings, by direction (m, n), in s or in the file's own counts. NaN
+    without a reading.
     """
 
     clock: Clock
@@ -29,8 +29,9 @@ class ReadingTimes:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class EnvironmentRecord:
-    """A record of the environment: ``times`` (k,) strictly ascending, as those of `ReadingTimes`;
-    ``values`` (k,) by column: all three of `AIR` (°C, hPa, %) or none, and `MATERIAL` (°C).
+    """A record of the environment: ``times`` (k,) ascending, and ``values`` (k,) by column.
+
+    Times as those of `ReadingTimes`; all three of `AIR` (°C, hPa, %) or none, and `MATERIAL` (°C).
     """
 
     clock: Clock
@@ -40,13 +41,13 @@ class EnvironmentRecord:
 
     @property
     def has_air(self) -> bool:
-        """Whether the refractive index of the air is known."""
+        """Whether the record contains the refractive index of the air."""
         return AIR[0] in self.values and AIR[1] in self.values and AIR[2] in self.values
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class InstrumentAir:
-    """The air (°C, hPa, %) for which the display of a laser counts; ``stated``: by the job."""
+    """The air (°C, hPa, %) that the display of a laser assumes. ``stated``: by the job."""
 
     air_c: float = 20.0
     pressure_hpa: float = 1013.25
@@ -56,8 +57,8 @@ class InstrumentAir:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class EnvironmentRequest:
-    """The files of a record, the equation of the refractive index, and the air for which the
-    instrument counts; None: it counts in wavelengths of vacuum.
+    """The job's environment files, the equation of the refractive index, and the air that the
+    instrument assumes.
     """
 
     files: tuple[str, ...]
@@ -67,8 +68,10 @@ class EnvironmentRequest:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Environment:
-    """The record by which a test is reduced, and how: see `EnvironmentRequest`. ``needs_time``:
-    the readings have to say when they were taken, because the record holds other tests too.
+    """The environment record that corrects a test, and the method; see `EnvironmentRequest`.
+
+    ``needs_time``: the readings have to say when they were taken, because the record holds other
+    tests too.
     """
 
     record: EnvironmentRecord

@@ -1,4 +1,4 @@
-"""The error of an axis as estimated from a test, and what is wanted of the control."""
+"""The estimated error of an axis, and the wanted correction."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from compwright.records.axis import AxisKind, Direction, FloatArray
 
 @dataclass(frozen=True, slots=True)
 class AxisPeriod:
-    """A period of the error, mm or deg, its probability, and its source: the job, the search, or
-    the control's own files.
+    """A period of the error, mm or deg, its probability, and its source: job, search, or control
+    files.
     """
 
     period: float
@@ -24,16 +24,18 @@ class AxisPeriod:
 
     @property
     def named(self) -> bool:
-        """Whether it counts where something has to be decided: it is there rather than not."""
+        """Whether the period counts in decisions, because it is more probable than not."""
         return self.probability > 0.5
 
 
 @dataclass(frozen=True, slots=True)
 class PeriodEvidence:
-    """What speaks for a wave of each of the ``periods`` (k,) ascending, mm or deg: natural
-    logarithm ``log_odds`` (k,) of its likelihood over that of none. ``detectable`` (k,): amplitude,
-    mm or deg, from which the test shows a wave in 95 % of all cases at three standard errors; inf
-    where it shows none. ``alike``: groups of periods that the targets cannot tell apart.
+    """The evidence for a wave of each of the ``periods`` (k,), ascending, mm or deg.
+
+    Natural logarithm ``log_odds`` (k,) of its likelihood over that of none. ``detectable`` (k,):
+    amplitude, mm or deg, from which the test shows a wave in 95 % of all cases at three standard
+    errors; inf where it shows none. ``alike``: groups of periods that the targets cannot tell
+    apart.
     """
 
     periods: FloatArray
@@ -44,8 +46,8 @@ class PeriodEvidence:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ErrorEstimate:
-    """Deviation over the travel with its uncertainty, mm or deg, in the state in which it was
-    measured.
+    """The deviation over the travel with its uncertainty, mm or deg, in the state during the
+    measurement.
 
     ``positions`` (g,) strictly ascending over the whole travel; ``mean_*`` and ``std_*`` (g,) for
     approaches in + and -. Measured in one direction only: both directions hold that one's curve and
@@ -67,11 +69,13 @@ class ErrorEstimate:
     periods: tuple[AxisPeriod, ...] = ()
 
     def mean(self, direction: Direction) -> FloatArray:
-        """Return the estimated deviation (g,) of one approach direction."""
+        """Return the estimated deviation (g,) in one approach direction."""
         return self.mean_positive if direction is Direction.POSITIVE else self.mean_negative
 
     def taken(self, places: NDArray[np.intp]) -> ErrorEstimate:
-        """Return the same at some of the positions, by their ``places`` (k,) ascending."""
+        """Return the estimate at some of the positions, by their ascending indices ``places``
+        (k,).
+        """
         return replace(
             self,
             positions=self.positions[places],
@@ -84,8 +88,9 @@ class ErrorEstimate:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Scenarios:
-    """Fresh tests that may come, equally likely, by which a goal of the fit is judged. ``count``
-    tests of m targets each; arrays (count * m,), test by test, mm or deg.
+    """Simulated tests, equally likely, that judge a goal of the fit.
+
+    ``count`` tests of m targets each; arrays (count * m,), test by test, mm or deg.
 
     ``positive``, ``negative``: by how much the mean of the readings lies beyond the estimated
     error; ``half_*``: k s of those readings, 0 where there is no s. Empty: a direction that is not
@@ -125,5 +130,5 @@ class WantedCorrection:
     scenarios: Scenarios | None = None
 
     def total(self, direction: Direction) -> FloatArray:
-        """Return the wanted total (g,) of one approach direction."""
+        """Return the wanted total correction (g,) in one approach direction."""
         return self.positive if direction is Direction.POSITIVE else self.negative

@@ -1,4 +1,4 @@
-"""Facts about the axes in a control's own files, other than the compensation itself."""
+"""Facts about the axes in a control's own files, except the compensation."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class Turn:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PairFacts:
-    """Facts of one axis about tables between axes, or of the axis over itself.
+    """Facts about the tables between axes of one axis, or of the axis over itself.
 
     ``own``: the indices of its own two tables, + first. ``max_sum``: the control's limit of the sum
     of all corrections on it, mm or deg; None: unknown. ``metric``: their values are in mm, not in
@@ -45,7 +45,7 @@ class PairFacts:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AxisFacts:
-    """Facts about one axis in a control's files; None or empty: they do not state it.
+    """Facts about one axis in a control's files. None or empty: the files do not state them.
 
     ``name``: its name there; ``machine_name``: the machine's own name of it, used in the names of
     new files. ``letters``: the axes of all joints, one letter each. ``limits``: the software limits
@@ -97,8 +97,10 @@ class AxisFacts:
 
 @dataclass(frozen=True, slots=True)
 class PairTables:
-    """The tables between axes that a control's files hold, by index: input and output axis, and the
-    points that are reserved. ``stay``: those over an axis itself that stay whatever is written.
+    """The tables between axes in a control's files, by index: input axis, output axis and reserved
+    points.
+
+    ``stay``: those over an axis itself that stay whatever is written.
     """
 
     used: Mapping[int, tuple[str, str]] = field(default_factory=dict)

@@ -1,6 +1,4 @@
-"""The table that a control will hold, with the proof that it is the best under the control's
-limits.
-"""
+"""The table of a control, with the proof that it is the best under the control's limits."""
 
 from __future__ import annotations
 
@@ -18,7 +16,7 @@ Gain = Literal["any", "seen"]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TableRequest:
-    """What the job asks of the grid, mm or deg: all optional.
+    """The job's requests for the grid of a table, mm or deg. All are optional.
 
     ``spacing``: a number names it, "auto" lets compwright choose, None keeps the grid that is in
     the control (and chooses where there is none). ``gain``: "any" writes every table that improves
@@ -34,18 +32,18 @@ class TableRequest:
 
     @property
     def named_spacing(self) -> float | None:
-        """The spacing that the job names, mm or deg; None: it names none."""
+        """The spacing in the job, mm or deg. None: the job names none."""
         return None if self.spacing == "auto" else self.spacing
 
     @property
     def keeps(self) -> bool:
-        """Whether the grid that is in the control is to stay."""
+        """Whether the existing grid of the control stays."""
         return self.spacing is None
 
 
 @dataclass(frozen=True, slots=True)
 class Limit:
-    """A limit of the control that costs accuracy, and how much: ``value`` in mm or deg."""
+    """A limit of the control that costs accuracy. ``value``: the cost in mm or deg."""
 
     cause: str
     value: float
@@ -53,8 +51,8 @@ class Limit:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FittedTable:
-    """``compensation``: the rounded table as the control will hold it. ``certificate``: numbers
-    that prove the fit, by name.
+    """The rounded table as the control will hold it. ``certificate``: numbers that prove the fit,
+    by name.
 
     ``mode`` is the choice made (single: one curve and one reversal value; bidirectional),
     ``mode_reason`` why in one sentence. ``keeps_grid``: its nodes are those that were there.

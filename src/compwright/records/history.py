@@ -1,4 +1,4 @@
-"""A machine over the years: one entry for each test, from the records of result folders."""
+"""The history of a machine: one entry for each test, from the records of result folders."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ SameTable = Literal["same", "changed", "unknown"]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class HistoryEntry:
-    """One test of an axis or a plane.
+    """One test of an axis or a plane in a history.
 
     ``folder``: the result folder; ``number``: the place of the test in it. ``what``: the axis, or
     the plane of a circle. ``date`` as the file states it, ``day`` the same so that it can be sorted
@@ -52,8 +52,7 @@ class HistoryEntry:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class NotedChange:
-    """A parameter that differs between two entries (by their places in the series) beyond the
-    uncertainty.
+    """A parameter that differs between two entries of a history by more than the uncertainty.
 
     ``size``, ``std_error``: in the unit of the parameter; ``score``: the standard normal value as
     improbable; ``chance``: how often tests of an unchanged machine differ as much.
@@ -74,7 +73,7 @@ class NotedChange:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class NotedJump:
-    """A step of a parameter between two entries (by their places in the series)."""
+    """A sudden change of a parameter between two entries of a history."""
 
     before: int
     after: int
@@ -84,10 +83,11 @@ class NotedJump:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class NotedTrend:
-    """How fast a parameter changes, in its unit per year, over the entries ``tests`` (by their
-    places in the series). ``limit``: None where none was given; ``reached``: median day on which it
-    will be reached, ``earliest`` and ``latest`` the ends of 90 % (ISO 8601, empty where it is more
-    than 30 years ahead).
+    """The rate of change of a parameter, in its unit per year, and when it reaches its limit.
+
+    Over the entries ``tests`` (by their places in the series). ``limit``: None where none was
+    given; ``reached``: median day on which it will be reached, ``earliest`` and ``latest`` the ends
+    of 90 % (ISO 8601, empty where it is more than 30 years ahead).
     """
 
     parameter: str

@@ -1,4 +1,4 @@
-"""What a result folder says of itself: the files that went in, with where each lies in it."""
+"""The record of the input files of a result folder, and the places of their copies."""
 
 from __future__ import annotations
 
@@ -22,8 +22,10 @@ InputRole = Literal[
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RecordedInput:
-    """A file that a command read. ``file``: as the job or the command line names it; ``copy``:
-    where the same bytes are below the result folder (None: not in it); ``of``: the test or state.
+    """A file that a command read, and the place of its copy.
+
+    ``file``: as the job or the command line names it; ``copy``: where the same bytes are below the
+    result folder (None: not in it); ``of``: the test or state.
 
     ``by``: ``run`` or ``verify``.
     """

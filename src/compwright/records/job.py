@@ -1,5 +1,6 @@
-"""A job: the requests of the engineer. Paths are text as written; ``workflow`` resolves them
-against the job's folder.
+"""A job: the requests of the engineer. Paths are text as written.
+
+``workflow`` resolves them against the job's folder.
 """
 
 from __future__ import annotations
@@ -26,8 +27,7 @@ AS_FOUND = "as_found"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TestRequest:
-    """One test of an axis: its files, its name, the state it was measured in, how its positions map
-    to the machine's, and how the axis was driven.
+    """One test of an axis: its files, name, state of the control, position map, and motion.
 
     ``thermal``: its differential expansion, by its own keys over those of the axis over those of
     the job; ``own_temperatures``: those of ``T_m`` and ``T_d`` that its own keys state, so that its
@@ -49,8 +49,8 @@ class TestRequest:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Acceptance:
-    """Limits by parameter name in µm or arcsec, for the test ``test`` (None: the first, or the
-    circle that they are given for).
+    """Limits by parameter name in µm or arcsec, for the test ``test`` (None: the first test or the
+    circle).
     """
 
     limits: Mapping[str, float]
@@ -59,8 +59,8 @@ class Acceptance:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CircleRequest:
-    """One circular test: its files (one with both runs, or one per run), its name, and the state it
-    was measured in.
+    """One circular test: its files (one with both runs, or one per run), its name, and its state of
+    the control.
 
     ``centre``: machine coordinates, mm: of the two axes of the plane in their order, or of X, Y and
     Z; None: not given. ``accept``: limits in µm.
@@ -75,8 +75,8 @@ class CircleRequest:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CrossRequest:
-    """Deviations (k,) of the axis ``output`` (mm or deg) measured at ``positions`` (k,) of the axis
-    ``input``, ascending.
+    """Deviations (k,) of the axis ``output`` (mm or deg) at ascending ``positions`` (k,) of the
+    axis ``input``.
     """
 
     input: str
@@ -88,8 +88,8 @@ class CrossRequest:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ApplyRequest:
-    """What of the circular tests is corrected: the bent axis by plane, axes whose scale is taken,
-    where lost motion comes from.
+    """The corrections from circular tests: the bent axis by plane, axes with a new scale, and the
+    source of lost motion.
     """
 
     squareness: Mapping[str, str] = field(default_factory=dict)
@@ -98,16 +98,14 @@ class ApplyRequest:
 
 
 def other_axis(plane: str, bent: str) -> str:
-    """Return the other axis of a plane whose name is that of its two axes, such as X for ``XY`` and
-    ``Y``.
-    """
+    """Return the other axis of a plane, such as X for plane ``XY`` and axis ``Y``."""
     return plane.removesuffix(bent) if plane.endswith(bent) else plane.removeprefix(bent)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Acknowledgement:
-    """A doubt, by the code of its finding, that the job acknowledges, and why; ``axis``: of which
-    axis (None: wherever it is found).
+    """A doubt that the job acknowledges, by finding code and reason. ``axis``: for which axis
+    (None: every axis).
     """
 
     code: str
@@ -117,7 +115,7 @@ class Acknowledgement:
 
 @dataclass(frozen=True, slots=True)
 class Acknowledged:
-    """A doubt that was found, and by what the job acknowledges it."""
+    """A doubt that was found, and the job's acknowledgement of it."""
 
     finding: Finding
     by: Acknowledgement
@@ -125,7 +123,7 @@ class Acknowledged:
 
 @dataclass(frozen=True, slots=True)
 class Logo:
-    """A picture: its media type and its bytes."""
+    """A logo: its media type and its bytes."""
 
     type: str
     content: bytes
@@ -133,8 +131,8 @@ class Logo:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ReportHead:
-    """The language of reports, and what stands at their head, as far as the job gives it; ``logo``:
-    its file, ``image`` what was read from it.
+    """The language of reports and the job's statements for their head. ``logo``: its file;
+    ``image``: its contents.
     """
 
     language: Language = "en"
@@ -149,8 +147,10 @@ class ReportHead:
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AxisJob:
     """The job's requests for one axis. ``before`` may be empty if there are only circles or cross
-    measurements. ``thermal``: the axis' own keys over those of the job. ``stated``: which of
-    ``reference`` and ``reference_return`` the job gives itself.
+    measurements.
+
+    ``thermal``: the axis' own keys over those of the job. ``stated``: which of ``reference`` and
+    ``reference_return`` the job gives itself.
     """
 
     axis: Axis
@@ -163,8 +163,7 @@ class AxisJob:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Job:
-    """The whole job. ``states`` maps a name to the files of that state, `NONE_STATE` for ``none``;
-    empty: not given.
+    """The whole job. ``states``: the control files of each state, `NONE_STATE` for ``none``.
 
     ``active``: by state, whether compensation was active in it if its files switch it off or do not
     state it; absent: not answered. ``options`` are the controller's; an axis' own are in
@@ -199,25 +198,26 @@ class Job:
     findings: tuple[Finding, ...] = ()
 
     def budget(self, kind: AxisKind) -> UncertaintyBudget | None:
-        """Return the contributors for axes of a kind: those in µm say nothing of an angle, and the
-        other way round.
+        """Return the uncertainty contributors for one kind of axis. Those in µm do not apply to
+        angles, and the reverse.
         """
         return self.uncertainty_rotary if kind is AxisKind.ROTARY else self.uncertainty
 
     @property
     def budgets(self) -> dict[AxisKind, UncertaintyBudget]:
-        """The contributors by the kind of axis, of the kinds for which any are declared."""
+        """The declared uncertainty contributors by kind of axis."""
         every = {kind: self.budget(kind) for kind in AxisKind}
         return {kind: budget for kind, budget in every.items() if budget is not None}
 
     def acknowledgement(self, code: str, axis: str) -> Acknowledgement | None:
-        """Return by what the job acknowledges a doubt about an axis; None where it does not."""
+        """Return the acknowledgement of a doubt about an axis. None without one."""
         given = (each for each in self.acknowledged if each.code == code)
         return next((each for each in given if each.axis in (None, axis)), None)
 
     def with_environment(self, record: Environment, T_m: float | None) -> Job:
-        """Return the job whose linear tests are reduced by ``record``; ``T_m``: the mean of its
-        material (°C), which counts where no key states one.
+        """Return the job with its linear tests corrected by the environment ``record``.
+
+        ``T_m``: the mean of its material (°C), which counts where no key states one.
         """
 
         def known(thermal: Thermal | None) -> Thermal | None:
@@ -241,8 +241,8 @@ class Job:
         return replace(self, axes=axes, thermal=known(self.thermal))
 
     def with_variation(self, kind: AxisKind, E_VE: float) -> Job:
-        """Return the job with a range (µm or arcsec) of the environmental variation for axes of a
-        kind.
+        """Return the job with a range (µm or arcsec) of environmental variation for one kind of
+        axis.
         """
         budget = replace(self.budget(kind) or UncertaintyBudget(), E_VE=E_VE)
         if kind is AxisKind.ROTARY:

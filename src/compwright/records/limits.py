@@ -1,4 +1,4 @@
-"""Causes that limit a parameter of an axis."""
+"""The causes that limit a parameter of an axis."""
 
 from __future__ import annotations
 
@@ -7,9 +7,10 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LimitingCause:
-    """One cause: ``value`` is the predicted median of the parameter with the cause less the one
-    without it, mm or deg. Both are from the same draws; it is negative where it happens to cancel
-    another cause.
+    """One limiting cause. ``value``: the predicted median of the parameter with the cause minus
+    that without it, mm or deg.
+
+    Both are from the same draws; it is negative where it happens to cancel another cause.
 
     ``rms``: of a limit of the control, the root mean square that it leaves over the travel and both
     directions (mm or deg); None: not one of those.
@@ -22,9 +23,10 @@ class LimitingCause:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LimitingCauses:
-    """What a fresh test at new targets is expected to show of one ``parameter``. Medians in mm or
-    deg: ``now`` with what is in the control, ``then`` with what is written, ``least`` of an axis
-    without any error, by its scatter alone.
+    """The limiting causes of one ``parameter`` in a new test at new targets. Medians in mm or deg.
+
+    ``now`` with what is in the control, ``then`` with what is written, ``least`` of an axis without
+    any error, by its scatter alone.
 
     ``spread``: the standard deviation of ``then`` from test to test, below its median: a few
     readings far off stretch it above. ``causes``, the largest first, do not add up to ``then``: the
@@ -42,8 +44,10 @@ class LimitingCauses:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PointCountOption:
-    """What a fresh test at new targets shows of a parameter with a table of so many ``points``.
-    They are ``spacing`` apart (mm or deg; the widest section). Median and 5 to 95 %, mm or deg.
+    """The predicted parameter with a table of ``points`` points: median and 5 to 95 % range, mm or
+    deg.
+
+    A fresh test at new targets. They are ``spacing`` apart (mm or deg; the widest section).
 
     ``written``: the table that is written; ``there``: on the nodes that are in the control.
     """

@@ -1,4 +1,4 @@
-"""What a positioning test adds to the error of the axis: numbers of the noise."""
+"""The noise of a positioning test, which adds to the error of the axis."""
 
 from __future__ import annotations
 
@@ -25,8 +25,7 @@ IndexArray = NDArray[np.intp]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class NoiseDraws:
-    """Equally likely draws of the noise of one test, mm or deg; each (count,) where nothing else is
-    said.
+    """Equally likely random draws of the noise of one test, mm or deg.
 
     A reading at x in run j and direction d, with u = (x - ``centre``) / ``half``, differs from the
     error of the axis by
@@ -67,16 +66,17 @@ class NoiseDraws:
 
     @property
     def count(self) -> int:
-        """Number of draws."""
+        """The number of draws."""
         return len(self.sigma)
 
     def taken(self, index: IndexArray | slice) -> NoiseDraws:
-        """Return the draws at ``index`` (n,), of a slice as views."""
+        """Return the draws with the indices ``index`` (n,). For a slice: views of the arrays."""
         return replace(self, **{name: getattr(self, name)[index] for name in _ARRAYS})
 
     def outlier_size_at(self, scale: FloatArray, way: int) -> FloatArray:
-        """Return ``outlier_size`` (count, m), in scales of a reading, where these are ``scale``
-        (count, m) in + (``way`` 0) or in -.
+        """Return the size of outliers (count, m), in scales of a reading, in + (``way`` 0) or in -.
+
+        ``outlier_size`` where the scales are ``scale`` (count, m).
 
         What disturbs a reading does not grow with the scatter along the travel: an outlier is no
         larger than where the scatter is least, or than the farthest reading seen.
@@ -111,8 +111,8 @@ _ARRAYS: Final = tuple(
 
 
 def normal_noise(sigma: FloatArray, centre: float = 0.0, half: float = 1.0) -> NoiseDraws:
-    """Return independent normal noise of standard deviation ``sigma`` (count,), mm or deg, the same
-    in both directions and everywhere.
+    """Return independent normal noise with standard deviation ``sigma`` (count,), mm or deg, equal
+    everywhere.
     """
     nothing = np.zeros(sigma.shape)
     return NoiseDraws(
@@ -136,7 +136,7 @@ def normal_noise(sigma: FloatArray, centre: float = 0.0, half: float = 1.0) -> N
 
 
 def without(draws: NoiseDraws, *parts: NoisePart) -> NoiseDraws:
-    """Return the noise without some of its parts: what the axis would show if these were cured.
+    """Return the noise without some of its parts, as if their causes were removed.
 
     ``scatter``: the readings about their traverses; ``tails``: outliers, and the heavy tails, at
     the same scale; ``growth``: of the scatter along the travel; ``traverses``: their offsets and
@@ -155,8 +155,9 @@ def without(draws: NoiseDraws, *parts: NoisePart) -> NoiseDraws:
 
 
 def waves(u: FloatArray, count: int) -> FloatArray:
-    """Return shapes (count, k) along the travel at ``u`` (k,): half waves, cos(w pi (u + 1) / 2),
-    from end to end, w = 1 to ``count``; constant beyond the ends.
+    """Return cosine half waves (count, k) along the travel at ``u`` (k,), -1 to 1.
+
+    From end to end, cos(w pi (u + 1) / 2), w = 1 to ``count``; constant beyond the ends.
     """
     way = 0.5 * np.pi * (np.clip(u, -1.0, 1.0) + 1.0)
     shapes: FloatArray = np.cos(np.outer(np.arange(1, count + 1), way))
@@ -164,8 +165,10 @@ def waves(u: FloatArray, count: int) -> FloatArray:
 
 
 def traverse_order(positive: int, negative: int) -> tuple[IndexArray, IndexArray]:
-    """Return the place in time (from 0) of each traverse: ``positive`` and ``negative`` of them, in
-    turn, beginning with + (ISO 230-2, standard test cycle).
+    """Return the order in time (from 0) of the traverses, which alternate and begin with + (ISO
+    230-2, standard test cycle).
+
+    ``positive`` and ``negative`` of them.
     """
     paired = min(positive, negative)
     plus, minus = np.arange(positive), np.arange(negative)
@@ -176,10 +179,12 @@ def traverse_order(positive: int, negative: int) -> tuple[IndexArray, IndexArray
 
 
 def wave_effects(order: FloatArray, signs: FloatArray, count: int, pace: float) -> FloatArray:
-    """Return the covariance (2, k, 2, k) of the offsets and tilts that a wave of unit standard
-    deviation and correlation time ``pace``, in parts of the test, gives to k of its ``count``
-    traverses: those in the places ``order`` (k,) of time (from 0) and the directions ``signs``
-    (k,), 1 or -1.
+    """Return the covariance (2, k, 2, k) of offsets and tilts of k traverses that follow a random
+    wave in time.
+
+    A wave of unit standard deviation and correlation time ``pace``, in parts of the test; k of its
+    ``count`` traverses: those in the places ``order`` (k,) of time (from 0) and the directions
+    ``signs`` (k,), 1 or -1.
 
     The wave follows the air as a body with a time constant follows a first-order process of the
     same one: the covariance (1 + a) exp(-a), a = √3 t / pace (Rasmussen and Williams, Gaussian
@@ -197,8 +202,8 @@ def wave_effects(order: FloatArray, signs: FloatArray, count: int, pace: float) 
 
 
 def progress(runs: int, rate: FloatArray) -> FloatArray:
-    """Return how far a drift has come when each run begins, (..., runs) from 0 to 1, for ``rate``
-    (...).
+    """Return the completed share of a drift at the start of each run, (..., runs) from 0 to 1, for
+    ``rate`` (...).
 
     p_j = (1 - exp(-rate j / (runs - 1))) / (1 - exp(-rate)); ``rate`` 0: j / (runs - 1), even
     progress; above 0: a first-order approach to a steady state, as a body warms up (Newton's law of
@@ -213,8 +218,11 @@ def progress(runs: int, rate: FloatArray) -> FloatArray:
 def slackening(
     runs: int, rate: FloatArray, u: FloatArray, *, returns: bool
 ) -> tuple[FloatArray, FloatArray]:
-    """Return by how much less a drift of ``rate`` (count,) moves a reading at ``u`` (k,), -1 to 1,
-    between one run and the next than it moves the first reading of a run: (count, k) in + and in -.
+    """Return how much less a drift of ``rate`` (count,) moves later readings of a run: (count, k)
+    in + and in -.
+
+    A reading at ``u`` (k,), -1 to 1, between one run and the next than it moves the first reading
+    of a run.
 
     A run goes up through the targets and, where it ``returns`` (both directions are measured),
     down again in the second half of its time: exp(-rate t), t in parts of the test.
@@ -227,8 +235,10 @@ def slackening(
 def within_run(
     runs: int, rate: FloatArray, u: FloatArray, *, returns: bool
 ) -> tuple[FloatArray, FloatArray]:
-    """Return which part of a drift of ``rate`` (count,) the means over the runs show between the
-    first reading of a run and the one at ``u`` (k,), -1 to 1: (count, k) in + and in -.
+    """Return the share of a drift of ``rate`` (count,) that appears within a run at ``u`` (k,):
+    (count, k) in + and in -.
+
+    In the means over the runs, between the first reading of a run and the one at ``u``, -1 to 1.
 
     Mean over the runs of p(t + h) - p(t), p as in `progress` and h as in `slackening`; a test of
     one run does not tell: 0.
@@ -246,6 +256,6 @@ def within_run(
 
 
 def _parts_of_run(u: FloatArray, *, returns: bool) -> tuple[FloatArray, FloatArray]:
-    """Return which part of a run is over when it reaches ``u`` (k,) in + and in -."""
+    """Return the completed share of a run at ``u`` (k,) in + and in -."""
     half = 0.5 if returns else 1.0
     return half * 0.5 * (u + 1.0), half * 0.5 * (1.0 - u) + (0.5 if returns else 0.0)

@@ -1,4 +1,4 @@
-"""Sections of a table that have numbers, as the card draws them."""
+"""Numbered sections of a table, as drawn on the card."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 
 class Section(NamedTuple):
-    """One section: its number, and where it begins and ends, mm or deg."""
+    """One section of a table: its number, its start and its end, mm or deg."""
 
     number: int
     low: float

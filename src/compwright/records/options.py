@@ -1,4 +1,4 @@
-"""Options of a control that every definition has or may have, by name."""
+"""The names of options that every control may have."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ ENCODER_SYSTEM = "encoder_system"
 
 @dataclass(frozen=True, slots=True)
 class UnansweredOption:
-    """An option that a prefilled job leaves to the user where no file says it.
+    """An option that the user must give in a new job, because no file states it.
 
     ``words``: what is expected; ``stand_in``: a value with which the files tell their axes all the
     same. ``lengths``: the positions of a table count in it.

@@ -1,4 +1,4 @@
-"""A plan: everything that export, compare and verify need without the job. mm or deg, machine
+"""A plan: all data for ``export``, ``compare`` and ``verify`` without the job. mm or deg, machine
 coordinates.
 """
 
@@ -31,8 +31,8 @@ Texts = tuple[tuple[str, bytes], ...]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PlannedTest:
-    """A test in the plan (machine coordinates), the name of the state that was active, and the
-    motion of the axis.
+    """A test in the plan (machine coordinates), the name of the active state, and the motion of the
+    axis.
 
     ``backlash_more``: the backlash that was active in it minus that at the motion of the axis
     (``Axis.motion``), mm or deg; a new table leaves that difference. ``slope_std``: standard
@@ -69,9 +69,9 @@ class PlannedAxis:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PlannedCircle:
-    """A circular test as it went into the plan, the state that was active, and its centre (mm,
-    machine coordinates). ``accept``, ``budget``: its limits and what the job declared of
-    uncertainty.
+    """A circular test in the plan, its active state and its centre (mm, machine coordinates).
+
+    ``accept``, ``budget``: its limits and what the job declared of uncertainty.
     """
 
     test: CircularTest
@@ -83,8 +83,8 @@ class PlannedCircle:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PlannedCross:
-    """Correction of the axis ``output`` over the axis ``input`` (names of the job), in addition to
-    the existing ones.
+    """The planned correction of the axis ``output`` over the axis ``input``, in addition to
+    existing ones.
 
     ``added``: the table before the control rounds it, by the control's addresses, zero at the
     reference of the input axis. ``source``: from circular tests (``tests`` names them) or from a
@@ -103,14 +103,14 @@ class PlannedCross:
 
     @property
     def pair(self) -> frozenset[str]:
-        """The two axes, whichever of them is bent."""
+        """The two axes, in an order that does not depend on which one is bent."""
         return frozenset({self.input, self.output})
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Plan:
-    """The plan. ``states`` holds the control's own files byte by byte: None where the job does not
-    state them, empty for ``none``.
+    """The plan. ``states``: byte copies of the control's own files (None: not stated; empty:
+    ``none``).
 
     ``active``: by state, the job's answer whether compensation was active. ``cross``: what is
     wanted between axes, written or not; ``circles``: the circular tests by name. ``results``: the

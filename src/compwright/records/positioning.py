@@ -24,7 +24,7 @@ SAME_READING: Final = 1e-9
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PositioningTest:
-    """Deviations (measured minus target) of one axis, mm or deg by ``kind``.
+    """The deviations (measured minus target) of one axis, mm or deg by ``kind``.
 
     ``targets`` (m,) strictly ascending. ``positive`` (m, n+) and ``negative`` (m, n-) hold one
     column per traverse in the order of the run numbers; a reading that was not made is NaN (a
@@ -69,7 +69,9 @@ class PositioningTest:
 
     @property
     def step(self) -> float:
-        """The smallest step between two different readings, mm or deg; 0 where all are the same."""
+        """The smallest difference between two different readings, mm or deg. 0 where all are
+        equal.
+        """
         values = np.concatenate([self.positive.ravel(), self.negative.ravel()])
         steps = np.diff(np.sort(values[np.isfinite(values)]))
         steps = steps[steps > SAME_READING]
@@ -103,8 +105,9 @@ def to_machine(test: PositioningTest, position_map: PositionMap) -> PositioningT
 
 
 def merge(tests: Sequence[PositioningTest], name: str) -> PositioningTest:
-    """Return one test from several files of the same axis. Their targets are united, their
-    traverses side by side; of each key of their headers every value is there once, one per line.
+    """Return one test from several files of the same axis, with all targets and traverses.
+
+    Of each key of their headers every value is there once, one per line.
 
     Raises InputError when axes, kinds, cycles or frames differ.
     """
@@ -149,8 +152,8 @@ def merge(tests: Sequence[PositioningTest], name: str) -> PositioningTest:
 
 
 def _times(targets: FloatArray, tests: Sequence[PositioningTest]) -> ReadingTimes | None:
-    """Return when the readings of several files were taken; None where one of them does not say
-    it, or says it otherwise than the first.
+    """Return the times of the readings in several files. None where a file lacks them or uses
+    another form.
     """
     given = [test.times for test in tests if test.times is not None]
     if len(given) < len(tests) or len({each.clock for each in given}) > 1:

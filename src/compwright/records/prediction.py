@@ -1,4 +1,4 @@
-"""Prediction of the next test."""
+"""The prediction of the next test."""
 
 from __future__ import annotations
 
@@ -27,9 +27,10 @@ class Quantiles:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TestPrediction:
-    """One test of an axis: what it showed, and what a fresh one will show at its targets and at
-    newly dithered ones. ``uncertainty``: of the parameters of the fresh one at the same targets,
-    where it guards a decision about them.
+    """One test of an axis and its prediction, at its targets and at new random ones.
+
+    ``uncertainty``: of the parameters of the fresh one at the same targets, where it guards a
+    decision about them.
     """
 
     name: str
@@ -43,8 +44,8 @@ class TestPrediction:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AcceptDecision:
-    """A tolerance of the job against a prediction or a result. ``limit``, ``value`` and ``U`` in µm
-    or arcsec.
+    """The decision about a limit of the job for a prediction or a result. ``limit``, ``value`` and
+    ``U`` in µm or arcsec.
 
     ``rule``: how it was decided. ``test``: the test that it is meant for, where the job names one;
     else it is the first of the axis.
@@ -60,8 +61,8 @@ class AcceptDecision:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CirclePrediction:
-    """One circular test: what it showed, what it would have shown with the new tables, and what a
-    fresh one will show.
+    """One circular test: its result, its result with the new tables, and the prediction of a new
+    test.
 
     ``predicted``: parameters by their contract names, mm; ``causes``: diagnosis by its contract
     names, in the contract's units.
@@ -76,10 +77,12 @@ class CirclePrediction:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AxisPrediction:
-    """The prediction of one axis. ``table`` is what the files give when read back; None where no
-    table is written. ``limits``: what keeps the axis where it then is; ``worth``: of
-    the parameter named there, by number of points. ``periods``: those of
-    its error, known and found, with the ``evidence`` of the search (None: there was none).
+    """The prediction of one axis. ``table``: the table as read back from its files, None where none
+    is written.
+
+    ``limits``: what keeps the axis where it then is; ``worth``: of the parameter named there, by
+    number of points. ``periods``: those of its error, known and found, with the ``evidence`` of the
+    search (None: there was none).
     """
 
     tests: tuple[TestPrediction, ...]

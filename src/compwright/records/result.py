@@ -47,9 +47,7 @@ class Contribution:
 
 @dataclass(frozen=True, slots=True)
 class Extreme:
-    """A value (mm or deg) that decides a range, the target at which it lies, and the approach
-    direction; None: the mean of both.
-    """
+    """An extreme value (mm or deg), its target, and its approach direction (None: mean of both)."""
 
     value: float
     position: float
@@ -58,8 +56,8 @@ class Extreme:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TargetColumns:
-    """What the standard tabulates per target, arrays (m,) in mm or deg; NaN where it does not
-    apply.
+    """The values of each target in the standard's table, arrays (m,) in mm or deg. NaN where not
+    applicable.
 
     ``repeatability_*`` are R_i; ``reversal`` is B_i = mean(+) - mean(-); ``mean`` is the mean of
     both directions.
@@ -78,8 +76,9 @@ class TargetColumns:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PositioningResult:
-    """Parameters by their contract names (``A``, ``E_positive``, ``B_mean``, ... or VDI's own), mm
-    or deg, None where not defined.
+    """The parameters of a positioning test by their JSON names, mm or deg. None where undefined.
+
+    ``A``, ``E_positive``, ``B_mean``, ... or VDI's own.
 
     ``at`` gives the target position at which a parameter takes its extreme; ``not_applicable`` the
     reason of each None. ``coverage`` is the factor k of the standard (3 or 2); ``spread`` says how

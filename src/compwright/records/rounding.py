@@ -1,5 +1,7 @@
-"""Numbers without the last bits of the arithmetic, which depend on the processor and on the number
-of its threads: the order of a sum, fused products, series of the exponential (Higham, Accuracy and
+"""Round numbers so that they are the same on every processor.
+
+Without the last bits of the arithmetic, which depend on the processor and on the number of its
+threads: the order of a sum, fused products, series of the exponential (Higham, Accuracy and
 Stability of Numerical Algorithms, 2nd ed. 2002, chapters 3 and 4).
 
 Estimated or simulated values are rounded where they leave their room, so that decisions, tables and
@@ -26,11 +28,11 @@ LOGARITHM: Final = 6
 
 
 def rounded(values: FloatArray, digits: int = PICO) -> FloatArray:
-    """Return ``values``, mm or deg, rounded to so many decimals; no minus zero."""
+    """Return ``values``, mm or deg, rounded to a number of decimals, without minus zero."""
     result: FloatArray = np.round(values, digits) + 0.0
     return result
 
 
 def rounded_number(value: float, digits: int = PICO) -> float:
-    """Return one value as `rounded` does."""
+    """Return one rounded value, as `rounded` does."""
     return round(float(value), digits) + 0.0

@@ -1,5 +1,5 @@
-"""What a serial line (RS-232, paper tape) puts around the text of a control: it is no part of the
-text, and a patch keeps every byte of it.
+"""Handle the characters that a serial line (RS-232, paper tape) adds around a control's text. A
+patch keeps them.
 """
 
 from __future__ import annotations
@@ -19,8 +19,8 @@ _NO_TEXT = re.compile(rb"[\x00-\x08\x0e-\x1f]")
 
 
 def from_line(name: str, raw: bytes, folder: str = "") -> ControlFile:
-    """Return a control's file without what a serial line put around its text; one that is no text
-    stays as it is.
+    """Return a control's file without the characters that a serial line added. Other files stay
+    unchanged.
     """
     head = raw[: len(raw) - len(raw.lstrip(_AROUND))]
     tail = raw[len(raw.rstrip(_AROUND)) :]
@@ -33,7 +33,7 @@ def from_line(name: str, raw: bytes, folder: str = "") -> ControlFile:
 
 
 def as_on_line(files: Sequence[ControlFile], own: Sequence[ControlFile]) -> tuple[ControlFile, ...]:
-    """Return files with the leader and trailer of the control's ``own`` ones of the same name."""
+    """Return files with the leader and trailer of the control's ``own`` files of the same name."""
     around = {file.name: (file.leader, file.trailer) for file in own}
     return tuple(
         replace(file, leader=around[file.name][0], trailer=around[file.name][1])
@@ -44,7 +44,7 @@ def as_on_line(files: Sequence[ControlFile], own: Sequence[ControlFile]) -> tupl
 
 
 def whole(files: Sequence[ControlFile]) -> tuple[ControlFile, ...]:
-    """Return files with all their bytes as text: for a control that reads every one of them."""
+    """Return files with all their bytes as text, for a control that reads every byte."""
     return tuple(
         replace(file, content=file.raw, leader=b"", trailer=b"")
         if file.leader or file.trailer

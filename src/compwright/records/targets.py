@@ -17,8 +17,8 @@ _SEED: Final = 42  # the same travel and count give the same targets
 
 
 def proposed_targets(low: float, high: float, count: int) -> FloatArray:
-    """Return ``count`` targets (m,), mm or deg, ascending, from ``low`` to ``high`` that show every
-    period longer than a tenth of their interval correctly.
+    """Return ``count`` ascending targets (m,), mm or deg, from ``low`` to ``high``, that show
+    periodic errors.
 
     Equal intervals plus a random part (ISO 230-2:2014, 4.2; up to 0.3 of an interval), rounded to a
     tenth of a mm or deg, of narrow intervals finer; of several draws the one in which the two most
@@ -41,6 +41,6 @@ def proposed_targets(low: float, high: float, count: int) -> FloatArray:
 
 @lru_cache(maxsize=64)  # tests of one machine have the same targets
 def targets_text(low: float, high: float, count: int, unit: str) -> Sentence:
-    """Return a proposal of targets for display: all of them, at most thirty."""
+    """Return proposed targets as text, at most thirty."""
     targets = proposed_targets(low, high, int(np.clip(count, 12, 30)))
     return say("better_targets", targets=targets, unit=unit)

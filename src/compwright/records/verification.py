@@ -1,4 +1,4 @@
-"""Verdict on the loading by a test after loading."""
+"""The verdict on the loading, from a test after it."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ MeasurementFault = Literal["sign", "direction", "unit", "wrong_axis", "copied", 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Candidate:
-    """A name with its probability, and ``detail``: the likeliest variant of it in words."""
+    """A possible verdict with its probability. ``detail``: its most probable variant, as text."""
 
     verdict: LoadingName
     probability: float
@@ -42,7 +42,7 @@ class Candidate:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LoadingVerdict:
-    """Verdict whether the loaded table was active as planned.
+    """The verdict whether the loaded table was active as planned.
 
     ``margin``: natural logarithm of the odds of the favoured candidate over the next one (4.6 is
     100:1). ``sentence``: its text. ``equivalent``: names that no test could distinguish from the
@@ -75,8 +75,8 @@ class LoadingVerdict:
 
 @dataclass(frozen=True, slots=True)
 class ReadBack:
-    """Difference between the loaded and the planned correction: the largest (mm or deg), its
-    position, and its pattern.
+    """The difference between the loaded and the planned correction: its largest value (mm or deg),
+    position, and pattern.
 
     ``verdict``: ``loaded``, ``not_active``, ``inverted``, ``scaled``, ``shifted``,
     ``one_direction``, ``backlash``, ``increment``, ``on_top``, ``partial`` (some files were not

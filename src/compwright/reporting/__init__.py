@@ -1,1 +1,3 @@
-"""Documents -> terminal, plots, HTML and the commissioning card. Computes nothing."""
+"""Show documents as terminal text, plots, HTML and commissioning card. This room computes
+nothing.
+"""

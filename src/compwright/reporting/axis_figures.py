@@ -1,4 +1,5 @@
-"""Figures in the pages of tests: a test, its residual, before and after, the table, the estimate.
+"""Figures on the pages of tests: a test, its residual, before and after, the table, the estimate.
+
 Each takes plain documents (deviations in µm or arcsec, positions in mm or deg) and returns what a
 page draws in its language, the same for the same input.
 """
@@ -30,19 +31,21 @@ _SIDE_BY_SIDE: Final = 234.0
 
 
 def result_figure(result: Document, axis: str) -> Drawing:
-    """Return readings, means and mean ± k s of one positioning result over the targets."""
+    """Return the figure of one positioning test: readings, means and mean ± k s over the
+    targets.
+    """
     chart = result_chart(result)
     chart.title, chart.right = title_of(result), parameter_line(result)
     return _drawing([chart], _HEIGHT, "deviations", axis)
 
 
 def reversal_figure(result: Document, axis: str) -> Drawing:
-    """Return the reversal B_i over the targets."""
+    """Return the figure of the reversal B_i over the targets."""
     return _drawing([reversal_chart(result)], _LOW, "reversal", axis)
 
 
 def residual_figure(result: Document, name: str) -> Drawing | None:
-    """Return what the causes of a circular result leave of its runs; None without a fit."""
+    """Return the figure of the residuals of a circular test by run. None without a fit."""
     charts = residual_charts(result)
     return _drawing(charts, _LOW, "residual", name) if charts else None
 
@@ -50,8 +53,9 @@ def residual_figure(result: Document, name: str) -> Drawing | None:
 def before_after_figure(
     before: Document, predicted: Document | None, axis: str, after: Document | None = None
 ) -> Drawing:
-    """Return before, predicted and after side by side on one scale; ``predicted`` or ``after`` may
-    be None.
+    """Return the figure of the test before, predicted and after, side by side on one scale.
+
+    ``predicted`` or ``after`` may be None.
 
     ``before`` and ``after`` are positioning results. ``predicted`` holds ``positions`` (m),
     ``positive``, ``negative`` (m) or None: the expected deviations after loading, ``s``: the
@@ -75,12 +79,12 @@ def before_after_figure(
 
 
 def table_figure(entry: Document, axis: str) -> Drawing:
-    """Return the correction over position with the wanted one, as `table_chart`."""
+    """Return the figure of the correction over position together with the wanted correction."""
     return _drawing([table_chart(entry)], _HEIGHT, "correction", axis)
 
 
 def estimate_figure(estimate: Document, result: Document, axis: str) -> Drawing:
-    """Return the estimated deviation and the measured means, as `estimate_chart`."""
+    """Return the figure of the estimated deviation and the measured means."""
     return _drawing([estimate_chart(estimate, result)], _HEIGHT, "estimate", axis)
 
 

@@ -33,8 +33,9 @@ _CHUNK: Final = 24  # rows of the table in numbers before a second column is beg
 
 
 def axis_block(task: tuple[int, str, Document, Document, Document]) -> dict[str, Any]:
-    """Return the section of an axis: its number on the page, name, view, prediction, and what it
-    needs of the whole view.
+    """Return the report section of an axis.
+
+    Its number on the page, name, view, prediction, and what it needs of the whole view.
     """
     return _run_axis(*task)
 

@@ -1,5 +1,4 @@
-"""The commissioning card: what to type, what to look at and how to go back, as Markdown and as a
-page: one A4 sheet for the control and at most one for each axis.
+"""The commissioning card as Markdown and as a page: what to type, what to check, how to go back.
 
 A card holds ``title``, ``machine`` (name -> text), ``format`` (``id``, ``title``), ``axes``,
 ``steps`` (``title``, ``text``, ``evidence``; ``heads`` and ``rows``: what differs by axis, where it
@@ -67,7 +66,7 @@ def card_html(card: Document) -> bytes:
 
 
 def card_markdown(card: Document) -> str:
-    """Return the card as Markdown with boxes to tick; it reads well as plain text too. Needs no
+    """Return the card as Markdown with boxes to tick. It is readable as plain text and needs no
     extra.
     """
     content, language = _content(card), _language(card)
@@ -127,7 +126,7 @@ def _language(card: Document) -> Language:
 
 
 def _content(card: Document) -> dict[str, Any]:
-    """Return what both forms show, in words of the card's language."""
+    """Return the common contents of both forms of the card, in the card's language."""
     language = _language(card)
     title = card.get("title") or say("card.no_title")
     content = {
@@ -171,7 +170,7 @@ def _content(card: Document) -> dict[str, Any]:
 
 
 def _resolved(value: Any, language: Language) -> Any:
-    """Return content with its sentences in the language; numbers keep their decimal point."""
+    """Return content with its sentences in a language. Numbers keep their decimal point."""
     if isinstance(value, Mapping):
         return {key: _resolved(one, language) for key, one in value.items()}
     if isinstance(value, list | tuple):
@@ -182,7 +181,7 @@ def _resolved(value: Any, language: Language) -> Any:
 
 
 def _note(card: Document, language: Language) -> str | Sentence:
-    """Return what is not in the language of a translated card, and how its numbers are written."""
+    """Return a note on untranslated parts of the card, and on the form of its numbers."""
     if language == "en":
         return ""
     steps = [*(card.get("steps") or ()), *(card.get("restore_steps") or ())]
@@ -191,8 +190,8 @@ def _note(card: Document, language: Language) -> str | Sentence:
 
 
 def _limits(axes: Document, circles: Document) -> list[Sentence]:
-    """Return a sentence for each limit of the prediction's axes and circles, then the rule where it
-    is the guarded one.
+    """Return a sentence for each limit of the predicted axes and circles, then the rule of a
+    guarded decision.
     """
     decisions: list[Sentence] = []
     rules: list[Sentence] = []
@@ -218,8 +217,8 @@ def _limits(axes: Document, circles: Document) -> list[Sentence]:
 
 
 def changes_content(changes: Document | None) -> dict[str, Any] | None:
-    """Return the table of what changes in the control's files: the first rows, how many more there
-    are, how many lines stay.
+    """Return a table of the changes in the control's files: the first rows, the number of further
+    rows, and of unchanged lines.
     """
     if changes is None:
         return None
@@ -250,9 +249,10 @@ def _step(step: Document, language: Language) -> dict[str, Any]:
 
 
 def _lines(step: Document, language: Language) -> list[dict[str, Any]]:
-    """Return the lines of a step with every number filled in, as ``text`` and whether they have a
-    box of their own (``tick``): a sentence about what differs by axis stands once for each row, the
-    others once.
+    """Return the lines of a step with every number filled in.
+
+    As ``text`` and whether they have a box of their own (``tick``): a sentence about what differs
+    by axis stands once for each row, the others once.
     """
     text = in_language(plain(step.get("text") or ""), language)
     heads, rows = step.get("heads") or (), step.get("rows") or ()
@@ -268,14 +268,16 @@ def _lines(step: Document, language: Language) -> list[dict[str, Any]]:
 
 
 def _filled(words: str, heads: Sequence[object], row: Sequence[object], language: Language) -> str:
-    """Return a sentence with what a row says of each ‹head›, the axis before it."""
+    """Return a sentence with the values of one table row in place of each ‹head›. The axis comes
+    first.
+    """
     for head, cell in zip(heads, row, strict=True):
         words = words.replace(f"‹{plain(head)}›", in_language(cell, language))
     return words if words.startswith(f"{_AXIS[language]} ") else f"{plain(row[0])}: {words}"
 
 
 def _alike_once(lines: Sequence[str], language: Language) -> list[str]:
-    """Return the lines, those that say the same of several axes once, with all their names."""
+    """Return the lines. Equal lines for several axes become one line with all their names."""
     groups: dict[str, list[tuple[str, str]]] = {}
     of_axis = re.compile(rf"(?i:{_AXIS[language]}) (\w+)\b")
     for line in lines:
@@ -334,7 +336,9 @@ def _axis_content(axis: Document, language: Language) -> dict[str, Any]:
 
 
 def _around_points(points: object, language: Language) -> list[str] | None:
-    """Return the sentence on the points that are needed: before the number, the number, after."""
+    """Return the sentence about the needed points in three parts: before the number, the number,
+    after it.
+    """
     if points is None:
         return None
     before, _, after = say("card.points", points="\n").text(language).partition("\n")
@@ -352,7 +356,7 @@ def _numbering(numbering: Document | None, language: Language) -> dict[str, Any]
 
 
 def _with_parameter(value: object, typed: object) -> str | Sentence:
-    """Return a value, behind the control's parameter that holds it where one does."""
+    """Return a value, with the control's parameter name in front where there is one."""
     return say("card.with_unit", text=typed, unit=_typed(value)) if typed else _typed(value)
 
 
@@ -481,7 +485,7 @@ def _bullets(heading: str, items: Sequence[str | Sentence]) -> list[str]:
 
 
 def _table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:
-    """Cells padded to one width: the source reads as a table too."""
+    """Return a Markdown table with padded cells, so that its source is readable too."""
     widths = [max(3, *(len(row[column]) for row in [head, *rows])) for column in range(len(head))]
     lines = [
         "| " + " | ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)) + " |"
@@ -495,13 +499,13 @@ def _one_line(text: str | Sentence) -> str:
 
 
 def _paragraph(text: str | Sentence) -> str:
-    """A line of text that begins no heading, list, quotation or rule."""
+    """Return a line of text that Markdown does not take for a heading, list, quotation or rule."""
     line = _escape(text)
     return f"\\{line}" if line[:1] in set("#-+>=~_") else line
 
 
 def _escape(text: str | Sentence) -> str:
-    """One line in which nothing is markup; underscores inside names stay as they are."""
+    """Return a text as one line without Markdown markup. Underscores inside names stay."""
     line = _one_line(text)
     for letter in "\\`*[]|":
         line = line.replace(letter, f"\\{letter}")

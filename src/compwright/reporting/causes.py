@@ -1,5 +1,5 @@
-"""The causes in a circular result, ranked and in words: one way for the terminal, the pictures and
-the report.
+"""The causes in a circular result as text, ranked by effect. Terminal, figures and report use the
+same.
 """
 
 from __future__ import annotations
@@ -52,8 +52,8 @@ _PARTS: Final = (
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CircleCause:
-    """One cause: ``value`` and ``error`` (one standard error, NaN if unknown) in ``unit``,
-    ``effect`` peak to peak and ``share``.
+    """One cause: ``value`` and ``error`` (standard error, NaN if unknown) in ``unit``, peak-to-peak
+    ``effect`` and ``share``.
 
     ``effect`` in µm, ``share`` of all effects from 0 to 1. ``parts`` are its details (each end of a
     lost motion, the scale errors next to their mismatch), which count in it. ``plain`` and
@@ -76,7 +76,7 @@ class CircleCause:
 
     @property
     def value_text(self) -> Sentence:
-        """Return value ± standard error with the decimals of the unit."""
+        """Return value ± standard error as text, with the decimals of the unit."""
         decimals = _DECIMALS.get(self.unit, 2)
         return say(
             "label.value_error",
@@ -86,33 +86,34 @@ class CircleCause:
 
     @property
     def unit_text(self) -> str:
-        """Return the unit as it is shown."""
+        """Return the printed unit."""
         return _UNITS.get(self.unit, self.unit)
 
     def text(self, value: float | None) -> str:
-        """Return another value of the same quantity with the decimals of the unit; nothing for
-        None.
+        """Return another value of the same quantity as text, with the decimals of the unit. Empty
+        for None.
         """
         return "" if value is None else number(value, _DECIMALS.get(self.unit, 2))
 
     @property
     def shown(self) -> bool:
-        """Whether it is large enough for a line of its own."""
+        """Whether the value is large enough for its own line."""
         return self.share >= LEAST_SHARE and self.effect >= LEAST_EFFECT
 
     @property
     def known(self) -> bool:
-        """Whether the value is more than twice its standard error."""
+        """Whether the value is larger than twice its standard error."""
         return abs(self.value) > 2.0 * self.error
 
     @property
     def significant(self) -> bool:
-        """Whether the value is known, or that of a part: two ends may cancel in the mean."""
+        """Whether the value or a part of it is known. Two ends may cancel in the mean."""
         return self.known or any(part.known for part in self.parts)
 
     @property
     def limits(self) -> tuple[float, float]:
-        """Return the effects, µm, at the ends of the 95 % interval of the value, never below zero.
+        """Return the effects, µm, at the ends of the 95 % interval of the value. They are never
+        below zero.
 
         An effect is taken as proportional to its value, which holds for all causes but cyclic
         errors of both directions, where it is close. A value of zero has no proportion: then both
@@ -130,14 +131,15 @@ class CircleCause:
 
 
 def machine_title(machine: Mapping[str, Any]) -> Sentence:
-    """Return the heading of what several circles show of one machine."""
+    """Return the heading for the common result of several circles of one machine."""
     named = " ".join(str(machine[key]) for key in ("machine", "serial") if machine[key])
     return say("report.machine", name=named, circles=[str(name) for name in machine["circles"]])
 
 
 def ranked_causes(result: Mapping[str, Any]) -> list[CircleCause]:
-    """Return the causes of a circular result of the evaluation document, the largest effect first;
-    none without a diagnosis. A cause without a value is left out: ``not_applicable`` says why.
+    """Return the causes of a circular result, the largest effect first. Empty without a diagnosis.
+
+    Of the evaluation document. A cause without a value is left out: ``not_applicable`` says why.
     """
     entries = _given(result)
     causes = [
@@ -154,7 +156,7 @@ def _given(result: Mapping[str, Any]) -> Mapping[str, Any]:
 
 
 def _whole(name: str) -> str:
-    """Return the cause of which ``name`` is a detail, or ``name`` itself."""
+    """Return the cause of which ``name`` is a part, or ``name`` itself."""
     for part in _PARTS:
         if name.endswith(f"_{part}"):
             return name.removesuffix(f"_{part}")
@@ -189,7 +191,7 @@ def _finite(value: object, otherwise: float = 0.0) -> float:
 
 
 def _split(name: str) -> tuple[str, str, str]:
-    """Return kind, ``first`` or ``second`` or nothing, and the part, of a contract name."""
+    """Return the parts of a JSON name: kind, ``first`` or ``second`` or empty, and the detail."""
     part = next((part for part in _PARTS if name.endswith(f"_{part}")), "")
     rest = name.removesuffix(f"_{part}") if part else name
     for which in ("first", "second"):
@@ -199,8 +201,8 @@ def _split(name: str) -> tuple[str, str, str]:
 
 
 def cause_words(name: str, axes: Any) -> Sentence:
-    """Return a cause of the contract in words, with the names of its axes; of a detail only which
-    it is.
+    """Return the text for a cause with its axis names. For a part of a cause: only the name of the
+    part.
     """
     kind, which, part = _split(name)
     axis = axes[("first", "second").index(which)] if which else ""
@@ -212,9 +214,7 @@ def cause_words(name: str, axes: Any) -> Sentence:
 
 
 def full_cause_words(name: str, axes: Any) -> Sentence:
-    """Return a cause or one of its details in words that need no heading: ``Lost motion X at
-    X+``.
-    """
+    """Return the complete text for a cause or its part: ``Lost motion X at X+``."""
     kind, _, part = _split(name)
     whole = name.removesuffix(f"_{part}") if part else name
     words = cause_words(whole, axes)
@@ -224,9 +224,7 @@ def full_cause_words(name: str, axes: Any) -> Sentence:
 
 
 def named_in_words(value: Any, axes: Any) -> Any:
-    """Return a value of a sentence, or a sentence, with the causes that it names by their keys in
-    words.
-    """
+    """Return a value or a sentence with the JSON names of causes replaced by text."""
     if isinstance(value, SentenceText):
         return SentenceText(named_in_words(value.sentence, axes))
     if isinstance(value, Sentence):

@@ -1,5 +1,6 @@
-"""Charts as plain SVG inside a page, side by side on one scale: no plotting library is loaded, and
-a page of many axes is painted in no time. Letters are those of the page.
+"""Charts as plain SVG inside a page, side by side on one scale. No plotting library is needed.
+
+A page of many axes is painted in no time. Letters are those of the page.
 
 Lengths are points, of a picture as wide as the text of A4.
 """
@@ -56,7 +57,9 @@ _MOST_POINTS: Final = 1000
 
 @dataclass(frozen=True, slots=True)
 class _Scale:
-    """Where values from ``low`` to ``high`` stand: from ``first`` to ``last`` points."""
+    """The scale of one direction: values from ``low`` to ``high`` are drawn from ``first`` to
+    ``last`` points.
+    """
 
     low: float
     high: float
@@ -64,7 +67,7 @@ class _Scale:
     last: float
 
     def at(self, values: Sequence[float]) -> list[float]:
-        """Return where values stand."""
+        """Return the places of values in the drawing, in points."""
         by = (self.last - self.first) / (self.high - self.low)
         start = self.first - by * self.low
         return [start + by * value for value in values]
@@ -72,8 +75,8 @@ class _Scale:
 
 @dataclass(frozen=True, slots=True)
 class Drawing:
-    """Panels on one scale, ``height`` points high with all their words; ``description`` is what a
-    screen reader says.
+    """Charts on one scale, ``height`` points high with all texts. ``description``: the text for
+    screen readers.
     """
 
     charts: tuple[Chart, ...]
@@ -81,7 +84,7 @@ class Drawing:
     description: Sentence
 
     def svg(self, language: Language) -> str:
-        """Return the picture, its words in the language."""
+        """Return the SVG picture, with its texts in the language."""
         charts = [chart.written(language) for chart in self.charts]
         across, up = covered(charts)
         head = _HEAD if any(chart.title or chart.right or chart.note for chart in charts) else _TOP
@@ -120,7 +123,7 @@ class Drawing:
 def _frame(
     chart: Chart, x: _Scale, y: _Scale, rows: list[tuple[float, str]], language: Language
 ) -> Iterator[str]:
-    """Yield grid, lines and numbers of both axes; ``rows``: values with their numbers."""
+    """Yield grid, lines and numbers of both axes. ``rows``: values with their numbers."""
     columns, decimals = _along(x, _STEPS_OF_A_TURN if chart.degrees else _STEPS)
     rows_at, below = y.at([value for value, _ in rows]), x.at(columns)
     grid = "".join(f"M{x.first:.2f},{at:.2f}H{x.last:.2f}" for at in rows_at)
@@ -137,7 +140,7 @@ def _frame(
 
 
 def _along(x: _Scale, steps: Sequence[float]) -> tuple[list[float], int]:
-    """Return the numbers along an axis, as many as stand apart, and their decimals."""
+    """Return the numbers along an axis, as many as fit, and their decimals."""
     for most in range(_MOST_NUMBERS, 1, -1):
         columns, decimals = _ticks(x.low, x.high, most, steps)
         wide = max((len(_written(value, decimals)) for value in columns), default=0)
@@ -147,7 +150,7 @@ def _along(x: _Scale, steps: Sequence[float]) -> tuple[list[float], int]:
 
 
 def _ticks(low: float, high: float, most: int, steps: Sequence[float]) -> tuple[list[float], int]:
-    """Return about ``most`` round numbers from low to high, and how many decimals they have."""
+    """Return about ``most`` round numbers from low to high, and their decimals."""
     least = (high - low) / max(most, 1)
     power = 10.0 ** math.floor(math.log10(least))
     step = next(
@@ -177,7 +180,7 @@ def _content(chart: Chart, x: _Scale, y: _Scale) -> Iterator[str]:
 
 
 def _rings(chart: Chart, x: _Scale, y: _Scale) -> Iterator[str]:
-    """Yield a ring about each marked point, and their names; of one place in one word."""
+    """Yield a ring around each marked point, and its name. Marks at one place share one text."""
     places: dict[tuple[float, float], list[str]] = {}
     for mark in chart.marks:
         (across,), (up,) = x.at([mark.x]), y.at([mark.y])
@@ -201,7 +204,7 @@ def _rings(chart: Chart, x: _Scale, y: _Scale) -> Iterator[str]:
 
 
 def _filled(band: Band, x: _Scale, y: _Scale) -> Iterator[str]:
-    """Yield the area of a band, a piece for each stretch where both limits are known."""
+    """Yield the area of a band, one piece for each range where both limits are known."""
     for first, last in _stretches(
         [low + high for low, high in zip(band.low, band.high, strict=True)]
     ):
@@ -217,7 +220,7 @@ def _filled(band: Band, x: _Scale, y: _Scale) -> Iterator[str]:
 
 
 def _drawn(curve: ChartCurve, x: _Scale, y: _Scale) -> str:
-    """Return a curve: its line, and its markers, all in one path."""
+    """Return a curve: its line and its markers, all in one path."""
     look, parts = curve.look, []
     if curve.width:
         line = ""
@@ -246,7 +249,7 @@ def _markers(curve: ChartCurve, x: Sequence[float], y: Sequence[float]) -> str:
 
 
 def _stretches(values: Sequence[float]) -> Iterator[tuple[int, int]]:
-    """Yield from where to where values are known."""
+    """Yield start and end of each range where values are known."""
     first = None
     if all(map(math.isfinite, values)):
         yield from [(0, len(values))] if values else []
@@ -260,8 +263,8 @@ def _stretches(values: Sequence[float]) -> Iterator[tuple[int, int]]:
 
 
 def _thinned(x: Sequence[float], y: Sequence[float]) -> tuple[Sequence[float], Sequence[float]]:
-    """Return a line of at most `_MOST_POINTS`: of every few neighbours the lowest and the highest,
-    so that no peak goes.
+    """Return a line of at most `_MOST_POINTS` points: the lowest and the highest of every few
+    neighbours.
     """
     if len(y) <= _MOST_POINTS:
         return x, y
@@ -300,7 +303,7 @@ def _path(
 
 
 def _words(chart: Chart, x: _Scale, y: _Scale, *, named: bool) -> Iterator[str]:
-    """Yield what stands round a panel; ``named``: whether its deviations are."""
+    """Yield the texts around a chart. ``named``: whether its vertical axis has a name."""
     above = y.last - 5.0
     if chart.note:
         yield _word(x.first, above, chart.note)
@@ -318,7 +321,7 @@ def _words(chart: Chart, x: _Scale, y: _Scale, *, named: bool) -> Iterator[str]:
 
 
 def _legend(charts: Sequence[Chart], bottom: float, language: Language) -> Iterator[str]:
-    """Yield the legend of all panels: + above −, under a line that says what they are."""
+    """Yield the legend of all charts: + above −, under a heading."""
     columns, wide = _legend_columns(charts)
     if not columns:
         return
@@ -335,8 +338,8 @@ def _legend(charts: Sequence[Chart], bottom: float, language: Language) -> Itera
 def _legend_columns(
     charts: Sequence[Chart],
 ) -> tuple[list[list[tuple[str, Band | ChartCurve]]], list[float]]:
-    """Return the columns of the legend and their widths: two names in each, more where all would
-    not fit.
+    """Return the columns of the legend and their widths: two names in each, more where the space
+    requires it.
     """
     entries = list(legend_of(charts).items())
     height = 1

@@ -1,6 +1,7 @@
-"""What a figure of a positioning test shows, as data: curves, bands and words, in the units of the
-documents (deviations in µm or arcsec, positions in mm or deg). Who draws it: `chart_svg` in pages,
-`plots` in files of their own.
+"""The contents of figures as data: curves, bands and texts, in the units of the documents.
+
+Deviations in µm or arcsec, positions in mm or deg. Who draws it: `chart_svg` in pages, `plots` in
+files of their own.
 
 The approach directions differ by marker, line and lightness, so that a print without colours can be
 read.
@@ -31,8 +32,8 @@ _MOST_MARKED: Final = 150  # nodes of a table that markers can still tell apart
 
 @dataclass(frozen=True, slots=True)
 class CurveLook:
-    """How one approach direction is drawn; ``dashes``: lengths of line and gap in widths of the
-    line, none: a whole line.
+    """The style of one approach direction. ``dashes``: lengths of line and gap in line widths,
+    empty for a solid line.
     """
 
     key: str
@@ -52,9 +53,11 @@ NEUTRAL: Final = CurveLook("both", "±", "^", (), INK)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ChartCurve:
-    """A line of ``width`` points through ``y`` over ``x`` (none at 0), with markers of ``size``
-    points (none at 0), filled with ``face`` (none: empty) inside edges of ``edge`` points. NaN is a
-    gap; without a ``label`` it is not in the legend.
+    """One curve: ``y`` over ``x``, with the style of its line and markers. NaN is a gap.
+
+    A line of ``width`` points (none at 0), with markers of ``size`` points (none at 0), filled with
+    ``face`` (none: empty) inside edges of ``edge`` points. Without a ``label`` it is not in the
+    legend.
     """
 
     x: Sequence[float]
@@ -72,7 +75,7 @@ class ChartCurve:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Band:
-    """What lies between ``low`` and ``high`` over ``x``."""
+    """The area between ``low`` and ``high`` over ``x``."""
 
     x: Sequence[float]
     low: Sequence[float]
@@ -83,7 +86,7 @@ class Band:
 
 @dataclass(frozen=True, slots=True)
 class ChartMark:
-    """A ring about a point, named by ``text``."""
+    """A ring around a point, with a name ``text``."""
 
     x: float
     y: float
@@ -92,8 +95,10 @@ class ChartMark:
 
 @dataclass(slots=True, kw_only=True)
 class Chart:
-    """One panel: its ``title``, words at the ``right`` of it or in a line below (``note``), names
-    of the axes, and what it shows. ``degrees``: positions of a rotary axis.
+    """One chart: its ``title``, further texts, names of the axes, and curves. ``degrees``:
+    positions of a rotary axis.
+
+    Words at the ``right`` of it or in a line below (``note``).
     """
 
     title: str | Sentence = ""
@@ -112,7 +117,7 @@ class Chart:
         yield from (part for part in parts if part.label)
 
     def written(self, language: Language) -> Chart:
-        """Return the panel with its words in the language."""
+        """Return the chart with its texts in the language."""
         return replace(
             self,
             title=in_language(self.title, language),
@@ -126,7 +131,7 @@ class Chart:
         )
 
     def name_axes(self, unit: object, quantity: str = "deviation") -> None:
-        """Name both axes with their units."""
+        """Set the names of both chart axes, with their units."""
         self.degrees = position_unit(unit) == "deg"
         self.x_label = say("chart.position", unit=unit_text(position_unit(unit)))
         self.y_label = say("chart.quantity", quantity=quantity, unit=unit_text(unit))
@@ -137,8 +142,8 @@ class Chart:
 
 
 def result_chart(result: Document) -> Chart:
-    """Return one positioning result: for each direction single readings, means and mean ± k s over
-    the targets, and the mean of both directions. After ISO 230-2:1997 figure 2.
+    """Return the chart of one positioning test by direction: readings, means, mean ± k s (as ISO
+    230-2:1997 figure 2).
 
     ``result`` is an entry of ``results`` of an evaluation document. Its ``deviations_positive`` /
     ``deviations_negative`` per target, where given, are drawn as points; ``coverage`` (default 2)
@@ -188,7 +193,9 @@ def result_chart(result: Document) -> Chart:
 
 
 def reversal_chart(result: Document) -> Chart:
-    """Return the reversal B_i of one positioning result over the targets, its extreme marked."""
+    """Return the chart of the reversal B_i of one positioning test over the targets, with its
+    extreme marked.
+    """
     targets = result.get("targets", [])
     positions = [_number(target.get("position")) for target in targets]
     values = [_number(target.get("reversal")) for target in targets]
@@ -204,8 +211,8 @@ def reversal_chart(result: Document) -> Chart:
 
 
 def residual_charts(result: Document) -> list[Chart]:
-    """Return what the causes of a circular result leave of its runs, a panel for each direction:
-    measured minus fitted over the angle. Empty without a fit.
+    """Return the charts of the residuals of a circular test over the angle, one for each direction.
+    Empty without a fit.
     """
     fitted = result.get("fitted") or ()
     charts = []
@@ -229,9 +236,10 @@ def residual_charts(result: Document) -> list[Chart]:
 
 
 def expected_chart(predicted: Document, coverage: float) -> Chart:
-    """Return the expected means of each direction with ± ``coverage`` times the one ``s`` of a
-    single reading. ``predicted`` holds ``positions`` (m), ``positive``, ``negative`` (m) or None,
-    and ``s``.
+    """Return the chart of the expected means of each direction, with ± ``coverage`` times the
+    scatter ``s`` of a reading.
+
+    ``predicted`` holds ``positions`` (m), ``positive``, ``negative`` (m) or None, and ``s``.
     """
     chart = Chart()
     spread = coverage * _number(predicted.get("s"))
@@ -251,8 +259,8 @@ def expected_chart(predicted: Document, coverage: float) -> Chart:
 
 
 def table_chart(entry: Document) -> Chart:
-    """Return the correction over position for both directions, nodes marked, with the wanted
-    correction.
+    """Return the chart of the correction over position in both directions, with nodes and the
+    wanted correction.
 
     ``entry`` holds ``table`` (``positions``, ``correction_positive``, ``correction_negative``,
     ``unit``) as in the prediction document, and ``wanted`` (``positions``, ``positive``,
@@ -285,8 +293,8 @@ def table_chart(entry: Document) -> Chart:
 
 
 def estimate_chart(estimate: Document, result: Document) -> Chart:
-    """Return the estimated deviation with its ± 2 standard deviations, and the measured means as
-    markers.
+    """Return the chart of the estimated deviation ± 2 standard deviations, with the measured means
+    as markers.
 
     ``estimate`` holds ``positions`` (g), ``mean_positive``, ``mean_negative``, ``std_positive``,
     ``std_negative`` (g) in the unit of the positioning result ``result``.
@@ -328,7 +336,9 @@ def _add_band(
     look: CurveLook,
     label: str | Sentence = "",
 ) -> None:
-    """Add y ± half, with its limits where it has a ``label``; nothing where half is not known."""
+    """Add the band y ± half to a chart. ``label``: also draw its limits. Nothing where half is
+    unknown.
+    """
     if not _any_known(half):
         return
     low = [value - width for value, width in zip(y, half, strict=True)]
@@ -346,8 +356,8 @@ def _add_band(
 
 
 def covered(charts: Sequence[Chart]) -> tuple[tuple[float, float], tuple[float, float]]:
-    """Return the positions and the deviations that the panels show on one scale, (low, high) each:
-    all that is known, zero, and a margin.
+    """Return the common range of positions and of deviations of several charts, (low, high)
+    each.
     """
     positions, deviations = [math.inf, -math.inf], [0.0, 0.0]
     for chart in charts:
@@ -379,8 +389,8 @@ def _with_margin(limits: Sequence[float], share: float, least: float = 0.0) -> t
 
 
 def legend_of(charts: Sequence[Chart]) -> dict[str, Band | ChartCurve]:
-    """Return the legend of all panels (as `Chart.written`) by name: each entry once, similar ones
-    together, + before −.
+    """Return the legend of all charts by name, each entry once, similar ones together, + before
+    −.
     """
     entries: dict[str, Band | ChartCurve] = {}
     for chart in charts:
@@ -417,8 +427,8 @@ def title_of(result: Document) -> Sentence:
 
 
 def parameter_line(result: Document, most: int = 4) -> str | Sentence:
-    """The parameters of the corner: both directions together, or those of the one direction that
-    was measured.
+    """Return the parameters of both directions together as text, or those of the only measured
+    direction.
     """
     given = {
         key: value for key, value in (result.get("parameters") or {}).items() if value is not None
@@ -441,7 +451,7 @@ def _single(direction: str) -> tuple[str, ...]:
 
 
 def prediction_line(predicted: Document, before: Document, most: int) -> str | Sentence:
-    """Medians and 5-95 % of the first parameters of those that the panel before names."""
+    """Return the predicted medians and 5-95 % ranges of the main parameters as text."""
     given = before.get("parameters") or {}
     order = [
         key
@@ -456,7 +466,7 @@ def prediction_line(predicted: Document, before: Document, most: int) -> str | S
 
 
 def quantiles(name: str, one: Document) -> Sentence:
-    """Return the median and the 5-95 % of a parameter."""
+    """Return the median and the 5-95 % range of a parameter as text."""
     return say(
         "chart.quantiles",
         symbol=name,
@@ -480,7 +490,7 @@ def _number(value: object) -> float:
 
 
 def numbers(values: Sequence[object] | None) -> list[float]:
-    """Return the numbers of a list of a document; null, which is a gap in the curve, as NaN."""
+    """Return the numbers in a list of a document. null becomes NaN, a gap in the curve."""
     return [_number(value) for value in values or []]
 
 

@@ -1,5 +1,5 @@
-"""The page of one circular test in a report: picture, residual, parameters, causes next to what the
-instrument's software printed, what to do next, conditions. Computes nothing.
+"""The report page of one circular test: figures, parameters, causes, printed vendor results, next
+steps, conditions.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ _AGREES: Final = 2.0
 
 
 def circle_page(result: Document, index: int, job: Sequence[str] | None = None) -> dict[str, Any]:
-    """Return the page of a circular result, the ``index``-th test of its report; ``job``: lines for
+    """Return the page of a circular test. ``index``: its number in the report; ``job``: lines for
     all circles of its machine.
     """
     name = plain(result.get("name") or "")
@@ -57,7 +57,7 @@ def circle_page(result: Document, index: int, job: Sequence[str] | None = None) 
 
 
 def machine_block(machine: Document, results: Sequence[Document]) -> dict[str, Any]:
-    """Return what the circles ``results`` show together of one machine."""
+    """Return the report section with the common result of several circles of one machine."""
     rows = []
     for kind, found in machine["causes"].items():
         for of, each in found.items():
@@ -82,8 +82,8 @@ def machine_block(machine: Document, results: Sequence[Document]) -> dict[str, A
 
 
 def _parameters(result: Document) -> TextTable:
-    """Return the parameters of both directions, with U where it is stated and what the software of
-    the instrument printed.
+    """Return the parameters of both directions, with U where it is stated, and the vendor's printed
+    values.
     """
     values, printed = result.get("parameters") or {}, printed_parameters(result)
     stated = result.get("uncertainty") or {}
@@ -116,7 +116,7 @@ def _parameters(result: Document) -> TextTable:
 
 
 def _reasons(result: Document) -> list[tuple[Sentence, str]]:
-    """Return why values are missing: names in words, and their reason."""
+    """Return the reasons for missing values, with their names as text."""
     reasons: dict[str, list[Sentence]] = {}
     for key, reason in (result.get("not_applicable") or {}).items():
         words = say("head.causes") if key == "diagnosis" else _words(plain(key), result)
@@ -128,16 +128,17 @@ def _reasons(result: Document) -> list[tuple[Sentence, str]]:
 
 
 def _words(name: str, result: Document) -> Sentence:
-    """Return a cause or a parameter in words."""
+    """Return the text for a cause or a parameter."""
     if name in (result.get("parameters") or {}):
         return parameter_words(name)
     return full_cause_words(name, result.get("axes") or ("first", "second"))
 
 
 def _causes(causes: Sequence[CircleCause]) -> TextTable:
-    """Return the causes with their ends, the largest effect first; next to them what the
-    instrument's software printed, in brackets where it says itself that it is not valid, and how
-    the two compare.
+    """Return the causes with their parts, the largest effect first, and next to them the vendor's
+    printed values.
+
+    In brackets where it says itself that it is not valid, and how the two compare.
     """
     printed = _any_printed(causes)
     rows = []
@@ -178,7 +179,7 @@ def _values(cause: CircleCause, *, printed: bool) -> list[str | Sentence]:
 
 
 def _comparison(cause: CircleCause) -> str | Sentence:
-    """Return how our value and the printed one compare."""
+    """Return a comparison of our value with the printed one."""
     if cause.printed is None:
         return ""
     agrees = abs(cause.value - cause.printed) <= _AGREES * cause.error

@@ -1,4 +1,4 @@
-"""What to do about a cause that a circular test shows, in words: by whom, what to check first.
+"""The next steps for a cause that a circular test shows: who does them, and what to check first.
 
 Common practice of the workshop, in the order in which it costs least; no standard prescribes it.
 """
@@ -31,8 +31,8 @@ _WORD: Final = re.compile(r"[A-Za-z_][\w./-]*")
 
 
 def steps_for(causes: Sequence[CircleCause], axes: Sequence[str]) -> list[Sentence]:
-    """Return what to do about the largest significant causes, a sentence each, and why larger
-    causes are not among them.
+    """Return the next steps for the largest significant causes, one sentence each, and why larger
+    causes are missing.
     """
     shown = [cause for cause in causes if cause.shown]
     significant = [cause for cause in shown if cause.significant]
@@ -56,8 +56,8 @@ def steps_for(causes: Sequence[CircleCause], axes: Sequence[str]) -> list[Senten
 
 
 def next_step(cause: str, axes: Sequence[str]) -> Sentence | None:
-    """Return what to do about a cause of a test in the plane of ``axes``; None for one that is not
-    known.
+    """Return the next step for a cause of a test in the plane of ``axes``. None for an unknown
+    cause.
     """
     first, second = axes
     for ending, axis in (("_first", first), ("_second", second), ("", "")):
@@ -68,8 +68,8 @@ def next_step(cause: str, axes: Sequence[str]) -> Sentence | None:
 
 
 def machine_job(machine: Mapping[str, Any], results: Sequence[Mapping[str, Any]]) -> list[str]:
-    """Return the lines of a job for the circles of one machine: what they show together and do not
-    contradict each other in.
+    """Return job lines for the circles of one machine: their common results without
+    contradictions.
     """
     contradicted = {
         (one["cause"], circle["of"])
@@ -90,7 +90,7 @@ def machine_job(machine: Mapping[str, Any], results: Sequence[Mapping[str, Any]]
 
 
 def job_lines(causes: Sequence[str], result: Mapping[str, Any]) -> list[str]:
-    """Return `_job` for one circle and its ``causes``."""
+    """Return job lines for one circle and its ``causes``."""
     planes = {"".join(sorted(result["axes"]))} if "squareness" in causes else set()
     lost = bool({"backlash_first", "backlash_second"} & set(causes))
     return _job([result], planes, lost=lost, scale="scale_mismatch" in causes)
@@ -99,9 +99,10 @@ def job_lines(causes: Sequence[str], result: Mapping[str, Any]) -> list[str]:
 def _job(
     results: Sequence[Mapping[str, Any]], planes: Container[str], *, lost: bool, scale: bool
 ) -> list[str]:
-    """Return the lines of a job that corrects what a table can correct: the squareness of
-    ``planes`` (axes in the order of the alphabet), ``lost`` motion, ``scale``; empty where there is
-    nothing. Scale is that of the positioning tests, which the circles check.
+    """Return job lines that correct what a table can correct. Empty where there is nothing.
+
+    The squareness of ``planes`` (axes in the order of the alphabet), ``lost`` motion, ``scale``.
+    Scale is that of the positioning tests, which the circles check.
     """
     axes = {"".join(sorted(each)): each for each in (result["axes"] for result in results)}
     bent = [f"{one}{two}: {two}" for plane, (one, two) in axes.items() if plane in planes]

@@ -1,5 +1,5 @@
-"""Circular tests in the reports of ``run`` and ``verify``: the picture, and a table of what was, is
-expected, and was found.
+"""Circular tests in the reports of ``run`` and ``verify``: figure, and a table of values before,
+expected, and after.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ def circle_blocks(
     *,
     stated: Mapping[str, Mapping[str, str | Sentence]] | None = None,
 ) -> list[dict[str, Any]]:
-    """Return a block for each circle of a prediction or verification document.
+    """Return a report section for each circle of a prediction or verification.
 
     ``before`` and ``after``: the evaluation documents with their results; picture and conditions
     are those of the last test. ``stated``: what the job says of its circles, by name.
@@ -67,21 +67,21 @@ def circle_blocks(
 
 @dataclass(frozen=True, slots=True)
 class CircleFigure:
-    """The picture of a circular result in a page; ``prefix`` makes its ids its own."""
+    """The figure of a circular test in a page. ``prefix`` makes its ids unique."""
 
     result: Document
     prefix: str
     name: str
 
     def svg(self, language: Language) -> str:
-        """Return the picture, its words in the language."""
+        """Return the SVG picture, with its texts in the language."""
         described = say("chart.described", what="circle", name=self.name).text(language)
         drawn = polar_figure(self.result, language=language)
         return str(inline_figure(drawn, prefix=self.prefix, description=described))
 
 
 def findings_in_words(result: Document) -> list[Document]:
-    """Return the findings of a result with the causes that they name in words."""
+    """Return the findings of a result, with the causes that they name as text."""
     axes = result.get("axes") or ("first", "second")
     return [
         {**finding, "message": named_in_words(finding["message"], axes)}
@@ -90,9 +90,7 @@ def findings_in_words(result: Document) -> list[Document]:
 
 
 def limit_rows(circles: Mapping[str, Document]) -> list[dict[str, Any]]:
-    """Return a row of the verdict for each limit of each circle of a prediction or verification
-    document.
-    """
+    """Return a table row for each limit of each circle of a prediction or verification."""
     return [
         _limit_row(index, name, circle, key)
         for index, (name, circle) in enumerate(circles.items(), 1)
@@ -130,7 +128,7 @@ def _with_unit(text: str, unit: str) -> str | Sentence:
 
 
 def rules(circle: Document) -> list[Sentence]:
-    """Return by which rule the limits of a circle were decided; empty without limits."""
+    """Return the decision rule for the limits of a circle. Empty without limits."""
     return sections.rule_lines(circle.get("accept") or {}, "µm", after="after" in circle)
 
 

@@ -1,5 +1,5 @@
-"""Parameters of a circular result in words, next to what the instrument's software printed: one way
-for the terminal and the pages.
+"""The parameters of a circular test as text, next to the vendor's printed values. Terminal and
+pages use the same.
 """
 
 from __future__ import annotations
@@ -43,9 +43,7 @@ _PRINTED: Final = (
 
 @dataclass(frozen=True, slots=True)
 class ParameterRow:
-    """One line: what it is called, its letter, and the parameters of ccw, cw and both (empty where
-    there is none).
-    """
+    """One line of parameters: its name, its letter, and the values for ccw, cw and both."""
 
     words: Sentence
     letter: str
@@ -53,12 +51,12 @@ class ParameterRow:
 
     @property
     def signed(self) -> bool:
-        """Whether the values carry a sign."""
+        """Whether the values have a sign."""
         return self.keys[0][:1] == "F" or self.letter == "D"
 
 
 def parameter_rows(result: Mapping[str, Any]) -> list[ParameterRow]:
-    """Return the lines that say something: with a value, and not the same numbers twice."""
+    """Return the lines with a value. Lines with the same numbers as another are left out."""
     values = result.get("parameters") or {}
     rows = []
     for letter, name, keys in _ROWS:
@@ -71,9 +69,7 @@ def parameter_rows(result: Mapping[str, Any]) -> list[ParameterRow]:
 
 
 def printed_parameters(result: Mapping[str, Any]) -> dict[str, str]:
-    """Return what the instrument's software printed for the edition of the result, µm, by letter:
-    its values for ccw, cw and both, as far as they are there.
-    """
+    """Return the vendor's printed parameters for the edition of the result, µm, by letter."""
     edition = str(result.get("standard")).rpartition(":")[2]
     block = (result.get("vendor") or {}).get(f"ISO230_4 {edition}")
     if not isinstance(block, Mapping):
@@ -88,7 +84,7 @@ def printed_parameters(result: Mapping[str, Any]) -> dict[str, str]:
 
 
 def parameter_words(key: str) -> Sentence:
-    """Return a parameter as a page names it (``F_max_ccw_lsc`` -> ``F max ccw, least-squares
+    """Return the text for a parameter on a page (``F_max_ccw_lsc`` -> ``F max ccw, least-squares
     centre``).
     """
     letter, _, rest = key.removesuffix("_lsc").partition("_")

@@ -1,5 +1,4 @@
-"""Circular results of an evaluation document at the terminal, as rich renderables for 80 columns.
-Computes nothing.
+"""Circular results at the terminal, for 80 columns. Computes nothing.
 
 This module loads rich; whoever serves a command that may not print tables imports it inside a
 function.
@@ -25,14 +24,14 @@ from compwright.words.sentences import say
 
 
 def circular_tables(results: Sequence[Mapping[str, Any]]) -> list[RenderableType]:
-    """Return the renderables of circular results of an evaluation document: parameters, centre,
-    ranked causes, findings.
+    """Return the terminal output of circular results: parameters, centre, ranked causes,
+    findings.
     """
     return [_result(result) for result in results]
 
 
 def machine_table(machine: Mapping[str, Any]) -> RenderableType:
-    """Return the renderable of what several circles show of one machine."""
+    """Return the terminal output of the common result of several circles of one machine."""
     unnamed = machine["machine"] is None and machine["serial"] is None
     return Group(
         Text(str(machine_title(machine)), style="bold"),
@@ -91,7 +90,9 @@ def _short(value: float | None) -> str:
 
 
 def _centre(result: Mapping[str, Any]) -> str:
-    """Return where the common least-squares circle lies, or that of the only direction."""
+    """Return the centre of the common least-squares circle, or of the only direction's circle, as
+    text.
+    """
     given = {name: point for name, point in result["centre"].items() if point is not None}
     name = "common" if "common" in given else next(iter(given))
     places = ", ".join(
@@ -121,13 +122,13 @@ def _deviation(value: float | None, *, signed: bool) -> str:
 
 
 def _printed(result: Mapping[str, Any]) -> list[Text]:
-    """Return what the instrument's software printed for this edition, in one line."""
+    """Return the vendor's printed values for this edition in one line."""
     printed = [f"{letter} {values}" for letter, values in printed_parameters(result).items()]
     return [Text(f"Printed in the file: {', '.join(printed)} µm", style="dim")] if printed else []
 
 
 def _not_applicable(result: Mapping[str, Any]) -> list[Text]:
-    """Return one line per reason, with the parameters that it takes away."""
+    """Return one line for each reason why parameters are missing."""
     reasons: dict[str, list[str]] = {}
     for name, reason in result["not_applicable"].items():
         if name != "diagnosis":
@@ -139,9 +140,7 @@ def _not_applicable(result: Mapping[str, Any]) -> list[Text]:
 
 
 def _listed(names: Sequence[str], result: Mapping[str, Any]) -> str:
-    """Return causes by their words and parameters by their letters, each once; a long list is
-    cut.
-    """
+    """Return the names of causes and the letters of parameters, each once. A long list is cut."""
     causes = result["diagnosis"] or {}
     return ", ".join(dict.fromkeys(_shortened(name, causes, result["axes"]) for name in names))
 

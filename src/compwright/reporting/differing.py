@@ -1,4 +1,4 @@
-"""What compare and diff say at the terminal, as rich renderables: pages, not lists."""
+"""The terminal output of ``compare`` and ``diff``, short enough to read."""
 
 from __future__ import annotations
 
@@ -23,8 +23,8 @@ _ABSENT: Final = "not there"
 
 
 def compare_tables(document: Mapping[str, Any]) -> list[RenderableType]:
-    """Return for each axis whether the control holds what was planned, then every difference; what
-    is not known to compensate is counted.
+    """Return for each axis whether the control has the planned values, then every difference. Other
+    values are counted.
     """
     shown: list[RenderableType] = []
     for name, axis in document["axes"].items():
@@ -69,8 +69,8 @@ def compare_tables(document: Mapping[str, Any]) -> list[RenderableType]:
 
 
 def diff_tables(document: Mapping[str, Any]) -> list[RenderableType]:
-    """Return what differs axis by axis, then between axes, of the whole machine, and the rest
-    counted.
+    """Return the differences axis by axis, then between axes, then of the whole machine. The rest
+    is counted.
     """
     if document["same"]:
         shown: list[RenderableType] = [Text("same: both enter the same values", style="green")]
@@ -105,12 +105,12 @@ def diff_tables(document: Mapping[str, Any]) -> list[RenderableType]:
 
 
 def _both(entries: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
-    """Return the entries that stand on both sides."""
+    """Return the entries that exist on both sides."""
     return [entry for entry in entries if None not in (entry["old"], entry["new"])]
 
 
 def _correction(change: Mapping[str, Any] | None, *, known: bool = True) -> str:
-    """Return by how much a correction changed; ``known``: whether that is known."""
+    """Return the change of a correction as text. ``known``: whether it is known."""
     if change is None:
         same, entries = "the correction is the same", "only its entries are compared"
         return same if known else entries
@@ -123,8 +123,8 @@ def _correction(change: Mapping[str, Any] | None, *, known: bool = True) -> str:
 
 
 def entry_tables(entries: Sequence[Mapping[str, Any]]) -> list[RenderableType]:
-    """Return entries that differ as a table, those that only one side has counted; a long one is
-    cut visibly.
+    """Return differing entries as a table. Entries of only one side are counted, and a long table
+    is cut visibly.
     """
     both = _both(entries)
     alone = [
@@ -153,8 +153,10 @@ def entry_tables(entries: Sequence[Mapping[str, Any]]) -> list[RenderableType]:
 
 
 def other_tables(groups: Sequence[Mapping[str, Any]]) -> list[RenderableType]:
-    """Return what is not known to compensate, counted by parameter; parameters that only one side
-    has as one number where they are many.
+    """Return other differences, counted by parameter.
+
+    What is not known to compensate; parameters that only one side has as one number where they are
+    many.
     """
     both = [group for group in groups if group["changed"]]
     alone = len(groups) - len(both)

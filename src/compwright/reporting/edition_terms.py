@@ -1,4 +1,4 @@
-"""Words and symbols of the parameters of a positioning test, by the edition of the standard.
+"""Terms and symbols of the parameters of a positioning test, by the edition of the standard.
 
 Texts at hand: ISO 230-2:1988 (clauses 2.10 to 2.13 and 6), ISO 230-2:1997 (2.13, 2.14, 2.18 to
 2.23), ISO 230-2:2006 (2.13, 2.14, 2.18 to 2.24) and GOST 27843-2006, a modified translation of the
@@ -49,8 +49,8 @@ _WORDS: Final[Mapping[str, Mapping[str, str]]] = {
 
 
 def parameter_term(parameter: str, standard: object) -> str | Sentence:
-    """Return what the ``standard`` (an id such as ``iso230-2:1997``) calls a parameter; empty for a
-    name that is not a parameter.
+    """Return the term of the ``standard`` (an id such as ``iso230-2:1997``) for a parameter. Empty
+    for other names.
     """
     if parameter not in PARAMETERS:
         return ""
@@ -59,12 +59,12 @@ def parameter_term(parameter: str, standard: object) -> str | Sentence:
 
 
 def has_arrows(standard: object) -> bool:
-    """Whether the text of the ``standard`` is at hand and marks directions by ↑ and ↓."""
+    """Whether the text of the ``standard`` marks directions with ↑ and ↓."""
     return str(standard) in _WORDS
 
 
 def edition_symbol(parameter: str, standard: object) -> str:
-    """Return the symbol of a parameter, with ↑ and ↓ where the ``standard`` has them."""
+    """Return the symbol of a parameter, with ↑ and ↓ if the ``standard`` uses them."""
     text = symbol(parameter)
     if not has_arrows(standard) or not parameter.endswith(("_positive", "_negative")):
         return text

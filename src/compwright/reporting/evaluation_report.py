@@ -1,5 +1,5 @@
-"""The report of ``evaluate``: one self-contained HTML page of tests without a job, made of the
-evaluation document. Computes nothing.
+"""The report of ``evaluate``: one self-contained HTML page of tests without a job. Computes
+nothing.
 
 Its view holds ``evaluation`` (the document), ``report`` (see `paper.head`), ``command`` (what
 repeats the report), ``version`` and ``language`` (English without it).
@@ -25,7 +25,7 @@ _CIRCULAR: Final = ("G_ccw", "G_cw", "G_bidirectional", "H", "D")
 
 
 def evaluation_report(view: Document) -> bytes:
-    """Return the report: results and statement first, a page per test, raw readings, provenance.
+    """Return the report: results and statement first, one page per test, raw readings, provenance.
 
     Raises UsageError when the report extra is missing.
     """

@@ -1,5 +1,5 @@
-"""Many tests as a table for spreadsheets and scripts: a row each, every parameter with its unit in
-the header. Computes nothing.
+"""Many tests as a table for spreadsheets and scripts: one row per test, with units in the header.
+Computes nothing.
 
 Text from files and their names is data: what a spreadsheet would take for a formula is made
 harmless, in CSV by an apostrophe before it, in a workbook by its type.
@@ -37,9 +37,11 @@ _SENSES: Final = ("ccw", "cw", "common")
 
 
 def table_bytes(document: Mapping[str, Any], suffix: str) -> bytes:
-    """Return the tests of an evaluation document as a table: ``.csv`` (UTF-8, commas between the
-    columns, decimal points, one table whose rows leave empty what belongs to the other kind) or
-    ``.xlsx`` (a sheet for each kind, and one for what could not be evaluated).
+    """Return the tests of an evaluation as a ``.csv`` or ``.xlsx`` table.
+
+    ``.csv``: UTF-8, commas between the columns, decimal points, one table whose rows leave empty
+    what belongs to the other kind; ``.xlsx``: a sheet for each kind, and one for what could not be
+    evaluated.
 
     Deviations are in µm or arcsec, as the column ``unit`` says, positions in mm or deg
     (``position_unit``). A parameter that a test does not have is an empty cell. Raises UsageError
@@ -82,7 +84,7 @@ def _as_text(cell: Cell) -> str:
 
 
 def _tables(document: Mapping[str, Any]) -> list[tuple[str, Table]]:
-    """Return a table for each kind of test that there is."""
+    """Return one table for each kind of test."""
     found = []
     for kind, columns in (
         ("positioning", _positioning),
@@ -206,7 +208,7 @@ def _causes(result: _Result, names: Sequence[str]) -> list[Cell]:
 
 
 def _first(result: _Result) -> list[Cell]:
-    """Return the cells of `_FIRST`: files and fingerprints of one test set off by semicolons."""
+    """Return the first cells of a row: files and hashes of the test, separated by semicolons."""
     sources = result["sources"]
     return [
         result["kind"],
@@ -217,7 +219,7 @@ def _first(result: _Result) -> list[Cell]:
 
 
 def _last(result: _Result) -> list[Cell]:
-    """Return the cells of `_LAST`: how many findings of each severity, and their codes."""
+    """Return the last cells of a row: the number of findings of each severity, and their codes."""
     findings = result["findings"]
     counts = [
         sum(finding["severity"] == severity for finding in findings)
@@ -227,14 +229,14 @@ def _last(result: _Result) -> list[Cell]:
 
 
 def _in_use(results: Iterable[_Result], part: Callable[[_Result], Mapping[str, Any]]) -> list[str]:
-    """Return the names that ``part`` of any result has, in the order of the tables."""
+    """Return the names of ``part`` that occur in any result, in the order of the tables."""
     names = dict.fromkeys(name for result in results for name in part(result))
     order = {name: place for place, name in enumerate(PARAMETERS)}
     return sorted(names, key=lambda name: order.get(name, len(order)))
 
 
 def _text(value: object) -> str:
-    """Return text of a file or its name as one line."""
+    """Return the text or the name of a file as one line."""
     return visible(str(value))
 
 
@@ -274,7 +276,7 @@ def _fill(sheet: Any, heads: Sequence[str], rows: Sequence[Sequence[Cell]]) -> N
 
 
 def _undated(content: bytes) -> bytes:
-    """Return a workbook without the time at which it was made."""
+    """Return a workbook without the time of its creation."""
     stream = BytesIO()
     with (
         zipfile.ZipFile(BytesIO(content)) as made,

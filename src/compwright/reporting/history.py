@@ -1,4 +1,4 @@
-"""A history at the terminal: what each test of a machine showed, and what changed. Computes
+"""A history at the terminal: the results of each test of a machine, and the changes. Computes
 nothing.
 """
 
@@ -106,7 +106,7 @@ def _word(word: str) -> Text:
 
 
 def _remarks(document: Mapping[str, Any]) -> list[RenderableType]:
-    """Return the remarks about folders: first what was changed after it was written."""
+    """Return the remarks about folders. Files that were changed after writing come first."""
     lines = [
         Text(f"{folder['folder']}/{file['file']}: {_STATES[file['state']]}", "yellow")
         for folder in document["folders"]

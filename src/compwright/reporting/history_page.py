@@ -1,5 +1,5 @@
-"""The page of a history: a row for each axis and plane, with its course, what changes, and when a
-limit will be reached. Computes nothing.
+"""The page of a history: for each axis and plane its values over time, changes, and when a limit
+will be reached.
 """
 
 from __future__ import annotations
@@ -91,7 +91,7 @@ def _row(name: str, one: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _shown(one: Mapping[str, Any]) -> str:
-    """Return the parameter whose course is drawn."""
+    """Return the parameter whose values over time are drawn."""
     trends = one["trends"]
     changing = [name for name in _DRAWN if name in trends and trends[name]["clear"]]
     there = [name for name in _DRAWN if any(test.get(name) is not None for test in one["tests"])]
@@ -99,7 +99,7 @@ def _shown(one: Mapping[str, Any]) -> str:
 
 
 def _course(tests: Sequence[Mapping[str, Any]], name: str) -> Any:
-    """Return a small picture of a parameter over the days of its tests."""
+    """Return a small figure of a parameter over the dates of its tests."""
     found = [
         (datetime.fromisoformat(test["day"]).timestamp(), float(test[name]))
         for test in tests
@@ -128,7 +128,7 @@ def _course(tests: Sequence[Mapping[str, Any]], name: str) -> Any:
 
 
 def _scaled(values: Sequence[float], low: float, high: float) -> list[float]:
-    """Return where values stand between two ends; the middle where they are all the same."""
+    """Return the places of values between two ends. Equal values are in the middle."""
     least, span = min(values), max(values) - min(values)
     if span == 0.0:
         return [0.5 * (low + high)] * len(values)

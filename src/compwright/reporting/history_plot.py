@@ -1,4 +1,4 @@
-"""The figure of a history: a row for each axis and plane, over the dates of its tests."""
+"""The figure of a history: one row for each axis and plane, over the dates of its tests."""
 
 from __future__ import annotations
 
@@ -33,9 +33,11 @@ _MOST_LABELS: Final = 12
 
 
 def history_plot(document: Document, *, format: str = "svg") -> bytes:  # noqa: A002
-    """Return the figure of a ``compwright/history/1`` document; open marks are tests before
-    loading, full ones after it, bars two standard errors, red what changed beyond the uncertainty
-    and green what did with another table.
+    """Return the figure of a history. Open marks: before loading; full marks: after loading; bars:
+    two standard errors.
+
+    ``compwright/history/1``; red what changed beyond the uncertainty and green what did with
+    another table.
 
     Raises UsageError when there is nothing to draw, for an unknown format, or when the report extra
     is missing.
@@ -87,7 +89,9 @@ def _draw_row(line: Any, title: str, kind: str, one: Mapping[str, Any]) -> None:
 
 
 def _places(tests: Sequence[Mapping[str, Any]]) -> tuple[list[float], bool]:
-    """Return where the tests stand: by their dates where all have one, else one after the other."""
+    """Return the horizontal places of the tests: by date where all have one, else in their
+    order.
+    """
     days = [test["day"] for test in tests]
     if not all(days) or len(set(days)) < 2:
         return [float(place) for place in range(len(tests))], False
@@ -168,6 +172,6 @@ def _label(
 
 
 def _short(test: Mapping[str, Any]) -> str:
-    """Return how an undated test is called below an axis: the end of its folder's name."""
+    """Return the label of a test without a date: the end of its folder's name."""
     name = visible(str(test["folder"])).replace("\\", "/").rpartition("/")[2]
     return f"{name[-14:]} {test['taken']}"

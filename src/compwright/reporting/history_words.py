@@ -1,4 +1,4 @@
-"""What a history says of rates and jumps, in words: at the terminal and on the page."""
+"""Sentences about rates and jumps in a history, for the terminal and the page."""
 
 from __future__ import annotations
 
@@ -23,12 +23,14 @@ _NAMES = {
 
 
 def parameter_name(parameter: str) -> str:
-    """Return how a parameter of a history is called."""
+    """Return the printed name of a parameter in a history."""
     return _NAMES.get(parameter) or symbol(parameter)
 
 
 def trend_lines(one: Mapping[str, Any]) -> Iterator[str]:
-    """Yield the rates of an axis or plane that exceed three standard errors, and its jumps."""
+    """Yield the rates of an axis or plane that exceed three standard errors, and its jumps, as
+    text.
+    """
     tests = one["tests"]
     for parameter, trend in one["trends"].items():
         name, unit = parameter_name(parameter), unit_text(trend["unit"])
@@ -47,7 +49,7 @@ def trend_lines(one: Mapping[str, Any]) -> Iterator[str]:
 
 
 def limit_lines(one: Mapping[str, Any]) -> Iterator[str]:
-    """Yield which limits of an axis or plane will be reached, and when."""
+    """Yield the limits of an axis or plane that will be reached, and when, as text."""
     for parameter, trend in one["trends"].items():
         if trend["crosses"] is not None:
             limit = f"{number(trend['limit'])} {unit_text(trend['unit'])}"
@@ -55,7 +57,7 @@ def limit_lines(one: Mapping[str, Any]) -> Iterator[str]:
 
 
 def _when(crosses: Mapping[str, str]) -> str:
-    """Return median and interval, by month."""
+    """Return median and interval of a date, by month."""
     late = _month(crosses["latest"]) if crosses["latest"] else "later than in 30 years"
     if not crosses["day"]:
         return f"not before {_month(crosses['earliest'])}"
@@ -71,7 +73,7 @@ def _signed(value: float) -> str:
 
 
 def change_line(change: Mapping[str, Any], tests: Sequence[Mapping[str, Any]]) -> str:
-    """Return a change, its tests, and how seldom an unchanged machine shows it."""
+    """Return a change as text, with its tests and its probability on an unchanged machine."""
     before, after = (tests[change[which]] for which in ("before", "after"))
     name = change["parameter"]
     unit = "µm/m" if name == "squareness" else unit_text(change["unit"])
@@ -101,7 +103,7 @@ def _date(test: Mapping[str, Any]) -> str:
 
 
 def _odds(chance: float) -> str:
-    """Return how seldom, in round words."""
+    """Return a probability as text in round numbers."""
     if chance < 1e-6:
         return "less than once in a million"
     return f"once in {float(f'{1.0 / chance:.1g}'):,.0f}".replace(",", " ")

@@ -1,6 +1,4 @@
-"""What limits an axis: a bar for each cause in the report, one line at the terminal. Computes
-nothing but the length of the bars.
-"""
+"""The causes that limit an axis: a bar for each cause in the report, one line at the terminal."""
 
 from __future__ import annotations
 
@@ -21,8 +19,10 @@ _SHORT: Final = {"no table is written": "error that no table takes away"}
 
 
 def limits_block(predicted: Document, unit: object) -> dict[str, Any] | None:
-    """Return the picture of ``limits`` of an axis of the prediction document: a row for each cause,
-    its bar as long as its part of the parameter; None where there is nothing to show.
+    """Return the bars of the causes that limit an axis. None where there is nothing to show.
+
+    A row for each cause in ``limits`` of an axis of the prediction document, its bar as long as its
+    part of the parameter.
     """
     causes, limited = predicted.get("limits") or [], predicted.get("limited")
     if not causes or not limited:
@@ -54,9 +54,7 @@ def _bar(value: float, whole: float) -> float:
 
 
 def limits_line(axis: Document) -> str:
-    """Return what limits an axis of the prediction document in one line; empty where nothing is
-    known.
-    """
+    """Return the causes that limit an axis in one line. Empty where none is known."""
     limited = axis.get("limited")
     if not limited:
         return ""

@@ -1,4 +1,4 @@
-"""Numbered sections along an axis as a small drawing: as text, and as a picture in a page.
+"""A small drawing of the numbered table sections along an axis, as text and as a picture.
 
 Numbering as the card's document holds it: ``unit``, ``reference``, ``sections`` (``number``,
 ``from``, ``to``, ascending), ``marks`` (``number``, ``name``), ``second`` (number of the first
@@ -26,8 +26,9 @@ _GAP: Final = 60
 
 
 class _SectionCell(NamedTuple):
-    """A section that is shown, in words: its number, its ends, what names it, its number in the
-    second set; ``gap``: sections before it are left out.
+    """A drawn section, as text: its number, its ends, its name, its number in the second set.
+
+    ``gap``: sections before it are left out.
     """
 
     number: str
@@ -39,8 +40,8 @@ class _SectionCell(NamedTuple):
 
 
 class _Edge(NamedTuple):
-    """Where two sections meet: its place in the drawing, its position in words, whether it is the
-    reference.
+    """The edge between two sections: its place in the drawing, its position as text, and whether it
+    is the reference.
     """
 
     place: int
@@ -49,7 +50,9 @@ class _Edge(NamedTuple):
 
 
 class _Drawing(NamedTuple):
-    """Cells and gaps with their midpoints, and edges; places in units of the drawing."""
+    """The parts of the drawing: cells and gaps with their midpoints, and edges. Places are in units
+    of the drawing.
+    """
 
     cells: list[tuple[int, _SectionCell]]
     edges: list[_Edge]
@@ -57,7 +60,7 @@ class _Drawing(NamedTuple):
 
 
 def numbering_text(numbering: Mapping[str, Any], language: Language = "en") -> list[str]:
-    """Return the lines of the drawing, for a font of one width."""
+    """Return the drawing as lines of text, for a font of fixed width."""
     cells = _cells(numbering)
     widest = max(len(text) for cell in cells for text in cell[:5]) + 3
     widest += widest % 2  # a middle has a column
@@ -90,7 +93,7 @@ def numbering_text(numbering: Mapping[str, Any], language: Language = "en") -> l
 
 
 def numbering_svg(numbering: Mapping[str, Any], language: Language = "en") -> str:
-    """Return the drawing as markup to stand inside a page."""
+    """Return the drawing as markup inside a page."""
     cells = _cells(numbering)
     gaps = sum(cell.gap for cell in cells)
     width = (_WIDE - _LEFT - 40 - gaps * _GAP) // len(cells)
@@ -127,7 +130,7 @@ def numbering_svg(numbering: Mapping[str, Any], language: Language = "en") -> st
 
 
 def _cells(numbering: Mapping[str, Any]) -> list[_SectionCell]:
-    """Return the sections that are shown."""
+    """Return the sections that are drawn."""
     sections: Sequence[Mapping[str, Any]] = numbering["sections"]
     names: dict[int, list[str]] = {}
     for mark in numbering["marks"]:
@@ -155,7 +158,7 @@ def _cells(numbering: Mapping[str, Any]) -> list[_SectionCell]:
 def _laid_out(
     cells: Sequence[_SectionCell], zero: str, start: int, width: int, gap: int
 ) -> _Drawing:
-    """Return where everything stands: cells of one ``width`` from ``start`` on."""
+    """Return the places of all parts: cells of one ``width`` from ``start`` on."""
     drawing = _Drawing([], [_Edge(start, cells[0].low, cells[0].low == zero)], [])
     place = start
     for cell in cells:
@@ -174,7 +177,7 @@ def _position(value: Any) -> str:
 
 
 def _put(row: list[str], middle: int, text: str) -> None:
-    """Write a text about a column."""
+    """Write a text centred on a column."""
     start = middle - len(text) // 2
     row[start : start + len(text)] = text
 

@@ -1,6 +1,4 @@
-"""How numbers, units and parameter names are written for people: one way for plots, pages and
-cards.
-"""
+"""Write numbers, units and parameter names for people. Plots, pages and cards use the same."""
 
 from __future__ import annotations
 
@@ -51,8 +49,8 @@ _STANDARDS: Final = {
 
 
 def number(value: object, decimals: int = DEVIATION_DECIMALS) -> str:
-    """Return ``value`` with fixed decimals and a true minus sign; `MISSING` for None and NaN. Minus
-    zero is zero.
+    """Return ``value`` as text with fixed decimals and a true minus sign. `MISSING` for None and
+    NaN.
     """
     if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
         return MISSING
@@ -63,8 +61,8 @@ def number(value: object, decimals: int = DEVIATION_DECIMALS) -> str:
 
 
 def decimals_of(values: Iterable[object], most: int = 4) -> int:
-    """Return the fewest decimals, at most ``most``, that write all ``values`` without loss: one
-    width for a column.
+    """Return the smallest number of decimals, at most ``most``, that writes all ``values``
+    exactly.
     """
     finite = [
         float(value) for value in values if isinstance(value, int | float) and math.isfinite(value)
@@ -76,9 +74,7 @@ def decimals_of(values: Iterable[object], most: int = 4) -> int:
 
 
 def plain(value: object) -> str:
-    """Return any single value as text: numbers as short as they are exact (10 digits), None as
-    `MISSING`, others as they are.
-    """
+    """Return a single value as short exact text (10 digits). None becomes `MISSING`."""
     if value is None:
         return MISSING
     if isinstance(value, bool):
@@ -93,13 +89,13 @@ def plain(value: object) -> str:
 
 
 def with_unit(value: object, unit: str) -> Sentence:
-    """Return a value as `plain` shows it, with its unit."""
+    """Return a value as text with its unit, as short as `plain` writes it."""
     return say("label.with_unit", value=plain(value), unit=unit)
 
 
 def unit_text(unit: object) -> str:
-    """Return a unit of the documents (``um``, ``arcsec``, ``mm``, ``deg``) as it is shown; unknown
-    ones as they are.
+    """Return the printed form of a document's unit (``um``, ``arcsec``, ``mm``, ``deg``). Unknown
+    ones stay.
     """
     return _UNITS.get(str(unit), str(unit))
 

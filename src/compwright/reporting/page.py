@@ -1,5 +1,5 @@
-"""Self-contained HTML pages: templates and style sheet inside the package, figures inline, no
-script, nothing fetched.
+"""Self-contained HTML pages: templates and style sheet from the package, figures inline, no script,
+no download.
 
 Everything that a document says is escaped by the template engine; control characters, and those
 that turn the direction of writing, stand as their escapes. The pages are well-formed XML as well,
@@ -29,8 +29,8 @@ _NOT_TEXT: Final = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U00
 
 
 def render_page(template: str, content: Mapping[str, Any], language: Language = "en") -> bytes:
-    """Return the page of a template in ``templates/`` as UTF-8 bytes, its sentences and numbers in
-    a ``language``. Raises UsageError when the report extra is missing.
+    """Return the page of a template in ``templates/`` as UTF-8 bytes in a ``language``. Raises
+    UsageError when the report extra is missing.
     """
     need("jinja2")
     text: str = _environment(language).get_template(template).render(**content)
@@ -38,7 +38,7 @@ def render_page(template: str, content: Mapping[str, Any], language: Language = 
 
 
 def template_text(name: str) -> str:
-    """Return a file of ``templates/`` as it is. Raises UsageError when the report extra is
+    """Return a file of ``templates/`` unchanged. Raises UsageError when the report extra is
     missing.
     """
     environment = _environment("en")
@@ -48,7 +48,7 @@ def template_text(name: str) -> str:
 
 @functools.cache
 def _environment(language: Language) -> Any:
-    """Return the template engine of a language, which keeps the templates that it has compiled."""
+    """Return the template engine of a language. It caches compiled templates."""
     jinja2 = need("jinja2")
     environment = jinja2.Environment(
         loader=jinja2.PackageLoader("compwright.reporting"),
@@ -67,14 +67,14 @@ def _environment(language: Language) -> Any:
 
 
 class Figure(Protocol):
-    """What a page draws in its language."""
+    """A figure that a page draws in its language."""
 
     def svg(self, language: Language) -> str:
-        """Return the picture as markup to stand inside a page."""
+        """Return the figure as SVG markup inside a page."""
 
 
 def inline_figure(svg: bytes, *, prefix: str, description: str) -> Any:
-    """Return an SVG file of `plots` as markup to stand inside a page.
+    """Return an SVG file of `plots` as markup inside a page.
 
     ``prefix`` makes its ids its own (figures on one page must not use each other's clips and
     letters), name spaces and metadata go (HTML needs none), ``description`` is what a screen reader
@@ -101,8 +101,9 @@ def inline_figure(svg: bytes, *, prefix: str, description: str) -> Any:
 
 
 def _clean(value: Any, language: Language) -> Any:
-    """Return sentences and numbers in the language, with minus signs outside of code. Show what no
-    page may hold, in plain text only: markup is ours and clean.
+    """Return sentences and numbers in the language, with minus signs outside of code.
+
+    Show what no page may hold, in plain text only: markup is ours and clean.
     """
     if isinstance(value, Sentence | str) and not hasattr(value, "__html__"):
         worded = type(value) is not str
@@ -116,29 +117,31 @@ def _clean(value: Any, language: Language) -> Any:
 
 
 def _coded(value: Any, language: Language) -> Any:
-    """Return a text as markup: what stands between backticks is code."""
+    """Return a text as markup. Text between backticks becomes code."""
     markup = need("markupsafe")
     escaped = str(markup.escape(_clean(value, language)))
     return markup.Markup(_CODE.sub(r"<code>\1</code>", escaped))
 
 
 def _drawn(figure: Figure, language: Language) -> Any:
-    """Return a figure as markup, its words in the language."""
+    """Return a figure as markup, with its texts in the language."""
     return need("markupsafe").Markup(figure.svg(language))
 
 
 def _css(value: str | Sentence, language: Language) -> Any:
-    """Return a text or sentence as a CSS string inside a style sheet of the page."""
+    """Return a text or sentence as a CSS string for a style sheet of the page."""
     text = value.text(language) if isinstance(value, Sentence) else value
     return need("markupsafe").Markup(css_string(text))
 
 
 def css_string(text: str) -> str:
-    """Return ``text`` as a CSS string: nothing in it can end the string or the style sheet."""
+    """Return ``text`` as a safe CSS string, which cannot end the string or the style sheet."""
     line = " ".join(visible_lines(text).split())[:_MOST_IN_FOOTER]
     return '"' + "".join(c if c.isalnum() or c in " .-" else f"\\{ord(c):x} " for c in line) + '"'
 
 
 def _link(name: object) -> str:
-    """Return a relative link to a file next to the page; a colon cannot make it a scheme."""
+    """Return a relative link to a file next to the page. A colon in its name does not make it a
+    URL.
+    """
     return quote(_NOT_TEXT.sub(" ", str(name)).replace("\\", "/").lstrip("/"), safe="/")

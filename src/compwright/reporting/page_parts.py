@@ -1,4 +1,4 @@
-"""What the pages of ``run`` and ``verify`` have in common: head, tests, findings of no axis."""
+"""Common parts of the pages of ``run`` and ``verify``: head, tests, findings of no axis."""
 
 from __future__ import annotations
 
@@ -14,8 +14,10 @@ from compwright.words.sentences import Sentence, say
 def common(
     view: Document, evaluations: Sequence[tuple[str | Sentence, Document | None]]
 ) -> dict[str, Any]:
-    """Return what every page shows: title, machine, control, and the tests of the ``evaluations``,
-    each with its label.
+    """Return the common contents of every page: title, machine, control, and the tests with their
+    labels.
+
+    Of the ``evaluations``.
     """
     title = view.get("title") or "compwright"
     title = title if isinstance(title, Sentence) else plain(title)
@@ -46,8 +48,10 @@ def common(
 
 
 def paper_content(view: Document, results: Sequence[Document]) -> dict[str, Any]:
-    """Return what makes the page a report: its head, the wording for a firm without accreditation,
-    and the command that repeats it. ``results``: the tests that it is about.
+    """Return the contents that make the page a formal report: head, accreditation text, and its
+    command line.
+
+    The wording for a firm without accreditation; ``results``: the tests that it is about.
     """
     return {
         "head": paper.head(view.get("report") or {}, results),
@@ -57,7 +61,7 @@ def paper_content(view: Document, results: Sequence[Document]) -> dict[str, Any]
 
 
 def conditions(blocks: Iterable[Document]) -> list[dict[str, Any]]:
-    """Return the conditions of the tests of all axes: those of one standard in one table."""
+    """Return the conditions of the tests of all axes, in one table for each standard."""
     return paper.sheets_together(
         (f"{block['name']}, {part['name']}" if part is not block else block["name"], sheet)
         for block in blocks
@@ -69,18 +73,18 @@ def conditions(blocks: Iterable[Document]) -> list[dict[str, Any]]:
 def remaining(
     view: Document, blocks: Iterable[Document], *evaluations: Document | None
 ) -> list[dict[str, Any]]:
-    """Return the findings outside the axes' sections, and the files that could not be read."""
+    """Return the findings outside the axes' sections, and the unreadable files."""
     shown = {(item["code"], item["message"]) for block in blocks for item in block["findings"]}
     every = sections.findings(sections.unreadable(*evaluations), view.get("findings"))
     return [item for item in every if (item["code"], item["message"]) not in shown]
 
 
 def anchor(index: int) -> str:
-    """Return the mark of an axis' section on the page."""
+    """Return the link target of an axis' section on the page."""
     return f"axis-{index}"
 
 
 def with_unit(value: object, unit: str) -> str | Sentence:
-    """Return a number with its unit; what stands for a missing one alone."""
+    """Return a number with its unit. A missing number has no unit."""
     text = number(value)
     return say("label.with_unit", value=text, unit=unit) if value is not None else text

@@ -1,4 +1,4 @@
-"""The plotting library: the look of all figures, charts drawn with it, and their bytes."""
+"""The plotting library matplotlib: style of all figures, drawing of charts, and their bytes."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ _STYLE: Final[dict[str, object]] = {
 
 
 def draw_chart(panel: Any, chart: Chart) -> None:
-    """Draw a chart into a panel of the plotting library, in English."""
+    """Draw a chart into matplotlib axes, in English."""
     chart = chart.written("en")
     panel.axhline(0.0, color="#777777", linewidth=0.8, zorder=1.0)
     for band in chart.bands:
@@ -88,7 +88,7 @@ def draw_chart(panel: Any, chart: Chart) -> None:
 
 
 def draw_on_axes(panel: Any, chart: Chart) -> Any:
-    """Draw a chart into axes of the user's own figure, or of a new one (None); returns the axes.
+    """Draw a chart into axes of the user's own figure, or of a new one (None). Returns the axes.
 
     Raises UsageError when the report extra is missing.
     """
@@ -111,7 +111,7 @@ def _draw_curve(panel: Any, curve: ChartCurve) -> None:
 
 
 def legend(figure: Any, charts: Sequence[Chart], panels: Sequence[Any]) -> None:
-    """Draw one legend for all panels, below them."""
+    """Draw one legend for all charts below them."""
     names = list(legend_of([chart.written("en") for chart in charts]))
     handles: dict[str, Any] = {}
     for panel in panels:
@@ -129,7 +129,9 @@ def legend(figure: Any, charts: Sequence[Chart], panels: Sequence[Any]) -> None:
 
 
 def known_format(format_: str) -> PlotFormat:
-    """Return ``format_`` as a known format. Raises UsageError, which names it, for any other."""
+    """Return ``format_`` as a known file format. Raises UsageError, which names it, for any
+    other.
+    """
     ending = format_.lower().removeprefix(".")
     if ending not in _FORMATS:
         raise UsageError(
@@ -145,9 +147,8 @@ def known_format(format_: str) -> PlotFormat:
 
 @contextmanager
 def style() -> Iterator[None]:
-    """Set the look of all figures while one is drawn and written; one thread draws at a time, for
-    the plotting library keeps one style for the process. Raises UsageError when the report extra is
-    missing.
+    """Set the style of figures during drawing. Only one thread draws at a time. Raises UsageError
+    when the report extra is missing.
     """
     matplotlib = need("matplotlib")
     # a name in a script that the font lacks shows boxes
@@ -156,13 +157,13 @@ def style() -> Iterator[None]:
 
 
 def new_figure(height: float) -> Any:
-    """Return an empty figure of the width of a page and ``height`` in inches."""
+    """Return an empty figure with the width of a page and ``height`` in inches."""
     figure_module = need("matplotlib.figure")
     return figure_module.Figure(figsize=(_WIDTH, height), layout="constrained")
 
 
 def render(figure: Any, kind: PlotFormat) -> bytes:
-    """Return the bytes of the figure, without a date, so that the same input gives the same
+    """Return the bytes of the figure without a date, so that the same input gives the same
     bytes.
     """
     metadata: dict[str, dict[str, str | None]] = {

@@ -1,5 +1,5 @@
-"""What makes pages a report on paper: its head, the statement of conformity, the conditions of each
-test, the budget of the uncertainty, the annexes. Computes nothing.
+"""The parts of a printed report: head, statement of conformity, conditions, uncertainty budget,
+annexes. Computes nothing.
 """
 
 from __future__ import annotations
@@ -44,9 +44,11 @@ _SOURCES: Final = {
 
 
 def head(report: Document, evaluations: Sequence[Document]) -> dict[str, Any]:
-    """Return the head of a report: ``rows`` of name and text, the ``logo`` (or None), the
-    ``running`` footer of each printed page, and the ``date``
-    of the last test as ISO 8601 writes it (empty where no test states one).
+    """Return the head of a report: rows of name and text, logo, page footer, and date of the last
+    test.
+
+    ``rows``, the ``logo`` (or None), the ``running`` footer of each printed page, and the ``date``
+    as ISO 8601 writes it (empty where no test states one).
 
     ``report``: ``number``, ``customer``, ``operator``, ``place`` and ``logo`` (``type``,
     ``base64``) as far as they are given.
@@ -72,7 +74,7 @@ def head(report: Document, evaluations: Sequence[Document]) -> dict[str, Any]:
 
 
 def conformity(decisions: Sequence[str], *, proven: bool) -> Sentence:
-    """Return the statement of conformity of a machine by the ``decisions`` on its limits.
+    """Return the statement of conformity of a machine, from the ``decisions`` on its limits.
 
     ``proven``: nothing but the limits is open.
     """
@@ -90,7 +92,7 @@ def _shown(text: object) -> str | Sentence:
 
 
 def _last_day(results: Sequence[Document]) -> str:
-    """Return the latest date that a test states and that the calendar has; empty without any."""
+    """Return the latest valid date that a test states. Empty without any."""
     days = []
     for result in results:
         for row in sheet_rows(result, {}):
@@ -101,7 +103,9 @@ def _last_day(results: Sequence[Document]) -> str:
 
 
 def _of_every_test(key: str, results: Sequence[Document]) -> str | Sentence:
-    """Return what the tests state of an item; where they differ much, where it is found."""
+    """Return the statements of all tests about an item. If they differ much: where they are
+    found.
+    """
     values = dict.fromkeys(
         row["value"] for result in results for row in sheet_rows(result, {}) if row["key"] == key
     )
@@ -111,7 +115,7 @@ def _of_every_test(key: str, results: Sequence[Document]) -> str | Sentence:
 
 
 def measured_block(result: Document, stated: Mapping[str, str | Sentence]) -> dict[str, Any]:
-    """Return the page of one positioning result: figures, extremes, conditions and budget."""
+    """Return the page of one positioning test: figures, extremes, conditions and budget."""
     axis = plain(result.get("axis"))
     reversal = any(target.get("reversal") is not None for target in result.get("targets") or ())
     return {
@@ -124,7 +128,9 @@ def measured_block(result: Document, stated: Mapping[str, str | Sentence]) -> di
 
 
 def sheet(result: Document, stated: Mapping[str, str | Sentence]) -> dict[str, Any]:
-    """Return the conditions of a test: the items of its standard, and what the file says more."""
+    """Return the conditions of a test: the items of its standard, and further statements of the
+    file.
+    """
     return {
         "standard": standard_text(result.get("standard", "")),
         "rows": sheet_rows(result, stated),
@@ -136,8 +142,8 @@ def sheet(result: Document, stated: Mapping[str, str | Sentence]) -> dict[str, A
 def sheets_together(
     sheets: Iterable[tuple[str | Sentence, Document]],
 ) -> list[dict[str, Any]]:
-    """Return the `sheet`s of several tests, each with the name of its test, as one for each
-    standard: what is the same for all tests once, else with the names of the tests.
+    """Return the conditions of several tests, one table for each standard. Common statements appear
+    once.
     """
     of_standard: dict[str, list[tuple[str | Sentence, Document]]] = {}
     for name, one in sheets:
@@ -161,7 +167,7 @@ def sheets_together(
 
 
 def _of_each(names: Sequence[str | Sentence], values: Sequence[str | Sentence]) -> str | Sentence:
-    """Return what all tests state, or each value with the names of its tests."""
+    """Return the common statement of all tests, or each value with the names of its tests."""
     names_by_value: dict[str | Sentence, list[str | Sentence]] = {}
     for name, value in zip(names, values, strict=True):
         names_by_value.setdefault(value, []).append(name)

@@ -1,6 +1,7 @@
-"""A page as PDF: the same page that is shown as HTML, set on A4 by typst. There is no second
-report: what a page says is in its markup, well-formed XML with the few elements and classes that
-``templates/style.css`` knows.
+"""Print a page as PDF with typst. It is the same page as the HTML, on A4.
+
+There is no second report: what a page says is in its markup, well-formed XML with the few elements
+and classes that ``templates/style.css`` knows.
 
 `pdf_of_page` reads that markup into a tree and hands it to ``templates/page.typ`` as JSON; no word
 of it becomes source text. PDF/A-2b and PDF/UA-1: typst refuses to write a file that breaks one of
@@ -44,7 +45,9 @@ _SVG: Final = "http://www.w3.org/2000/svg"
 
 
 def require_pdf() -> Any:
-    """Return what sets pages. Raises UsageError when the pdf extra is missing."""
+    """Return the library typst, which makes PDF pages. Raises UsageError when the pdf extra is
+    missing.
+    """
     for module in ("jinja2", "matplotlib"):
         need(module, "pdf", "PDF reports")
     return need("typst", "pdf", "PDF reports")
@@ -84,14 +87,16 @@ def pdf_of_page(page: bytes) -> bytes:
 
 
 class _Letters:
-    """What the font can print. Letters that it lacks would vanish without a word."""
+    """The letters that the font contains. Missing letters would disappear silently."""
 
     def __init__(self) -> None:
         self.missing: set[str] = set()
         self._known = _known_letters()
 
     def shown(self, text: str) -> str:
-        """Return ``text`` with its white space as one space each and unknown letters by number."""
+        """Return ``text`` with each white space as one blank, and unknown letters as their
+        numbers.
+        """
         line = _SPACE.sub(" ", text)
         unknown = {letter for letter in line if ord(letter) not in self._known}
         self.missing |= unknown
@@ -101,13 +106,13 @@ class _Letters:
 
 
 def _known_letters() -> frozenset[int]:
-    """Return the code points that DejaVu Sans holds, the font of every page and figure."""
+    """Return the code points in DejaVu Sans, the font of every page and figure."""
     font = need("matplotlib.ft2font").FT2Font(str(_font_folder() / "DejaVuSans.ttf"))
     return frozenset(font.get_charmap()) - frozenset(range(0xE000, 0xF900))
 
 
 def _font_folder() -> Path:
-    """Return the folder of the fonts, which come with the library that paints figures."""
+    """Return the folder of the fonts, which belong to matplotlib."""
     return Path(need("matplotlib").get_data_path()) / "fonts" / "ttf"
 
 
@@ -124,7 +129,7 @@ def _made(tag: str, children: list[Any], **more: Any) -> dict[str, Any]:
 
 
 class _Tree:
-    """Reads the markup of a page. ``ids``: those that a link of the page leads to."""
+    """Reads the markup of a page. ``ids``: the targets of its links."""
 
     def __init__(self, letters: _Letters, ids: set[str]) -> None:
         self._letters = letters
@@ -209,14 +214,14 @@ class _Tree:
 
 
 def _left_out(element: ET.Element) -> bool:
-    """Whether an element is not printed: links to jump by, and what is closed."""
+    """Return whether an element is not printed: navigation links, and closed details."""
     return element.tag in {"nav", "style"} or (
         element.tag == "details" and element.get("open") is None
     )
 
 
 def _unbroken(child: Any) -> Any:
-    """Return a node whose words stay in one line."""
+    """Return a node whose words stay on one line."""
     if isinstance(child, str):
         return child.replace(" ", "\u00a0")
     return {**child, "children": list(map(_unbroken, child["children"]))}
@@ -227,7 +232,7 @@ def _with_break(found: re.Match[str]) -> str:
 
 
 def _trimmed(parts: list[Any]) -> list[Any]:
-    """Leave out the white space round blocks and at the ends."""
+    """Remove the white space around blocks and at the ends."""
 
     def inline(place: int) -> bool:
         if not 0 <= place < len(parts):
@@ -248,8 +253,8 @@ def _trimmed(parts: list[Any]) -> list[Any]:
 
 
 def _columns(rows: list[list[dict[str, Any]]], *, narrow: bool) -> list[dict[str, int]]:
-    """Return of each column its ``share`` in the width of the page, or the ``letters`` that it is
-    wide, or neither: as much as it needs. Heads of numbers break between words.
+    """Return the width of each column: a ``share`` of the table, a number of ``letters``, or
+    automatic.
     """
     shares: list[int] = []
     letters: list[int] = []

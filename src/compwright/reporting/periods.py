@@ -1,5 +1,5 @@
-"""The periods of an axis as they are shown: a row for each, and pictures over the period: the
-evidence, and the least amplitude that the test shows. Computes nothing but places in the picture.
+"""The periods of an axis in a report: one row each, and figures of evidence and smallest visible
+amplitude.
 """
 
 from __future__ import annotations
@@ -32,8 +32,10 @@ _RAISED: Final = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def periods_block(predicted: Document, unit: object) -> dict[str, Any] | None:
-    """Return the rows and the pictures of ``periods`` and ``period_search`` of an axis of the
-    prediction document; None where nothing is known and nothing was searched.
+    """Return the rows and figures of the periods of an axis. None where none is known and no search
+    was made.
+
+    ``periods`` and ``period_search`` of an axis of the prediction document.
     """
     periods, search = predicted.get("periods") or [], predicted.get("period_search")
     if not periods and not search:
@@ -70,7 +72,7 @@ def _percent(probability: float) -> str:
 
 
 def _odds_picture(search: Document, periods: Sequence[Document]) -> dict[str, Any]:
-    """Return the curve of the logarithm of odds to base 10 over the logarithm of the period."""
+    """Return the curve of the log10 odds over the logarithm of the period."""
     sizes = search["periods"]
     odds = [max(float(each) / math.log(10.0), _LOWEST) for each in search["log_odds"]]
     top = max(_LEAST_ODDS, 1.08 * max(odds))
@@ -90,9 +92,7 @@ def _odds_picture(search: Document, periods: Sequence[Document]) -> dict[str, An
 
 
 def _amplitude_picture(search: Document) -> dict[str, Any]:
-    """Return the curve of the least amplitude that the test shows, over the logarithm of the
-    period; with gaps where it is larger than the picture.
-    """
+    """Return the curve of the smallest visible amplitude over the logarithm of the period."""
     shown = [
         each if each is not None and each <= _LARGEST else None for each in search["detectable"]
     ]
@@ -110,7 +110,9 @@ def _amplitude_picture(search: Document) -> dict[str, Any]:
 
 @dataclass(frozen=True, slots=True)
 class _Field:
-    """Places in a picture over the logarithm of ``periods``, ascending, from ``low`` to ``top``."""
+    """The scales of a figure over the logarithm of ``periods``, ascending, from ``low`` to
+    ``top``.
+    """
 
     periods: Sequence[float]
     low: float
@@ -124,7 +126,7 @@ class _Field:
         return round(_TOP + _HEIGHT * (self.top - value) / (self.top - self.low), 1)
 
     def picture(self, values: Sequence[float | None]) -> dict[str, Any]:
-        """Return the frame, and lines through the ``values``, with gaps at None."""
+        """Return the frame and the curves through ``values``, with gaps at None."""
         lines: list[list[str]] = [[]]
         for period, value in zip(self.periods, values, strict=True):
             if value is None:
@@ -149,7 +151,7 @@ class _Field:
 
 
 def _power(exponent: int) -> str:
-    """Return 10 to the ``exponent`` as it is read: 1 000 000, beyond that 10⁷."""
+    """Return 10 to the ``exponent`` as text: 1 000 000, beyond that 10⁷."""
     if exponent > _LONGEST:
         return "10" + str(exponent).translate(_RAISED)
     return f"{10**exponent:,}".replace(",", "\u00a0")

@@ -1,5 +1,5 @@
-"""A file of figures of an evaluation document: deviations over position as in ISO 230-2:1997 figure
-2, and circles. The same input gives the same bytes.
+"""Write figures of an evaluation to a file: deviations over position (ISO 230-2:1997 figure 2), and
+circles.
 """
 
 from __future__ import annotations
@@ -17,8 +17,7 @@ _ROW_HEIGHT = 2.9  # inches, of one positioning result
 
 # the plotting library's own word
 def evaluation_plot(document: Document, *, format: str = "svg") -> bytes:  # noqa: A002
-    """Return one figure with a panel for each positioning result, one below the other, and below
-    them each circular result.
+    """Return one figure with a chart for each positioning test, and below them each circular test.
 
     A circular result with its samples is drawn as by `polar.polar_figure`. Raises UsageError when
     there is nothing to draw, for an unknown format, or when the report extra is missing.

@@ -1,5 +1,5 @@
-"""Pictures of circular tests: the path with its deviations magnified (ISO 230-4, figures 4 and 5),
-and the ranked causes.
+"""Figures of circular tests: the path with magnified deviations (ISO 230-4, figures 4 and 5), and
+the ranked causes.
 
 A result is an entry ``kind: circular`` of the evaluation document: deviations µm, angles deg,
 radius mm. The two directions differ by line, width and lightness, so that a print without colours
@@ -48,7 +48,7 @@ _RING_LABELS: Final = math.radians(117.0)  # away from the axes and from 45°, w
 
 @dataclass(frozen=True, slots=True)
 class _Way:
-    """How one direction is drawn: the first as a thick, the second as a thin broken line (figure
+    """The line style of one direction: thick for the first, thin and broken for the second (figure
     4).
     """
 
@@ -65,7 +65,7 @@ _ZONE_STEPS: Final = 360
 
 @dataclass(frozen=True, slots=True)
 class Path:
-    """One run about the centre of the picture: ``angles`` rad and ``radial`` µm (distance minus
+    """One run about the centre of the figure: ``angles`` rad and ``radial`` µm (distance minus
     nominal radius).
     """
 
@@ -81,7 +81,7 @@ def polar_figure(
     format: str = "svg",  # noqa: A002 - the plotting library's own word
     language: Language = "en",
 ) -> bytes:
-    """Return the picture of one circular result: the path magnified, and its causes where it was
+    """Return the figure of one circular test: the magnified path, and its causes if it was
     diagnosed.
 
     ``result`` needs ``runs`` (``direction``, ``number``, ``angles`` deg, ``deviations`` µm as
@@ -129,7 +129,7 @@ def draw_test(figure: Any, result: Document, language: Language = "en") -> None:
 
 
 def paths_of(result: Document, centre: tuple[float, float], runs: Sequence[Document]) -> list[Path]:
-    """Return ``runs`` about ``centre`` (µm from the set-up centre), the first of each direction
+    """Return ``runs`` about ``centre`` (µm from the set-up centre). The first of each direction is
     marked as evaluated.
 
     A bar measures from its set-up centre; the commanded angle counts about the programmed one. So a
@@ -156,8 +156,9 @@ def paths_of(result: Document, centre: tuple[float, float], runs: Sequence[Docum
 
 
 def _distance(angle: float, radius: float, length: float, centre: tuple[float, float]) -> float:
-    """Return the distance from ``centre``, mm, of the point ``length`` from the set-up centre
-    towards the commanded point.
+    """Return the distance from ``centre``, mm, of a measured point.
+
+    The point ``length`` from the set-up centre towards the commanded point.
     """
     towards = (centre[0] + radius * math.cos(angle), centre[1] + radius * math.sin(angle))
     scale = length / math.hypot(*towards)
@@ -176,8 +177,8 @@ def magnification_of(largest: float, radius: float) -> float:
 
 
 def picture_centre(result: Document) -> tuple[str, tuple[float, float]]:
-    """Return name and place (µm) of the centre of the picture: the common least-squares circle's,
-    or the only direction's.
+    """Return name and position (µm) of the figure's centre: that of the common least-squares
+    circle, or of the only direction's.
     """
     centres = result.get("centre") or {}
     for name in ("common", "ccw", "cw"):
@@ -187,8 +188,8 @@ def picture_centre(result: Document) -> tuple[str, tuple[float, float]]:
 
 
 def draw_path(panel: Any, result: Document, language: Language = "en") -> None:
-    """Draw the runs, the nominal circle, the minimum zone, the axes and the starts of the arc,
-    magnified.
+    """Draw the magnified runs, the nominal circle, the minimum zone, the axes and the start
+    points.
     """
     name, centre = picture_centre(result)
     paths = paths_of(result, centre, result["runs"])
@@ -252,7 +253,7 @@ def draw_path(panel: Any, result: Document, language: Language = "en") -> None:
 
 @dataclass(frozen=True, slots=True)
 class _Place:
-    """Where a radial deviation is drawn: ``scale`` mm of the picture per µm, beyond the circle that
+    """The scale of radial deviations: ``scale`` mm of the figure per µm, from the circle that
     deviates by ``base`` µm.
     """
 
@@ -275,8 +276,8 @@ class _Place:
 
 
 def _base(result: Document, values: Sequence[float]) -> float:
-    """Return the deviation, µm, of the circle from which deviations are drawn: nominal, where the
-    radius counts and is not far.
+    """Return the deviation, µm, of the circle from which deviations are drawn: nominal, if the
+    radius counts and is near.
     """
     means = result.get("mean_radius_deviation") or {}
     given = [result["parameters"].get("D"), means.get("ccw"), means.get("cw")]
@@ -286,7 +287,7 @@ def _base(result: Document, values: Sequence[float]) -> float:
 
 
 def _rings(panel: Any, place: _Place, most: float, least: float, language: Language) -> None:
-    """Draw faint circles at round deviations with their values next to the second axis."""
+    """Draw faint circles at round deviations, with their values next to the second axis."""
     step = _round_step(max(most, -least, 0.05))
     box = {"boxstyle": "square,pad=0.12", "facecolor": "white", "edgecolor": "none", "alpha": 0.8}
     for count in range(
@@ -304,7 +305,7 @@ def _rings(panel: Any, place: _Place, most: float, least: float, language: Langu
 
 
 def _round_step(largest: float) -> float:
-    """Return 1, 2 or 5 times a power of ten: one to three rings up to ``largest``."""
+    """Return 1, 2 or 5 times a power of ten, so that one to three rings fit up to ``largest``."""
     power = 10.0 ** math.floor(math.log10(largest / 1.2))
     return power * max(
         step for step in (1.0, 2.0, 5.0) if step * power <= largest / 1.2 * (1.0 + 1e-9)
@@ -336,7 +337,7 @@ def _zones(
     place: _Place,
     language: Language,
 ) -> None:
-    """Draw the two circles of the minimum zone: of both directions where the standard has that,
+    """Draw the two circles of the minimum zone: of both directions if the standard defines that,
     else of each.
     """
     zones, values = result.get("minimum_zone") or {}, result["parameters"]
@@ -359,8 +360,8 @@ def _zones(
 
 
 def _run(panel: Any, path: Path, place: _Place, result: Document, language: Language) -> None:
-    """Draw one run, with a star where it starts and an arrow in the direction of travel; runs not
-    evaluated pale.
+    """Draw one run, with a star at its start and an arrow in the direction of travel. Runs that are
+    not evaluated are pale.
     """
     x, y = place(path.angles, path.radial)
     closed = path.evaluated and result["arc"]["extent"] >= _TURN
@@ -420,7 +421,9 @@ def _travel(panel: Any, path: Path, result: Document, language: Language) -> Non
 
 
 def draw_causes(panel: Any, causes: Sequence[CircleCause], language: Language) -> None:
-    """Draw the effects of the causes as bars, the largest above, with values and 95 % whiskers."""
+    """Draw the effects of the causes as bars, the largest at the top, with values and 95 %
+    intervals.
+    """
     reach = 1.75 * max(
         cause.effect for cause in causes
     )  # a whisker may be much longer than any effect: it ends there, with an arrow

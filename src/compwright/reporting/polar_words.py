@@ -1,6 +1,4 @@
-"""Words of the picture of a circular test: of its title, runs, centre and zones. Results as in
-`polar`.
-"""
+"""Texts in the figure of a circular test: title, runs, centre and zones."""
 
 from __future__ import annotations
 
@@ -24,7 +22,7 @@ def title(result: Document) -> Sentence:
 
 
 def setting(result: Document) -> Sentence:
-    """Return radius, feed and arc."""
+    """Return radius, feed and arc as text."""
     arc, feed = result["arc"], result.get("feed")
     whole = arc["extent"] >= _TURN
     return say(
@@ -42,9 +40,7 @@ def _one_line(text: str, most: int) -> str:
 
 
 def run_text(key: str, result: Document) -> Sentence:
-    """Return the numbers of one direction: G, and F where it is given, else F about the
-    least-squares centre.
-    """
+    """Return the numbers of one direction as text: G, and F."""
     values = result["parameters"]
     given = values.get(f"F_max_{key}") is not None
     kind = "" if given else "_lsc"
@@ -64,14 +60,14 @@ def run_text(key: str, result: Document) -> Sentence:
 
 
 def signed(value: float | None) -> str:
-    """Return a number with its sign, for the eye."""
+    """Return a number with its sign, as text."""
     if value is None:
         return MISSING
     return NumberText(f"+{number(value)}") if value >= 0.005 else number(value)
 
 
 def centre_text(name: str, centre: tuple[float, float], result: Document) -> Sentence:
-    """Return which centre the picture is laid about, with its place, µm."""
+    """Return the centre used by the figure, with its position, µm, as text."""
     axes = result["axes"]
     hysteresis = result["parameters"].get("H")  # it is taken about the common centre
     return say(
@@ -86,7 +82,7 @@ def centre_text(name: str, centre: tuple[float, float], result: Document) -> Sen
 
 
 def zone_text(key: str, values: Document) -> Sentence:
-    """Return G of the zone that is drawn, and the values of both directions."""
+    """Return G of the drawn zone, and the values of both directions, as text."""
     both = key == "both"
     name = "G_bidirectional" if both else f"G_{key}"
     return say(

@@ -1,4 +1,4 @@
-"""A bar that shows how far a command is, on standard error. This module loads rich."""
+"""A progress bar on standard error. This module loads the library rich."""
 
 from __future__ import annotations
 
@@ -15,8 +15,9 @@ from compwright.reporting.shown import messages_console
 
 
 class ProgressBar:
-    """A line for each kind of work; drawn at each report of progress, without a thread, and removed
-    at the end, where the answer then begins.
+    """A progress bar with one line for each kind of work. It is removed at the end.
+
+    Drawn at each report of progress, without a thread, where the answer then begins.
     """
 
     def __init__(self) -> None:
@@ -33,12 +34,12 @@ class ProgressBar:
         self._progress.start()
 
     def tell(self, what: str, done: int, count: int) -> None:
-        """Draw that of ``count`` things, called ``what``, so many are ``done``."""
+        """Show that ``done`` of ``count`` items called ``what`` are complete."""
         if what not in self._lines:
             self._lines[what] = self._progress.add_task(what, total=count)
         self._progress.update(self._lines[what], completed=done)
         self._progress.refresh()
 
     def stop(self) -> None:
-        """Take the bar away."""
+        """Remove the progress bar."""
         self._progress.stop()

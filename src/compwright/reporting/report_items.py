@@ -1,5 +1,6 @@
-"""What the standards ask a test report to state, item by item, and where each statement comes from:
-header keys of the measurement file, the job, or the evaluation itself. Computes nothing.
+"""The items that standards require in a test report, and the source of each statement.
+
+Header keys of the measurement file, the job, or the evaluation itself. Computes nothing.
 
 The lists are those of ISO 230-2:1997 and 2006 (7.1), GOST 27843-2006 (8.1) and ISO 230-4:1996 (6,
 with the parameters of 4.4; read as DIN ISO 230-4:1999). ISO 230-2:1988 has no list: its clauses ask

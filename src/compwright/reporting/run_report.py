@@ -1,4 +1,4 @@
-"""The report of ``run``: one self-contained HTML page, made of documents. Computes nothing.
+"""The report of ``run``: one self-contained HTML page made from documents. Computes nothing.
 
 Its view holds ``title``, ``machine`` (name -> text), ``format`` (``id``, ``title``), ``evaluation``
 and ``prediction`` (the documents), ``axes``, ``assumed``, ``findings``, ``files`` (relative names),
@@ -43,7 +43,9 @@ from compwright.words.sentences import Sentence, say
 
 def run_report(view: Document, each: Each = in_turn) -> bytes:
     """Return the report of ``run``: the verdict first, then each axis, assumptions, findings, raw
-    data, files. ``each`` works on the axes.
+    data, files.
+
+    ``each`` works on the axes.
 
     Raises UsageError when the report extra is missing.
     """
@@ -156,9 +158,7 @@ def _run_verdict(
 
 
 def _rule(predicted: Document, circles: Document) -> Sentence:
-    """Return by which rule the limits were decided, with the guard bands of every axis and
-    circle.
-    """
+    """Return the decision rule for the limits, with the guard bands of every axis and circle."""
     limits = {name: axis.get("accept") or {} for name, axis in predicted.items()}
     lines = [
         line
@@ -196,8 +196,9 @@ def _run_rows(
 
 
 def _decided_test(name: str, predicted: Document, view: Document) -> tuple[Document, Document]:
-    """Before and predicted of the test that the limits are about (their key ``test``), else of the
-    first one.
+    """Return before and predicted of the test to which the limits apply, else of the first test.
+
+    Their key ``test``.
     """
     about = next(
         (limit["test"] for limit in (predicted.get("accept") or {}).values() if limit.get("test")),
@@ -216,7 +217,7 @@ def _decided_test(name: str, predicted: Document, view: Document) -> tuple[Docum
 
 
 def _of_axis(name: str, view: Document) -> Document:
-    """Return what the part of one axis needs of the view: the results of its own tests."""
+    """Return the data for the section of one axis: the results of its own tests."""
     results = (view.get("evaluation") or {}).get("results", [])
     stated = ((view.get("stated") or {}).get("axes") or {}).get(name) or {}
     return {

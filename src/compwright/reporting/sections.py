@@ -1,5 +1,5 @@
-"""The pieces of a page, from documents to rows of text: parameters, tests, findings, assumptions,
-verdicts. Computes nothing.
+"""Parts of a page as rows of text: parameters, tests, findings, assumptions, verdicts. Computes
+nothing.
 
 A table of text is ``{"heads": [{"text", "unit", "numeric"}], "rows": [[str]]}``; a mark is
 ``{"tone", "text"}`` with the tones good, bad, open (undecided, or to be looked at) and none.
@@ -45,19 +45,19 @@ _LINE: Final = 105  # letters that fit across a page, three of them between two 
 
 
 def decision_mark(decision: object) -> Mark:
-    """Return the mark of accept, reject or undecided; anything else is "no limit"."""
+    """Return the mark for accept, reject or undecided. Anything else is "no limit"."""
     return dict(_DECISIONS.get(str(decision), {"tone": "none", "text": say("decision.no_limit")}))
 
 
 def loading_mark(verdict: object) -> Mark:
-    """Return the mark of a loading verdict (``loaded``, ``not_active``, ...)."""
+    """Return the mark for a loading verdict (``loaded``, ``not_active``, ...)."""
     name = str(verdict)
     tone = {"loaded": "good", "undecided": "open", "measurement": "open"}.get(name, "bad")
     return {"tone": tone, "text": say("mark.loading", verdict=name)}
 
 
 def pairs(values: Document | None) -> list[tuple[str, str]]:
-    """Return what is given of a mapping as name and text."""
+    """Return the non-empty entries of a mapping as name and text."""
     return [
         (str(name), plain(value))
         for name, value in (values or {}).items()
@@ -68,8 +68,8 @@ def pairs(values: Document | None) -> list[tuple[str, str]]:
 def heads(
     *columns: tuple[str | Sentence, str | Sentence] | str | Sentence,
 ) -> list[dict[str, Any]]:
-    """Return the heads of a table: a text alone is a column of words, a pair of name and unit one
-    of numbers.
+    """Return the column heads of a table. A text is a column of words, a pair of name and unit a
+    column of numbers.
     """
     return [
         (
@@ -82,7 +82,7 @@ def heads(
 
 
 def findings(*groups: Iterable[Document] | None) -> list[dict[str, Any]]:
-    """Return the findings of several lists, each once, errors first, then warnings."""
+    """Return the findings of several lists, each once: errors first, then warnings."""
     ranks = list(_SEVERITIES)
     seen: dict[tuple[str, str], dict[str, Any]] = {}
     for item in (item for group in groups for item in group or ()):
@@ -97,9 +97,7 @@ def findings(*groups: Iterable[Document] | None) -> list[dict[str, Any]]:
 
 
 def doubts(items: Iterable[Document] | None) -> dict[str, Any] | None:
-    """Return what has to be clear before anything else, with its heading and what to do then; None
-    where there is nothing.
-    """
+    """Return the doubts with heading and next step, to be shown first. None without doubts."""
     open_doubts = findings(items)
     step = next_step(item["code"] for item in open_doubts)
     return {"heading": DOUBTS_FIRST, "items": open_doubts, "step": step} if open_doubts else None
@@ -120,8 +118,9 @@ def acknowledged(items: Iterable[Document] | None) -> list[Sentence]:
 
 
 def rule_lines(accept: Mapping[str, Any], unit: str, *, after: bool = False) -> list[Sentence]:
-    """Return by which rule the limits were decided, with the guard bands where it has some: of a
-    prediction, or of the test ``after`` loading. Empty without limits.
+    """Return the decision rule for the limits, with its guard bands. Empty without limits.
+
+    Of a prediction, or of the test ``after`` loading.
     """
     guarded = {
         symbol(name): entry.get("U")
@@ -138,7 +137,7 @@ def rule_lines(accept: Mapping[str, Any], unit: str, *, after: bool = False) -> 
 
 
 def assumed(facts: Iterable[Document] | None) -> list[dict[str, Any]]:
-    """Return assumed facts as text, the unconfirmed ones marked and first."""
+    """Return the assumptions as text. Unconfirmed ones are marked and come first."""
     rows = [
         {
             "fact": plain(fact.get("fact")),
@@ -151,9 +150,7 @@ def assumed(facts: Iterable[Document] | None) -> list[dict[str, Any]]:
 
 
 def evidence_mark(evidence: object) -> dict[str, Any]:
-    """Return ``evidence`` as text and ``open``: whether it is unconfirmed. The page shows the mark:
-    the word is not repeated.
-    """
+    """Return the evidence of an assumption as text, and ``open``: whether it is unconfirmed."""
     text = plain(evidence) if evidence else ""
     unconfirmed = "unconfirmed" in text.lower()
     if isinstance(text, ControlText) and text.startswith("unconfirmed"):
@@ -164,19 +161,19 @@ def evidence_mark(evidence: object) -> dict[str, Any]:
 
 
 def spread_text(quantiles: object) -> str | Sentence:
-    """Return the 5-95 % of a predicted parameter, or nothing."""
+    """Return the 5-95 % range of a predicted parameter as text. Empty without a range."""
     if not isinstance(quantiles, Mapping) or quantiles.get("p05") is None:
         return ""
     return say("label.range", low=number(quantiles["p05"]), high=number(quantiles.get("p95")))
 
 
 def median_text(quantiles: object) -> str:
-    """Return the median of a predicted parameter."""
+    """Return the median of a predicted parameter as text."""
     return number(quantiles.get("median")) if isinstance(quantiles, Mapping) else MISSING
 
 
 def main_parameters(parameters: Document, limits: Document | None) -> list[str]:
-    """Return the parameters that a verdict shows: those with a limit, else the first that the test
+    """Return the parameters shown with a verdict: those with a limit, else the first that the test
     has.
     """
     if limits:
@@ -187,8 +184,8 @@ def main_parameters(parameters: Document, limits: Document | None) -> list[str]:
 def bar(
     before: object, quantiles: object, limit: object, value: object = None
 ) -> dict[str, Any] | None:
-    """Return the lengths of a bar picture on one scale from 0: before, 5-95 %, the median or a
-    measured value, the limit.
+    """Return the lengths of a bar figure on one scale from 0: before, 5-95 % range, median or
+    measured value, limit.
     """
     given = quantiles if isinstance(quantiles, Mapping) else {}
     low, high = given.get("p05"), given.get("p95")
@@ -221,7 +218,7 @@ def bar(
 def parameter_block(
     unit: object, standard: object, not_applicable: Document | None, columns: Sequence[Document]
 ) -> dict[str, Any]:
-    """Return the table of parameters with one column per source.
+    """Return the table of parameters with one column for each source.
 
     Each of ``columns`` has ``title`` and one of ``values`` (parameter -> number), with
     ``uncertainty`` (parameter -> U) where given, ``quantiles`` (parameter -> median, p05, p95) and
@@ -298,8 +295,8 @@ def _spread(column: Document, key: str) -> str | Sentence | None:
 
 
 def result_block(result: Document, label: str | Sentence = "") -> dict[str, Any]:
-    """Return one positioning result under its axis, name and ``label``: sentence, uncertainty,
-    statistics, single readings.
+    """Return one positioning test with axis, name and ``label``: sentence, uncertainty, statistics,
+    single readings.
     """
     unit = unit_text(result.get("unit"))
     where = unit_text(result.get("position_unit") or position_unit(result.get("unit")))
@@ -388,8 +385,8 @@ def _statistics(result: Document, unit: str, where: str) -> TextTable:
 
 
 def _readings(result: Document, unit: str, where: str, *, reduced: bool = False) -> list[TextTable]:
-    """Return the readings with every digit, as they were measured or ``reduced`` to 20 °C, in
-    tables no wider than a page; empty without any.
+    """Return the readings with every digit, as measured or ``reduced`` to 20 °C, in tables of page
+    width.
     """
     targets = result.get("targets", [])
     if reduced and not any(
@@ -450,7 +447,7 @@ def sources(*evaluations: Document | None) -> list[dict[str, str]]:
 
 
 def unreadable(*evaluations: Document | None) -> list[dict[str, str]]:
-    """Return the files of evaluations that could not be read, as findings of the severity error."""
+    """Return the unreadable files of evaluations as findings of severity error."""
     return [
         {
             "code": "not read",
@@ -463,9 +460,7 @@ def unreadable(*evaluations: Document | None) -> list[dict[str, str]]:
 
 
 def result_of(evaluation: Document | None, axis: str, name: str | None = None) -> Document | None:
-    """Return the positioning result of an axis, that of the test ``name`` where there is one of
-    that name.
-    """
+    """Return the positioning result of an axis. ``name``: prefer the test of that name."""
     found = [
         result
         for result in (evaluation or {}).get("results", [])

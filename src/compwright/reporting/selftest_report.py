@@ -1,4 +1,4 @@
-"""The page of ``selftest``: expected and obtained values, limits, platform and versions, to sign.
+"""The page of ``selftest`` to sign: expected and obtained values, limits, platform and versions.
 Computes nothing.
 """
 

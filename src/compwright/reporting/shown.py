@@ -1,5 +1,4 @@
-"""The door to the terminal for tables: whatever a name or a comment holds, a terminal gets text
-that can be seen, and no commands.
+"""Safe output of tables on the terminal. Control characters in names and comments are made visible.
 
 Documents hold names from files: of programs, axes, sheets, of files themselves. A control character
 in one could colour, erase or rename what the user reads; a character that turns the direction of
@@ -27,7 +26,7 @@ _RULE_MARGIN = 6
 
 
 class Text(rich.text.Text):
-    """A text of one line as a terminal may show it."""
+    """One line of text that is safe for a terminal."""
 
     def __init__(self, text: str = "", style: str | Style = "", **words: Any) -> None:
         super().__init__(visible(text), style, **words)
@@ -35,12 +34,12 @@ class Text(rich.text.Text):
     def append(
         self, text: rich.text.Text | str, style: str | Style | None = None
     ) -> rich.text.Text:
-        """Append a text, made visible."""
+        """Append a text with its control characters made visible."""
         return super().append(visible(text) if isinstance(text, str) else text, style)
 
 
 class _PlainConsole(Console):
-    """A console in which no text is a command: neither markup nor control characters."""
+    """A rich console that takes no text as a command: neither markup nor control characters."""
 
     def __init__(self, **words: Any) -> None:
         super().__init__(highlight=False, markup=False, emoji=False, **words)
@@ -59,8 +58,8 @@ class _PlainConsole(Console):
 
 
 def print_renderables(renderables: Sequence[RenderableType]) -> None:
-    """Print renderables on standard output: in colour on a terminal; plain elsewhere, at least 100
-    columns wide and wide enough that nothing is cut.
+    """Print renderables on standard output: in colour on a terminal, else plain and without cutting
+    lines.
     """
     console = _PlainConsole()
     if console.is_terminal:
@@ -91,5 +90,5 @@ def _uncut_width(renderable: RenderableType, console: Console) -> int:
 
 
 def messages_console() -> Console:
-    """Return a console on standard error, for what is no answer."""
+    """Return a console on standard error, for messages that are not the answer."""
     return _PlainConsole(stderr=True)

@@ -1,4 +1,4 @@
-"""What run, decode, verify and demo say at the terminal, as rich renderables. Computes nothing.
+"""The terminal output of ``run``, ``decode``, ``verify`` and ``demo``. Computes nothing.
 
 This module loads rich; whoever serves a command that may not print tables imports it inside a
 function.
@@ -38,9 +38,7 @@ _MOST_ROWS: Final = 60
 
 
 def doubt_lines(doubts: Sequence[Mapping[str, str]]) -> list[RenderableType]:
-    """Return what has to be clear before anything else, under a heading of its own, and what to do
-    then; nothing where there is none.
-    """
+    """Return the doubts with heading and next step, to be shown first. Empty without doubts."""
     if not doubts:
         return []
     step = next_step(doubt["code"] for doubt in doubts)
@@ -53,7 +51,7 @@ def doubt_lines(doubts: Sequence[Mapping[str, str]]) -> list[RenderableType]:
 
 
 def acknowledged_lines(acknowledged: Sequence[Mapping[str, str]]) -> list[RenderableType]:
-    """Return the doubts that the job acknowledges, each with its reason; nothing without any."""
+    """Return the doubts that the job acknowledges, each with its reason. Empty without any."""
     if not acknowledged:
         return []
     table = finding_table()
@@ -66,9 +64,7 @@ def acknowledged_lines(acknowledged: Sequence[Mapping[str, str]]) -> list[Render
 
 
 def prediction_tables(prediction: Mapping[str, Any]) -> list[RenderableType]:
-    """Return, for each axis and test of a prediction document, what was measured and what a fresh
-    test will show.
-    """
+    """Return for each axis and test the measured and the predicted parameters."""
     shown: list[RenderableType] = []
     for name, axis in prediction["axes"].items():
         unit = unit_text(axis["unit"])
@@ -96,7 +92,7 @@ def prediction_tables(prediction: Mapping[str, Any]) -> list[RenderableType]:
 
 
 def _table_of_parameters(*headings: str) -> Table:
-    """Return a table with a name, numbers under ``headings`` and a word in each row."""
+    """Return a table with a name, numbers under ``headings``, and a word in each row."""
     table = plain_table()
     table.add_column("", no_wrap=True)
     for heading in headings:
@@ -113,7 +109,7 @@ def _band(band: Mapping[str, Any] | None) -> tuple[str, str]:
 
 
 def _decision(entry: Mapping[str, Any] | None) -> tuple[str, str | Text]:
-    """Return the cells of a tolerance: its limit and what is decided."""
+    """Return the cells of a limit: its value and the decision."""
     return (plain(entry["limit"]), _word(entry["decision"])) if entry else ("", "")
 
 
@@ -164,9 +160,7 @@ _OF_CIRCLES = {
 
 
 def circle_tables(circles: Mapping[str, Any]) -> list[RenderableType]:
-    """Return for each circle what was measured, what is predicted and, after loading, what came
-    out.
-    """
+    """Return for each circle the measured and predicted values and, after loading, the new ones."""
     shown: list[RenderableType] = []
     for name, circle in circles.items():
         after, accept = circle.get("after"), circle.get("accept") or {}
@@ -197,7 +191,7 @@ def circle_tables(circles: Mapping[str, Any]) -> list[RenderableType]:
 
 
 def assumed_table(assumed: Sequence[Mapping[str, str]]) -> list[RenderableType]:
-    """Return what had to be assumed, or nothing."""
+    """Return a table of the assumptions. Empty without any."""
     if not assumed:
         return []
     table = plain_table()
@@ -210,7 +204,7 @@ def assumed_table(assumed: Sequence[Mapping[str, str]]) -> list[RenderableType]:
 
 
 def finding_lines(findings: Sequence[Mapping[str, str]]) -> list[RenderableType]:
-    """Return findings, the gravest first, each with its code."""
+    """Return findings, the most severe first, each with its code."""
     if not findings:
         return []
     order = {"error": 0, "warning": 1, "info": 2}
@@ -221,7 +215,7 @@ def finding_lines(findings: Sequence[Mapping[str, str]]) -> list[RenderableType]
 
 
 def finding_table() -> Table:
-    """Return an empty table for findings: gravity, code, words."""
+    """Return an empty table for findings: severity, code, text."""
     table = Table(box=None, show_header=False, pad_edge=False, padding=(0, 2, 0, 0))
     table.add_column(no_wrap=True)
     table.add_column(no_wrap=True, style="dim")
@@ -230,12 +224,12 @@ def finding_table() -> Table:
 
 
 def file_lines(title: str, files: Sequence[str]) -> list[RenderableType]:
-    """Return the files that were written."""
+    """Return the names of the written files as lines."""
     return [Text(title, style="bold"), *(Text(f"  {name}") for name in files)] if files else []
 
 
 def decode_tables(document: Mapping[str, Any]) -> list[RenderableType]:
-    """Return what a control adds to the command, by axis, position and approach direction."""
+    """Return the corrections of a control, by axis, position and approach direction."""
     shown: list[RenderableType] = []
     for address, axis in document["axes"].items():
         unit = "10⁻³ mm or deg" if axis["unit"] is None else unit_text(axis["unit"])
@@ -268,8 +262,8 @@ def decode_tables(document: Mapping[str, Any]) -> list[RenderableType]:
 
 
 def verification_tables(document: Mapping[str, Any]) -> list[RenderableType]:
-    """Return before, predicted and after side by side, the verdict on loading and the verdict on
-    the whole.
+    """Return before, predicted and after side by side, the loading verdict, and the total
+    verdict.
     """
     shown: list[RenderableType] = []
     for name, axis in document["axes"].items():
@@ -343,13 +337,13 @@ def demo_tables(
 
 
 def _verdict(verdict: str, headline: str, last: str = "") -> RenderableType:
-    """Return the verdict, with its headline where that says more."""
+    """Return the verdict, with its headline if that adds information."""
     more = "" if headline.lower().startswith(verdict) else f". {headline}"
     return Text.assemble("Verdict: ", _word(verdict), f"{more}{last}")
 
 
 def next_lines(then: Mapping[str, Any] | None) -> list[RenderableType]:
-    """Return what becomes of the next round; nothing where none was asked for."""
+    """Return lines about the next round. Empty if none was requested."""
     if then is None:
         return []
     heading = "Next round: " if then["written"] else "No next round: "

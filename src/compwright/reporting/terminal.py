@@ -1,5 +1,4 @@
-"""An evaluation document at the terminal, as rich renderables that read well from 80 columns on.
-Computes nothing.
+"""An evaluation at the terminal, readable from 80 columns on. Computes nothing.
 
 This module loads rich; whoever serves a command that may not print tables imports it inside a
 function.
@@ -53,8 +52,10 @@ _STYLES: Final = {"info": "dim", "warning": "yellow", "error": "red"}
 def evaluation_tables(
     document: Mapping[str, Any], *, targets: bool = False
 ) -> list[RenderableType]:
-    """Return the renderables of a ``compwright/evaluation/1`` document, one group per result and
-    one for the errors.
+    """Return the terminal output of an evaluation: one group for each result, and one for the
+    errors.
+
+    Of a ``compwright/evaluation/1`` document.
 
     ``targets`` adds the table per target. A finding that several standards share is shown once per
     file. Deviations are shown as the document holds them, in µm or arcsec.
@@ -79,7 +80,7 @@ def evaluation_tables(
 
 
 def number(value: float | None, digits: int = 2, *, signed: bool = False) -> str:
-    """Return a deviation as text with so many decimals; a dash for what does not exist."""
+    """Return a deviation as text with a number of decimals. A dash for a missing one."""
     if value is None:
         return _MISSING
     text = f"{value:+.{digits}f}" if signed else f"{value:.{digits}f}"
@@ -166,7 +167,7 @@ def _facts(result: Mapping[str, Any]) -> list[Text]:
 
 
 def _digits(result: Mapping[str, Any]) -> int:
-    """Return the decimals for a result: two, more where everything is small."""
+    """Return the number of decimals for a result: two, more where all values are small."""
     largest = max(
         (abs(value) for value in result["parameters"].values() if value is not None), default=1.0
     )
@@ -221,7 +222,7 @@ def _parameters(result: Mapping[str, Any]) -> Table:
 
 
 def _not_applicable(result: Mapping[str, Any]) -> list[RenderableType]:
-    """Return one line per reason, with the parameters that it takes away."""
+    """Return one line for each reason why parameters are missing."""
     reasons: dict[str, list[str]] = {}
     for name, reason in result["not_applicable"].items():
         reasons.setdefault(reason, []).append(_letter(name))

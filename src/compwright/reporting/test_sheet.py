@@ -1,5 +1,5 @@
-"""The test sheet of a report: each item that the standards ask for, what is stated of it, and the
-clause; and what the file says in addition. Computes nothing.
+"""The test sheet of a report: each item that the standards require, its statement, and the
+clause.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ def sheet_rows(result: Document, stated: Mapping[str, str | Sentence]) -> list[d
 
 
 def further_statements(result: Document) -> list[tuple[str, str]]:
-    """Return what the header of the file says in addition to the items, key and text."""
+    """Return further statements in the header of the file, as key and text."""
     used = {
         f"{key}{end}"
         for item in items_of(str(result.get("kind", "positioning")))

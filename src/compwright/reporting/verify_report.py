@@ -1,4 +1,4 @@
-"""The report of ``verify``: one self-contained HTML page, made of documents. Computes nothing.
+"""The report of ``verify``: one self-contained HTML page made from documents. Computes nothing.
 
 Its view is that of `run_report`, with ``verification``, ``evaluation_before`` and
 ``evaluation_after`` in the place of the first two documents.
@@ -24,7 +24,7 @@ AFTER_LOADING = say("given.compensation_loaded")
 
 def verify_report(view: Document) -> bytes:
     """Return the report of ``verify``: the verdict first, then each axis before, predicted and
-    after loading, side by side.
+    after loading.
 
     Raises UsageError when the report extra is missing.
     """
@@ -80,7 +80,7 @@ def verify_report(view: Document) -> bytes:
 
 
 def _next_round(then: Document | None) -> dict[str, Any] | None:
-    """Return what becomes of the next round; None where none was asked for."""
+    """Return the section about the next round. None if none was requested."""
     if then is None:
         return None
     marks = {
@@ -191,7 +191,7 @@ def _verify_axis(index: int, name: str, axis: Document, view: Document) -> dict[
 
 
 def _stated(name: str, after: Document, view: Document) -> Document:
-    """Return what the job states of the conditions of the test after loading."""
+    """Return the job's statements about the conditions of the test after loading."""
     of_axis = ((view.get("stated") or {}).get("axes") or {}).get(name) or {}
     first: Document = of_axis.get(str(after.get("name"))) or next(iter(of_axis.values()), {})
     return {**first, "compensation": AFTER_LOADING} if first else {}

@@ -1,6 +1,4 @@
-"""What a point of the table is worth: the predicted parameter over the number of points, drawn as
-plain SVG, so that a page of many axes needs no plotting library for it.
-"""
+"""A figure of the predicted parameter over the number of table points, as plain SVG."""
 
 from __future__ import annotations
 
@@ -24,8 +22,10 @@ _OTHER: Final = "#c2590c"
 
 
 def worth_block(predicted: Document, unit: object) -> dict[str, Any] | None:
-    """Return the picture of ``points_worth`` of an axis of the prediction document with its words;
-    None where there is nothing to choose.
+    """Return the figure of the predicted parameter over the number of points, with its text. None
+    without a choice.
+
+    ``points_worth`` of an axis of the prediction document.
     """
     sizes, limited = predicted.get("points_worth") or [], predicted.get("limited")
     if len(sizes) < 3 or not limited:
@@ -59,13 +59,13 @@ def worth_block(predicted: Document, unit: object) -> dict[str, Any] | None:
 
 @dataclass(frozen=True, slots=True)
 class WorthFigure:
-    """The predicted ``quantity`` over the number of points."""
+    """The figure of the predicted ``quantity`` over the number of points."""
 
     sizes: Sequence[Document]
     quantity: Sentence
 
     def svg(self, language: Language) -> str:
-        """Return the picture, its words in the language."""
+        """Return the SVG picture, with its texts in the language."""
         described = say("worth.described", quantity=self.quantity)
         quantity, description, over = (
             escape(one.text(language)) for one in (self.quantity, described, say("worth.over"))
@@ -134,8 +134,8 @@ def _mark(one: Document, x: float, y: float) -> str:
 
 
 def _numbers(sizes: Sequence[Document], x: Callable[[Document], float]) -> list[str]:
-    """Return the numbers of points below the picture, the marked ones before others where they
-    would overlap.
+    """Return the numbers of points below the figure. Marked ones take precedence where they would
+    overlap.
     """
     marked = [one for one in sizes if one["written"] or one["there"]]
     placed: list[float] = []
@@ -153,7 +153,7 @@ def _numbers(sizes: Sequence[Document], x: Callable[[Document], float]) -> list[
 
 
 def _step(largest: float) -> float:
-    """Return a round step of which about five reach up to ``largest``."""
+    """Return a round step that divides the range up to ``largest`` into about five parts."""
     if not largest > 0.0:
         return 1.0
     size = 10.0 ** math.floor(math.log10(largest / 4.0))

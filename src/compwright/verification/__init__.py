@@ -1,1 +1,1 @@
-"""Did the loaded table act, and is the axis good now."""
+"""Decide whether the loaded table was active, and whether the axis is good now."""

@@ -1,4 +1,4 @@
-"""From the decisions about the limits and the verdicts about the loading to the one verdict of a
+"""Combine the decisions about limits and the loading verdicts to the total verdict of a
 verification.
 """
 
@@ -16,8 +16,8 @@ OverallVerdict = Literal["good", "bad", "undecided"]
 def overall_verdict(
     decisions: Iterable[Decision], loadings: Iterable[LoadingName], *, still_open: bool = False
 ) -> OverallVerdict:
-    """Return the verdict of a verification from the decisions of all limits and the loading verdict
-    of every axis.
+    """Return the verdict of a verification from the decisions of all limits and the loading
+    verdicts of all axes.
 
     ``good``: every limit is met, every table is loaded and no proof is missing (``still_open``).
     ``bad``: a limit is exceeded, or a table is known to be active in another way than planned (not

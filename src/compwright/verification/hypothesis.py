@@ -59,13 +59,13 @@ class Hypothesis:
 
     @property
     def change(self) -> FloatArray:
-        """The change in + and - (2, m)."""
+        """The change of the correction in + and - (2, m)."""
         return np.stack([self.positive, self.negative])
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Loading:
-    """The planned table and the state of the control before.
+    """The planned table and the earlier state of the control.
 
     ``new``: planned; ``old``: in the control before, active or not; ``active_before``: in the
     tests before, from which the expected deviation comes; ``others``: tables planned for other

@@ -1,5 +1,5 @@
-"""The correction of a control whose table has other values than planned: changes at the targets of
-a test, as hypotheses.
+"""Build hypotheses about the loading: the corrections at the targets if the table has other values
+than planned.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ Held = dict[Direction, FloatArray]  # values at the nodes (k,)
 
 
 class HypothesisBuilder:
-    """One loading at one set of targets.
+    """Builds hypotheses about one loading at one set of targets.
 
     ``table``: the planned table alone, ``own`` (2, m): its correction; ``stay``: the correction of
     other tables, which stay in any case; ``old`` and ``old_backlash``: the correction before.
@@ -41,17 +41,19 @@ class HypothesisBuilder:
         self.has_old = bool(np.any(np.abs(self.old - self.stay) > 0.0))
 
     def at(self, one: AxisCompensation) -> Curve:
-        """Return what a compensation does in + and - (2, m)."""
+        """Return the correction by a compensation in + and - (2, m)."""
         return np.stack([one.at(self.targets, direction) for direction in Direction])
 
     def jump(self, one: AxisCompensation) -> Curve:
-        """Return what its backlash does of that."""
+        """Return the part of the correction that comes from the backlash."""
         return np.stack(
             [np.full(self.targets.size, one.backlash_at(direction)) for direction in Direction]
         )
 
     def total(self, curve: Curve, backlash: Curve | None = None) -> Curve:
-        """Return the change where ``curve`` is active with ``backlash`` (default: the new one)."""
+        """Return the change of the correction if ``curve`` is active with ``backlash`` (default:
+        the new one).
+        """
         return (
             self.stay
             + curve
@@ -62,7 +64,9 @@ class HypothesisBuilder:
     def made(
         self, name: LoadingName, change: Curve, weight: float, detail: str = "", **more: Any
     ) -> Hypothesis:
-        """Return the hypothesis of a change (2, m); ``more``: further fields of it."""
+        """Return the hypothesis with a change of the correction (2, m). ``more``: further fields of
+        it.
+        """
         return Hypothesis(
             name=name,
             positive=change[0],
@@ -76,7 +80,7 @@ class HypothesisBuilder:
     def both(
         self, name: LoadingName, curve: Curve, weight: float, detail: str = "", **more: Any
     ) -> Iterator[Hypothesis]:
-        """Yield a fault of the table with the new backlash, and with that which was there."""
+        """Yield a fault of the table twice: with the new and with the old backlash."""
         yield self.made(name, self.total(curve), weight, detail, **more)
         if np.any(self.backlash != self.old_backlash):
             words = f"{detail}, with the old backlash" if detail else "with the old backlash"
@@ -87,8 +91,8 @@ class HypothesisBuilder:
         return {d: self.table.curve(d) for d in Direction}
 
     def old_values(self) -> Held:
-        """Return the old values of the table at its nodes, without the tables that stay and without
-        the backlash.
+        """Return the old values of the table at its nodes, without backlash and without tables that
+        stay.
         """
         nodes, old, stay = self.table.positions, self.loading.old, _only_others(self.loading.new)
         line = self.table.slope * (nodes - self.table.origin)
@@ -107,8 +111,8 @@ class HypothesisBuilder:
         )
 
     def _from_zero(self, curve: Curve, curves: Mapping[Direction, FloatArray]) -> Curve | None:
-        """Return ``curve`` with each direction zero at the reference, as in the planned table; None
-        where that is the same.
+        """Return ``curve`` with each direction zero at the reference, as in the planned table. None
+        where that changes nothing.
         """
         nodes, at = self.table.positions, self.loading.reference
         off = [
@@ -124,7 +128,7 @@ class HypothesisBuilder:
         weight: float,
         **more: Any,
     ) -> Iterator[Hypothesis]:
-        """Yield a table with other values: with its zero unchanged, and with its zero moved to the
+        """Yield a table with other values: with unchanged zero, and with its zero at the
         reference.
         """
         curve = self.values(curves)
@@ -134,8 +138,8 @@ class HypothesisBuilder:
             yield from self.both(name, counted, 0.5 * weight, **more)
 
     def shifts(self, by: int, held: Held) -> Iterator[Held]:
-        """Yield the values ``held`` by ``by`` nodes too far to +: around a turn; else with the end
-        value, or nothing, at the nodes that get none.
+        """Yield the values ``held`` shifted by ``by`` nodes towards +. Free nodes get the end value
+        or zero.
         """
         if self.table.period is not None:
             yield {d: _around(values, by) for d, values in held.items()}
@@ -155,6 +159,8 @@ def _only_others(one: AxisCompensation) -> AxisCompensation:
 
 
 def _around(values: FloatArray, by: int) -> FloatArray:
-    """Return the values of a table around a turn, whose last is its first, ``by`` nodes further."""
+    """Return the values of a table on an endless axis, shifted ``by`` nodes. The last value repeats
+    the first.
+    """
     turned = np.roll(values[:-1], by)
     return np.append(turned, turned[0])

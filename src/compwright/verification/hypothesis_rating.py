@@ -1,4 +1,4 @@
-"""Rate every way of loading by a test after loading.
+"""Compute how probable each way of loading is, given a test after loading.
 
 All unknowns are integrated, none is fitted (Kass and Raftery, J. Am. Stat. Assoc. 90, 1995): a name
 wins by probability, not by more adjustable values.
@@ -33,8 +33,10 @@ _SEEN: Final = 3.0
 
 @dataclass(frozen=True, slots=True)
 class RatedHypothesis:
-    """A hypothesis rated by a test: ``expected`` (2, m), the best-fitting noise-free test;
-    ``probability``; ``score`` of the residual; slope and factor with their standard errors.
+    """A hypothesis with its probability, given a test.
+
+    ``expected`` (2, m), the best-fitting noise-free test; ``probability``; ``score`` of the
+    residual; slope and factor with their standard errors.
     """
 
     hypothesis: Hypothesis
@@ -51,8 +53,10 @@ class RatedHypothesis:
 def rate_hypotheses(
     after: AfterMeans, views: Sequence[MeasurementCase], slope: float | None
 ) -> tuple[list[RatedHypothesis], tuple[float, float]]:
-    """Return all hypotheses rated by the test, and the part of the planned effect that it shows. 1
-    is loaded, 0 not active; with its standard error (inf: the test cannot show it).
+    """Return all hypotheses with their probabilities, and the share of the planned effect that the
+    test shows.
+
+    1 is loaded, 0 not active; with its standard error (inf: the test cannot show it).
     """
     found: list[RatedHypothesis] = []
     effect = (0.0, math.inf)
@@ -84,7 +88,7 @@ def rate_hypotheses(
 def _rated_by(
     after: AfterMeans, view: MeasurementCase, fits: Fits, index: int, way: Hypothesis
 ) -> RatedHypothesis:
-    """Return a hypothesis with its expected test and likelihood; ``index``: its row in ``fits``.
+    """Return a hypothesis with its expected test and likelihood. ``index``: its row in ``fits``.
 
     The probability is 0 until all hypotheses are rated.
     """
@@ -109,8 +113,8 @@ def _rated_by(
 
 
 def _relevant(after: AfterMeans, rated: Sequence[RatedHypothesis]) -> list[RatedHypothesis]:
-    """Return the hypotheses with less weight for those that this test hardly distinguishes from a
-    table that is active as planned, or not at all.
+    """Return the hypotheses with less weight for those that this test cannot distinguish from the
+    main ones.
 
     The weight is reduced by the square of the distance, up to `_SEEN` standard errors: such
     hypotheses change nothing that the test could show.
@@ -133,7 +137,9 @@ def _relevant(after: AfterMeans, rated: Sequence[RatedHypothesis]) -> list[Rated
 
 
 def _effect(ways: Sequence[Hypothesis]) -> Hypothesis | None:
-    """Return the old control with any part of the planned effect; None where it is not asked."""
+    """Return the hypothesis of the old control plus any share of the planned effect. None where it
+    is not needed.
+    """
     loaded = next((each for each in ways if each.name == "loaded"), None)
     inactive = next((each for each in ways if each.name == "not_active"), None)
     if loaded is None or inactive is None:
@@ -142,7 +148,9 @@ def _effect(ways: Sequence[Hypothesis]) -> Hypothesis | None:
 
 
 def _on_slope(way: Hypothesis, share: float) -> Hypothesis:
-    """Return the hypothesis for an axis whose length has changed (a slope in the deviations);
+    """Return the hypothesis for an axis whose length has changed, which gives a slope in the
+    deviations.
+
     ``share``: prior odds of a fault with the slope against the fault alone.
     """
     odds = _THERMAL if way.name == "loaded" else share
@@ -150,7 +158,7 @@ def _on_slope(way: Hypothesis, share: float) -> Hypothesis:
 
 
 def _curves_of(ways: Sequence[Hypothesis]) -> Curves:
-    """Return the curves of hypotheses as the likelihood takes them."""
+    """Return the curves of hypotheses in the form for the likelihood."""
     return Curves(
         change=np.stack([each.change for each in ways], axis=2),
         free={number: each.free for number, each in enumerate(ways) if each.free is not None},
@@ -161,8 +169,8 @@ def _curves_of(ways: Sequence[Hypothesis]) -> Curves:
 def distances(
     after: AfterMeans, best: RatedHypothesis, rated: Sequence[RatedHypothesis]
 ) -> FloatArray:
-    """Return the distances (H,) of the noise-free tests of the hypotheses from that of the best, in
-    standard errors; free values are those that give the least distance.
+    """Return the distances (H,) between the noise-free tests of the hypotheses and that of the best
+    one, in standard errors.
     """
     used = np.isfinite(after.plain)
     along = np.broadcast_to(after.targets - after.targets.mean(), after.plain.shape)

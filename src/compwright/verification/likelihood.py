@@ -1,4 +1,4 @@
-"""How likely the means of a test are under curves that it might show.
+"""The likelihood of a test's mean readings under assumed deviation curves.
 
     mean of cell i = deviation before + change of the correction + datum (+ slope) + noise
 
@@ -43,9 +43,10 @@ _MANY_CELLS: Final = 800
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ErrorBelief:
-    """The expected deviation at m targets, normally distributed. ``mean`` (2, m) in + and -;
-    covariance ``root`` root' (root (2, m, r)), and ``blocks`` (m, 2, 2) of both directions at one
-    target.
+    """The expected deviation at m targets as a normal distribution.
+
+    ``mean`` (2, m) in + and -; covariance ``root`` root' (root (2, m, r)), and ``blocks`` (m, 2, 2)
+    of both directions at one target.
     """
 
     mean: FloatArray
@@ -53,25 +54,25 @@ class ErrorBelief:
     blocks: FloatArray
 
     def turned(self) -> ErrorBelief:
-        """Return the belief with the directions exchanged."""
+        """Return the expected deviation with the directions exchanged."""
         return ErrorBelief(
             mean=self.mean[::-1], root=self.root[::-1], blocks=self.blocks[:, ::-1, ::-1]
         )
 
     def scaled(self, factor: float) -> ErrorBelief:
-        """Return the belief in ``factor`` times the deviation."""
+        """Return the expected deviation multiplied by ``factor``."""
         return ErrorBelief(
             mean=factor * self.mean, root=factor * self.root, blocks=factor**2 * self.blocks
         )
 
 
 def draws_for(targets: int) -> int:
-    """Return the number of draws that are needed for so many ``targets``."""
+    """Return the number of random draws needed for this number of ``targets``."""
     return int(np.clip(_NUMBERS // max(2 * targets, 1), 400, _MOST_DRAWS))
 
 
 def belief_of(positive: FloatArray, negative: FloatArray) -> ErrorBelief:
-    """Return the expected deviation from joint draws of it, (n, m) in + and in -."""
+    """Return the expected deviation from random draws of it, (n, m) in + and in -."""
     both = np.hstack([positive, negative])
     mean = both.mean(axis=0)
     left = (both - mean) / math.sqrt(max(both.shape[0] - 1, 1))
@@ -95,7 +96,7 @@ def belief_of(positive: FloatArray, negative: FloatArray) -> ErrorBelief:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AfterMeans:
-    """The means of a test of m targets under each of J equally likely noises.
+    """The mean readings of a test of m targets under each of J equally likely noises.
 
     ``mean``, ``precision`` (J, 2, m): weighted means and their inverse variances, 0 where there is
     no reading; ``columns`` (J, 2, m, q): what else is common to them, of unit variance. ``plain``
@@ -114,23 +115,24 @@ class AfterMeans:
 
     @property
     def used(self) -> FloatArray:
-        """Where there is a mean (2, m): 1, else 0."""
+        """1 where there is a mean reading (2, m), else 0."""
         return np.isfinite(self.plain).astype(np.float64)
 
     @property
     def count(self) -> int:
-        """How many means there are."""
+        """The number of mean readings."""
         return int(np.sum(np.isfinite(self.plain)))
 
     @property
     def std_error(self) -> float:
-        """Standard error of the difference of two means, s √(2/n), mm or deg."""
+        """The standard error of the difference of two means, s √(2/n), mm or deg."""
         return self.sigma * math.sqrt(2.0 / self.readings)
 
 
 def after_means(test: PositioningTest, fallback: NoiseDraws) -> AfterMeans:
-    """Return the means of a ``test`` with the noise from its readings, or, where they are too few,
-    with ``fallback``: that of another test of the axis.
+    """Return the mean readings of a ``test`` with the noise from its own readings.
+
+    Or, where they are too few, with ``fallback``: that of another test of the axis.
     """
     blocks = (test.positive, test.negative)
     plain = np.stack([_means(block) for block in blocks])
@@ -153,7 +155,7 @@ def after_means(test: PositioningTest, fallback: NoiseDraws) -> AfterMeans:
 
 
 def _evenly(count: int, targets: int) -> NDArray[np.intp]:
-    """Return which of ``count`` equally likely draws are taken at so many ``targets``."""
+    """Return which of ``count`` equally likely draws are used for this number of ``targets``."""
     most = _FEW if 2 * targets > _MANY_CELLS else _DRAWS
     return np.unique(np.linspace(0, count - 1, min(most, count)).astype(np.intp))
 
@@ -165,9 +167,7 @@ def _means(block: FloatArray) -> FloatArray:
 def _as_before(
     test: PositioningTest, plain: FloatArray, counts: FloatArray, noise: NoiseDraws
 ) -> AfterMeans:
-    """Return the means with the noise of another test: its scatter, with what its tails add, and
-    its traverses.
-    """
+    """Return the mean readings with the noise of another test."""
     m = test.targets.size
     taken = noise.taken(_evenly(noise.count, m))
     floor = _LEAST_NOISE[test.kind]
@@ -195,7 +195,7 @@ def _as_before(
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Curves:
-    """H curves that a test might show, as differences from the expected deviation, mm or deg.
+    """H possible curves of a test, as differences from the expected deviation, mm or deg.
 
     ``change`` (2, m, H): the correction minus the one that the expected deviation contains.
     ``free``: by the number of a curve, a direction (2, m) in which it may differ further by a
@@ -262,7 +262,7 @@ def _one_noise(
     more: Sequence[float],
     j: int,
 ) -> Fits:
-    """Return how the curves fit under one draw of the noise."""
+    """Return how well the curves fit under one draw of the noise."""
     used = after.used
     along = np.broadcast_to(_along(after), used.shape)
     columns = np.concatenate(
@@ -310,8 +310,10 @@ def _products(
     free: FloatArray | None,
     numbers: Sequence[int],
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the products (H, 3) of the residuals ``left`` with the whitened change, free direction
-    and slope, and (H, 3, 3) of these with each other; ``free`` (n, f): of the curves ``numbers``.
+    """Return the products of residuals, change, free direction and slope for the least-squares fit.
+
+    (H, 3) of the residuals ``left`` with the whitened change, free direction and slope, and (H, 3,
+    3) of these with each other; ``free`` (n, f): of the curves ``numbers``.
     """
     count = change.shape[1]
     score, inner = np.zeros((count, 3)), np.zeros((count, 3, 3))
@@ -329,14 +331,16 @@ def _products(
 
 
 def _along(after: AfterMeans) -> FloatArray:
-    """Return the positions (m,) less their middle."""
+    """Return the positions (m,) relative to their middle."""
     along: FloatArray = after.targets - after.targets.mean()
     return along
 
 
 def _estimate(slope: FloatArray, score: FloatArray, declared: float) -> FloatArray:
-    """Return the slope (H, 2) by generalised least squares with its standard error, as if nothing
-    was declared of it: a'V a = g / (1 + g s²) where V holds s² already (Sherman and Morrison).
+    """Return the least-squares slope (H, 2) with its standard error, without the declared prior.
+
+    As if nothing was declared of it: a'V a = g / (1 + g s²) where V holds s² already (Sherman and
+    Morrison).
     """
     square = float(slope @ slope)
     if square <= 0.0:
@@ -347,8 +351,8 @@ def _estimate(slope: FloatArray, score: FloatArray, declared: float) -> FloatArr
 
 
 def _amounts(score: FloatArray, square: FloatArray) -> FloatArray:
-    """Return the amount (H, 2) of the free direction with its standard error, both 0 where there is
-    none.
+    """Return the amount (H, 2) of the free direction with its standard error. Both are 0 without
+    one.
     """
     there = square > 0.0
     safe = np.where(there, square, 1.0)
@@ -357,8 +361,9 @@ def _amounts(score: FloatArray, square: FloatArray) -> FloatArray:
 
 
 def _score(chi2: FloatArray, dof: float) -> FloatArray:
-    """Return the standard normal value as improbable as a chi-square (Wilson and Hilferty, Proc.
-    Natl. Acad. Sci. 17 (1931) 684: its cube root is nearly normal).
+    """Return the standard normal value with the same probability as a chi-square value.
+
+    Wilson and Hilferty, Proc. Natl. Acad. Sci. 17 (1931) 684: its cube root is nearly normal.
     """
     spread = 2.0 / (9.0 * dof)
     score: FloatArray = (np.cbrt(np.maximum(chi2, 0.0) / dof) - 1.0 + spread) / math.sqrt(spread)
@@ -367,8 +372,10 @@ def _score(chi2: FloatArray, dof: float) -> FloatArray:
 
 @dataclass(frozen=True, slots=True)
 class _Whitener:
-    """The inverse root of a covariance of blocks (Cholesky factors ``low`` (m, 3) of 2 x 2) and low
-    rank: ``base`` (2m, r) orthonormal, ``shrink`` (r,). ``log_det``: logarithm of its determinant.
+    """The inverse root of a covariance matrix, which makes correlated readings independent.
+
+    Of blocks (Cholesky factors ``low`` (m, 3) of 2 x 2) and low rank: ``base`` (2m, r) orthonormal,
+    ``shrink`` (r,). ``log_det``: logarithm of its determinant.
     """
 
     low: FloatArray
@@ -381,7 +388,9 @@ class _Whitener:
     def of(
         cls, precision: FloatArray, used: FloatArray, blocks: FloatArray, columns: FloatArray
     ) -> _Whitener:
-        """Return that of blocks + 1 / precision + columns columns' where ``used`` (2, m)."""
+        """Return the inverse root of blocks + 1 / precision + columns columns', where ``used`` (2,
+        m).
+        """
         noise = np.where(used > 0.0, 1.0 / np.where(used > 0.0, precision, 1.0), 0.0)
         up, down = used
         first = np.where(up > 0.0, blocks[:, 0, 0] + noise[0], 1.0)
@@ -400,7 +409,7 @@ class _Whitener:
         return replace(plain, base=base, shrink=1.0 / np.sqrt(1.0 + values) - 1.0, log_det=log_det)
 
     def __call__(self, values: FloatArray) -> FloatArray:
-        """Return ``values`` (2, m, c) whitened, (2m, c)."""
+        """Return ``values`` (2, m, c) as independent values (2m, c)."""
         l11, l21, l22 = self.low[:, :, np.newaxis]
         up = self.used[0][:, np.newaxis] * values[0] / l11
         down = (self.used[1][:, np.newaxis] * values[1] - l21 * up) / l22

@@ -1,5 +1,7 @@
-"""Was the table loaded? The test after loading is compared with every way of loading
-(`verification.loading_hypotheses`), by joint likelihood of the tests before and after.
+"""Decide whether the table was loaded. The test after loading is compared with every way of
+loading.
+
+`verification.loading_hypotheses`, by joint likelihood of the tests before and after.
 
 The deviation before is an expectation with uncertainty, from the tests before. So the noise of both
 sides counts; a plain regression of after minus before on the correction is biased, because the
@@ -55,7 +57,7 @@ def judge_loading(
     further: Callable[[], Sequence[MeasurementCase]] = tuple,
     read_back: bool = False,
 ) -> LoadingVerdict:
-    """Return the loading verdict from the test ``after``, by the hypotheses of all ``views``.
+    """Return the loading verdict from the test ``after``, using the hypotheses of all ``views``.
 
     ``further`` makes more hypotheses where the test fits neither the loaded table nor the control
     as before. The first view is the test as given; its first hypotheses of the names ``loaded`` and
@@ -87,7 +89,7 @@ def judge_loading(
 
 
 def _fits_unchanged(each: RatedHypothesis) -> bool:
-    """Return whether the test fits the loaded table, or the control as before, without any further
+    """Return whether the test fits the loaded table, or the old control, without any further
     change.
     """
     return each.hypothesis.name in ("loaded", "not_active") and each.score <= REFUSED
@@ -131,7 +133,9 @@ def _verdict(
 
 
 def _neither(shown: ShownTest, names: NamedLoading) -> LoadingVerdict:
-    """Return the verdict where nothing fits: the least unlikely of that is no lead."""
+    """Return the verdict where no hypothesis fits, because the least improbable one would
+    mislead.
+    """
     sentence = neither_message(shown)
     return LoadingVerdict(
         verdict="undecided",
@@ -151,8 +155,8 @@ def _findings(verdict: LoadingName, sentence: Sentence) -> tuple[Finding, ...]:
 
 
 def _explains(shown: ShownTest, best: RatedHypothesis) -> bool:
-    """Return whether a fault of the table explains nearly all of what neither the loaded table nor
-    the old control does.
+    """Return whether a fault of the table explains nearly all that neither the loaded table nor the
+    old control explains.
     """
     if best.name in ("loaded", "not_active", "thermal", "measurement"):
         return False
@@ -170,7 +174,7 @@ def _sentence(
     ways: Sequence[RatedHypothesis],
     declared_slope: float | None,
 ) -> Sentence:
-    """Return the sentence about a verdict."""
+    """Return the sentence about a loading verdict."""
     best, declared = names.best, declared_slope or 0.0
     if best.name == "thermal":
         slope = slope_text(*best.slope, declared)

@@ -1,6 +1,4 @@
-"""What a control does after loading when something went wrong: each fault as a correction at the
-targets of a test.
-"""
+"""The correction of a control after each possible fault of loading, at the targets of a test."""
 
 from __future__ import annotations
 
@@ -39,7 +37,7 @@ _FAULTS: Final = (
 
 
 def loading_hypotheses(loading: Loading, targets: FloatArray) -> tuple[Hypothesis, ...]:
-    """Return every way in which the table may have been loaded, at ``targets`` (m,)."""
+    """Return every possible way of loading the table, at ``targets`` (m,)."""
     ways = HypothesisBuilder(loading, targets)
     found = [ways.made("loaded", ways.total(ways.own), 1.0)]
     found += [way for fault in _FAULTS for way in fault(ways)]

@@ -1,5 +1,5 @@
-"""The sentences of a loading verdict: what was measured and where, in µm or arcsec, and the
-possible causes.
+"""Sentences of a loading verdict: what was measured and where, in µm or arcsec, and the possible
+causes.
 """
 
 from __future__ import annotations
@@ -32,11 +32,12 @@ VISIBLE: Final = 10.2
 
 @dataclass(frozen=True, slots=True)
 class ShownTest:
-    """What a test shows, and what it was expected to show. ``means`` (2, m) in + and - at
-    ``targets``, NaN where there is none; ``noise`` of a reading; the means expected with the new
-    table and without it. ``effect``: which part of their difference the test shows, with its
-    standard error. ``read_back``: the values that were read back from the control are the plan's.
-    mm or deg by ``unit``.
+    """The measured and the expected values of a test, for the sentences of a verdict.
+
+    ``means`` (2, m) in + and - at ``targets``, NaN where there is none; ``noise`` of a reading; the
+    means expected with the new table and without it. ``effect``: which part of their difference the
+    test shows, with its standard error. ``read_back``: the values that were read back from the
+    control are the plan's. mm or deg by ``unit``.
     """
 
     means: FloatArray
@@ -75,13 +76,13 @@ class ShownTest:
         )
 
     def left(self, expected: FloatArray) -> FloatArray:
-        """Return the test minus the ``expected`` one, without the datum (2, m)."""
+        """Return the test minus the ``expected`` one and minus the common offset (2, m)."""
         left = self.means - expected
         removed: FloatArray = left - np.nanmean(left)
         return removed
 
     def length(self, value: float) -> Amount:
-        """Return a deviation with its unit, in µm or arcsec, two significant digits or more."""
+        """Return a deviation as text in µm or arcsec, with at least two significant digits."""
         outside = float(abs(value) * outside_factor(self.unit))
         return Amount(outside, shown_unit(self.unit), ".1f" if outside >= 1.0 else ".2f")
 
@@ -90,7 +91,7 @@ class ShownTest:
         return say("loading.rms", rms=self.length(float(np.sqrt(np.nanmean(values**2)))))
 
     def worst(self, values: FloatArray) -> Sentence:
-        """Return the largest value and where it was measured."""
+        """Return the largest value and its target."""
         side, target = np.unravel_index(int(np.nanargmax(np.abs(values))), values.shape)
         return say(
             "loading.worst",
@@ -100,7 +101,7 @@ class ShownTest:
         )
 
     def between_directions(self, values: FloatArray) -> float:
-        """Return mean(+) minus mean(-) of the residuals (2, m), 0 where only one direction was
+        """Return mean(+) minus mean(-) of the residuals (2, m). 0 where only one direction was
         measured.
         """
         there = np.isfinite(values).any(axis=1)
@@ -108,13 +109,15 @@ class ShownTest:
 
     @property
     def effect_text(self) -> Sentence | None:
-        """Which part of the planned effect was measured; None where there is none."""
+        """Return the measured share of the planned effect as text. None without a planned
+        effect.
+        """
         part, error = self.effect
         return say("loading.effect", part=part, error=error) if math.isfinite(error) else None
 
     @property
     def size(self) -> float:
-        """Root mean square of the planned effect at the means that there are, mm or deg."""
+        """The root mean square of the planned effect at the existing means, mm or deg."""
         if self.loaded is None or self.inactive is None:
             return 0.0
         step = (self.loaded - self.inactive)[np.isfinite(self.means)]
@@ -122,7 +125,7 @@ class ShownTest:
 
 
 def candidate_text(candidate: LoadingName, detail: str = "") -> Sentence:
-    """Return a name as it is shown, with its variant."""
+    """Return the printed name of a verdict with its variant."""
     return say("loading.name", name=candidate.replace("_", " "), detail=detail)
 
 
@@ -226,7 +229,7 @@ def open_message(
 
 
 def neither_message(shown: ShownTest) -> Sentence:
-    """Return by how much, and where, a test contradicts every way of loading."""
+    """Return how much, and where, a test contradicts every way of loading, as text."""
     loaded, inactive = (
         None if expected is None else shown.left(expected)
         for expected in (shown.loaded, shown.inactive)
@@ -248,7 +251,9 @@ def neither_message(shown: ShownTest) -> Sentence:
 
 
 def slope_text(slope: float, error: float, declared: float) -> Sentence:
-    """Return a slope (mm/mm) with its standard error, and what of temperature it would be."""
+    """Return a slope (mm/mm) with its standard error as text, and the temperature difference that
+    would cause it.
+    """
     return say(
         "loading.slope",
         slope=slope * _PPM,
@@ -259,8 +264,10 @@ def slope_text(slope: float, error: float, declared: float) -> Sentence:
 
 
 def declared_slope_text(slope: float, error: float, declared: float) -> Sentence | None:
-    """Return a slope (mm/mm) of a test whose table is active, where it is clear and the job
-    declares some (``declared``: standard deviation between two tests); else None.
+    """Return the sentence about the slope (mm/mm) of a test with an active table. None where the
+    slope is unclear or undeclared.
+
+    The job declares some (``declared``: standard deviation between two tests).
     """
     if declared <= 0.0 or abs(slope) < max(_CLEAR_SLOPE * error, _LEAST_SLOPE):
         return None
@@ -275,12 +282,12 @@ def declared_slope_text(slope: float, error: float, declared: float) -> Sentence
 
 
 def thermal_message(shown: ShownTest, expected: FloatArray, slope: Sentence) -> Sentence:
-    """Return the sentence of an active table on an axis that is longer or shorter now."""
+    """Return the sentence about an active table on an axis that is now longer or shorter."""
     return say("loading.thermal", left=shown.rms(shown.left(expected)), slope=slope)
 
 
 def straight_line_message(shown: ShownTest, slope: Sentence, active_part: float) -> Sentence:
-    """Return the sentence for a correction that is a straight line itself."""
+    """Return the sentence about a correction that is itself a straight line."""
     return say(
         "loading.straight_line",
         slope=slope,

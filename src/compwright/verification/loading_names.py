@@ -1,5 +1,7 @@
-"""From rated hypotheses to names: the most probable one, those that no test can distinguish from
-it, and those that this test leaves open.
+"""Name the loading verdict from rated hypotheses, with the alternatives that remain possible.
+
+The most probable one, those that no test can distinguish from it, and those that this test leaves
+open.
 """
 
 from __future__ import annotations
@@ -32,7 +34,7 @@ _LISTED: Final = 0.005
 
 @dataclass(frozen=True, slots=True)
 class NamedLoading:
-    """What a test shows about the names of loading verdicts.
+    """The names of loading verdicts that a test supports.
 
     ``best``: the most probable hypothesis of the most probable name; ``fits``: whether the test
     fits it. ``together``: probability of that name and of everything within one standard error of
@@ -54,8 +56,8 @@ class NamedLoading:
 def name_loading(
     after: AfterMeans, rated: Sequence[RatedHypothesis], declared_slope: float | None
 ) -> NamedLoading:
-    """Return the name of the loading verdict from the ``rated`` hypotheses of a test, with its
-    equivalents and its odds.
+    """Return the name of the loading verdict from the ``rated`` hypotheses, with equivalent names
+    and odds.
 
     ``declared_slope``: as in `judge_loading`.
     """
@@ -99,9 +101,7 @@ def _margin(
     names: Collection[LoadingName],
     excluded: Collection[LoadingName],
 ) -> float:
-    """Return the logarithm of the odds for ``names`` over the most probable name that is not
-    ``excluded``.
-    """
+    """Return the log odds of ``names`` over the most probable name that is not ``excluded``."""
 
     def together(chosen: Collection[LoadingName]) -> float:
         logs = np.array([each.log for each in rated if each.name in chosen])
@@ -118,9 +118,7 @@ def _margin(
 def _loaded_or_thermal(
     rated: Sequence[RatedHypothesis], declared_slope: float | None
 ) -> LoadingName:
-    """Return ``loaded`` or, where the slope of the test relative to the active table exceeds the
-    declared one, ``thermal``.
-    """
+    """Return ``loaded``, or ``thermal`` where the slope of the test exceeds the declared one."""
     plain = next(each for each in rated if each.name == "loaded")
     if declared_slope is None:
         return "loaded"
@@ -154,7 +152,7 @@ def _equivalent(
 
 
 def _near(far: FloatArray, rated: Sequence[RatedHypothesis]) -> tuple[LoadingName, ...]:
-    """Return the names whose test is so close to the best that this test hardly distinguishes them.
+    """Return the names that this test can hardly distinguish from the best.
 
     Left out: variants that can come arbitrarily close (a cut near an end, an unknown factor or
     slope), and faults of measurement.
@@ -187,7 +185,7 @@ def _candidates(
 
 
 def factor_of(best: RatedHypothesis) -> float:
-    """Return the factor of a scaled table: its known one, or that which the test shows."""
+    """Return the factor of a scaled table: the known one, or the measured one."""
     way = best.hypothesis
     if way.name != "scaled" or way.free is None:
         return way.factor

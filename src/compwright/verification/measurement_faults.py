@@ -1,5 +1,5 @@
-"""Is the test after loading credible? It is compared with the first test of its axis before any
-verdict.
+"""Check whether the test after loading is credible, before any verdict. It is compared with the
+first test of its axis.
 
 A named fault (`measurement_fault`) is certain: only a fault of the measurement gives such readings.
 A doubt (`doubts_of_test`) is a missing proof; each names the measurement that gives it. mm or deg.
@@ -51,8 +51,8 @@ _FEW_REPEATS: Final = 5
 
 @dataclass(frozen=True, slots=True)
 class NamedFault:
-    """A fault of the measurement that is certain: ``of`` by the contract's words, ``sentence`` what
-    was seen and what to do.
+    """A certain fault of the measurement. ``of``: its name in the JSON; ``sentence``: evidence and
+    next step.
     """
 
     of: MeasurementFault
@@ -62,8 +62,8 @@ class NamedFault:
 def measurement_fault(
     after: PositioningTest, first: PositioningTest, travel: tuple[float, float]
 ) -> NamedFault | None:
-    """Return the fault that the test after loading shows for certain against the ``first`` test of
-    the axis, or None.
+    """Return the certain fault of the test after loading compared with the ``first`` test of the
+    axis, or None.
     """
     spread = reading_range(after)
     if spread <= SAME_READING or any(finding.code == "CW-R009" for finding in after.findings):
@@ -81,7 +81,7 @@ def measurement_fault(
 
 
 def _copied(after: PositioningTest, first: PositioningTest) -> Sentence | None:
-    """Return how the readings were copied; None where they are a measurement of their own."""
+    """Return how the readings were copied. None where they are an independent measurement."""
     for way, positive, negative in (
         ("same", first.positive, first.negative),
         ("sign", -first.positive, -first.negative),
@@ -109,8 +109,8 @@ def _measured(test: PositioningTest) -> list[Direction]:
 def _shifted(
     after: PositioningTest, first: PositioningTest, positive: FloatArray, negative: FloatArray
 ) -> bool:
-    """Return whether ``after`` holds these readings of ``first``, but for one constant (another
-    zero of the instrument).
+    """Return whether ``after`` contains these readings of ``first`` except for one constant
+    (another zero of the instrument).
     """
     if after.positive.shape != positive.shape or after.negative.shape != negative.shape:
         return False
@@ -124,16 +124,16 @@ def _shifted(
 
 
 def copied_scatter(one: PositioningTest, other: PositioningTest) -> float | None:
-    """Return the correlation of the scatter of two tests where it proves that one was made from the
-    other, else None.
+    """Return the correlation of the scatter of two tests, if it proves that one was made from the
+    other. Else None.
     """
     correlation, dof = _scatter_alike(one, other)
     return correlation if dof >= _ENOUGH and correlation > _COPIED else None
 
 
 def _scatter_alike(after: PositioningTest, first: PositioningTest) -> tuple[float, int]:
-    """Return the correlation of the scatter of two tests at the same targets and its degrees of
-    freedom; 0, 0 where it has none.
+    """Return the correlation of the scatter of two tests at the same targets, and its degrees of
+    freedom. 0, 0 where undefined.
 
     Scatter: readings less the mean of their target and less the straight line of their run, because
     a drift over the runs may well be the same in two honest tests.
@@ -165,8 +165,8 @@ def _scatter(block: FloatArray) -> FloatArray:
 
 
 def _thousand(after: PositioningTest, first: PositioningTest) -> Sentence | None:
-    """Return the sentence that the readings are 1000 times too small or too large, from their
-    scatter relative to the first test's; None where they are not.
+    """Return the sentence that the readings are 1000 times too small or too large, by their
+    scatter. None where they are not.
     """
     certain = certain_fault(after)
     if certain:
@@ -190,8 +190,8 @@ def _thousand(after: PositioningTest, first: PositioningTest) -> Sentence | None
 def noise_odds(
     s: float, dof: float, s_first: float, dof_first: float
 ) -> Literal["", "quiet", "loud"]:
-    """Return whether a scatter ``s`` is too quiet or too loud relative to the first test's, each
-    with its degrees of freedom.
+    """Return whether a scatter ``s`` is too small or too large compared with the first test's, from
+    both degrees of freedom.
 
     Too quiet: even with a third of the first test's noise, a scatter this small would appear less
     than once in 1000 tests (ratio of two variances, Paulson's normal score). Too loud: the same
@@ -207,8 +207,9 @@ def noise_odds(
 
 
 def normal_score(ratio: float, dof: float, noise_dof: float) -> float:
-    """Return the standard normal value as improbable as a variance ratio F of ``dof`` and
-    ``noise_dof`` degrees of freedom.
+    """Return the standard normal value with the same probability as a variance ratio F.
+
+    Of ``dof`` and ``noise_dof`` degrees of freedom.
 
     Paulson, Ann. Math. Statist. 13 (1942) 233: the cube root of F is nearly normal. With exactly
     known noise this is the approximation of Wilson and Hilferty for chi-square / dof.
@@ -219,8 +220,10 @@ def normal_score(ratio: float, dof: float, noise_dof: float) -> float:
 
 
 def proof_findings(after: PositioningTest, first: PositioningTest) -> list[Finding]:
-    """Return what the test after loading lacks as a proof, relative to the ``first`` test: CW-V020
-    (targets), CW-V021 (noise).
+    """Return what the test after loading lacks as a proof: targets (CW-V020) or plausible noise
+    (CW-V021).
+
+    Relative to the ``first`` test.
     """
     return [*_coverage(after, first), *_noise(after, first)]
 
@@ -254,8 +257,8 @@ def _coverage(after: PositioningTest, first: PositioningTest) -> Iterable[Findin
 
 
 def _full_turn(test: PositioningTest) -> bool:
-    """Return whether the targets go all around: then it does not matter from where they are
-    counted.
+    """Return whether the targets cover a full turn, so that the start of counting does not
+    matter.
     """
     span = float(test.targets[-1] - test.targets[0])
     return (
@@ -286,8 +289,8 @@ def _noise(after: PositioningTest, first: PositioningTest) -> Iterable[Finding]:
 
 
 def file_disagreement(parts: Sequence[PositioningTest]) -> tuple[PositioningTest, str] | None:
-    """Return which of the files of one test differs most from the first, and by how much, in words;
-    None where all agree.
+    """Return as text which file of one test differs most from the first, and by how much. None
+    where all agree.
 
     Two files differ where their means at the same targets and directions are more than `_BELIEVED`
     times the scatter of a reading within the files apart: another datum, or another correction. The
@@ -308,7 +311,7 @@ def file_disagreement(parts: Sequence[PositioningTest]) -> tuple[PositioningTest
 
 
 def _apart(one: PositioningTest, other: PositioningTest) -> float:
-    """Return by how much the means of two tests differ (rms) where both have them, mm or deg."""
+    """Return the rms difference of the means of two tests where both have them, mm or deg."""
     _, mine, theirs = np.intersect1d(
         _places(one.targets), _places(other.targets), return_indices=True
     )
@@ -323,6 +326,6 @@ def _apart(one: PositioningTest, other: PositioningTest) -> float:
 
 
 def _places(targets: FloatArray) -> FloatArray:
-    """Return targets rounded so that the same place is the same number."""
+    """Return targets rounded so that equal places are equal numbers."""
     rounded: FloatArray = np.round(targets, 6)
     return rounded

@@ -1,5 +1,5 @@
-"""Faults of a part of the table: one direction alone, another backlash, nodes up to a cut or from
-one on.
+"""Faults of a part of the table: only one direction, a wrong backlash, or only some of the
+nodes.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ _FAMILY: Final = 0.025  # prior odds of a whole family of cuts of one kind
 
 
 def one_direction(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
-    """Yield the table in one direction, in the other what may act there instead."""
+    """Yield the table in only one direction, with the possible corrections in the other one."""
     new = ways.total(ways.own)
     beyond = [("the other as before", ways.old - ways.active_before)]
     if ways.has_old:
@@ -35,7 +35,7 @@ def one_direction(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
 
 
 def wrong_backlash(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
-    """Yield another backlash than planned: that of the control, or what two tables hold."""
+    """Yield a wrong backlash: the old value of the control, or the effect of two tables."""
     step = ways.backlash
     if not np.any(step):
         step = _reversal(ways)
@@ -54,7 +54,7 @@ def wrong_backlash(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
 
 
 def _reversal(ways: HypothesisBuilder) -> Curve:
-    """Return the mean difference of two tables, as a backlash would do it."""
+    """Return the mean difference of two tables, expressed as a backlash."""
     mean = (
         float(np.mean(ways.table.negative - ways.table.positive))
         if ways.table.positions.size
@@ -68,7 +68,9 @@ def _reversal(ways: HypothesisBuilder) -> Curve:
 
 
 def partial(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
-    """Yield the table up to a node, or from one on, with the possible values at the other nodes."""
+    """Yield the table up to a node or from a node on, with the possible values at the other
+    nodes.
+    """
     nodes = ways.table.positions
     if nodes.size < 3:
         return
@@ -107,7 +109,7 @@ def partial(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
 
 
 def cut_off(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
-    """Yield a table that ends between two nodes all at once, its backlash with it."""
+    """Yield a table that ends suddenly between two nodes, its backlash included."""
     nodes, targets = ways.table.positions, ways.targets
     if nodes.size < 3 or targets.size < 3:
         return
@@ -134,9 +136,7 @@ def cut_off(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
 
 
 def _cuts(ways: HypothesisBuilder) -> list[int]:
-    """Return the numbers of nodes that may have been loaded: between the targets, at most
-    `_CUTS`.
-    """
+    """Return the nodes where a partial table may end: between the targets, at most `_CUTS`."""
     nodes = ways.table.positions
     target_index = np.searchsorted(ways.targets, nodes)
     effective = [

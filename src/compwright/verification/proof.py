@@ -1,5 +1,7 @@
-"""What a good verification needs in addition to its numbers: a plan of this very job, every planned
-axis, and tests that prove something.
+"""Requirements of a good verification besides its numbers: the right plan, all planned axes, and
+convincing tests.
+
+A plan of this very job, every planned axis, and tests that prove something.
 
 The rule for the findings of the evaluation (``docs/commands.md``, "What good needs"): a warning
 about the readings of the test after loading makes the verdict undecided; a warning about how the
@@ -42,8 +44,8 @@ _OF_UNCERTAINTY: Final = frozenset({"CW-T023"})
 
 @dataclass(frozen=True, slots=True)
 class AfterTest:
-    """A test after loading: its axis, the name of the test that it repeats, its files, and the
-    mapping profile that was given for them.
+    """A test after loading: its axis, the name of the repeated test, its files, and their mapping
+    profile.
     """
 
     axis: str
@@ -54,9 +56,10 @@ class AfterTest:
 
 
 def changed_limits(job: Job, plan: Plan) -> Iterator[Finding]:
-    """Yield a finding (CW-V022) for limits, standard, decision rule and declared uncertainty that
-    differ from those of the run. An uncertainty declared after the measurement could explain any
-    slope.
+    """Yield a finding (CW-V022) if limits, standard, decision rule or declared uncertainty changed
+    since the run.
+
+    An uncertainty declared after the measurement could explain any slope.
     """
     if job.standard != plan.standard:
         yield _changed("standard", plan.standard, job.standard)
@@ -97,7 +100,7 @@ _Budget = TypeVar("_Budget", UncertaintyBudget, CircularBudget)
 
 
 def _budget(one: _Budget | None, other: _Budget | None) -> str:
-    """Return the values of one budget that the other does not have; empty for none."""
+    """Return the values of one budget that differ from the other budget. Empty for no budget."""
     if one is None:
         return ""
     other_values = asdict(other or type(one)())
@@ -169,7 +172,7 @@ def _circles_missing(plan: Plan, circles: Mapping[str, CircularTest]) -> Iterato
 
 
 def _limited_test(job: Job, axis: str) -> str | None:
-    """Return the name of the test to which the limits of an axis apply; None without limits."""
+    """Return the name of the test to which the limits of an axis apply. None without limits."""
     entry = job.axes.get(axis)
     if entry is None or entry.accept is None:
         return None
@@ -196,8 +199,8 @@ def doubt_warnings(
     *,
     guarded: bool,
 ) -> Iterator[Finding]:
-    """Yield the warnings of the evaluation that take the verdict to undecided (CW-V024);
-    ``acknowledged``: doubts that the job acknowledges.
+    """Yield the warnings that make the verdict undecided (CW-V024). ``acknowledged``: doubts that
+    the job acknowledges.
     """
     had = {finding.code for finding in before.findings}
     for finding in after.findings:
@@ -217,8 +220,8 @@ def doubt_warnings(
 
 
 def copied_tests(tests: Iterable[AfterTest]) -> dict[str, NamedFault]:
-    """Return by axis the faults of duplicates: one file twice within a test, or one measurement for
-    two axes.
+    """Return by axis the faults of duplicates: the same file twice in a test, or one measurement
+    for two axes.
     """
     every = tuple(tests)
     found = {
@@ -237,7 +240,9 @@ def copied_tests(tests: Iterable[AfterTest]) -> dict[str, NamedFault]:
 
 
 def repeated_circles(plan: Plan, circles: Mapping[str, CircularTest]) -> Iterator[Finding]:
-    """Yield circles that are those from before loading, by the content of their files (CW-V025)."""
+    """Yield circles that are copies of those before loading, by the contents of their files
+    (CW-V025).
+    """
     for name, test in circles.items():
         if share_a_file(plan.circles[name].test.sources, test.sources):
             yield Finding.of("CW-V025", "warning", circle=name)

@@ -1,4 +1,4 @@
-"""The facts about a control that a good verification proves, and those that it leaves open."""
+"""The facts about a control that a good verification proves, and those that it does not prove."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _FACTS: Final = (
 
 @dataclass(frozen=True, slots=True)
 class ProvenAxis:
-    """The facts that the tests of one axis prove, and those that they leave open, in words."""
+    """The facts that the tests of one axis prove, and those that they do not prove, as text."""
 
     axis: str
     proven: tuple[str, ...]
@@ -39,7 +39,7 @@ def proven_axis(
     backlash: bool,
     two_curves: bool,
 ) -> ProvenAxis:
-    """Return the facts that the tests of a loaded axis prove: those without which the test would be
+    """Return the facts that the tests of a loaded axis prove. Without these facts the test would be
     clearly different.
 
     That a fact is probable beforehand is no proof. ``loading``: the verdict as in its document;
@@ -68,8 +68,8 @@ def proven_axis(
 def sign_odds(
     curves: Sequence[tuple[FloatArray, FloatArray, FloatArray]], scatter: FloatArray
 ) -> float:
-    """Return the natural logarithm of the odds for the table as planned over the same table with
-    opposite sign, from the means of both tests.
+    """Return the log odds of the planned table over the same table with opposite sign, from both
+    tests.
 
     ``curves``: for each measured direction, (m,) each, the means expected with the table, those
     with the correction before, and those found after loading; ``scatter`` (m,): standard deviation

@@ -1,4 +1,4 @@
-"""Compare the correction read back from a control with the plan's, exactly, without any
+"""Compare the correction read back from a control with the plan exactly, without any
 measurement.
 """
 
@@ -34,8 +34,8 @@ _FACTORS = {
 def judge_read_back(
     planned: Correction, loaded: Correction, old: Correction, nodes: FloatArray, spacing: float
 ) -> ReadBack:
-    """Compare the values read back with the plan, mm or deg; ``old``: the values in the control
-    before.
+    """Return a verdict on the values read back, compared with the plan, mm or deg. ``old``: the
+    earlier values in the control.
 
     The first explanation that is exact (within `SAME`) everywhere counts; a table of zeros explains
     nothing.
@@ -66,9 +66,7 @@ def judge_read_back(
 
 @dataclass(frozen=True, slots=True)
 class _Mistake:
-    """The correction after one mistake, and its sentences: for an exact match, and for a match
-    apart from the backlash.
-    """
+    """The correction after one possible mistake, with its sentences."""
 
     verdict: str
     curves: _Curves
@@ -176,5 +174,5 @@ def _one_side(wish: _Curves, found: _Curves) -> Iterator[tuple[str, str]]:
 
 
 def _shifted(planned: Correction, where: FloatArray, side: Direction, by: float) -> FloatArray:
-    """Return the planned correction moved by ``by``."""
+    """Return the planned correction shifted by ``by``."""
     return planned(where - by, side)

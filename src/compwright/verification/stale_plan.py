@@ -1,4 +1,4 @@
-"""Was a plan made from this very job? Compares axes, options, states, tests and circles."""
+"""Check whether a plan was made from this job: axes, options, states, tests and circles."""
 
 from __future__ import annotations
 
@@ -19,8 +19,7 @@ ReadAgain = Callable[[AxisJob, TestRequest], PositioningTest | None]
 def stale_plan(
     job: Job, plan: Plan, file: str, *, options: Mapping[str, object], read: ReadAgain
 ) -> list[Fault]:
-    """Return the differences between the job and the inputs of the plan: axes, options, states,
-    tests and circles; not limits.
+    """Return the differences between the job and the inputs of the plan, except limits.
 
     ``options``: those of the job, with the values that it leaves to the control; ``read``: reads a
     test of the job from its present files, None where they are gone.
@@ -43,7 +42,9 @@ def stale_plan(
 
 
 def stale_fault(what: str, mine: str, theirs: str, file: str) -> Fault:
-    """Return the fault of a job with the value ``mine`` whose plan has the value ``theirs``."""
+    """Return the fault that the job has the value ``mine`` but its plan has the value
+    ``theirs``.
+    """
     return Fault(
         message="the plan was made for another job, or before this job was edited",
         file=file,
@@ -72,8 +73,8 @@ def _axes_differ(job: Job, plan: Plan, read: ReadAgain) -> Iterator[tuple[str, s
 
 
 def _differences(place: str, mine: Any, theirs: Any) -> Iterator[tuple[str, str, str]]:
-    """Yield the differences between two records of one kind, each by the name of its key in the
-    job.
+    """Yield the differences between two records of the same kind, each with the name of its job
+    key.
     """
     for field in fields(mine):
         one, other = getattr(mine, field.name), getattr(theirs, field.name)
@@ -137,9 +138,7 @@ def _options_differ(
 
 
 def _states_differ(job: Job, plan: Plan) -> Iterator[tuple[str, str, str]]:
-    """Yield the states that the job names otherwise than its run; the contents of the files are the
-    plan's own copies.
-    """
+    """Yield the states that the job names differently than its run."""
     for name in sorted({AS_FOUND, *job.states} & {AS_FOUND, *plan.states}):
         mine, theirs = job.states.get(name), plan.states.get(name)
         if (mine is None) != (theirs is None) or bool(mine) != bool(theirs):
@@ -153,12 +152,12 @@ def _states_differ(job: Job, plan: Plan) -> Iterator[tuple[str, str, str]]:
 
 
 def _plain(value: Any) -> Any:
-    """Return a value as JSON gives it back."""
+    """Return a value as JSON returns it after writing and reading."""
     return [_plain(entry) for entry in value] if isinstance(value, list | tuple) else value
 
 
 def _text(value: Any) -> str:
-    """Return a value as a job writes it."""
+    """Return a value as a job file writes it."""
     if value is None:
         return "not given"
     if isinstance(value, bool):
