@@ -15,8 +15,10 @@ from compwright.evaluation.change_significance import (
     score_of_t,
     two_sided_probability,
 )
+from compwright.evaluation.series_changes import noted_changes
 from compwright.evaluation.standard_errors import standard_errors
 from compwright.evaluation.trends import trend_of
+from compwright.records.history import HistoryEntry
 
 TARGETS = np.linspace(0.0, 600.0, 11)
 CURVE = 8.0 * np.sin(TARGETS / 130.0)
@@ -74,8 +76,8 @@ def test_an_unchanged_machine_is_hardly_ever_called_changed(shift: float) -> Non
     alarms = 0
     for _ in range(100):
         one, other = (parameter(*made(rng, shift=shift)) for _ in range(2))
-        alarms += sum(difference(one[name], other[name]).clear for name in ("A", "B", "B_mean"))
-        alarms += scatter_changed(one["s"], other["s"]).clear
+        alarms += sum(difference(one[name], other[name]).clear() for name in ("A", "B", "B_mean"))
+        alarms += scatter_changed(one["s"], other["s"]).clear()
     assert alarms <= 4  # of 400 comparisons
 
 
@@ -87,17 +89,17 @@ def test_a_collision_shows() -> None:
         before = parameter(*made(rng))
         found["B_mean"] += difference(
             before["B_mean"], parameter(*made(rng, lost=7.0))["B_mean"]
-        ).clear
-        found["s"] += scatter_changed(before["s"], parameter(*made(rng, s=1.0))["s"]).clear
+        ).clear()
+        found["s"] += scatter_changed(before["s"], parameter(*made(rng, s=1.0))["s"]).clear()
     assert found["B_mean"] >= 49
     assert found["s"] >= 45
 
 
 def test_what_is_declared_counts() -> None:
     one, other = UncertainValue(10.0, 0.3, 40.0), UncertainValue(14.0, 0.3, 40.0)
-    assert difference(one, other).clear
-    assert not difference(one, other, between_tests=2.0).clear
-    assert not difference(UncertainValue(10.0, 0.3, 40.0, declared=2.0), other).clear
+    assert difference(one, other).clear()
+    assert not difference(one, other, between_tests=2.0).clear()
+    assert not difference(UncertainValue(10.0, 0.3, 40.0, declared=2.0), other).clear()
 
 
 def test_tests_without_repeats_have_no_standard_errors() -> None:
@@ -107,6 +109,53 @@ def test_tests_without_repeats_have_no_standard_errors() -> None:
 def test_one_direction_has_no_reversal() -> None:
     up, _ = made(np.random.default_rng(4))
     assert set(standard_errors(up, np.empty((11, 0)), K)) == {"A", "s"}
+
+
+def entry(place: int, values: dict[str, float]) -> HistoryEntry:
+    """One test of a year, of an axis whose parameters are known to 0.1 µm."""
+    return HistoryEntry(
+        folder=f"m/{place:02}",
+        number=0,
+        machine="m",
+        serial="1",
+        what="X",
+        kind="positioning",
+        rotary=False,
+        test="x",
+        taken="before",
+        date="",
+        day=f"2021-01-{place + 1:02}",
+        unit="um",
+        standard="iso230-2:2014",
+        values=values,
+        errors={name: (0.1, 60.0) for name in values},
+        declared={},
+        targets=tuple(TARGETS),
+        table="none",
+        acting="none",
+        verdict="",
+        sources=(str(place),),
+        simulated=False,
+        instrument="",
+        limits={},
+    )
+
+
+def test_the_threshold_counts_every_comparison_of_a_series() -> None:
+    """Twenty tests of three parameters of a stable machine: on one axis in a hundred one of the 57
+    differences may look like a change; at one in 1000 each it would be on one in twenty.
+    """
+    rng = np.random.default_rng(5)
+    alarms = 0
+    for _ in range(500):
+        B, B_mean = 3.0 + 0.1 * rng.standard_normal((2, 20))
+        s = 0.5 * np.sqrt(rng.chisquare(60.0, 20) / 60.0)
+        tests = [
+            entry(k, {"B": float(B[k]), "B_mean": float(B_mean[k]), "s": float(s[k])})
+            for k in range(20)
+        ]
+        alarms += bool(noted_changes(tests, ()))
+    assert alarms <= 10
 
 
 # two-sided 1 in 1000 of Student's law and 1 in 100 of F, from printed tables

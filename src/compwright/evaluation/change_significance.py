@@ -44,6 +44,9 @@ def two_sided_probability(score: float) -> float:
 
 #: Standard normal value that chance exceeds, up or down, once in 1000 comparisons.
 CLEAR = 3.29
+#: How often tests of one unchanged machine may show a change at all, however many are compared
+#: (Bonferroni: the chances of single comparisons add up at most).
+_OF_ALL = 0.01
 #: µm/m: difference of slope between two tests that is assumed where no temperature uncertainty is
 #: declared: the expansion of steel for 1 K.
 UNDECLARED_SLOPE = 11.5
@@ -78,10 +81,9 @@ class Change:
         """The probability that two tests of an unchanged machine differ by as much or more."""
         return two_sided_probability(self.score)
 
-    @property
-    def clear(self) -> bool:
-        """Whether the difference is larger than its uncertainty allows."""
-        return abs(self.score) > CLEAR
+    def clear(self, comparisons: int = 1) -> bool:
+        """Return whether the difference exceeds its uncertainty, as one of many ``comparisons``."""
+        return abs(self.score) > CLEAR and self.chance * comparisons < _OF_ALL
 
 
 def difference(

@@ -11,6 +11,7 @@ from typing import Final
 import numpy as np
 
 from compwright.evaluation.change_significance import (
+    CLEAR,
     UNDECLARED_SLOPE,
     Change,
     UncertainValue,
@@ -46,17 +47,24 @@ def noted_changes(
 
     ``entries`` in their order in time; ``trends``: theirs (`noted_trends`). What the other
     comparisons differ by more than their standard errors explain is scatter from test to test.
+    The threshold counts all comparisons, but between the tests of a jump: elsewhere nothing but the
+    largest of many differences points at these two tests.
     """
     jumped = {
         (trend.parameter, jump.before, jump.after) for trend in trends for jump in trend.jumps
     }
-    found = []
-    for parameter in JUDGED:
-        pairs = [
+    pairs_of_jumps = {(before, after) for _, before, after in jumped}
+    compared = {
+        parameter: [
             (earlier, place)
             for place in range(len(entries))
             if (earlier := _last_comparable(entries, place, parameter)) is not None
         ]
+        for parameter in JUDGED
+    }
+    comparisons = sum(map(len, compared.values()))
+    found = []
+    for parameter, pairs in compared.items():
         usual = {
             pair: _compared(entries[pair[0]], entries[pair[1]], parameter)[0]
             for pair in pairs
@@ -66,7 +74,7 @@ def noted_changes(
             others = [other for each, other in usual.items() if not set(each) & set(pair)]
             one, entry = entries[pair[0]], entries[pair[1]]
             change, undeclared = _compared(one, entry, parameter, _between_tests(others))
-            if change.clear:
+            if change.clear(1 if pair in pairs_of_jumps else comparisons):
                 found.append(
                     NotedChange(
                         parameter=parameter,
@@ -111,6 +119,9 @@ _SAME, _UNKNOWN, _INSTRUMENT, _OTHER_JUMPED = 0.02, 0.2, 0.3, 0.5
 #: Parameters that are estimated first: the reversal does not depend on temperature and shows a jump
 #: best, the slope next.
 _FIRST: Final = ("B_mean", "B", "slope")
+#: They follow from reversal, slope and scatter. A rate of theirs needs the threshold of one chance
+#: in 1000, so that all ten parameters together are seldom clear on a stable machine.
+_FOLLOWING: Final = frozenset({"A", "E", "M", "R", "G_bidirectional"})
 _DAYS: Final = 365.25
 
 
@@ -157,6 +168,7 @@ def _trend_of_parameter(
         np.array([entry.errors.get(parameter, (0.0, 1.0))[0] for entry in found]),
         np.array([_stated(entry, parameter) for entry in found]),
         odds,
+        CLEAR if parameter in _FOLLOWING else 3.0,
     )
     return None if trend is None else _noted(parameter, places, trend, found[-1], days[-1])
 

@@ -85,18 +85,19 @@ class Trend:
     """A rate of change per year with its standard error.
 
     ``std_error``: the half width of its 95 % interval divided by 1.96, so that three of them mean
-    the same for few tests and many.
+    the same for few tests and many. ``threshold``: how many of them a clear rate exceeds.
     """
 
     rate: float
     std_error: float
+    threshold: float
     jumps: tuple[TrendJump, ...]
     _mixture: _Mixture
 
     @property
     def clear(self) -> bool:
-        """Whether the rate is larger than three standard errors."""
-        return abs(self.rate) > 3.0 * self.std_error
+        """Whether the rate is larger than the threshold."""
+        return abs(self.rate) > self.threshold * self.std_error
 
     def reaches(self, limit: float, toward: float = 1.0) -> Forecast | None:
         """Return when the parameter without its scatter exceeds ``limit``. None for an unclear
@@ -115,13 +116,14 @@ def trend_of(
     errors: FloatArray,
     stated: FloatArray,
     jump_odds: Sequence[float],
+    threshold: float = 3.0,
 ) -> Trend | None:
     """Return the rate of change of a parameter; None for fewer than three tests or 0.1 years.
 
     ``years`` (n,): ascending; ``values`` (n,) in any unit of the parameter; ``errors`` (n,): the
     standard error of each by its readings; ``stated`` (n,): its standard uncertainty apart from
     these, 0 where none is stated; ``jump_odds`` (n - 1,): prior probability of a jump after each
-    test, 1 where it is certain.
+    test, 1 where it is certain; ``threshold``: of the rate, in standard errors.
     """
     if len(years) < LEAST_TESTS or years[-1] - years[0] < LEAST_YEARS:
         return None
@@ -138,6 +140,7 @@ def trend_of(
     return Trend(
         rate=rate,
         std_error=(high - low) / (2.0 * _NORMAL_95),
+        threshold=threshold,
         jumps=tuple(jump for jump in jumps if jump.probability > _CLEAR_JUMP),
         _mixture=mixture,
     )
