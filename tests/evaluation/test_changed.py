@@ -128,7 +128,7 @@ def entry(place: int, values: dict[str, float]) -> HistoryEntry:
         unit="um",
         standard="iso230-2:2014",
         values=values,
-        errors={name: (0.1, 60.0) for name in values},
+        errors=dict.fromkeys(values, (0.1, 60.0)),
         declared={},
         targets=tuple(TARGETS),
         table="none",
