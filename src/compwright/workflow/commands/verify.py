@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -22,7 +23,7 @@ from compwright.documents.verification import (
     verification_document,
 )
 from compwright.foundations import storage
-from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
+from compwright.foundations.errors import CompwrightError, Fault, InputError, UsageError, raise_all
 from compwright.foundations.findings import Finding
 from compwright.foundations.input_sizes import PLAN
 from compwright.foundations.session import Session
@@ -187,7 +188,8 @@ def _verified(
     as_found = states.get(AS_FOUND) or decode(control, (), known)
     stored = as_found
     if plan.active.get(AS_FOUND) is False:  # what its tables do once they are switched on
-        stored = decode(control, plan.states[AS_FOUND], known, active=True)
+        with suppress(CompwrightError):  # unknown where the files do not show which one would be on
+            stored = decode(control, plan.states[AS_FOUND], known, active=True)
     read_back = decode(control, read_files(session, loaded), known) if loaded else None
     ours = tuple(not_read_back(plan_file, loaded))
     twice = copied_tests(tests)
