@@ -15,7 +15,7 @@ import pytest
 from test_verify_proof import sinumerik
 
 from compwright.cli import run as compwright
-from compwright.planning.mirror_image import is_mirror_image
+from compwright.planning.mirror_image import chance_of_mirror
 from loop import Floats, Machine, csv_of
 
 MACHINE = Machine()
@@ -92,7 +92,7 @@ def test_a_table_that_changes_an_older_one_by_more_than_that_is_a_mirror_image(
     u = np.linspace(0.0, 1.0, 25)
     shown = 0.006 * np.sin(2 * np.pi * (1.3 * u + 0.1))
     table = -shown + older * 0.006 * np.sin(2 * np.pi * (2.1 * u + 0.4))
-    assert is_mirror_image(table, shown, 800.0 * u, 1e-4) is found
+    assert (chance_of_mirror(table, shown, 800.0 * u, 1e-4) < 0.1) is found
 
 
 def test_noise_alone_is_no_mirror_image() -> None:
@@ -101,9 +101,9 @@ def test_noise_alone_is_no_mirror_image() -> None:
     wave = np.sin(2 * np.pi * targets / 800.0)
     for size, seen in ((3.0, False), (6.0, True)):
         table = size * np.sqrt(2.0) * 1e-4 * wave  # root mean square: so many times the noise
-        assert is_mirror_image(table, -table, targets, 1e-4) is seen
-        assert not is_mirror_image(0.1 * table, -table, targets, 1e-4)
-        assert not is_mirror_image(table, -0.1 * table, targets, 1e-4)
+        assert (chance_of_mirror(table, -table, targets, 1e-4) < 0.1) is seen
+        assert chance_of_mirror(0.1 * table, -table, targets, 1e-4) == 1.0
+        assert chance_of_mirror(table, -0.1 * table, targets, 1e-4) == 1.0
 
 
 def test_tables_that_are_not_perfect_are_hardly_ever_mirror_images() -> None:
@@ -119,8 +119,25 @@ def test_tables_that_are_not_perfect_are_hardly_ever_mirror_images() -> None:
         table = waves[0] + rng.normal(0.0, 20e-3) * u
         left = rng.normal(0.0, 0.25) * table + rng.uniform(0.0, 1.0) * waves[1]
         shown = left + rng.normal(0.0, 1e-4, u.size)
-        found += is_mirror_image(table, shown, 800.0 * u, 1e-4)
+        found += chance_of_mirror(table, shown, 800.0 * u, 1e-4) < 0.1
         yesterday = -table + rng.normal(0.0, 1e-4, u.size)
         bent = table - np.polyval(np.polyfit(u, table, 1), u)
-        assert is_mirror_image(table, yesterday, 800.0 * u, 1e-4) or np.std(bent) < 0.5e-3
+        chance = chance_of_mirror(table, yesterday, 800.0 * u, 1e-4)
+        assert chance < 0.1 or np.std(bent) < 0.5e-3
     assert found <= 20  # 1 %
+
+
+@pytest.mark.parametrize("bends", [1, 2, 4])
+def test_the_chance_is_that_of_random_curves_in_as_many_bends(bends: int) -> None:
+    """Curves of cosines, of random directions and of sizes within a decade, counted."""
+    rng = np.random.default_rng(11)
+    u = (np.arange(41) + 0.5) / 41
+    waves = np.cos(np.pi * np.outer(np.arange(2, 2 + 2 * bends, 2), u))  # even: without a slope
+    table = np.ones(bends) @ waves
+    others = rng.normal(size=(20_000, bends)) @ waves
+    size, sizes = (np.sqrt(np.mean(curve**2, axis=-1)) for curve in (table, others))
+    others *= (size * 10 ** rng.uniform(-0.5, 0.5, 20_000) / sizes)[:, np.newaxis]
+    left = np.sqrt(np.mean((others + table) ** 2, axis=1))
+    counted = float(np.mean(left < 0.3 * size))
+    stated = chance_of_mirror(1e-3 * table, -0.7e-3 * table, 800.0 * u, 0.0)
+    assert counted / 2 < stated < 3 * counted

@@ -309,10 +309,12 @@ SENTENCES: Final[dict[str, str]] = {
         " order of the targets|against=if the instrument counts against the machine}"
     ),
     "CW-P161": (
-        "The table in state {measured_in} is the mirror image of test {test} ({size:.1f} {unit})."
-        " So the table was made from this test and was not active in it. A further table would"
-        " correct the same error twice. Measure again with the table active, or name under"
-        " measured_in the state in which the test was taken"
+        "The table in state {measured_in} looks like the mirror image of test {test} ({size:.1f}"
+        " {unit}). By chance, curves as smooth are so alike in {less:if|less than }{chance:2sig} %"
+        " of cases. If the table was made from this test, it was not active in it, and a further"
+        " table would correct the same error twice. Measure again with the table active, or name"
+        " under measured_in the state in which the test was taken. If the table was active in this"
+        " test, give the reason (acknowledged)"
     ),
     "CW-P162.after": (
         "the file of the test after loading states that compensation was {both:if|both on and"

@@ -316,10 +316,12 @@ SENTENCES: Final[dict[str, str]] = {
         " inverse des points visés|against=si l'instrument compte à l'opposé de la machine}"
     ),
     "CW-P161": (
-        "La table de l'état {measured_in} est l'image en miroir de l'essai {test} ({size:.1f}"
-        " {unit}). Elle a donc été faite de cet essai et n'y était pas active. Une autre table"
-        " corrigerait deux fois la même erreur. Mesurer de nouveau avec la table active, ou"
-        " nommer sous measured_in l'état dans lequel l'essai a été fait"
+        "La table de l'état {measured_in} ressemble à l'image en miroir de l'essai {test}"
+        " ({size:.1f} {unit}). Par hasard, des courbes aussi lisses se ressemblent autant dans"
+        " {less:if|moins de }{chance:2sig} % des cas. Si la table a été faite de cet essai, elle"
+        " n'y était pas active, et une autre table corrigerait deux fois la même erreur. Mesurer de"
+        " nouveau avec la table active, ou nommer sous measured_in l'état dans lequel l'essai a été"
+        " fait. Si la table était active dans cet essai, en donner la raison (acknowledged)"
     ),
     "CW-P162.after": (
         "le fichier de l'essai après chargement indique la compensation {both:if|active et non"

@@ -333,10 +333,12 @@ SENTENCES: Final[dict[str, str]] = {
         " die Maschine zählt}"
     ),
     "CW-P161": (
-        "Die Tabelle im Zustand {measured_in} ist das Spiegelbild der Prüfung {test} ({size:.1f}"
-        " {unit}). Sie wurde also aus dieser Prüfung gemacht und war dabei nicht aktiv. Eine"
-        " weitere Tabelle korrigierte denselben Fehler zweimal. Mit aktiver Tabelle neu messen,"
-        " oder unter measured_in den Zustand nennen, in dem gemessen wurde"
+        "Die Tabelle im Zustand {measured_in} sieht aus wie das Spiegelbild der Prüfung {test}"
+        " ({size:.1f} {unit}). Zufällig sind so glatte Kurven einander in {less:if|weniger als"
+        " }{chance:2sig} % der Fälle so ähnlich. Wurde die Tabelle aus dieser Prüfung gemacht, war"
+        " sie dabei nicht aktiv, und eine weitere Tabelle korrigierte denselben Fehler zweimal. Mit"
+        " aktiver Tabelle neu messen, oder unter measured_in den Zustand nennen, in dem gemessen"
+        " wurde. War die Tabelle in dieser Prüfung aktiv, den Grund dafür im Auftrag angeben (acknowledged)"
     ),
     "CW-P162.after": (
         "die Datei der Prüfung nach dem Laden nennt die Kompensation {both:if|ein und aus|aus},"
