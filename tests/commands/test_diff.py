@@ -311,6 +311,24 @@ def test_one_change_of_a_sample_is_found(
         assert abs(axis["correction"]["max_change_um"]) == pytest.approx(most)
 
 
+@pytest.mark.parametrize(
+    ("control", "file", "renamed", "old", "new"),
+    [
+        ("isg-kernel", "achskw1.lis", "KW1.LIS", "[3].pos              84", "[3].pos 94 # 9.4 um"),
+        ("pmac", "comp.pmc", "back.txt", "-32 -48 16 0", "-32,\r\n-64,16 , 0"),
+    ],
+)
+def test_one_change_is_found_in_a_file_of_another_name_and_form(
+    control: str, file: str, renamed: str, old: str, new: str, tmp_path: Path
+) -> None:
+    files = sample(DEFINITIONS[control])
+    options = DEFINITIONS[control].sample_options
+    found = changed(files, file, old, new)
+    found[renamed] = found.pop(file)
+    code, answer = diff(tmp_path, files, found, control, options)
+    assert (code, len(entries(answer))) == (1, 1)
+
+
 # --- what cannot be compared
 
 

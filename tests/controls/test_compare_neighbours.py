@@ -51,6 +51,29 @@ def heidenhain(tmp_path_factory: pytest.TempPathFactory, measured: Path) -> Path
     return folder
 
 
+@pytest.fixture(scope="module")
+def isg(tmp_path_factory: pytest.TempPathFactory, measured: Path) -> Path:  # noqa: F811
+    """A plan with a table of X (axis 1), on lists of both axes."""
+    folder = _copied(tmp_path_factory, measured)
+    for axis in (1, 2):
+        entries = "".join(
+            f"kw.ssfk.table[{i}].{key} {value}\n"
+            for i, place in enumerate(range(0, 8_000_001, 1_000_000))
+            for key, value in (("setpoint", place), ("pos", 10 * i * (axis - 1)), ("neg", 0))
+        )
+        (folder / f"achskw{axis}.lis").write_text(
+            f"kopf.achs_nr {axis}\nkw.ssfk.unit 1\nkw.ssfk.interval 0\nkw.ssfk.kw_startpos 0\n"
+            f"kw.ssfk.kw_nr_max 9\nkw.ssfk.bilateral 1\nkw.ssfk.modulo 0\n{entries}"
+        )
+    (folder / "job.yaml").write_text(
+        "compwright: 1\ncontroller: {format: isg-kernel}\n"
+        "states: {as_found: [achskw1.lis, achskw2.lis]}\n"
+        'axes:\n  X: {travel: [0, 800], address: "1", before: [x.csv]}\n'
+    )
+    assert compwright(["run", str(folder / "job.yaml"), "--force"]) == 0
+    return folder
+
+
 def _copied(factory: pytest.TempPathFactory, source: Path) -> Path:
     folder = factory.mktemp("compared")
     for file in source.iterdir():
@@ -154,3 +177,28 @@ def test_a_cell_of_a_heidenhain(
     name = f"X.COM row 5 {'Y' if column == 3 else 'X'}"
     assert name in {each["quantity"] for each in answer["differences"] if each["axis"] == axis}
     assert answer["axes"]["X"]["verdict"] == ("loaded" if column == 3 else "other")
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("kw.ssfk.kw_startpos 0", "kw.ssfk.kw_startpos 100000"),  # not its first setpoint
+        ("kw.ssfk.unit 1", "kw.ssfk.unit 0"),  # increments of unknown size
+        ("kw.ssfk.bilateral 1", "kw.ssfk.bilateral 0"),  # next to a second column
+    ],
+)
+def test_a_list_that_a_change_makes_unreadable(
+    old: str, new: str, isg: Path, tmp_path: Path
+) -> None:
+    code, answer = compare(isg, put(tables(isg, "isg-kernel"), old, new), tmp_path / "loaded")
+    assert (code, answer["axes"]["X"]["verdict"]) == (1, "unreadable")
+    assert new.split(maxsplit=1)[0].rpartition(".")[2] in answer["axes"]["X"]["message"]
+
+
+def test_a_neighbour_in_a_list_of_another_name(isg: Path, tmp_path: Path) -> None:
+    loaded = tables(isg, "isg-kernel")
+    neighbour = (isg / "achskw2.lis").read_text()
+    for text, entries in ((neighbour, 0), (neighbour.replace("pos 30", "pos 40"), 1)):
+        code, answer = compare(isg, {**loaded, "AXIS2.LIS": text}, tmp_path / str(entries))
+        own = [one for one in answer["differences"] if one["unit"] is None]
+        assert (code, len(own)) == (entries, entries)

@@ -338,7 +338,8 @@ SENTENCES: Final[dict[str, str]] = {
         " }{chance:2sig} % der Fälle so ähnlich. Wurde die Tabelle aus dieser Prüfung gemacht, war"
         " sie dabei nicht aktiv, und eine weitere Tabelle korrigierte denselben Fehler zweimal. Mit"
         " aktiver Tabelle neu messen, oder unter measured_in den Zustand nennen, in dem gemessen"
-        " wurde. War die Tabelle in dieser Prüfung aktiv, den Grund dafür im Auftrag angeben (acknowledged)"
+        " wurde. War die Tabelle in dieser Prüfung aktiv, den Grund im"
+        " Auftrag angeben (acknowledged)"
     ),
     "CW-P162.after": (
         "die Datei der Prüfung nach dem Laden nennt die Kompensation {both:if|ein und aus|aus},"

@@ -35,6 +35,9 @@ from compwright.records.plan import Plan, PlannedAxis
 from compwright.verification.read_back import SAME, judge_read_back
 from compwright.workflow.run.written import write_fitted
 
+#: Why values cannot be read: a fault, or a question that the changed values raise.
+_Refused = InputError | UsageError
+
 
 @dataclass(frozen=True, slots=True)
 class CompareOutcome:
@@ -101,7 +104,7 @@ def compare_plan(session: Session, plan_file: Path, loaded: Sequence[Path]) -> C
 
 def _found(
     control: Control, files: Sequence[ControlFile], axes: Sequence[Axis], loaded: Sequence[Path]
-) -> tuple[dict[str, DecodedState | InputError], InputError | None]:
+) -> tuple[dict[str, DecodedState | _Refused], _Refused | None]:
     """Return the corrections in the files that were read back, by address, and why parts are
     unreadable.
 
@@ -110,7 +113,7 @@ def _found(
     """
     try:
         found = decode(control, files, axes)
-    except InputError as error:
+    except (InputError, UsageError) as error:
         singly = control.format.listing.readable_alone(control.format, files)
         alone = all(axis.address in singly for axis in axes)
         return {
@@ -122,10 +125,10 @@ def _found(
 
 def _found_alone(
     control: Control, files: Sequence[ControlFile], axis: Axis
-) -> DecodedState | InputError:
+) -> DecodedState | _Refused:
     try:
         return decode(control, files, [axis])
-    except InputError as error:
+    except (InputError, UsageError) as error:
         return error
 
 
@@ -167,7 +170,7 @@ def _compared(
     control: Control,
     entry: PlannedAxis,
     wish: DecodedState | None,
-    found: DecodedState | InputError,
+    found: DecodedState | _Refused,
     as_found: DecodedState,
     own: Mapping[str, Sequence[Difference]],
     partly: PartialLoad | None,
@@ -178,7 +181,7 @@ def _compared(
     files were loaded, where not all were.
     """
     axis = entry.axis
-    if isinstance(found, InputError):
+    if isinstance(found, (InputError, UsageError)):
         why = f"{_partly(partly)}; {found}" if partly else str(found)
         return ComparedAxis(axis.address, axis.kind, why, tuple(own.get(axis.name, ())))
     read_back = judge_read_back(

@@ -19,11 +19,13 @@ from compwright.formats.families.card_texts import (
 )
 from compwright.formats.families.family import (
     Family,
+    Listing,
     check_tables,
     in_patched_files,
     writable_tables,
 )
 from compwright.formats.families.lists.between import lists_between
+from compwright.formats.families.lists.files import file_values
 from compwright.formats.families.lists.reading import ListStateReader
 from compwright.formats.families.lists.table import COUNTS, TENTH, VALUE_TYPES, counted
 from compwright.formats.families.lists.writing import ListsWriter
@@ -66,6 +68,7 @@ def _own_limits(
 class ListsFamily(Family):
     """Tables with entries by index in one list per axis."""
 
+    listing = Listing(file_values=file_values)
     unanswered_option = UnansweredOption(
         "encoder_increment",
         "mm or deg per encoder increment, such as 0.0001",

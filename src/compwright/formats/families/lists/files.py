@@ -9,10 +9,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definition.statements import Occurrence, name_in_form
+from compwright.formats.text.file_values import FileValue, by_statements, texts_of
 from compwright.formats.text.gathering import FoundValue, same_value
 from compwright.formats.text.notes import CORRECT_VALUE, EXPORT_AGAIN, KEEP_ONE, Notes
 from compwright.formats.text.texts import ReadText, text_reader
@@ -94,6 +95,27 @@ def read_lists(definition: Definition, files: Sequence[ControlFile], notes: Note
         sorter.sort(text)
     sorter.find_missing()
     return sorter.lists
+
+
+def file_values(
+    definition: Definition, files: Sequence[ControlFile], _: Sequence[ControlFile] = ()
+) -> dict[str, FileValue]:
+    """Return every value of the lists, those of an axis by its number, whatever the file is called.
+
+    Raises InputError for a file that cannot be opened.
+    """
+    reader = text_reader(definition)
+    found: dict[str, FileValue] = {}
+    for file in texts_of(files):
+        code = ControlFile(file.name, without_remarks(file.content))
+        text = reader.read(code, [])
+        places = text.occurrences if text is not None else ()
+        headers = (_value(each) for each in places if each.statement in _HEADERS)
+        axis = next((str(int(number)) for number in headers), "")
+        for key, entry in by_statements(definition, [code]).items():
+            by_axis = key.replace(file.name, f"axis {axis}", 1) if axis else key
+            found[key if by_axis in found else by_axis] = replace(entry, axis=entry.axis or axis)
+    return found
 
 
 class _Sorter:

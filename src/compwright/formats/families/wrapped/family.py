@@ -18,7 +18,7 @@ from compwright.formats.families.card_texts import (
     named_files,
     sign_check,
 )
-from compwright.formats.families.family import Family, check_tables, writable_tables
+from compwright.formats.families.family import Family, Listing, check_tables, writable_tables
 from compwright.formats.families.wrapped.card_memory import MOST_MOTORS
 from compwright.formats.families.wrapped.counts import (
     COUNTS,
@@ -27,6 +27,7 @@ from compwright.formats.families.wrapped.counts import (
     counts_of,
     counts_question,
 )
+from compwright.formats.families.wrapped.file_values import file_values
 from compwright.formats.families.wrapped.reading import WrappedStateReader
 from compwright.formats.families.wrapped.tables import MotorTable, motor_table, over_travel
 from compwright.formats.families.wrapped.writing import TAKE_UP, fresh_script, patched_scripts
@@ -92,6 +93,7 @@ RULES = ShapeRules(
 class WrappedFamily(Family):
     """Repeating tables in fractions of an encoder count."""
 
+    listing = Listing(file_values=file_values)
     unanswered_option = UnansweredOption(
         COUNTS,
         "counts of the motor per mm or deg, such as 1000 (negative against the axis)",
