@@ -140,14 +140,43 @@ def _texts_of(definition: Definition) -> set[str]:
     steps = (*definition.card, *definition.restore)
     looks = [rule for rules in definition.look_at.values() for rule in rules]
     shown: list[CardRule | LookRule] = [*steps, *looks]
-    typed = {getattr(rule, "typed", "") or "" for rule in definition.bindings.values()}
+    bindings = definition.bindings.values()
+    typed = {getattr(rule, "typed", "") or "" for rule in bindings}
     return {
+        definition.title,
+        *_sources_on_pages(definition),
+        *(default for option in definition.options.values() if (default := _word(option.default))),
         *(text.strip() and text for one in shown for text in (one.text, one.two_curves)),
         *(step.title for step in steps),
         definition.diameter.card,
         definition.between_axes.instead or "",
         *typed,
     }
+
+
+def _sources_on_pages(definition: Definition) -> set[str]:
+    """Return the sources of the facts that a run may have to assume."""
+    absent = [rule.when_absent for rule in definition.bindings.values() if rule.when_absent]
+    notes = [
+        *(rule.evidence for rule in absent if rule.say != "nothing"),
+        *(
+            one.evidence
+            for one in definition.options.values()
+            if one.evidence.state == "unconfirmed"
+        ),
+        *(one.evidence for one in definition.limits if one.predicate == "feed_per_spacing"),
+        *([definition.addresses.evidence] if definition.addresses.letters else []),
+        *(
+            [definition.layout.evidence]
+            if definition.layout.evidence.state == "unconfirmed"
+            else []
+        ),
+    ]
+    return {note.source for note in notes}
+
+
+def _word(default: object) -> str:
+    return default if isinstance(default, str) and re.fullmatch("[a-z_]{3,}|no", default) else ""
 
 
 @pytest.mark.parametrize("language", OTHERS)

@@ -455,6 +455,49 @@ def test_each_number_of_a_verification_is_that_of_the_json_with_its_unit() -> No
     text = " ".join("".join(ET.fromstring(page.decode()).itertext()).split())  # noqa: S314
     assert f"U (k = 2) of the test after loading: A 1.90 {MICRONS}, E 1.70 {MICRONS}." in text
     assert "shift in nodes −3" in text
+    axis["loading"] |= {"verdict": "scaled", "factor": 2.54}
+    assert re.search(r"factor <b>2\.54</b>", verify_report(view).decode())
+
+
+def test_each_number_of_a_circle_and_its_machine_is_that_of_the_json_with_its_unit() -> None:
+    causes = {
+        "squareness": {"XY": {"value": -21.3, "std_error": 0.7, "unit": "um/m"}},
+        "backlash": {"X": {"value": 3.41, "std_error": 0.28, "unit": "um"}},
+        "scale_error": {"Y": {"value": 5.1, "std_error": 3.3, "unit": "um/m"}},
+        "servo_mismatch": {"XY": {"value": -0.123, "std_error": 0.021, "unit": "ms"}},
+    }
+    result = {
+        "kind": "circular", "name": "xy", "plane": "XY", "standard": "iso230-4:2005", "unit": "um",
+        "nominal_radius": 150.0, "axes": ["X", "Y"], "arc": {"start": 0.0, "extent": 360.0},
+        "header": {"machine": "VMC", "serial": "7"}, "residual": 0.48,
+        "parameters": {"G_ccw": 11.2, "G_cw": 12.3, "G_bidirectional": 13.6, "F_min_ccw": -6.4, "D": -0.9},
+        "uncertainty": {"G_ccw": {"U": 0.83, "coverage": 2}, "D": {"U": 0.57, "coverage": 2}},
+        "diagnosis": {
+            "squareness": {"value": -21.4, "std_error": 0.6, "unit": "um/m", "effect": 3.2, "share": 0.71},
+            "servo_mismatch": {"value": 0.123, "std_error": 0.02, "unit": "ms", "effect": 1.1, "share": 0.29},
+        },
+        "fitted": [
+            {"direction": "ccw", "angles": [0.0, 90.0], "deviations": [0.0, 0.0], "residuals": [0.3, -0.3]}
+        ],
+    }  # fmt: skip
+    machine = {"machine": "VMC", "serial": "7", "circles": ["xy"], "causes": causes}
+    machine |= {"contradictions": [], "findings": []}
+    evaluation = {"results": [result], "machines": [machine], "errors": []}
+    page = evaluation_report({"evaluation": evaluation})
+    rows = table_with(page, "Cause", "Value ± standard error", "Unit")
+    shown = [entry for of in causes.values() for entry in of.values()]
+    for (_, value, unit), entry, expected in zip(
+        rows, shown, (f"{MICRONS}/m", MICRONS, f"{MICRONS}/m", "ms"), strict=True
+    ):
+        equal([value], [entry["value"], entry["std_error"]], 1 if expected.endswith("/m") else 2)
+        assert unit == expected
+    k = f"{MICRONS}; ± U, k = 2"
+    rows = next(rows for heads, rows in every_table(page) if heads[-1] == f"both {k}")
+    equal(rows[0][2:], [11.2, 0.83, 12.3, 13.6])
+    equal(rows[1][2:], [-6.4])
+    equal(rows[2][2:], [-0.9, 0.57])
+    text = " ".join("".join(ET.fromstring(page.decode()).itertext()).split())  # noqa: S314
+    assert f"leave 0.48 {MICRONS} rms unexplained" in text
 
 
 # --- the command

@@ -41,7 +41,7 @@ from compwright.records.options import KIND, REFERENCE, REFERENCE_RETURN, TABLE_
 from compwright.records.plan import Plan, Texts
 from compwright.records.serial_line import whole
 from compwright.records.verification import LoadingName
-from compwright.words.sentences import control_text
+from compwright.words.sentences import ControlText, control_text
 
 #: Options of decode that the axes of a job say themselves, and that the reading of files without a
 #: job lists itself.
@@ -53,7 +53,7 @@ def _shown(value: object) -> str:
         return control_text("not given")
     if isinstance(value, tuple | list):
         return ", ".join(str(entry) for entry in value) or control_text("none")
-    return f"{value:g}" if isinstance(value, float) else str(value)
+    return f"{value:g}" if isinstance(value, float) else ControlText(str(value), {})
 
 
 @dataclass(frozen=True, slots=True)

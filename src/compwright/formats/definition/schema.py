@@ -28,7 +28,7 @@ from compwright.records.axis import AxisKind, Direction
 from compwright.records.correction import Beyond, Evidence, Judged
 from compwright.records.plan import Texts
 from compwright.records.verification import LoadingName
-from compwright.words.sentences import control_text
+from compwright.words.sentences import ControlText, control_text, unconfirmed
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,12 +44,13 @@ class EvidenceNote:
 
     @property
     def text(self) -> str:
-        """The note as one line in several languages. The name of the source stays unchanged."""
+        """The note as one line in several languages."""
+        source = ControlText(self.source, {})
         if self.state == "unconfirmed":
-            return control_text("unconfirmed: {what}", what=self.source)
+            return unconfirmed(source)
         if self.state == "inferred":
-            return control_text("inferred: {what}", what=self.source)
-        return control_text("confirmed: {what}", what=self.source)
+            return control_text("inferred: {what}", what=source)
+        return control_text("confirmed: {what}", what=source)
 
 
 @dataclass(frozen=True, slots=True)

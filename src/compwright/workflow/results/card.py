@@ -25,7 +25,7 @@ from compwright.foundations.utf8 import encoded, visible_lines
 from compwright.planning.axis_work import AxisWork
 from compwright.records.correction import Assumption, ControlFile
 from compwright.records.job import AS_FOUND, Job
-from compwright.words.sentences import SentenceText, control_text, say
+from compwright.words.sentences import ControlText, SentenceText, control_text, say
 from compwright.workflow.inputs.job_inputs import JobInputs
 
 SCHEMA = "compwright/card/1"
@@ -64,7 +64,7 @@ def card_document(
         "language": job.report.language,
         "title": SentenceText(say("card.title", axes=list(written or job.axes))),
         "machine": dict(job.machine),
-        "format": {"id": control.id, "title": control.definition.title},
+        "format": {"id": control.id, "title": ControlText(control.definition.title, {})},
         "axes": [
             axis
             for work in written.values()

@@ -20,7 +20,7 @@ from compwright.records.axis import Direction
 from compwright.records.circular import CircularResult
 from compwright.records.job import Job
 from compwright.records.result import PositioningResult
-from compwright.words.sentences import say
+from compwright.words.sentences import ControlText, say
 from compwright.workflow.results.stated import (
     report_document,
     stated_of_axes,
@@ -61,7 +61,7 @@ def run_view(
             "report.compensation", axes=list(works) if len(works) < 6 else (), count=len(works)
         ),
         "machine": dict(job.machine),
-        "format": {"id": control.id, "title": control.definition.title},
+        "format": {"id": control.id, "title": ControlText(control.definition.title, {})},
         "axes": {name: {**axis_view(work, loaded), "state": state} for name, work in works.items()},
         "version": __version__,
         **_paper(job, ["run"]),
@@ -161,7 +161,7 @@ def verify_view(
     return {
         "title": say("report.verification", axes=list(axes)),
         "machine": dict(job.machine),
-        "format": {"id": control.id, "title": control.definition.title},
+        "format": {"id": control.id, "title": ControlText(control.definition.title, {})},
         "axes": {
             name: {"unit": axis["unit"], "predicted_targets": axis["expected"]}
             for name, axis in axes.items()

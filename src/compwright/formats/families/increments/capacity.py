@@ -149,7 +149,12 @@ class IncrementLimits:
         if not self.facts.unread:
             return gap
         unread = sorted(self.facts.unread)
-        used_numbers = f"{unread[0]} to {unread[-1]} ({len(unread)} of them)"
+        used_numbers = control_text(
+            "{first} to {last} ({count} numbers)",
+            first=str(unread[0]),
+            last=str(unread[-1]),
+            count=str(len(unread)),
+        )
         if gap < MIN_SECTIONS:
             raise UsageError(
                 Fault(

@@ -309,4 +309,31 @@ TEXTS: Final[dict[str, str]] = {
     ),
     "an entry sheet has no place for it": "une feuille de saisie n'a pas de place pour cela",
     "option or its default": "option ou sa valeur par défaut",
+    "HEIDENHAIN iTNC 530 (TNC 407 to 430 with .COM tables), axis error compensation with"
+    " backlash (MP710, MP720, MP730)": (
+        "HEIDENHAIN iTNC 530 (TNC 407 à 430 avec tableaux .COM), compensation des défauts d'axe"
+        " avec jeu à l'inversion (MP710, MP720, MP730)"
+    ),
+    "HEIDENHAIN NCK controls (MANUALplus 620; TNC 320, 620, 640), axis error compensation"
+    " with backlash (CfgAxisComp)": (
+        "Commandes HEIDENHAIN NCK (MANUALplus 620 ; TNC 320, 620, 640), compensation des"
+        " défauts d'axe avec jeu à l'inversion (CfgAxisComp)"
+    ),
+    "H2 draws the error": "H2 dessine l'erreur",
+    "H6 speaks of compensation values; the older controls draw the error": (
+        "H6 parle de valeurs de compensation ; les commandes plus anciennes dessinent l'erreur"
+    ),
+    "no manual says what the control does outside the table; straight lines between the"
+    " points: H8": (
+        "aucun manuel ne dit ce que fait la commande hors de la table ; droites entre les"
+        " points : H8"
+    ),
+    "no manual says what the control does outside the table; straight lines between the"
+    " points: inferred from the older controls": (
+        "aucun manuel ne dit ce que fait la commande hors de la table ; droites entre les"
+        " points : déduit des commandes plus anciennes"
+    ),
+    "free": "libre (free)",
+    "table": "table (table)",
+    "second_curve": "seconde courbe (second_curve)",
 }

@@ -155,4 +155,16 @@ TEXTS: Final[dict[str, str]] = {
     "as many as are needed; the card says how many to set": (
         "autant que nécessaire ; la fiche dit combien en régler"
     ),
+    "LinuxCNC, screw compensation table (COMP_FILE) per joint": (
+        "LinuxCNC, table de compensation de vis (COMP_FILE) par articulation"
+    ),
+    "L3: 0 is the control's own default": "L3 : 0 est la valeur par défaut de la commande",
+    "L3: LINEAR is the control's own default": (
+        "L3 : LINEAR est la valeur par défaut de la commande"
+    ),
+    "joints are numbered in the order of the kinematics; of a letter alone only that of X is"
+    " taken, and only where no file says it": (
+        "les articulations sont numérotées dans l'ordre de la cinématique ; d'une lettre seule,"
+        " seule celle de X est retenue, et seulement si aucun fichier ne l'indique"
+    ),
 }

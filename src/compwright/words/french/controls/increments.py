@@ -354,4 +354,58 @@ TEXTS: Final[dict[str, str]] = {
     "smallest interval for its feed": "plus petit intervalle pour son avance",
     "{label}: detection unit": "{label} : unité de détection",
     "read: {evidence}": "lu : {evidence}",
+    "FANUC 0i-A to C, 16i/18i/21i, stored pitch error compensation with backlash (1851)": (
+        "FANUC 0i-A à C, 16i/18i/21i, compensation enregistrée du pas avec jeu à l'inversion (1851)"
+    ),
+    "FANUC 0i-D, stored pitch error compensation with backlash (1851)": (
+        "FANUC 0i-D, compensation enregistrée du pas avec jeu à l'inversion (1851)"
+    ),
+    "FANUC 0i-F, stored pitch error compensation with backlash (1851)": (
+        "FANUC 0i-F, compensation enregistrée du pas avec jeu à l'inversion (1851)"
+    ),
+    "FANUC 15i, stored pitch error compensation with backlash (1851), all numbers unconfirmed": (
+        "FANUC 15i, compensation enregistrée du pas avec jeu à l'inversion (1851), tous les"
+        " numéros non confirmés"
+    ),
+    "FANUC 30i/31i/32i, stored pitch error compensation with backlash (1851)": (
+        "FANUC 30i/31i/32i, compensation enregistrée du pas avec jeu à l'inversion (1851)"
+    ),
+    "A-78868E pages 3 and 6 for a rotary worm: numbers in the array of pitch data,"
+    " increments, sum 0; sign, 3623 and where the period starts: not on these pages": (
+        "A-78868E pages 3 et 6 pour un axe rotatif à vis sans fin : numéros dans le champ des"
+        " données de pas, incréments, somme 0 ; signe, 3623 et début de la période : pas dans"
+        " ces pages"
+    ),
+    "B-63522EN/02 page 222: numbers of pitch points, amounts in detection units, added at"
+    " the pitch intervals; sign of the pitch data, and that 3623 does not multiply it:"
+    " memory": (
+        "B-63522EN/02 page 222 : numéros des points de pas, valeurs en unités de détection,"
+        " ajoutées aux intervalles du pas ; signe comme celui des données de pas, et que 3623"
+        " ne multiplie pas : de mémoire"
+    ),
+    "F1, the sentence is cut": "F1, la phrase est coupée",
+    "F1: the reference position has a point number; no manual states that the sections"
+    " follow 1240": (
+        "F1 : la position de référence a un numéro de point ; aucun manuel ne dit que les"
+        " sections suivent 1240"
+    ),
+    "inferred from a note printed next to F16 and from F20; no sentence of the maker: prove"
+    " it on the machine as the card says": (
+        "déduit d'une note imprimée près de F16 et de F20 ; aucune phrase du fabricant : le"
+        " vérifier sur la machine comme l'indique la fiche"
+    ),
+    "memory, that of the later series": "de mémoire, valeur des séries ultérieures",
+    "memory: 7 on 0i-A to C, 16i, 18i, 21i and 15i": (
+        "de mémoire : 7 sur 0i-A à C, 16i, 18i, 21i et 15i"
+    ),
+    "memory: 7, as on the 0i-D": "de mémoire : 7, comme sur 0i-D",
+    "memory: parameters 5711, 5721, 5731 to 5734, 5761 to 5764": (
+        "de mémoire : paramètres 5711, 5721, 5731 à 5734, 5761 à 5764"
+    ),
+    "memory: the interval must be at least the largest feed / 7500": (
+        "de mémoire : l'intervalle doit être au moins égal à la plus grande avance / 7500"
+    ),
+    "{first} to {last} ({count} numbers)": "{first} à {last} ({count} numéros)",
+    "not in the files that were given": "absent des fichiers fournis",
+    "step": "incrément (step)",
 }

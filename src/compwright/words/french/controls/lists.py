@@ -168,4 +168,11 @@ TEXTS: Final[dict[str, str]] = {
     ),
     "in no list that was given": "dans aucune liste donnée",
     "{label}: {fact}": "{label} : {fact}",
+    "ISG kernel (Beckhoff TwinCAT 3 CNC), compensation value lists kw.ssfk and kw.crosscomp": (
+        "Noyau ISG (Beckhoff TwinCAT 3 CNC), listes des valeurs de compensation kw.ssfk et"
+        " kw.crosscomp"
+    ),
+    "B19 names them correction and does not define it": (
+        "B19 les nomme correction sans définir ce mot"
+    ),
 }

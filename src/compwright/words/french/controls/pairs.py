@@ -385,4 +385,35 @@ TEXTS: Final[dict[str, str]] = {
     "one manual of Siemens says error; no readings depend on it here": (
         "un manuel de Siemens dit error ; aucune lecture n'en dépend ici"
     ),
+    "SINUMERIK 828D, leadscrew error compensation (EEC) with backlash (MD32450), cross-error"
+    " compensation (CEC, 8 tables of 200 points) as an option": (
+        "SINUMERIK 828D, compensation d'erreur de pas de vis (EEC) avec jeu à l'inversion"
+        " (MD32450), compensation de flèche (CEC, 8 tables de 200 points) en option"
+    ),
+    "SINUMERIK 840D powerline (840Di, 810D), leadscrew error compensation (EEC) with"
+    " backlash (MD32450), cross-error compensation (CEC) as an option": (
+        "SINUMERIK 840D powerline (840Di, 810D), compensation d'erreur de pas de vis (EEC) avec"
+        " jeu à l'inversion (MD32450), compensation de flèche (CEC) en option"
+    ),
+    "SINUMERIK 840D sl, leadscrew error compensation (EEC) with backlash (MD32450),"
+    " cross-error compensation (CEC) as an option": (
+        "SINUMERIK 840D sl, compensation d'erreur de pas de vis (EEC) avec jeu à l'inversion"
+        " (MD32450), compensation de flèche (CEC) en option"
+    ),
+    "SINUMERIK ONE, leadscrew error compensation (EEC) with backlash (MD32450), cross-error"
+    " compensation (CEC) as an option": (
+        "SINUMERIK ONE, compensation d'erreur de pas de vis (EEC) avec jeu à l'inversion"
+        " (MD32450), compensation de flèche (CEC) en option"
+    ),
+    "S1 p242 knows 0 and 1; 0 is the value of memory that was never written": (
+        "S1 p242 connaît 0 et 1 ; 0 est la valeur d'une mémoire jamais écrite"
+    ),
+    "S1 p249 knows 0 and 1; 0 is the value of memory that was never written": (
+        "S1 p249 connaît 0 et 1 ; 0 est la valeur d'une mémoire jamais écrite"
+    ),
+    "a table that was given counts as active; a job is asked (active)": (
+        "une table fournie est considérée comme active ; la question est posée au dossier de travail"
+        " (active)"
+    ),
+    "neither the job nor the files say so": "ni le dossier de travail ni les fichiers ne le disent",
 }

@@ -187,4 +187,20 @@ TEXTS: Final[dict[str, str]] = {
         "DEFINE COMP : nombre d'entrées et longueur. Hors de 0 à la longueur, la position"
         " revient dans la table, elle doit donc être plus longue que la course."
     ),
+    "Delta Tau PMAC, Turbo PMAC (UMAC, Geo Brick), leadscrew and backlash tables (DEFINE"
+    " COMP, DEFINE BLCOMP)": (
+        "Delta Tau PMAC, Turbo PMAC (UMAC, Geo Brick), tables du pas de vis et du jeu à"
+        " l'inversion (DEFINE COMP, DEFINE BLCOMP)"
+    ),
+    "P10 for the unit; how fast suits a machine no manual says: 32 is 2 counts per"
+    " background cycle": (
+        "P10 pour l'unité ; quelle vitesse convient à une machine, aucun manuel ne le dit : 32"
+        " donne 2 incréments par cycle de fond"
+    ),
+    "in no script, and no table of backlash needs it": (
+        "dans aucun script, et aucune table de jeu n'en a besoin"
+    ),
+    "in no script; a card that uses tables has it on": (
+        "dans aucun script ; une carte qui utilise des tables l'a activé"
+    ),
 }

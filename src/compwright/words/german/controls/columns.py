@@ -308,4 +308,31 @@ TEXTS: Final[dict[str, str]] = {
     ),
     "an entry sheet has no place for it": "ein Eingabeblatt hat keinen Platz dafür",
     "option or its default": "Option oder ihre Vorgabe",
+    "HEIDENHAIN iTNC 530 (TNC 407 to 430 with .COM tables), axis error compensation with"
+    " backlash (MP710, MP720, MP730)": (
+        "HEIDENHAIN iTNC 530 (TNC 407 bis 430 mit .COM-Tabellen), Achsfehlerkompensation mit"
+        " Losekompensation (MP710, MP720, MP730)"
+    ),
+    "HEIDENHAIN NCK controls (MANUALplus 620; TNC 320, 620, 640), axis error compensation"
+    " with backlash (CfgAxisComp)": (
+        "HEIDENHAIN NCK-Steuerungen (MANUALplus 620; TNC 320, 620, 640), Achsfehlerkompensation"
+        " mit Losekompensation (CfgAxisComp)"
+    ),
+    "H2 draws the error": "H2 zeichnet den Fehler",
+    "H6 speaks of compensation values; the older controls draw the error": (
+        "H6 spricht von Kompensationswerten; bei den älteren Steuerungen ist der Fehler gezeichnet"
+    ),
+    "no manual says what the control does outside the table; straight lines between the"
+    " points: H8": (
+        "kein Handbuch sagt, was die Steuerung außerhalb der Tabelle tut; Geraden zwischen den"
+        " Punkten: H8"
+    ),
+    "no manual says what the control does outside the table; straight lines between the"
+    " points: inferred from the older controls": (
+        "kein Handbuch sagt, was die Steuerung außerhalb der Tabelle tut; Geraden zwischen den"
+        " Punkten: geschlossen aus den älteren Steuerungen"
+    ),
+    "free": "frei (free)",
+    "table": "Tabelle (table)",
+    "second_curve": "zweite Kurve (second_curve)",
 }

@@ -155,4 +155,14 @@ TEXTS: Final[dict[str, str]] = {
     "as many as are needed; the card says how many to set": (
         "so viele wie nötig; die Karte sagt, wie viele zu setzen sind"
     ),
+    "LinuxCNC, screw compensation table (COMP_FILE) per joint": (
+        "LinuxCNC, Kompensationstabelle der Spindel (COMP_FILE) je Gelenk"
+    ),
+    "L3: 0 is the control's own default": "L3: 0 ist die eigene Vorgabe der Steuerung",
+    "L3: LINEAR is the control's own default": "L3: LINEAR ist die eigene Vorgabe der Steuerung",
+    "joints are numbered in the order of the kinematics; of a letter alone only that of X is"
+    " taken, and only where no file says it": (
+        "Gelenke sind in der Reihenfolge der Kinematik nummeriert; aus einem Buchstaben allein"
+        " wird nur der von X genommen, und nur, wenn keine Datei es sagt"
+    ),
 }

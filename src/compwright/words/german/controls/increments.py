@@ -361,4 +361,59 @@ TEXTS: Final[dict[str, str]] = {
     "smallest interval for its feed": "kleinster Punktabstand für ihren Vorschub",
     "{label}: detection unit": "{label}: Erfassungseinheit",
     "read: {evidence}": "gelesen: {evidence}",
+    "FANUC 0i-A to C, 16i/18i/21i, stored pitch error compensation with backlash (1851)": (
+        "FANUC 0i-A bis C, 16i/18i/21i, gespeicherte Steigungsfehlerkompensation mit"
+        " Losekompensation (1851)"
+    ),
+    "FANUC 0i-D, stored pitch error compensation with backlash (1851)": (
+        "FANUC 0i-D, gespeicherte Steigungsfehlerkompensation mit Losekompensation (1851)"
+    ),
+    "FANUC 0i-F, stored pitch error compensation with backlash (1851)": (
+        "FANUC 0i-F, gespeicherte Steigungsfehlerkompensation mit Losekompensation (1851)"
+    ),
+    "FANUC 15i, stored pitch error compensation with backlash (1851), all numbers unconfirmed": (
+        "FANUC 15i, gespeicherte Steigungsfehlerkompensation mit Losekompensation (1851), alle"
+        " Nummern unbestätigt"
+    ),
+    "FANUC 30i/31i/32i, stored pitch error compensation with backlash (1851)": (
+        "FANUC 30i/31i/32i, gespeicherte Steigungsfehlerkompensation mit Losekompensation (1851)"
+    ),
+    "A-78868E pages 3 and 6 for a rotary worm: numbers in the array of pitch data,"
+    " increments, sum 0; sign, 3623 and where the period starts: not on these pages": (
+        "A-78868E Seiten 3 und 6 für eine Rundachse mit Schnecke: Nummern im Feld der"
+        " Steigungsdaten, Schritte, Summe 0; Vorzeichen, 3623 und Beginn der Periode: nicht auf"
+        " diesen Seiten"
+    ),
+    "B-63522EN/02 page 222: numbers of pitch points, amounts in detection units, added at"
+    " the pitch intervals; sign of the pitch data, and that 3623 does not multiply it:"
+    " memory": (
+        "B-63522EN/02 Seite 222: Nummern der Steigungspunkte, Beträge in Erfassungseinheiten,"
+        " an den Punktabständen addiert; Vorzeichen wie bei den Steigungsdaten, und dass 3623"
+        " nicht vervielfacht: aus dem Gedächtnis"
+    ),
+    "F1, the sentence is cut": "F1, der Satz ist abgeschnitten",
+    "F1: the reference position has a point number; no manual states that the sections"
+    " follow 1240": (
+        "F1: Die Referenzposition hat eine Punktnummer; kein Handbuch sagt, dass die Abschnitte"
+        " 1240 folgen"
+    ),
+    "inferred from a note printed next to F16 and from F20; no sentence of the maker: prove"
+    " it on the machine as the card says": (
+        "geschlossen aus einer gedruckten Notiz neben F16 und aus F20; kein Satz des"
+        " Herstellers: an der Maschine prüfen, wie auf der Karte beschrieben"
+    ),
+    "memory, that of the later series": "aus dem Gedächtnis, Wert der späteren Baureihen",
+    "memory: 7 on 0i-A to C, 16i, 18i, 21i and 15i": (
+        "aus dem Gedächtnis: 7 bei 0i-A bis C, 16i, 18i, 21i und 15i"
+    ),
+    "memory: 7, as on the 0i-D": "aus dem Gedächtnis: 7, wie bei 0i-D",
+    "memory: parameters 5711, 5721, 5731 to 5734, 5761 to 5764": (
+        "aus dem Gedächtnis: Parameter 5711, 5721, 5731 bis 5734, 5761 bis 5764"
+    ),
+    "memory: the interval must be at least the largest feed / 7500": (
+        "aus dem Gedächtnis: Der Punktabstand muss mindestens der größte Vorschub / 7500 sein"
+    ),
+    "{first} to {last} ({count} numbers)": "{first} bis {last} ({count} Nummern)",
+    "not in the files that were given": "nicht in den gegebenen Dateien",
+    "step": "Schritt (step)",
 }

@@ -170,4 +170,11 @@ TEXTS: Final[dict[str, str]] = {
     ),
     "in no list that was given": "in keiner angegebenen Liste",
     "{label}: {fact}": "{label}: {fact}",
+    "ISG kernel (Beckhoff TwinCAT 3 CNC), compensation value lists kw.ssfk and kw.crosscomp": (
+        "ISG-Kernel (Beckhoff TwinCAT 3 CNC), Listen der Kompensationswerte kw.ssfk und"
+        " kw.crosscomp"
+    ),
+    "B19 names them correction and does not define it": (
+        "B19 nennt sie Korrektur und erklärt das nicht"
+    ),
 }

@@ -388,4 +388,34 @@ TEXTS: Final[dict[str, str]] = {
     "one manual of Siemens says error; no readings depend on it here": (
         "ein Handbuch von Siemens sagt error; hier hängen keine Messwerte davon ab"
     ),
+    "SINUMERIK 828D, leadscrew error compensation (EEC) with backlash (MD32450), cross-error"
+    " compensation (CEC, 8 tables of 200 points) as an option": (
+        "SINUMERIK 828D, Spindelsteigungsfehlerkompensation (EEC) mit Losekompensation"
+        " (MD32450), Durchhangkompensation (CEC, 8 Tabellen mit je 200 Punkten) als Option"
+    ),
+    "SINUMERIK 840D powerline (840Di, 810D), leadscrew error compensation (EEC) with"
+    " backlash (MD32450), cross-error compensation (CEC) as an option": (
+        "SINUMERIK 840D powerline (840Di, 810D), Spindelsteigungsfehlerkompensation (EEC) mit"
+        " Losekompensation (MD32450), Durchhangkompensation (CEC) als Option"
+    ),
+    "SINUMERIK 840D sl, leadscrew error compensation (EEC) with backlash (MD32450),"
+    " cross-error compensation (CEC) as an option": (
+        "SINUMERIK 840D sl, Spindelsteigungsfehlerkompensation (EEC) mit Losekompensation"
+        " (MD32450), Durchhangkompensation (CEC) als Option"
+    ),
+    "SINUMERIK ONE, leadscrew error compensation (EEC) with backlash (MD32450), cross-error"
+    " compensation (CEC) as an option": (
+        "SINUMERIK ONE, Spindelsteigungsfehlerkompensation (EEC) mit Losekompensation"
+        " (MD32450), Durchhangkompensation (CEC) als Option"
+    ),
+    "S1 p242 knows 0 and 1; 0 is the value of memory that was never written": (
+        "S1 p242 kennt 0 und 1; 0 ist der Wert von Speicher, der nie beschrieben wurde"
+    ),
+    "S1 p249 knows 0 and 1; 0 is the value of memory that was never written": (
+        "S1 p249 kennt 0 und 1; 0 ist der Wert von Speicher, der nie beschrieben wurde"
+    ),
+    "a table that was given counts as active; a job is asked (active)": (
+        "eine gegebene Tabelle gilt als aktiv; ein Auftrag wird gefragt (active)"
+    ),
+    "neither the job nor the files say so": "weder Auftrag noch Dateien sagen es",
 }

@@ -144,4 +144,10 @@ TEXTS: Final[dict[str, str]] = {
     "off": "aus",
     "axis {name}: kind": "Achse {name}: Art",
     "{plan} above the files": "{plan} über den Dateien",
+    "memory": "aus dem Gedächtnis",
+    "a table that was given counts as active": "eine gegebene Tabelle gilt als aktiv",
+    "absent": "nicht vorhanden (absent)",
+    "auto": "selbsttätig (auto)",
+    "error": "Fehler (error)",
+    "no": "nein (no)",
 }

@@ -188,4 +188,20 @@ TEXTS: Final[dict[str, str]] = {
         "DEFINE COMP: Anzahl der Einträge und Länge. Außerhalb von 0 bis zur Länge läuft die"
         " Position wieder in die Tabelle, sie muss also länger als der Verfahrweg sein."
     ),
+    "Delta Tau PMAC, Turbo PMAC (UMAC, Geo Brick), leadscrew and backlash tables (DEFINE"
+    " COMP, DEFINE BLCOMP)": (
+        "Delta Tau PMAC, Turbo PMAC (UMAC, Geo Brick), Tabellen für Spindelsteigung und Lose"
+        " (DEFINE COMP, DEFINE BLCOMP)"
+    ),
+    "P10 for the unit; how fast suits a machine no manual says: 32 is 2 counts per"
+    " background cycle": (
+        "P10 für die Einheit; welche Geschwindigkeit zu einer Maschine passt, sagt kein"
+        " Handbuch: 32 sind 2 Inkremente je Hintergrundzyklus"
+    ),
+    "in no script, and no table of backlash needs it": (
+        "in keinem Skript, und keine Losetabelle braucht es"
+    ),
+    "in no script; a card that uses tables has it on": (
+        "in keinem Skript; eine Karte, die Tabellen benutzt, hat es eingeschaltet"
+    ),
 }

@@ -295,4 +295,30 @@ TEXTS: Final[dict[str, str]] = {
     ),
     "an entry sheet has no place for it": "в листе ввода для этого нет места",
     "option or its default": "опция или её значение по умолчанию",
+    "HEIDENHAIN iTNC 530 (TNC 407 to 430 with .COM tables), axis error compensation with"
+    " backlash (MP710, MP720, MP730)": (
+        "HEIDENHAIN iTNC 530 (TNC 407–430 с таблицами .COM), компенсация погрешностей оси с"
+        " компенсацией люфта (MP710, MP720, MP730)"
+    ),
+    "HEIDENHAIN NCK controls (MANUALplus 620; TNC 320, 620, 640), axis error compensation"
+    " with backlash (CfgAxisComp)": (
+        "УЧПУ HEIDENHAIN NCK (MANUALplus 620; TNC 320, 620, 640), компенсация погрешностей оси"
+        " с компенсацией люфта (CfgAxisComp)"
+    ),
+    "H2 draws the error": "в H2 изображена погрешность",
+    "H6 speaks of compensation values; the older controls draw the error": (
+        "в H6 речь о значениях компенсации; у старых УЧПУ изображена погрешность"
+    ),
+    "no manual says what the control does outside the table; straight lines between the"
+    " points: H8": (
+        "ни одно руководство не говорит, что делает УЧПУ вне таблицы; прямые между точками: H8"
+    ),
+    "no manual says what the control does outside the table; straight lines between the"
+    " points: inferred from the older controls": (
+        "ни одно руководство не говорит, что делает УЧПУ вне таблицы; прямые между точками:"
+        " выведено по старым УЧПУ"
+    ),
+    "free": "свободно (free)",
+    "table": "таблица (table)",
+    "second_curve": "вторая кривая (second_curve)",
 }

@@ -151,4 +151,16 @@ TEXTS: Final[dict[str, str]] = {
     "as many as are needed; the card says how many to set": (
         "сколько нужно; карта говорит, сколько задать"
     ),
+    "LinuxCNC, screw compensation table (COMP_FILE) per joint": (
+        "LinuxCNC, таблица компенсации винта (COMP_FILE) для каждого сустава"
+    ),
+    "L3: 0 is the control's own default": "L3: 0 — собственное значение УЧПУ по умолчанию",
+    "L3: LINEAR is the control's own default": (
+        "L3: LINEAR — собственное значение УЧПУ по умолчанию"
+    ),
+    "joints are numbered in the order of the kinematics; of a letter alone only that of X is"
+    " taken, and only where no file says it": (
+        "суставы нумеруются в порядке кинематики; по одной букве принимается только сустав X, и"
+        " только если ни один файл этого не указывает"
+    ),
 }

@@ -338,4 +338,57 @@ TEXTS: Final[dict[str, str]] = {
     "smallest interval for its feed": "наименьший интервал для её подачи",
     "{label}: detection unit": "{label}: единица измерения",
     "read: {evidence}": "прочитано: {evidence}",
+    "FANUC 0i-A to C, 16i/18i/21i, stored pitch error compensation with backlash (1851)": (
+        "FANUC 0i-A до C, 16i/18i/21i, запомненная компенсация погрешности шага с компенсацией"
+        " люфта (1851)"
+    ),
+    "FANUC 0i-D, stored pitch error compensation with backlash (1851)": (
+        "FANUC 0i-D, запомненная компенсация погрешности шага с компенсацией люфта (1851)"
+    ),
+    "FANUC 0i-F, stored pitch error compensation with backlash (1851)": (
+        "FANUC 0i-F, запомненная компенсация погрешности шага с компенсацией люфта (1851)"
+    ),
+    "FANUC 15i, stored pitch error compensation with backlash (1851), all numbers unconfirmed": (
+        "FANUC 15i, запомненная компенсация погрешности шага с компенсацией люфта (1851), все"
+        " номера не подтверждены"
+    ),
+    "FANUC 30i/31i/32i, stored pitch error compensation with backlash (1851)": (
+        "FANUC 30i/31i/32i, запомненная компенсация погрешности шага с компенсацией люфта (1851)"
+    ),
+    "A-78868E pages 3 and 6 for a rotary worm: numbers in the array of pitch data,"
+    " increments, sum 0; sign, 3623 and where the period starts: not on these pages": (
+        "A-78868E, с. 3 и 6, для поворотной оси с червяком: номера в массиве данных шага,"
+        " приращения, сумма 0; знак, 3623 и начало периода на этих страницах не указаны"
+    ),
+    "B-63522EN/02 page 222: numbers of pitch points, amounts in detection units, added at"
+    " the pitch intervals; sign of the pitch data, and that 3623 does not multiply it:"
+    " memory": (
+        "B-63522EN/02, с. 222: номера точек шага, величины в единицах датчика, прибавляются на"
+        " интервалах шага; знак как у данных шага и то, что 3623 их не умножает: по памяти"
+    ),
+    "F1, the sentence is cut": "F1, фраза обрезана",
+    "F1: the reference position has a point number; no manual states that the sections"
+    " follow 1240": (
+        "F1: референтная позиция имеет номер точки; ни одно руководство не говорит, что участки"
+        " следуют за 1240"
+    ),
+    "inferred from a note printed next to F16 and from F20; no sentence of the maker: prove"
+    " it on the machine as the card says": (
+        "выведено из примечания рядом с F16 и из F20; фразы изготовителя нет: проверить на"
+        " станке, как указано в карте"
+    ),
+    "memory, that of the later series": "по памяти, как у более поздних серий",
+    "memory: 7 on 0i-A to C, 16i, 18i, 21i and 15i": (
+        "по памяти: 7 у 0i-A до C, 16i, 18i, 21i и 15i"
+    ),
+    "memory: 7, as on the 0i-D": "по памяти: 7, как у 0i-D",
+    "memory: parameters 5711, 5721, 5731 to 5734, 5761 to 5764": (
+        "по памяти: параметры 5711, 5721, 5731–5734, 5761–5764"
+    ),
+    "memory: the interval must be at least the largest feed / 7500": (
+        "по памяти: интервал не меньше наибольшей подачи / 7500"
+    ),
+    "{first} to {last} ({count} numbers)": "{first}–{last} (номеров: {count})",
+    "not in the files that were given": "нет в переданных файлах",
+    "step": "шаг (step)",
 }

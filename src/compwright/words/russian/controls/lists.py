@@ -163,4 +163,10 @@ TEXTS: Final[dict[str, str]] = {
     ),
     "in no list that was given": "ни в одном данном списке",
     "{label}: {fact}": "{label}: {fact}",
+    "ISG kernel (Beckhoff TwinCAT 3 CNC), compensation value lists kw.ssfk and kw.crosscomp": (
+        "Ядро ISG (Beckhoff TwinCAT 3 CNC), списки значений компенсации kw.ssfk и kw.crosscomp"
+    ),
+    "B19 names them correction and does not define it": (
+        "в B19 они названы коррекцией без определения"
+    ),
 }

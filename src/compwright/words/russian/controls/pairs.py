@@ -372,4 +372,34 @@ TEXTS: Final[dict[str, str]] = {
     "one manual of Siemens says error; no readings depend on it here": (
         "одно руководство Siemens говорит error; здесь отсчёты от этого не зависят"
     ),
+    "SINUMERIK 828D, leadscrew error compensation (EEC) with backlash (MD32450), cross-error"
+    " compensation (CEC, 8 tables of 200 points) as an option": (
+        "SINUMERIK 828D, компенсация погрешности шага винта (EEC) с компенсацией люфта"
+        " (MD32450), компенсация провисания (CEC, 8 таблиц по 200 точек) как опция"
+    ),
+    "SINUMERIK 840D powerline (840Di, 810D), leadscrew error compensation (EEC) with"
+    " backlash (MD32450), cross-error compensation (CEC) as an option": (
+        "SINUMERIK 840D powerline (840Di, 810D), компенсация погрешности шага винта (EEC) с"
+        " компенсацией люфта (MD32450), компенсация провисания (CEC) как опция"
+    ),
+    "SINUMERIK 840D sl, leadscrew error compensation (EEC) with backlash (MD32450),"
+    " cross-error compensation (CEC) as an option": (
+        "SINUMERIK 840D sl, компенсация погрешности шага винта (EEC) с компенсацией люфта"
+        " (MD32450), компенсация провисания (CEC) как опция"
+    ),
+    "SINUMERIK ONE, leadscrew error compensation (EEC) with backlash (MD32450), cross-error"
+    " compensation (CEC) as an option": (
+        "SINUMERIK ONE, компенсация погрешности шага винта (EEC) с компенсацией люфта"
+        " (MD32450), компенсация провисания (CEC) как опция"
+    ),
+    "S1 p242 knows 0 and 1; 0 is the value of memory that was never written": (
+        "S1 p242: известны 0 и 1; 0 — значение памяти, в которую не писали"
+    ),
+    "S1 p249 knows 0 and 1; 0 is the value of memory that was never written": (
+        "S1 p249: известны 0 и 1; 0 — значение памяти, в которую не писали"
+    ),
+    "a table that was given counts as active; a job is asked (active)": (
+        "переданная таблица считается активной; задание отвечает на вопрос (active)"
+    ),
+    "neither the job nor the files say so": "ни задание, ни файлы этого не указывают",
 }

@@ -179,4 +179,20 @@ TEXTS: Final[dict[str, str]] = {
         "DEFINE COMP: число записей и длина. Вне 0 … длина позиция снова попадает в таблицу,"
         " поэтому она должна быть длиннее хода."
     ),
+    "Delta Tau PMAC, Turbo PMAC (UMAC, Geo Brick), leadscrew and backlash tables (DEFINE"
+    " COMP, DEFINE BLCOMP)": (
+        "Delta Tau PMAC, Turbo PMAC (UMAC, Geo Brick), таблицы шага винта и люфта (DEFINE COMP,"
+        " DEFINE BLCOMP)"
+    ),
+    "P10 for the unit; how fast suits a machine no manual says: 32 is 2 counts per"
+    " background cycle": (
+        "P10 — единица; какая скорость подходит станку, руководства не говорят: 32 — это 2"
+        " отсчёта за фоновый цикл"
+    ),
+    "in no script, and no table of backlash needs it": (
+        "ни в одном сценарии, и ни одной таблице люфта это не нужно"
+    ),
+    "in no script; a card that uses tables has it on": (
+        "ни в одном сценарии; плата, использующая таблицы, его включила"
+    ),
 }
