@@ -14,11 +14,16 @@ from typing import Any
 from xml.etree import ElementTree as ET
 
 import pytest
+from test_every_control import FORMATS, run_arguments
 
 from compwright.cli import run as compwright
+from compwright.reporting import card
+from compwright.reporting import run_report as report
+from compwright.reporting.card import card_html
 from compwright.reporting.run_report import run_report
 from compwright.reporting.verify_report import verify_report
 from compwright.words.sentences import catalogue, parts
+from loop import Machine, csv_of
 from places import PROJECT
 from reporting_samples import run_view, verify_view
 
@@ -164,3 +169,42 @@ def test_no_english_sentence_of_the_catalogue_is_on_a_translated_report(
     assert compwright(["run", str(job)]) == 0
     found = english_on(folder / "job" / "report.html")
     assert len(found) > 50 if language == "en" else found == []
+
+
+#: Frequent words of English that no German text has.
+ONLY_ENGLISH = re.compile(
+    r"\b(?:the|is|are|of|and|not|with|for|from|by|what|which|must|says?|to)\b"
+)
+
+
+@pytest.mark.parametrize("control", FORMATS)
+def test_no_english_is_on_the_german_card_and_report_of_any_control(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, control: str
+) -> None:
+    """That each sentence has every language is tested with the catalogue: here texts that passed it
+    by would be found. Names in code and quoted messages of a control stay as they are.
+    """
+    given: dict[str, Any] = {}
+
+    def kept(document: dict[str, Any], *_: object) -> bytes:
+        given["report" if "evaluation" in document else "card"] = document
+        return b""
+
+    machine = Machine()
+    targets = machine.targets(11)
+    (tmp_path / "x.csv").write_text(csv_of(targets, machine.measure(targets, 5), "X"))
+    monkeypatch.setattr(card, "card_html", kept)
+    monkeypatch.setattr(report, "run_report", kept)
+    assert compwright(run_arguments(tmp_path, control, machine, "none")) in {0, 1}
+    for language in ("en", "de"):
+        pages = [
+            card_html({**given["card"], "language": language}),
+            run_report({**given["report"], "language": language}),
+        ]
+        for page in pages:
+            text = re.sub(r"<(head|code).*?</\1>", "", page.decode("utf-8"), flags=re.DOTALL)
+            text = re.sub(r"&#39;[^&]*&#39;|<[^>]+>", " ", text).replace(str(tmp_path), "")
+            found = [
+                text[word.start() - 40 : word.end() + 40] for word in ONLY_ENGLISH.finditer(text)
+            ]
+            assert len(found) > 20 if language == "en" else not found, found

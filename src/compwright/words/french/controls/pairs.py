@@ -412,8 +412,8 @@ TEXTS: Final[dict[str, str]] = {
         "S1 p249 connaît 0 et 1 ; 0 est la valeur d'une mémoire jamais écrite"
     ),
     "a table that was given counts as active; a job is asked (active)": (
-        "une table fournie est considérée comme active ; la question est posée au dossier de travail"
-        " (active)"
+        "une table fournie est considérée comme active ; la question est posée au dossier de"
+        " travail (active)"
     ),
     "neither the job nor the files say so": "ni le dossier de travail ni les fichiers ne le disent",
 }
