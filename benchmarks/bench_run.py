@@ -1,10 +1,13 @@
 """``run`` of three axes, report and card included, in turn with ``python -c "import numpy"``; on
-the grid that is there, in turn with ``spacing: auto``. Prints, judges nothing.
+the grid that is there, in turn with ``spacing: auto``; of 20 axes with report and card as PDF, in
+turn with the same job without. Prints, judges nothing. ``bench_run.py pdf``: one pair of the last.
 """
 
 from __future__ import annotations
 
+import sys
 import tempfile
+from collections.abc import Mapping
 from pathlib import Path
 
 from measure import COMPWRIGHT, NUMPY, in_turn, once, spread, two_processors
@@ -17,16 +20,21 @@ AXES = {
     "Y": ("[-500, 0]", -31, 3, -3, 0.4, 11, ""),
     "Z": ("[-510, 0]", 14, 4, -7, 0.6, 11, ""),
 }
-CONTROLS = {"siemens-840d-sl": ("AX1", "AX2", "AX3"), "linuxcnc": ("0", "1", "2")}
+CONTROLS = {
+    "siemens-840d-sl": [f"AX{number}" for number in range(1, 21)],
+    "linuxcnc": ["0", "1", "2"],
+}
+#: As many axes as a report in 10 s has to hold.
+MANY = {f"U{number}": AXES["XYZ"[number % 3]] for number in range(1, 21)}
 
 
-def prepare(folder: Path, format_id: str) -> Path:
-    """Write a job of three simulated axes into ``folder`` and return it."""
+def prepare(folder: Path, format_id: str, axes: Mapping[str, tuple[object, ...]] = AXES) -> Path:
+    """Write a job of simulated axes into ``folder`` and return it."""
     folder.mkdir()
     machine = [f"virtual_machine: 1\ncontroller: {{format: {format_id}}}\naxes:"]
     job = [f"compwright: 1\ncontroller: {{format: {format_id}}}\nstates: {{as_found: none}}\naxes:"]
     for address, (name, (travel, slope, smooth, reversal, noise, targets, keys)) in zip(
-        CONTROLS[format_id], AXES.items(), strict=True
+        CONTROLS[format_id], axes.items(), strict=False
     ):
         head = f'  {name}:\n    travel: {travel}\n    address: "{address}"\n'
         error = f"{{slope_um_per_m: {slope}, smooth: {{amplitude_um: {smooth}, seed: 1}}, "
@@ -68,12 +76,28 @@ def _with_spacing(job: str, spacings: list[str]) -> str:
     return head + "".join(wish + axis for wish, axis in zip(wishes, axes, strict=True))
 
 
+def print_pdf(folder: Path, runs: int) -> None:
+    """Print a row for 20 axes: what report and card as PDF add to ``run``."""
+    job = prepare(folder, "siemens-840d-sl", MANY)
+    plain = [*COMPWRIGHT, "run", str(job), "--force"]
+    pairs = in_turn([*plain, "--report", str(folder / "report.pdf")], plain, runs)
+    print(
+        f"run of 20 axes to PDF: wall {spread([one.wall for one, _ in pairs])} s, processor"
+        f" {spread([one.cpu for one, _ in pairs])} s, ratio to the same without PDF"
+        f" {spread([one.cpu / other.cpu for one, other in pairs])}; of processor seconds the PDF is"
+        f" {spread([one.cpu - other.cpu for one, other in pairs])}; wanted below 10 s"
+    )
+
+
 def main() -> None:
     """Print two rows per control: wall and processor seconds, and the ratio to numpy; the ratio of
     a job on the grid that is there to one that chooses.
     """
     print(f"whole processes on {two_processors()}, {RUNS} pairs, min / median / max")
     with tempfile.TemporaryDirectory() as name:
+        print_pdf(Path(name) / "pdf", 1 if sys.argv[1:] == ["pdf"] else RUNS)
+        if sys.argv[1:] == ["pdf"]:
+            return
         for format_id in CONTROLS:
             job = prepare(Path(name) / format_id, format_id)
             pairs = in_turn([*COMPWRIGHT, "run", str(job), "--force"], NUMPY, RUNS)

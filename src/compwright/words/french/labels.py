@@ -199,7 +199,7 @@ SENTENCES: Final[dict[str, str]] = {
     "item.temperatures": "Température de la règle ou de la pièce, début et fin",
     "item.temperatures_circle": "Températures de l'environnement, de l'instrument et de la machine",
     "item.temperatures_instrument": "Température des capteurs de l'instrument, début et fin",
-    "item.travel": "Course de l'axe",
+    "item.travel": "Longueur d'axe (course)",
     "item.warm_up": "Mise en température avant l'essai",
     "label.after": "après",
     "label.before": "avant",
