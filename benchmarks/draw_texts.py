@@ -4,6 +4,8 @@
 
 60 messages (sentences of findings and labels with their fields, errors with their next step, help
 texts) and 20 first paragraphs of docstrings. The reader marks each: understood at first reading.
+A message without a subject is drawn behind the place that is printed before it. An error whose
+sentence a helper gets from its caller is drawn where the caller gives the next step too.
 """
 
 from __future__ import annotations
@@ -13,6 +15,8 @@ import random
 import sys
 from collections.abc import Iterator
 from pathlib import Path
+
+from compwright.foundations.errors import _PREDICATE
 
 MESSAGES, DOCSTRINGS = 60, 20
 #: Shorter texts are labels.
@@ -25,7 +29,15 @@ def text_of(node: ast.AST | None) -> str:
         return str(node.value)
     if isinstance(node, ast.JoinedStr):
         return "".join(map(text_of, node.values))
-    return "" if node is None else "{" + ast.unparse(node) + "}"
+    return "" if node is None else "{" + ast.unparse(node).strip("{}") + "}"
+
+
+def error_text(words: dict[str, str]) -> str:
+    """Return an error as it is printed, from the texts of its fields."""
+    message = words["message"]
+    message = f"{{place}} {message}" if _PREDICATE.match(message) else message
+    details = "".join(f"; {key} {words[key]}" for key in ("expected", "found") if words.get(key))
+    return f"error: {message}{details}. Next: {words['hint']}"
 
 
 def messages(tree: ast.AST, path: Path) -> Iterator[str]:
@@ -35,11 +47,10 @@ def messages(tree: ast.AST, path: Path) -> Iterator[str]:
             yield from (text_of(value) for value in node.values)
         elif isinstance(node, ast.Call):
             words = {word.arg: text_of(word.value) for word in node.keywords}
-            if "message" in words and "hint" in words:
-                details = "".join(
-                    f"; {key} {words[key]}" for key in ("expected", "found") if words.get(key)
-                )
-                yield f"error: {words['message']}{details}. Next: {words['hint']}"
+            if "hint" in words and node.args and " " in text_of(node.args[0]):
+                words.setdefault("message", text_of(node.args[0]))
+            if {"message", "hint"} <= set(words) and words["message"] != "{message}":
+                yield error_text(words)
             elif "help" in words and "cli" in path.parts:
                 yield words["help"]
 

@@ -207,7 +207,7 @@ def test_a_job_full_of_keys_is_refused_before_it_is_understood(
     with pytest.raises(InputError) as caught:
         yaml_reader.read_yaml(b"".join(b"k%d: 1\n" % key for key in range(11)), "j.yaml")
     assert without_hint(str(caught.value)) == (
-        "j.yaml: line 11: is too long; expected at most 20 keys and values"
+        "j.yaml: line 11 is too long; expected at most 20 keys and values"
     )
 
 

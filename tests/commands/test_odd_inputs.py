@@ -450,17 +450,17 @@ def test_a_key_that_stands_twice_in_a_plan(plan: dict[str, Any]) -> None:
         (
             ("axes", "X", "axis", "gantry"),
             -1,
-            "axes.X.axis.gantry: is not text; expected text, in quotes where it looks like a number, found -1",
+            "axes.X.axis.gantry is not text; expected text, in quotes where it looks like a number, found -1",
         ),
         (
             ("axes", "X", "fitted", "compensation", "below"),
             [[1]],
-            "fitted.compensation.below: is not an accepted value",
+            "fitted.compensation.below is not an accepted value",
         ),
         (
             ("axes", "X", "wanted", "positive", 0),
             1e308,
-            "axes.X.wanted.positive: is not a list of numbers",
+            "axes.X.wanted.positive is not a list of numbers",
         ),
         (
             ("axes", "X", "wanted", "positive"),
@@ -480,18 +480,18 @@ def test_a_key_that_stands_twice_in_a_plan(plan: dict[str, Any]) -> None:
         (
             ("axes", "X", "axis", "encoder", "system"),
             None,
-            "axes.X.axis.encoder.system: is not a number",
+            "axes.X.axis.encoder.system is not a number",
         ),
-        (("axes", "X", "tests"), "x", "axes.X.tests: is not a list"),
+        (("axes", "X", "tests"), "x", "axes.X.tests is not a list"),
         (
             ("axes", "X", "active", "backlash"),
             GONE,
-            "axes.X.active.backlash: is missing; expected a number",
+            "axes.X.active.backlash is missing; expected a number",
         ),
         (
             ("axes", "X", "tests", 0, "positive", 3),
             ["x"],
-            "axes.X.tests[0].positive[3]: is not a row of readings; expected 5 readings",
+            "axes.X.tests[0].positive[3] is not a row of readings; expected 5 readings",
         ),
         (
             ("axes", "X", "axis", "backslash"),
@@ -506,7 +506,7 @@ def test_a_key_that_stands_twice_in_a_plan(plan: dict[str, Any]) -> None:
         (
             ("axes", "X", "unit"),
             "deg",
-            "axes.X.unit: is not the unit of this axis; expected mm, found 'deg'",
+            "axes.X.unit is not the unit of this axis; expected mm, found 'deg'",
         ),
         (
             ("states",),

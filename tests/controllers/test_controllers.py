@@ -242,7 +242,7 @@ class TestSinumerik:
             (EEC.replace("_MODULO[0,AX1]=0", "_MODULO[0,AX1]=-1"), "0 or 1"),
             (EEC.replace("M17\n", "") + "$MA_MM_ENC_COMP_MAX_POINTS[0,AX1]=4\n", "MD38000"),
             (EEC.replace("$AA_ENC_COMP[0,3", "M17\n$AA_ENC_COMP[0,3"), "end of the program"),
-            (EEC.replace("ENC_COMP_STEP", "ENC_COMP_STPE"), "not known"),
+            (EEC.replace("ENC_COMP_STEP", "ENC_COMP_STPE"), "is unknown"),
             (
                 "".join(line + "\n" for line in EEC.splitlines() if "COMP[" not in line),
                 "missing points",

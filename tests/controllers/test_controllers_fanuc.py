@@ -643,7 +643,7 @@ class TestText:
         assert values(parameters_behind, list(TOTALS), DOWN) == values(box, list(TOTALS), DOWN)
         with pytest.raises(InputError, match="N10039 to 10044"):
             control(PROGRAM)
-        with pytest.raises(InputError, match="line 4: block cannot be read"):
+        with pytest.raises(InputError, match="line 4: the block cannot be read"):
             control(PROGRAM.replace("G10L52\n", "O9101\n"))
 
     def test_q1_is_never_pitch_data(self) -> None:
@@ -779,7 +779,7 @@ class TestText:
 
     def test_limits_of_the_series(self) -> None:
         old = in_style(("N10041Q0P2", "N10041Q0P8"))
-        with pytest.raises(InputError, match=r"line 13: increment of point 41.*-7 to 7"):
+        with pytest.raises(InputError, match=r"line 13: the increment of point 41.*-7 to 7"):
             control(old, form="fanuc-0i-16i")
         control(old, form="fanuc-0i-16i", options={**UM, "increment_limit": "8"})
         control(in_style(("N10041Q0P2", "N10041Q0P-128")))
@@ -923,7 +923,7 @@ class TestSheet:
             ("1851,,4,pulse", "1815,,4,pulse", "neither pitch data"),
             ("1851,,4,pulse", "1851,,4,pulse,", "four cells"),
             ("1851,,4,pulse", "3605#0,,2,", "0 or 1"),
-            ("39,-100,-2,pulse", "39,-100,-2,um", "unit of pitch data"),
+            ("39,-100,-2,pulse", "39,-100,-2,um", "the unit of the pitch data"),
             ("39,-100,-2,pulse", "39,x,-2,pulse", "position"),
             ("39,-100,-2,pulse", "39,-100,-2.5,pulse", "whole number"),
             ("39,-100,-2,pulse", "39#1,-100,-2,pulse", "neither pitch data"),

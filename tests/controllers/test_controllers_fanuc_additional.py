@@ -279,14 +279,14 @@ class TestStraightness:
 
     def test_by_path(self) -> None:
         by_path = self.WHOLE.replace("Q1P", "Q1L2P")
-        with pytest.raises(InputError, match="which axis 5711 names is not known"):
+        with pytest.raises(InputError, match="the axis that 5711 names is unknown"):
             control(by_path, **self.COUNTED)
         homes = "N00981Q1A1P2A2P2A3P1\n"
         assert control(by_path.replace("%\n", "%\n" + homes, 1), **self.COUNTED).cross() == (
             ("1", "2"),
         )
         other = "N00981Q1A1P1A2P2A3P2\n"  # the first axis of path 2 is axis 2
-        with pytest.raises(InputError, match="which axis 5711 names is not known"):
+        with pytest.raises(InputError, match="the axis that 5711 names is unknown"):
             control(by_path.replace("%\n", "%\n" + other, 1), **self.COUNTED)
 
     @pytest.mark.parametrize("number", [5714, 5724, 5735, 5768, 5791, 13301, 13371, 13399])
@@ -568,10 +568,10 @@ class TestTypedSheet:
     @pytest.mark.parametrize(
         ("old", "new", "fault"),
         [
-            ("14985,,100,\n", "14985,,100,pulse\n", "line 19: unit of parameter 14985"),
+            ("14985,,100,\n", "14985,,100,pulse\n", "line 19: the unit of parameter 14985"),
             ("14987,,5.0,\n", "14987,20,5.0,\n", "line 21: parameter 14987 has a position"),
             ("14987,,5.0,\n", "14987,,5.0,mm\n", "unit of parameter 14987"),
-            ("5871,,0,\n", "5871,,0,deg\n", "line 15: unit of parameter 5871"),
+            ("5871,,0,\n", "5871,,0,deg\n", "line 15: the unit of parameter 5871"),
             ("14987,,5.0,\n", "14987,,5.0,\n14987,,30.0,\n", "14987 .*contradicts"),
         ],
     )

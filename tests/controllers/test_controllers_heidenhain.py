@@ -296,7 +296,7 @@ class TestItncAssignment:
             itnc({"X.COM": COM, "C.CMA": CMA.replace("0    X", "0    Q")})
         with pytest.raises(InputError, match=r"X\.COM under X was given twice"):
             itnc({"a": COM, "b": COM, "C.CMA": CMA})
-        with pytest.raises(InputError, match="two tables of one name"):
+        with pytest.raises(InputError, match="two tables have the same name"):
             itnc({"a": COM, "b": COM})
         with pytest.raises(InputError, match=r"a second \.CMA"):
             itnc({"X.COM": COM, "C.CMA": CMA, "D.CMA": CMA})
@@ -529,7 +529,9 @@ class TestSheets:
             {"entry_W.csv": text.replace("axis: C", "axis: W")}
         )  # the unit says what the letter does not
         assert values(other, "W", [-90]) == pytest.approx([-0.001], abs=ROUNDING)
-        with pytest.raises(InputError, match=r"unit of C; expected mm, found deg"):
+        with pytest.raises(
+            InputError, match=r"the unit of axis C is unclear; expected mm, found deg"
+        ):
             itnc({"entry_C.csv": text}, kinds={"C": AxisKind.LINEAR})
         play = "# axis: C\n# value: error\npoint,position,value,unit\nMP710,,0.001,mm\n"
         with pytest.raises(InputError, match="unit of the backlash of C; expected deg, found mm"):
@@ -714,7 +716,7 @@ class TestNck:
         assert loaded.nodes("X").tolist() == [-400, -200, 0]
 
     def test_backlash_needs_the_column_of_the_moving_axis(self) -> None:
-        with pytest.raises(InputError, match="BACKLASH without a column"):
+        with pytest.raises(InputError, match="a column BACKLASH but no column"):
             nck(
                 {"Z.COM": NCK_COM.replace("X.COM", "Z.COM")},
                 options={"backlash_column": "second_curve"},
@@ -785,7 +787,7 @@ WRONG_ITNC = {
     "end of another": (COM.replace("END   X ", "END   Y "), "end of another table"),
     "begins twice": ("BEGIN X      .COM MM DATUM:0 DIST:1\n" + COM, "no end line"),
     "no unit": (COM.replace(" MM ", " "), "head of the table"),
-    "no datum": (COM.replace("DATUM:-400 ", ""), "without DATUM"),
+    "no datum": (COM.replace("DATUM:-400 ", ""), "lacks DATUM"),
     "two datums": (COM.replace("DIST:16", "DIST:16 DATUM:3"), "head of the table"),
     "datum in words": (COM.replace("-400", "-4x0"), "head of the table"),
     "no spacing": (COM.replace("DIST:16", "DIST:0"), "spacing above 0"),
@@ -804,7 +806,7 @@ WRONG_ITNC = {
     "tab": (COM.replace("-0.0012   +0.0003", "-0.0012\t+0.0003"), "ambiguous"),
     "no heading": (
         "\n".join(line for line in COM.split("\n") if "=F()" not in line),
-        "no line of column headings",
+        "the line of column headings is missing",
     ),
     "nck heading": (COM.replace("1=F()", "X    "), "column heading"),
     "column twice": (COM.replace("2=F()", "1=F()"), "two columns have the same name"),
@@ -901,7 +903,7 @@ class TestRefusals:
         [
             ("AXISPOS ", "POSITION", "NR AXISPOS"),
             ("-200", "-500", "do not ascend"),
-            ("-200 ", "     ", "without a position"),
+            ("-200 ", "     ", "has no position"),
             ("MM\n", "MM DATUM:0 DIST:5\n", "nothing behind the unit"),
             ("[END]", "", "no end line"),
             ("+0.0015", "+0.0015x", "decimal point"),

@@ -200,7 +200,7 @@ class TestTable:
             isg(text, options={"value_type": "sgn32"})
         large = LISTED.replace("pos              84", "pos 32768")
         assert um(isg(large), [300], UP) == close([-3276.8])
-        with pytest.raises(InputError, match=r"line 20: larger .* at most 32767, found '32768'"):
+        with pytest.raises(InputError, match=r"line 20: the value is larger .* at most 32767, found '32768'"):
             isg(large, options={"value_type": "sgn16"})
         with pytest.raises(InputError, match="at most 2147483647"):
             isg(LISTED.replace("pos              84", "pos 2147483648"))
@@ -377,10 +377,10 @@ class TestCross:
     @pytest.mark.parametrize(
         ("old", "new", "says"),
         [
-            ("master_ax_nr 1", "master_ax_nr 2", "an axis that corrects itself"),
+            ("master_ax_nr 1", "master_ax_nr 2", "the axis corrects itself"),
             ("master_ax_nr 1", "master_ax_nr 0", r"expected a line kw\.crosscomp\.master_ax_nr"),
             ("master_ax_nr 1", "slave_ax_nr 1", r"line 4: kw\.crosscomp\.slave_ax_nr .* not known"),
-            ("last_index 2", "last_index 1", "line 10: entry 2 beyond the last"),
+            ("last_index 2", "last_index 1", "line 10: entry 2 is beyond the last"),
             ("last_index 2", "last_index 3", "1 of 4 are missing"),
             ("last_index 2", "last_index 1001", "more entries than there is room for"),
             ("kw.crosscomp.last_index 2\n", "", r"expected a line kw\.crosscomp\.last_index"),
@@ -428,7 +428,10 @@ class TestLists:
         assert um(isg(start, LISTED), AT, UP) == close(WORKED[UP])
         bare = LISTED.replace("kopf.achs_nr                      1\n", "")
         assert um(isg(start, bare), AT, UP) == close(WORKED[UP])
-        with pytest.raises(InputError, match=r"line 2: two axes for one list; expected 4 as the s"):
+        with pytest.raises(
+            InputError,
+            match=r"line 2: the start-up list gives two axes to one list; expected 4 as the s",
+        ):
             isg(start.replace("nr[0] 1", "nr[0] 4"), LISTED)
         spare = isg(start, LISTED, LISTED.replace("nr                      1", "nr 2"))
         assert spare.addresses() == ("1",)
@@ -436,7 +439,10 @@ class TestLists:
         with pytest.raises(InputError, match=r"expected a line achs_kw_log_ax_nr\[0\]"):
             isg(start.replace("nr[0]", "nr[1]"), LISTED)
         # zahl_kw counts the lists from 0 on: with 1 of them there is no list 1.
-        with pytest.raises(InputError, match="a list beyond zahl_kw; expected zahl_kw 2"):
+        with pytest.raises(
+            InputError,
+            match="the start-up list has more lists than its number zahl_kw states; expected zahl_kw 2",
+        ):
             isg(start.replace("[0]", "[1]"), LISTED)
 
     @pytest.mark.parametrize(
@@ -444,12 +450,24 @@ class TestLists:
         [
             ("kopf.achs_nr                      1", "", "does not show to which axis"),
             ("kopf.achs_nr                      1", "kopf.achs_nr X", "a logical axis number"),
-            ("kopf.log_achs_name                X", "kopf.log_achs_nr 2", "two axes for one list"),
+            (
+                "kopf.log_achs_name                X",
+                "kopf.log_achs_nr 2",
+                "gives two axes to one list",
+            ),
             ("kw.ssfk.unit                      1", "kw.ssfk.unit 2", "0 or 1"),
             ("kw.ssfk.unit                      1", "", r"expected a line kw\.ssfk\.unit"),
             ("kw.ssfk.unit                      1", "kw.ssfk.unit = 1", "line 4: .*a number"),
-            ("kw.ssfk.unit                      1", "kw.ssfk.unit=1", "line 4: no statement"),
-            ("kw.ssfk.unit                      1", "kw.ssfk.unit", "line 4: no statement"),
+            (
+                "kw.ssfk.unit                      1",
+                "kw.ssfk.unit=1",
+                "line 4: the line contains no statement",
+            ),
+            (
+                "kw.ssfk.unit                      1",
+                "kw.ssfk.unit",
+                "line 4: the line contains no statement",
+            ),
             ("kw.ssfk.interval                  0", "", r"expected a line kw\.ssfk\.interval"),
             ("kw.ssfk.interval                  0", "kw.ssfk.interval -5", "0 to 2147483647"),
             ("kw.ssfk.interval                  0", "kw.ssfk.interval 1e308", "0 to 2147"),
@@ -464,7 +482,7 @@ class TestLists:
                 "line 6: two lines state different starts of the table; expected -2000000",
             ),
             ("kw_nr_max                 4", "kw_nr_max 5", "1 of 5 entries are missing"),
-            ("kw_nr_max                 4", "kw_nr_max 3", "line 19: entry 3 beyond the last"),
+            ("kw_nr_max                 4", "kw_nr_max 3", "line 19: entry 3 is beyond the last"),
             ("kw_nr_max                 4", "kw_nr_max 0", "but contains some"),
             ("kw_nr_max                 4", "kw_nr_max 1500", "less than 1500 .the default"),
             ("kw_nr_max                 4", "kw_nr_max 2000000000", "less than 1500"),
@@ -477,7 +495,11 @@ class TestLists:
             ("setpoint         1500000", "setpoint 0", "setpoint 2 does not ascend"),
             ("table[2].pos              30", "table[2].pos 3O", "line 17: .*a number, found '3O'"),
             ("table[2].pos              30", "table[2].pos 1e999", "line 17: .*a number"),
-            ("table[2].pos              30", "table[2.pos 30", "line 17: no statement"),
+            (
+                "table[2].pos              30",
+                "table[2.pos 30",
+                "line 17: the line contains no statement",
+            ),
             ("kw.ssfk.modulo                    0", "kw.ssfk.twist 3", "twist .* not known"),
             ("kw.ssfk.modulo                    0", "kw.temp.offset 3", "temp.* not known"),
             ("# axis compensation", "/* axis compensation", "line 1: the comment"),
@@ -491,7 +513,7 @@ class TestLists:
         assert all("achskw1.lis" in str(fault) for fault in caught.value.faults)
 
     def test_lines_count_on_through_a_remark_of_two(self) -> None:
-        with pytest.raises(InputError, match="line 17: no statement"):
+        with pytest.raises(InputError, match="line 17: the line contains no statement"):
             isg(EVEN + "kw.ssfk.modulo=1\n", options={"encoder_increment": 1e-4})
 
     def test_more_room_has_to_be_said(self) -> None:

@@ -331,7 +331,7 @@ def test_the_folder_of_a_machine_is_read_whatever_lies_beside_its_table() -> Non
 def test_a_table_that_the_machine_names_is_refused_where_it_is_damaged() -> None:
     """And where the file that it names is not there, whatever else is."""
     control = open_control(Session(), "linuxcnc", {})
-    with pytest.raises(InputError, match=r"xaxis\.comp: line 1: cannot be read as a row"):
+    with pytest.raises(InputError, match=r"xaxis\.comp: line 1 cannot be read as a row"):
         decode(control, machine(**{"xaxis.comp": "# position + -\n0 0 0\n"}), address="0")
     with pytest.raises(
         InputError, match="the table file that its configuration names was not given"

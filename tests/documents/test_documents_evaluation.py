@@ -63,7 +63,7 @@ def test_the_keys_are_the_contracts() -> None:
     assert list(result["parameters"]) == PARAMETERS
     assert set(result["targets"][0]) == TARGET_KEYS | {"deviations_positive", "deviations_negative"}
     assert document["errors"] == [
-        {"file": "y.csv", "message": "line 3: cannot be read; expected a number"}
+        {"file": "y.csv", "message": "line 3 cannot be read; expected a number"}
     ]
     # SHA-256 of "abc": FIPS 180-2, appendix B.1
     digest = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"

@@ -229,7 +229,7 @@ def test_what_could_stand_in_two_columns_is_refused() -> None:
     between = "BEGIN X .COM MM DATUM:0 DIST:5\nNR   1=F()     2=F()\n0           1\nEND\n"
     with pytest.raises(InputError, match=r"line 3: .*between two columns"):
         itnc(file("X.COM", between))
-    with pytest.raises(InputError, match=r"line 4: .*do not stand under"):
+    with pytest.raises(InputError, match=r"line 4: .*are not below"):
         itnc(
             file(
                 "X.COM",
@@ -352,7 +352,7 @@ BAD_SHEETS = {
     "too large": ("MP710,,3,um", "MP710,,3,mm", "-1 .. 1 mm"),
     "kinds mixed": ("MP710,,3,um", "MP710,,0.003,deg", "units of the entry sheet"),
     "implausible value": ("-4.0,um", "-40,mm", "not plausible"),
-    "decimal comma": ("0.0020,mm", '"0,0020",mm', "another number of columns"),
+    "decimal comma": ("0.0020,mm", '"0,0020",mm', "wrong number of columns"),
     "an axis that cannot be": ("# address: X", "# address: X-1", "address of the axis"),
 }
 

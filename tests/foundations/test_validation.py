@@ -129,7 +129,7 @@ def test_all_faults_come_at_once_and_name_what_is_near() -> None:
     assert faults[0] == KeyFault((), "contradicts itself", "a length that holds the others", "")
     assert faults[3].expected == "'radius', the nearest known name"
     assert without_hint(str(faults[4].in_file("f"))) == (
-        "f: names: is not a mapping; expected a mapping: {key: value}, found 1"
+        "f: names is not a mapping; expected a mapping: {key: value}, found 1"
     )
 
 

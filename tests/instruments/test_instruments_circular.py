@@ -197,7 +197,7 @@ def test_runs_may_differ_by_a_sample_but_not_by_more() -> None:
     far = rows([253.0 + k for k in range(220)], "cw")
     line = fault(csv(one + far))
     assert (
-        "cw run 1: covers another arc; expected 220 deg from 250 deg as in ccw run 1, found 219 deg"
+        "cw run 1 covers another arc; expected 220 deg from 250 deg as in ccw run 1, found 219 deg"
         " from 253 deg" in line
     )
     assert "covers another arc" in fault(csv(one + rows([float(k) for k in range(360)], "cw")))
@@ -312,9 +312,9 @@ BAD: list[tuple[bytes, str]] = [
         csv(rows(FULL) + "ccw,0,5,0\n"),
         "line 41, column run: run is not a whole number of at least 1",
     ),
-    (csv(rows(FULL) + "ccw,1,5,\n"), "line 41, column deviation_um: is empty"),
-    (csv(rows(FULL) + "ccw,1,nan,1\n"), "line 41, column angle_deg: is not a finite number"),
-    (csv(rows(FULL) + "ccw,1,800,1\n"), "line 41, column angle_deg: is no angle on the circle"),
+    (csv(rows(FULL) + "ccw,1,5,\n"), "line 41, column deviation_um is empty"),
+    (csv(rows(FULL) + "ccw,1,nan,1\n"), "line 41, column angle_deg is not a finite number"),
+    (csv(rows(FULL) + "ccw,1,800,1\n"), "line 41, column angle_deg is no angle on the circle"),
     (
         csv(rows(FULL) + "ccw,1,20,1\n"),
         "line 41: a sample is given twice; expected each angle once per direction and run",
@@ -325,7 +325,7 @@ BAD: list[tuple[bytes, str]] = [
     ),
     (
         csv(rows([0.0, 120.0, 240.0])),
-        "ccw run 1: has too few samples; expected at least 4, found 3",
+        "ccw run 1 has too few samples; expected at least 4, found 3",
     ),
     (
         csv(rows([0.0, 20.0, 40.0, 60.0])),

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 from compwright.foundations.errors import InputError, UsageError
@@ -118,7 +120,7 @@ def test_angles() -> None:
 @pytest.mark.parametrize(
     ("old", "new", "words"),
     [
-        ("2,1", "2.1", "line 4, column Abw. [µm]: has a point, and the profile says decimal comma"),
+        ("2,1", "2.1", "line 4, column Abw. [µm] has a point, and the profile says decimal comma"),
         ("2,1", "1.002,1", "has a point"),
         ("2,1", "zwei1", "is not a number"),
         ("100,000;vor;1", "100,000;hin;1", "not among the words of the profile"),
@@ -161,9 +163,9 @@ def test_what_is_empty_is_refused(key: str) -> None:
 @pytest.mark.parametrize(
     ("old", "new", "words"),
     [
-        ('"zurück": "-"', '"zurück": ', "directions.zurück: is empty and must be filled in"),
+        ('"zurück": "-"', '"zurück": ', "directions.zurück is empty and must be filled in"),
         ('"zurück": "-"', '"zurück": back', "is neither + nor -"),
-        ("sign: measured minus target", "sign: plus", "sign: is not an accepted value"),
+        ("sign: measured minus target", "sign: plus", "sign is not an accepted value"),
         ("unit: um", "unit: arcsec", "is an angle and target_unit a length"),
         ("header_line: 2", "header_line: two", "is no line number"),
         ("axis: Y", "axes: Y", "axes: unknown key; expected 'axis'"),
@@ -186,7 +188,7 @@ def test_all_faults_at_once() -> None:
 def test_an_unknown_layout_hides_no_other_fault() -> None:
     text = faults("compwright_profile: 1\nlayout: tall\ndecimal: dot\nheader_line: two\nsens: +\n")
     for key in ("layout", "decimal", "header_line", "sens"):
-        assert f", {key}: " in text, text
+        assert re.search(f", {key}[: ]", text), text
     assert "'target'" not in text  # whether it is needed depends on the layout
 
 

@@ -180,43 +180,43 @@ def without(entry: str) -> str:
         (
             COMPLETE + "TGT_DATA[2]=1\n",
             (
-                "line 16, TGT_DATA[2]: is given twice; expected each index once, found the first in"
+                "line 16, TGT_DATA[2] is given twice; expected each index once, found the first in"
                 " line 7"
             ),
         ),
-        (COMPLETE + "REF_DATA_FWD[2,2]=1\n", "line 16, REF_DATA_FWD[2,2]: is given twice"),
-        (COMPLETE + "UNIT=um\n", "line 16, UNIT: is given twice"),
+        (COMPLETE + "REF_DATA_FWD[2,2]=1\n", "line 16, REF_DATA_FWD[2,2] is given twice"),
+        (COMPLETE + "UNIT=um\n", "line 16, UNIT is given twice"),
         (
             COMPLETE.replace("CYCLES=2", "CYCLES=5"),
-            "line 3, CYCLES: disagrees with the entries; expected 2",
+            "line 3, CYCLES disagrees with the entries; expected 2",
         ),
         (
             COMPLETE.replace("POSITIONS=2", "POSITIONS=3"),
-            "line 4, POSITIONS: disagrees with the entries; expected 2",
+            "line 4, POSITIONS disagrees with the entries; expected 2",
         ),
         (
             COMPLETE.replace("CYCLES=2", "CYCLES=two"),
-            "line 3, CYCLES: is not a whole number of at least 1",
+            "line 3, CYCLES is not a whole number of at least 1",
         ),
-        (COMPLETE.replace("UNIT=mm", "UNIT=steps"), "line 2, UNIT: names an unknown unit"),
-        (COMPLETE.replace("=.503", "=nan"), "line 9, REF_DATA_FWD[2,1]: is not a finite number"),
-        (COMPLETE.replace("=.503", "="), "line 9, REF_DATA_FWD[2,1]: is empty"),
+        (COMPLETE.replace("UNIT=mm", "UNIT=steps"), "line 2, UNIT names an unknown unit"),
+        (COMPLETE.replace("=.503", "=nan"), "line 9, REF_DATA_FWD[2,1] is not a finite number"),
+        (COMPLETE.replace("=.503", "="), "line 9, REF_DATA_FWD[2,1] is empty"),
         (COMPLETE.replace("=.503", "=0,503"), "line 9, REF_DATA_FWD[2,1]: decimal marks are mixed"),
         (
             COMPLETE.replace("TGT_DATA[1]=-5", "TGT_DATA[1]=five"),
-            "line 6, TGT_DATA[1]: is not a number",
+            "line 6, TGT_DATA[1] is not a number",
         ),
         (
             COMPLETE + "REF_DATA_FWD[3,1]=1\n",
-            "line 16, REF_DATA_FWD[3,1]: has no target; expected an index up to 2",
+            "line 16, REF_DATA_FWD[3,1] has no target; expected an index up to 2",
         ),
         (
             COMPLETE + "REF_DATA_FWD[1]=1\n",
-            "line 16: has wrong indices; expected REF_DATA_FWD[target,cycle]",
+            "line 16 has wrong indices; expected REF_DATA_FWD[target,cycle]",
         ),
-        (COMPLETE + "TGT_DATA[0]=1\n", "line 16: has wrong indices"),
-        (COMPLETE + "TGT_DATA=1\n", "line 16: has wrong indices"),
-        (COMPLETE + "done\n", "line 16: is not KEY=value"),
+        (COMPLETE + "TGT_DATA[0]=1\n", "line 16 has wrong indices"),
+        (COMPLETE + "TGT_DATA=1\n", "line 16 has wrong indices"),
+        (COMPLETE + "done\n", "line 16 is not KEY=value"),
         (COMPLETE.replace("TGT_DATA[2]=.5", "TGT_DATA[2]=-5.0"), "a reading is given twice"),
         ("UNIT=mm\nTGT_DATA[1]=0\n", "holds no readings"),
     ],

@@ -295,12 +295,12 @@ def test_all_faults_stand_in_one_error_in_the_order_of_the_lines() -> None:
             " as [-850, 0], found [0, -850]"
         ),
         (
-            "job.yaml: line 8, axes.X.kind: is not an accepted value; expected 'linear' or"
+            "job.yaml: line 8, axes.X.kind is not an accepted value; expected 'linear' or"
             " 'rotary', found 'lineal'"
         ),
         "job.yaml: line 9, axes.X.kind: key given twice (first on line 8)",
         (
-            "job.yaml: line 10, axes.X.table.spacing: is text, not a number (a leading zero is read"
+            "job.yaml: line 10, axes.X.table.spacing is text, not a number (a leading zero is read"
             " as an octal number by some programs, write it without); expected a number, found"
             " '010'"
         ),
@@ -309,15 +309,15 @@ def test_all_faults_stand_in_one_error_in_the_order_of_the_lines() -> None:
 
 def test_everything_required_is_missed_at_once() -> None:
     assert [fault.split(";")[0] for fault in faults_of("machine: {name: a}")] == [
-        "job.yaml: compwright: is missing",
-        "job.yaml: controller: is missing",
-        "job.yaml: axes: is missing",
+        "job.yaml: compwright is missing",
+        "job.yaml: controller is missing",
+        "job.yaml: axes is missing",
     ]
     faults = faults_of("compwright: 1\ncontroller: {}\naxes:\n  X: {}\n")
     assert [fault.split(";")[0] for fault in faults] == [
-        "job.yaml: line 2, controller.format: is missing",
-        "job.yaml: line 4, axes.X.travel: is missing",
-        "job.yaml: line 4, axes.X.before: is missing",
+        "job.yaml: line 2, controller.format is missing",
+        "job.yaml: line 4, axes.X.travel is missing",
+        "job.yaml: line 4, axes.X.before is missing",
     ]
 
 
@@ -330,7 +330,7 @@ def test_newer_job_is_refused_alone() -> None:
 @pytest.mark.parametrize("version", ["0", "-1", '"1"', "true", "1.0", "one"])
 def test_other_versions_are_refused(version: str) -> None:
     assert any(
-        "compwright:" in fault
+        re.search(r"\bcompwright[: ]", fault)
         for fault in faults_of(SMALLEST.replace("compwright: 1", f"compwright: {version}"))
     )
 
@@ -394,7 +394,7 @@ def test_other_versions_are_refused(version: str) -> None:
 )
 def test_fault_of_an_axis_names_its_place(keys: str, place: str, words: str) -> None:
     (fault,) = axis_faults(keys)
-    assert re.match(rf"job\.yaml: line \d+, {re.escape(place)}: ", fault), fault
+    assert re.match(rf"job\.yaml: line \d+, {re.escape(place)}[: ]", fault), fault
     assert words in fault
 
 
@@ -472,7 +472,7 @@ def test_fault_of_an_axis_names_its_place(keys: str, place: str, words: str) -> 
 )
 def test_fault_at_the_top_names_its_place(text: str, place: str, words: str) -> None:
     (fault,) = faults_of(SMALLEST + text + "\n")
-    assert re.match(rf"job\.yaml: line \d+, {re.escape(place)}: ", fault), fault
+    assert re.match(rf"job\.yaml: line \d+, {re.escape(place)}[: ]", fault), fault
     assert words in fault
 
 
@@ -506,7 +506,7 @@ def test_limits_of_vdi() -> None:
 def test_two_axes_cannot_share_an_address() -> None:
     text = SMALLEST + "  Y: {travel: [0, 1], before: y.csv, address: X}\n"
     (fault,) = faults_of(text)
-    assert "axes.Y.address: has the same address as axis X" in fault
+    assert "axes.Y.address has the same address as axis X" in fault
     assert list(job(text.replace("address: X", "address: 2")).axes) == ["X", "Y"]
 
 
@@ -552,7 +552,7 @@ def test_defaults_of_thermal_and_uncertainty() -> None:
 def test_an_axis_and_a_test_are_not_measured_at_71_degrees_either(keys: str) -> None:
     faults = axis_faults(keys)
     assert any(
-        re.search(r"line \d+, axes\.X\..*thermal\.T_m: ", fault) and "71 °F are 21.7 °C" in fault
+        re.search(r"line \d+, axes\.X\..*thermal\.T_m[: ]", fault) and "71 °F are 21.7 °C" in fault
         for fault in faults
     ), faults
 

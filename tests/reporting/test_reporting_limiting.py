@@ -75,5 +75,5 @@ def test_the_worth_of_points_is_drawn_to_scale() -> None:
 
 def test_the_worth_of_points_stands_in_the_report_once() -> None:
     page = run_report(run_view()).decode()
-    assert page.count("what the points of the table are worth") == 1
+    assert page.count("predicted accuracy by number of table points") == 1
     assert worth_block({"points_worth": [], "limited": axis_x()["limited"]}, "um") is None

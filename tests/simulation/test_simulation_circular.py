@@ -565,7 +565,7 @@ circles:
 @pytest.mark.parametrize(
     ("old", "new", "words"),
     [
-        ("plane: XY", "plane: XX", "line 12, circles.xy-150.plane: names no plane"),
+        ("plane: XY", "plane: XX", "line 12, circles.xy-150.plane names no plane"),
         (
             "centre: [400, 250]\n    feed",
             "centre: [100, 250]\n    feed",

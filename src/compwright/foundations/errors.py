@@ -23,6 +23,10 @@ def _short(text: str) -> str:
 
 #: What leads to the next step.
 _NEXT = ". Next: "
+#: The beginning of a message without a subject: its subject is the place.
+_PREDICATE = re.compile(
+    r"(is|has|holds|contains|names|states|covers|goes|cannot|belongs|extends|may|disagrees) "
+)
 #: Equal faults of lines up to which each one is a line of its own, and places that are listed.
 _LISTED = 3
 
@@ -54,7 +58,8 @@ class Fault:
             )
             if part
         )
-        line = f"{head}: {self.message}" if head else self.message
+        subject = self.place and _PREDICATE.match(self.message)
+        line = f"{head}{' ' if subject else ': '}{self.message}" if head else self.message
         line = f"{line}; {tail}" if tail else line
         if self.hint and _NEXT not in line:  # the next step of a fault inside this one
             line += _NEXT + self.hint

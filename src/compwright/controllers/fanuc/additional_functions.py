@@ -223,17 +223,21 @@ def _lines(
     values = [0 if entry is None else entry.whole for entry in amounts]
     if any(value is None for value in points):
         bad = next(entry for entry in at if entry is not None and entry.whole is None)
-        faults.append(bad.fault(f"a point number of the {what}", "a whole number"))
+        faults.append(bad.fault(f"a point number of the {what} is wrong", "a whole number"))
         return None
     if any(value is None or abs(value) > _LARGEST for value in values):
         bad = next(e for e in nonzero if e.whole is None or abs(e.whole) > _LARGEST)
-        faults.append(bad.fault(f"an amount of the {what}", f"-{_LARGEST} to {_LARGEST}"))
+        faults.append(
+            bad.fault(f"an amount of the {what} is out of range", f"-{_LARGEST} to {_LARGEST}")
+        )
         return None
     pairs = [(p or 0, v or 0) for p, v in zip(points, values, strict=True)]
     if any(a[0] > b[0] or (a[0] == b[0] and a[1] != b[1]) for a, b in pairwise(pairs)):
         found = ", ".join(f"{point}: {value}" for point, value in pairs)
         faults.append(
-            nonzero[0].fault(f"the points of the {what} ({found})", "ascending, one amount at each")
+            nonzero[0].fault(
+                f"the points of the {what} are wrong ({found})", "ascending, one amount at each"
+            )
         )
         return None
     return InclinedLines(tuple(p for p, _ in pairs), tuple(v for _, v in pairs))
@@ -256,7 +260,7 @@ def _one_axis(
         return axes[0]
     faults.append(
         entry.fault(
-            f"which axis {entry.number} names is not known",
+            f"the axis that {entry.number} names is unknown",
             "a number that means one axis, or 981 of the axes in the files",
         )
     )

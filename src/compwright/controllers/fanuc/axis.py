@@ -90,7 +90,7 @@ class AxisLoader:
         if absent:
             self.fault(
                 axis,
-                f"pitch parameters of axis {axis} are incomplete",
+                f"the pitch parameters of axis {axis} are incomplete",
                 "parameters " + number_list(absent),
             )
             return None
@@ -99,7 +99,12 @@ class AxisLoader:
         behind = rotary and lowest == reference + 1 and lowest < highest
         if not lowest <= reference <= highest and not behind:
             found = f"3621 {lowest}, 3620 {reference}, 3622 {highest}"
-            self.fault(axis, f"point numbers of axis {axis}", "3621 <= 3620 <= 3622", found)
+            self.fault(
+                axis,
+                f"the point numbers of axis {axis} are not in order",
+                "3621 <= 3620 <= 3622",
+                found,
+            )
             return None
         if lowest == highest:
             self.note(axis, f"3621 = 3622 = {lowest}: no grid, so no pitch error compensation")
@@ -108,7 +113,7 @@ class AxisLoader:
         if interval is None:
             return None
         if interval == 0.0:
-            self.fault(axis, f"interval 3624 of axis {axis}", "above 0", "0")
+            self.fault(axis, f"the interval 3624 of axis {axis} is not positive", "above 0", "0")
             return None
         grid = IncrementGrid(
             axis=axis,
@@ -306,7 +311,7 @@ class AxisLoader:
             if not options.lowest <= self.memory.increments.get(number, 0) <= options.highest:
                 self.memory.faults.append(
                     self.memory.points[number].fault(
-                        f"increment of point {number} of axis {grid.axis}",
+                        f"the increment of point {number} of axis {grid.axis} is out of range",
                         expected=f"{options.lowest} to {options.highest}",
                     )
                 )

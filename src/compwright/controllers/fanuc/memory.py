@@ -100,14 +100,17 @@ class Memory:
             if setting.keyword in ("M", "I") or not _WHOLE.fullmatch(setting.text):
                 self.faults.append(
                     setting.fault(
-                        f"value of {setting.label}", expected="a whole number P.. without a point"
+                        f"the value of {setting.label} is wrong",
+                        expected="a whole number P.. without a point",
                     )
                 )
                 return None
             value = int(setting.text)
             if not lowest <= value <= highest:
                 self.faults.append(
-                    setting.fault(f"value of {setting.label}", expected=f"{lowest} to {highest}")
+                    setting.fault(
+                        f"the value of {setting.label} is wrong", expected=f"{lowest} to {highest}"
+                    )
                 )
                 return None
             return value
@@ -166,7 +169,7 @@ class Memory:
         if setting.keyword in ("mm", "deg") and (setting.keyword == "deg") != rotary:
             self.faults.append(
                 setting.fault(
-                    f"unit of {setting.label}",
+                    f"the unit of {setting.label} is wrong",
                     expected="deg" if rotary else "mm",
                     found=setting.keyword,
                 )
@@ -176,7 +179,9 @@ class Memory:
         inch = not rotary and (setting.keyword == "I" or (setting.keyword == "P" and counts))
         value = float(setting.text)
         if value < 0.0:
-            self.faults.append(setting.fault(f"value of {setting.label}", expected="0 or more"))
+            self.faults.append(
+                setting.fault(f"the value of {setting.label} is wrong", expected="0 or more")
+            )
             return None
         if "." not in setting.text and setting.keyword not in ("mm", "deg"):
             if not self.series.whole_lengths and value != 0.0:
@@ -236,7 +241,7 @@ class Memory:
                 self._settings[number, setting.axis, None].append(setting)
             else:
                 self.faults.append(
-                    setting.fault(f"{setting.label} is no bit", expected="a whole value")
+                    setting.fault(f"{setting.label} is not a bit", expected="a whole value")
                 )
             return
         if setting.bit is not None and setting.text in ("0", "1"):
@@ -256,7 +261,7 @@ class Memory:
         elif number not in _OF_MACHINE:
             self.faults.append(
                 setting.fault(
-                    f"value of {setting.label}",
+                    f"the value of {setting.label} is wrong",
                     expected="eight binary digits, or 0 or 1 for one bit",
                 )
             )
@@ -307,7 +312,9 @@ class Memory:
             self.faults.append(record.fault(name, expected="a whole number without a point"))
         elif not BYTE[0] <= int(record.text) <= BYTE[1]:
             self.faults.append(
-                record.fault(f"increment of {name}", expected=f"{BYTE[0]} to {BYTE[1]}")
+                record.fault(
+                    f"the increment of {name} is out of range", expected=f"{BYTE[0]} to {BYTE[1]}"
+                )
             )
         elif self.increments.get(record.number, int(record.text)) != int(record.text):
             other = self.points[record.number]

@@ -145,7 +145,9 @@ class _Sheet:
             None if match[2] is None else int(match[2]),
         )
         if not _NUMBER.fullmatch(value):
-            self._wrong(number, f"value of {point}", "a number with a decimal point", value)
+            self._wrong(
+                number, f"the value of {point} is wrong", "a number with a decimal point", value
+            )
         elif key in PARAMETERS and known is not None:
             self._parameter(key, position, value, unit, number)
         elif key[1] is None and (key[0] < _POINTS_BELOW or key[0] >= POINT_BASE):
@@ -178,7 +180,7 @@ class _Sheet:
         elif unit not in PARAMETERS[key]:
             self._wrong(
                 line,
-                f"unit of parameter {key[0]}",
+                f"the unit of parameter {key[0]} is wrong",
                 " or ".join(sorted(PARAMETERS[key])) or "none",
                 unit,
             )
@@ -191,7 +193,7 @@ class _Sheet:
         if position and not (_NUMBER.fullmatch(position) and math.isfinite(float(position))):
             self._wrong(line, "position", "a number or nothing", position)
         elif unit != "pulse":
-            self._wrong(line, "unit of pitch data", "pulse", unit)
+            self._wrong(line, "the unit of the pitch data is wrong", "pulse", unit)
         else:
             point = number - POINT_BASE if number >= POINT_BASE else number
             self.found.points.append(PointRecord(point, value, "sheet", self.file, line))

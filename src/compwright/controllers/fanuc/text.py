@@ -185,7 +185,7 @@ class _TapeReader:
                 self._place(number)
                 self._block(int(match[1]), line[match.end() :], number)
             except _Unreadable as error:
-                self._wrong(number, raw, "block cannot be read", str(error))
+                self._wrong(number, raw, "the block cannot be read", str(error))
 
     def finish(self, *, ends_with_break: bool) -> None:
         """Report what is missing in the file as a whole, and classify its records without Q.
@@ -250,7 +250,7 @@ class _TapeReader:
             self._wrong(
                 number,
                 raw,
-                "block cannot be read",
+                "the block cannot be read",
                 "a block such as N03620Q1A1P40 in capital letters",
             )
         elif not _PROGRAM_WORDS.fullmatch(line):

@@ -178,7 +178,7 @@ def _read(code: str, place: LinePlace, found: ParameterLines, generation: Genera
     if match is None or (index is None) != (match.group(1) == "730") or (index or 0) >= MOST_AXES:
         found.faults.append(
             place.fault(
-                "parameter cannot be read",
+                "the parameter cannot be read",
                 expected="MP710.0 : 0.0040 or MP730 : %00000",
                 found=repr(code[:80]),
             )

@@ -119,7 +119,7 @@ def _opened(line: str, place: LinePlace, faults: list[Fault]) -> TableBlock | No
     if not kind or (kind == "COM" and unit not in {"MM", "INCH"}):
         faults.append(
             place.fault(
-                "head of the table cannot be read",
+                "the head of the table cannot be read",
                 expected="BEGIN X .COM MM or BEGIN NAME .CMA MM",
                 found=repr(line[:80]),
             )
@@ -143,7 +143,7 @@ def read_grid(block: TableBlock) -> CellGrid:
         place = filled[0][0] if filled else block.place
         raise InputError(
             place.fault(
-                "no line of column headings",
+                "the line of column headings is missing",
                 expected=f"{description.first} and the columns",
                 found=repr(filled[0][1][:80] if filled else ""),
             )

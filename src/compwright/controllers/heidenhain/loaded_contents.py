@@ -46,7 +46,7 @@ class LoadedContents:
         )
         if requested is not None and by_unit is not None and by_unit.kind is not requested:
             fault = by_unit.place.fault(
-                f"unit of {address}",
+                f"the unit of axis {address} is unclear",
                 expected=requested.unit,
                 found=by_unit.kind.unit if by_unit.kind else "",
             )
@@ -192,7 +192,9 @@ class AxisAssignment:
         moving = axes.pop()
         if sum(1 for other in self.given.coms if other.names & com.names) > 1:
             self.given.faults.append(
-                com.place.fault("two tables of one name", expected="each .COM once", found=com.name)
+                com.place.fault(
+                    "two tables have the same name", expected="each .COM once", found=com.name
+                )
             )
         self.given.assumed.append(
             Assumption(

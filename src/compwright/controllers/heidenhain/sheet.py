@@ -125,7 +125,7 @@ class _SheetLines:
         if self.header is None or len(fields) != 4:
             expected = f"the header {HEADER}" if self.header is None else f"four fields: {HEADER}"
             self.faults.append(
-                place.fault("line cannot be read", expected=expected, found=repr(line[:80]))
+                place.fault("the line cannot be read", expected=expected, found=repr(line[:80]))
             )
             return
         point, position, value, unit = fields
@@ -152,7 +152,9 @@ class _SheetLines:
             )
         elif unit not in _UNITS:
             self.faults.append(
-                place.fault("unit of a point", expected="mm, um or deg", found=repr(unit[:40]))
+                place.fault(
+                    "the unit of a point is wrong", expected="mm, um or deg", found=repr(unit[:40])
+                )
             )
         elif point != wanted:
             self.faults.append(
@@ -200,7 +202,7 @@ class _SheetLines:
         elif unit not in units:
             self.faults.append(
                 place.fault(
-                    f"unit of {name}",
+                    f"the unit of {name} is wrong",
                     expected=" or ".join(filter(None, units)),
                     found=repr(unit[:40]),
                 )
@@ -222,7 +224,9 @@ class _SheetLines:
         if self.kind not in {None, kind}:
             self.faults.append(
                 place.fault(
-                    "lengths and angles in one sheet", expected="one unit for the axis", found=unit
+                    "the sheet contains both lengths and angles",
+                    expected="one unit for the axis",
+                    found=unit,
                 )
             )
         self.kind = kind
@@ -267,7 +271,9 @@ class _SheetLines:
         if most is not None and len(self.points) > most:
             self.faults.append(
                 head.fault(
-                    "too many points", expected=f"at most {most}", found=str(len(self.points))
+                    "the sheet contains too many points",
+                    expected=f"at most {most}",
+                    found=str(len(self.points)),
                 )
             )
         if len(self.faults) > before:

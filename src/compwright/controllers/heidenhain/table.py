@@ -138,7 +138,7 @@ def _read_outside(
     if strict or not read.parameters:
         found.faults.append(
             place.fault(
-                "line cannot be read",
+                "the line cannot be read",
                 expected="BEGIN X .COM MM ... or BEGIN NAME .CMA",
                 found=repr(code[:80]),
             )
@@ -156,7 +156,7 @@ def _com(block: TableBlock, generation: Generation, stem: str | None, found: Con
     if most is not None and len(grid.rows) > most:
         faults.append(
             block.place.fault(
-                "too many points in one table",
+                "the table contains too many points",
                 expected=f"at most {most}",
                 found=str(len(grid.rows)),
             )
@@ -224,7 +224,9 @@ def _by_spacing(
         else:
             faults.append(
                 block.place.fault(
-                    "column heading", expected="1=F(), 2=F(), ...", found=repr(name[:40])
+                    "the column heading is wrong",
+                    expected="1=F(), 2=F(), ...",
+                    found=repr(name[:40]),
                 )
             )
     if len(set(columns.values())) < len(columns):
@@ -266,7 +268,7 @@ def _head(block: TableBlock, faults: list[Fault]) -> dict[str, float]:
     if missing:
         faults.append(
             block.place.fault(
-                f"head of the table without {' and '.join(missing)}",
+                f"the head of the table lacks {' and '.join(missing)}",
                 expected="DATUM:number DIST:number",
             )
         )
@@ -288,7 +290,7 @@ def _by_position(block: TableBlock, grid: CellGrid, stem: str | None, faults: li
         raise InputError(
             *faults,
             block.place.fault(
-                "column headings",
+                "the column headings are wrong",
                 expected="NR AXISPOS and the axes",
                 found=" ".join(grid.names)[:80],
             ),
@@ -297,7 +299,7 @@ def _by_position(block: TableBlock, grid: CellGrid, stem: str | None, faults: li
     listed = numbers(positions, grid.places, "column AXISPOS", faults)
     for index, (cell, place) in enumerate(zip(positions, grid.places, strict=True)):
         if cell is None:
-            faults.append(place.fault("a row without a position", expected="a value in AXISPOS"))
+            faults.append(place.fault("a row has no position", expected="a value in AXISPOS"))
         elif index and listed[index] <= listed[index - 1]:
             faults.append(
                 place.fault(
@@ -356,7 +358,9 @@ def _cma(block: TableBlock, generation: Generation) -> Cma:
     if len(set(named)) < len(named) or not named or beyond:
         faults.append(
             block.place.fault(
-                "column headings", expected="each axis once, from 1", found=" ".join(axes)[:80]
+                "the column headings are wrong",
+                expected="each axis once, from 1",
+                found=" ".join(axes)[:80],
             )
         )
     active = [index for index, cell in enumerate(marks) if cell == mark]
@@ -369,7 +373,7 @@ def _cma(block: TableBlock, generation: Generation) -> Cma:
     ):
         faults.append(
             block.place.fault(
-                "which line is active",
+                "it is unclear which line is active",
                 expected=f"exactly one line marked {mark}",
                 found=f"{len(active)} of {len(grid.rows)}",
             )

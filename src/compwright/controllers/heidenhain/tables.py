@@ -150,7 +150,8 @@ class OwnTableLoader:
         ):
             self.given.faults.append(
                 com.place.fault(
-                    "BACKLASH without a column of the moving axis", expected=f"a column {moving}"
+                    "the table has a column BACKLASH but no column of the moving axis",
+                    expected=f"a column {moving}",
                 )
             )
 

@@ -50,7 +50,7 @@ def column(
     before = len(axis.faults)
     inside = {index: entries[index] for index in sorted(entries) if index < count}
     for index in sorted(entries.keys() - inside.keys()):
-        axis.fault(entries[index], f"entry {index} beyond the last", f"0 to {count - 1}")
+        axis.fault(entries[index], f"entry {index} is beyond the last one", f"0 to {count - 1}")
     if len(inside) < count:
         lost = next(index for index in range(count) if index not in inside)
         wanted = name.replace("[i]", f"[{lost}]")
@@ -61,7 +61,9 @@ def column(
         value = axis.number(statement.name)
         numbers.append(value)
         if value is not None and abs(value) > largest:
-            axis.fault(statement, "larger than the control holds", f"at most {largest:.0f}")
+            axis.fault(
+                statement, "the value is larger than the control can hold", f"at most {largest:.0f}"
+            )
     return np.array(numbers, dtype=np.float64) if len(axis.faults) == before else None
 
 

@@ -177,6 +177,10 @@ def _check_type(axis: AxisLists, request: Request) -> None:
     number = name.removeprefix("0x").lstrip("0")
     kind = by_address(request.kinds, axis.address)
     if number not in ("1", "2", "4"):
-        axis.fault(statement, f"type of axis {axis.address}", "0x0001, 0x0002 or 0x0004")
+        axis.fault(
+            statement, f"the type of axis {axis.address} is wrong", "0x0001, 0x0002 or 0x0004"
+        )
     elif kind is not None and (kind is AxisKind.LINEAR) != (number == "1"):
-        axis.fault(statement, f"type of axis {axis.address}", f"that of a {kind.value} axis")
+        axis.fault(
+            statement, f"the type of axis {axis.address} is wrong", f"that of a {kind.value} axis"
+        )

@@ -102,7 +102,9 @@ def _entries(axis: AxisLists, request: Request) -> tuple[str, FloatArray, FloatA
         return None
     if last >= (axis.whole(SECTION + "max_points", 0) or DEFAULT_ROOM):
         statement = axis.statements[SECTION + "last_index"]
-        axis.fault(statement, "more entries than there is room for", "less than max_points")
+        axis.fault(
+            statement, "the table has more entries than there is room for", "less than max_points"
+        )
         return None
     if last >= len(entries["correction"]):
         absent = last + 1 - len(entries["correction"])
@@ -128,7 +130,7 @@ def _master(axis: AxisLists, *, filled: bool) -> str | None:
         return None
     if str(number) == axis.address:
         statement = axis.statements[SECTION + "master_ax_nr"]
-        axis.fault(statement, "an axis that corrects itself", "another axis than the list's own")
+        axis.fault(statement, "the axis corrects itself", "another axis than the list's own")
         return None
     return str(number)
 

@@ -128,7 +128,11 @@ def _count(axis: AxisLists, entries: Entries) -> int:
     room = given or DEFAULT_ROOM
     if count >= room:
         source = "max_points" if given else "the default of max_points"
-        axis.fault(statement, "more entries than there is room for", f"less than {room} ({source})")
+        axis.fault(
+            statement,
+            "the table has more entries than there is room for",
+            f"less than {room} ({source})",
+        )
         return 0
     # the rest counts to this number: a wrong one must not fill the memory
     if count > len(entries["pos"]):

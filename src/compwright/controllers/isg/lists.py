@@ -203,7 +203,11 @@ def _statements(file: ControlFile, lists: ControlLists) -> Iterable[ListStatemen
             yield ListStatement(statement.name, match.group(2).strip(), file.name, number)
         elif _OURS.search(line):
             lists.faults.append(
-                statement.fault("no statement", expected="a name and a value", found=repr(line))
+                statement.fault(
+                    "the line contains no statement",
+                    expected="a name and a value",
+                    found=repr(line),
+                )
             )
         else:
             lists.notes.append(f"{file.name}: line {number}: no statement, left alone")
@@ -242,12 +246,19 @@ def _start_up(statements: Iterable[ListStatement], lists: ControlLists) -> dict[
             continue
         if count is not None and int(index[1:-1]) >= count:
             expected = f"zahl_kw {int(index[1:-1]) + 1}, or no such line"
-            lists.faults.append(statement.fault("a list beyond zahl_kw", expected=expected))
+            lists.faults.append(
+                statement.fault(
+                    "the start-up list has more lists than its number zahl_kw states",
+                    expected=expected,
+                )
+            )
         axis = found.get(f"achs_kw_log_ax_nr{index}")
         number = None if axis is None else _axis_number(axis, lists)
         if axis is None:
             expected = f"a line achs_kw_log_ax_nr{index}"
-            lists.faults.append(statement.fault("a list without its axis", expected=expected))
+            lists.faults.append(
+                statement.fault("a list of the start-up list has no axis", expected=expected)
+            )
         elif number is not None:
             loaded[re.split(r"[/\\]", statement.text)[-1].casefold()] = number
     return loaded
@@ -288,7 +299,9 @@ def _address(
         if None not in (number, other) and number != other:
             where = "the start-up list" if by_start_up else f"line {headers[0].line}"
             expected = f"{other} as {where} says"
-            lists.faults.append(statement.fault("two axes for one list", expected=expected))
+            lists.faults.append(
+                statement.fault("the start-up list gives two axes to one list", expected=expected)
+            )
             return None
     return numbers[0] if numbers else by_start_up
 

@@ -207,7 +207,9 @@ class CecTableLoader:
             return table
         if inner.faults and _is_damaged(data, names, inner):
             outer.faults += inner.faults
-            outer.faults += [] if key is None else [data[0].fault(f"variable ${key} is not known")]
+            outer.faults += (
+                [] if key is None else [data[0].fault(f"the variable ${key} is unknown")]
+            )
             return None
         self._leave_out(index, (base, output), why, data if on else (), inner)
         return None

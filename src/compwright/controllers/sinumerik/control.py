@@ -270,7 +270,7 @@ def _out_of_range(entry: VariableAssignment) -> Fault | None:
         and entry.number not in {0, 1}
     ):
         return entry.fault(
-            "index of the measuring system", expected="0 or 1", found=str(entry.number)
+            "the index of the measuring system is wrong", expected="0 or 1", found=str(entry.number)
         )
     return None
 

@@ -385,7 +385,7 @@ def _read_line(code: str, file: str, number: int, found: ProgramContent, *, ende
             return
     if match is None:
         wrong(
-            "line cannot be read",
+            "the line cannot be read",
             "one assignment such as $AA_ENC_COMP[0,1,AX1]=0.001 with a decimal point",
         )
         return
@@ -403,20 +403,20 @@ def _read_assignment(
     if name not in READ:
         if not _foreign_key(name, match["indices"], found):
             wrong(
-                f"variable ${name} is not known",
+                f"the variable ${name} is unknown",
                 "one of " + ", ".join("$" + known for known in READ),
             )
         return
     word = _TRUTH.get((match["bare_axis"] or "").upper()) if name in SWITCHES else None
     if word is None and (match["value"] is None) != (name in _NAMING):
         wrong(
-            "line cannot be read",
+            "the line cannot be read",
             "an axis such as (AX1)" if name in _NAMING else "a number with a decimal point",
         )
         return
     indices = _indices(READ[name], match["indices"])
     if indices is None:
-        wrong(f"index of ${name} cannot be read", f"[{','.join(READ[name])}]")
+        wrong(f"the index of ${name} cannot be read", f"[{','.join(READ[name])}]")
         return
     if "=" not in match["sign_of_assignment"]:
         found.notes.append(f"{file}: line {number}: a blank is in place of the equals sign")

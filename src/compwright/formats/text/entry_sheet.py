@@ -138,7 +138,7 @@ class _SheetReader:
             return
         if len(cells) != len(HEADER):
             self.fault(
-                "a row with another number of columns",
+                "the row has a wrong number of columns",
                 number,
                 f"{len(HEADER)} columns: {','.join(HEADER)}",
                 line,
@@ -149,10 +149,10 @@ class _SheetReader:
             or (cells[1] and not _NUMBER.fullmatch(cells[1]))
         ):
             expected = "a point, a position or nothing, a number with decimal point, a unit"
-            self.fault("a row that cannot be read", number, expected, line)
+            self.fault("the row cannot be read", number, expected, line)
         elif cells[0] in self.rows:
             self.fault(
-                f"point {cells[0]} is here a second time",
+                f"point {cells[0]} is given twice",
                 number,
                 f"once, in line {self.rows[cells[0]].line}",
                 line,

@@ -62,7 +62,9 @@ SENTENCES: Final[dict[str, str]] = {
         "The limits of axis {axis} are for the test {meant}, and {measured} was measured, so"
         " nothing is proven for them. Measure as for {meant} and give it as --after {meant}=FILE."
     ),
-    "CW-V024": "In the test after loading, {code}: {finding} Clear this up, or measure again.",
+    "CW-V024": (
+        "The test after loading has a doubt ({code}): {finding} Remove its cause, or measure again."
+    ),
     "CW-V025": (
         "The file given with --after for circle {circle} was measured before loading. Measure the"
         " circle again."
@@ -162,10 +164,10 @@ SENTENCES: Final[dict[str, str]] = {
     "loading.open": (
         "This test cannot show what was loaded. The new table changes the deviations by {size}"
         " rms, and the noise of a reading is {noise}{needed:if|. This correction is smaller than"
-        " the {needed} rms that the test can prove}{effect:if|. Measured: {effect}}. Possible"
-        " are: {candidates}.{off:if| But the test differs from the first of these by {off}, at"
-        " worst by {worst}. That is more than noise: something else changed, or the test is at"
-        " fault.}"
+        " the {needed} rms that the test can prove}{effect:if|. Measured: {effect}}. These"
+        " causes are possible: {candidates}.{off:if| But the test differs from the first of these"
+        " by {off}, at worst by {worst}. That is more than noise: something else changed, or the test"
+        " is at fault.}"
     ),
     "loading.rms": "{rms} rms",
     "loading.slope": (

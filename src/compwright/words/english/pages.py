@@ -215,7 +215,7 @@ SENTENCES: Final[dict[str, str]] = {
     "report.no_number": "Report without a number",
     "report.not_conform": "The machine does not conform to every limit of the table above.",
     "report.number": "Report number",
-    "report.open_sections": "Sections that stand open are printed.",
+    "report.open_sections": "Only open sections are printed.",
     "report.operator": "Operator",
     "report.other_findings": "Other findings",
     "report.page": "Page",
@@ -326,7 +326,7 @@ SENTENCES: Final[dict[str, str]] = {
         "{count} table points, as read back from the files.{wanted:if| Broad line: the wanted"
         " correction before rounding and limits.}"
     ),
-    "run.worth": "Axis {axis}: what the points of the table are worth",
+    "run.worth": "Axis {axis}: predicted accuracy by number of table points",
     "verify.comparison": "Before, predicted and after",
     "verify.comparison_note": (
         "One scale. Predicted: expected means at the targets of the first test."

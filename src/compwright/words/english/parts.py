@@ -42,7 +42,7 @@ SENTENCES: Final[dict[str, str]] = {
         "Read back from the files, but not independently judged: only your own definition of"
         " {definition} says what its files do"
     ),
-    "reading_off": "{traverse} at {target} ({off} off)",
+    "reading_off": "{traverse} at {target} (deviates by {off})",
     "scale_by": "{axis}: scale {scale} by {tests:join|; }",
     "traverse": "run {run} in {direction}",
     "undetermined.causes": (
@@ -55,7 +55,7 @@ SENTENCES: Final[dict[str, str]] = {
         "too few samples near the reversals of the {axis} axis: measure at a lower feed"
     ),
     "undetermined.full_circle": "{reasons:join|; }: measure a full circle in both directions",
-    "undetermined.lobes": "lobes belong to a closed circle",
+    "undetermined.lobes": "only a full circle shows lobes",
     "undetermined.no_reversal": "{axis} does not reverse inside the arc",
     "undetermined.of_circle": "{circle}: {reason}",
     "undetermined.one_direction": (
@@ -70,12 +70,12 @@ SENTENCES: Final[dict[str, str]] = {
         "the samples after the reversal are too few to tell a spike from lost motion: sample faster"
         " or lower the feed"
     ),
-    "undetermined.square": "an arc does not show the errors of the whole square",
+    "undetermined.square": "an arc shows only a part of the square around the circle",
     "undetermined.value": (
-        "{value:+.1f} ± {error:.1f} µm/m is not known well enough: the uncertainty (k = 2) must be"
+        "{value:+.1f} ± {error:.1f} µm/m is too uncertain: the uncertainty (k = 2) must be"
         " below half of the value and below {most:g} µm/m. Measure full circles in both directions,"
         " and give all of them"
     ),
     "value_with_error": "{value:+.1f} ± {error:.1f} {unit}",
-    "with_and_without": "{parameter} {value} with, {without} without",
+    "with_and_without": "{parameter}: {value} with these readings, {without} without them",
 }

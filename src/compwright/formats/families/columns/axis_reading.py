@@ -164,7 +164,7 @@ class ColumnAxisReader:
             self.values.fault(
                 sheet.name,
                 f"line {self.points[most].line}",
-                f"{self.label}: more points than the control takes",
+                f"{self.label}: the table has more points than the control accepts",
                 f"at most {most}",
                 str(len(values)),
             )

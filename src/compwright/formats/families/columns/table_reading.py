@@ -276,7 +276,7 @@ class _ColumnTableReader:
             return [places or [] for places in sides[0][0]], sides[0][1]
         bad = next(line for line, row in zip(lines, words, strict=True) if len(row) != len(titles))
         self._fault(
-            "the cells of this row do not stand under the names of the columns",
+            "the cells of this row are not below the names of the columns",
             bad,
             expected=f"{len(titles)} cells, or blank cells in fixed widths",
             found=bad.text.strip(),

@@ -195,7 +195,13 @@ class TableValues:
         most = self.definition.limit_number("max_points")
         if most is not None and len(positions) > most:
             line, found = table.rows[most].line, str(len(positions))
-            self._fault(table, line, "more rows than the control takes", f"at most {most}", found)
+            self._fault(
+                table,
+                line,
+                "the table has more rows than the control accepts",
+                f"at most {most}",
+                found,
+            )
             return None
         return tuple(positions)
 

@@ -157,7 +157,10 @@ def _checked(values: IncrementAxisValues, kind: AxisKind) -> IncrementSections |
         values.wrong("first_number", _DISORDER, order(values), f"{first}, {reference}, {last}")
     if last > highest:
         values.wrong(
-            "last_number", "a number beyond those of the control", f"at most {highest}", str(last)
+            "last_number",
+            "the point number is beyond those of the control",
+            f"at most {highest}",
+            str(last),
         )
     if not 0 <= magnification <= most:
         values.wrong(

@@ -343,7 +343,7 @@ class _CrossTableReader(TableLines):
         for text, directions in _DIRECTIONS.items():
             if same_value(text, found.text):
                 return directions
-        self._wrong("a direction that is not known", found, expected="0 (both), 1 or -1")
+        self._wrong("the direction of the table is unknown", found, expected="0 (both), 1 or -1")
         return None
 
     def _simple(self, multiplier: FoundValue | None) -> bool:

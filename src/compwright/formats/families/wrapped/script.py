@@ -308,7 +308,7 @@ class _ScriptReader:
         if not 1 <= self.motor <= MOST_MOTORS:
             self._fault(
                 word,
-                "a table needs its motor",
+                "the table has no motor",
                 f"#1 to #{MOST_MOTORS} before it",
                 f"#{self.motor}" if self.motor else "no motor",
             )
@@ -386,7 +386,7 @@ class _ScriptReader:
         end = _END.search(self.text, place)
         if end is None:
             word = self._word(place - len("OPEN"), place)
-            self._fault(word, "a program that does not end", "CLOSE behind it")
+            self._fault(word, "the program has no end", "CLOSE behind it")
             return len(self.text)
         self._in_program(place, end.start())
         return end.end()
