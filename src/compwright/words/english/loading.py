@@ -166,8 +166,8 @@ SENTENCES: Final[dict[str, str]] = {
         " rms, and the noise of a reading is {noise}{needed:if|. This correction is smaller than"
         " the {needed} rms that the test can prove}{effect:if|. Measured: {effect}}. These"
         " causes are possible: {candidates}.{off:if| But the test differs from the first of these"
-        " by {off}, at worst by {worst}. That is more than noise: something else changed, or the test"
-        " is at fault.}"
+        " by {off}, at worst by {worst}. That is more than noise: something else changed, or the"
+        " test is at fault.}"
     ),
     "loading.rms": "{rms} rms",
     "loading.slope": (
