@@ -200,7 +200,9 @@ class TestTable:
             isg(text, options={"value_type": "sgn32"})
         large = LISTED.replace("pos              84", "pos 32768")
         assert um(isg(large), [300], UP) == close([-3276.8])
-        with pytest.raises(InputError, match=r"line 20: the value is larger .* at most 32767, found '32768'"):
+        with pytest.raises(
+            InputError, match=r"line 20: the value is larger .* at most 32767, found '32768'"
+        ):
             isg(large, options={"value_type": "sgn16"})
         with pytest.raises(InputError, match="at most 2147483647"):
             isg(LISTED.replace("pos              84", "pos 2147483648"))

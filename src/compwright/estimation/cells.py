@@ -1,7 +1,5 @@
-"""The mean readings of an axis at each target and direction, before any model is fitted.
-
-Means and counts per target and direction (ISO 230-2:1997, 2.10), pooled spread (JCGM 100:2008,
-4.2.4), straight line by least squares.
+"""The mean readings of an axis at each target and direction, before any model is fitted
+(means: ISO 230-2:1997, 2.10; pooled scatter: JCGM 100:2008, 4.2.4).
 """
 
 from __future__ import annotations
@@ -45,15 +43,14 @@ _SEED: Final = 202  # by it the noise of one test is paired with that of another
 class Cells:
     """The targets (m,) of an axis with their mean readings, and first estimates of the scatter.
 
-    ``data``: the readings minus ``offset + slope x + d reversal/2``.
-
-    ``spread`` and ``roughness`` are in units of ``data.scale``: noise of one reading as guessed,
-    scatter about the straight line. ``noises``: by test, the noise of a fresh one like it, as much
-    of it for each draw of ``data``, in their order; ``other_noise``: the draws of the first whose
-    noise is known, None for none. ``slopes``: by test, the column of its own slope in
-    ``data.extra``, None for none. ``jumps``: steps of the error, taken out with the line.
-    ``repeated``: there are readings of one cell in one test. ``rough_reversal``: standard
-    deviation, mm or deg, by which half the reversal differs from target to target.
+    ``data``: the readings minus ``offset + slope x + d reversal/2``. ``spread`` and ``roughness``
+    are in units of ``data.scale``: noise of one reading as guessed, scatter about the straight
+    line. ``noises``: by test, the noise of a fresh one like it, as much of it for each draw of
+    ``data``, in their order; ``other_noise``: the draws of the first whose noise is known, None for
+    none. ``slopes``: by test, the column of its own slope in ``data.extra``, None for none.
+    ``jumps``: steps of the error, taken out with the line. ``repeated``: there are readings of one
+    cell in one test. ``rough_reversal``: standard deviation, mm or deg, by which half the reversal
+    differs from target to target.
     """
 
     targets: FloatArray
@@ -74,10 +71,7 @@ class Cells:
 
     def line_at(self, positions: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Return the straight line, jumps and mean reversal that were subtracted before the fit.
-        (k,) at ``positions`` for both directions, mm or deg.
-
-        That is the line of the first test, jumps, and +- half the mean reversal mean(+) - mean(-)
-        (ISO 230-2:1997, 2.14).
+        (k,) at ``positions`` for both directions, mm or deg (ISO 230-2:1997, 2.14).
         """
         line = self.offset + self.slope * (positions - self.targets[0])
         for jump in self.jumps:
@@ -105,12 +99,11 @@ def _target_tolerance(positions: FloatArray) -> float:
 def build_cells(
     tests: Sequence[ObservedTest], *, turn: float | None = None, stepped: bool = True
 ) -> Cells:
-    """Return means, counts and scatter of the readings of an axis. An endless axis has no slope,
-    because its error repeats with its ``turn`` (deg).
+    """Return means, counts and scatter of the readings of an axis.
 
-    Means as in ISO 230-2:1997, 2.10; the spread pools the squares about the means of all targets
-    and directions over their n - 1 (JCGM 100:2008, 4.2.4). Raises InputError for fewer than two
-    targets with readings.
+    An endless axis has no slope: its error repeats with its ``turn`` (deg). The spread pools the
+    squares about the means of all targets and directions over their n - 1 (JCGM 100:2008, 4.2.4).
+    Raises InputError for fewer than two targets with readings.
     """
     rng = np.random.default_rng(_SEED)
     draws = max((each.noise.draws.count for each in tests if each.noise is not None), default=1)
@@ -262,8 +255,7 @@ def _reversals(part: ObservedCells) -> FloatArray:
 
 
 def _rough_reversal(part: ObservedCells) -> float:
-    """Return how much the reversal error changes irregularly between targets, as a variance per
-    mean reading, mm² or deg².
+    """Return the variance of irregular changes of the reversal error per mean, mm² or deg².
 
     Differences from target to target that noise does not explain (median of the second differences;
     Gasser, Sroka and Jennen-Steinmetz, Biometrika 73, 1986) would make the smooth reversal of the
