@@ -236,8 +236,8 @@ def test_the_result_with_and_without_a_suspect_is_told_and_nothing_is_dropped() 
     message = next(finding.message for finding in result.findings if finding.code == "CW-T014")
     for name in ("A", "R"):
         assert (
-            f"{name} {(result.parameters[name] or 0) / UM:.2f} µm with,"
-            f" {(without.parameters[name] or 0) / UM:.2f} µm without" in message
+            f"{name}: {(result.parameters[name] or 0) / UM:.2f} µm with these readings,"
+            f" {(without.parameters[name] or 0) / UM:.2f} µm without them" in message
         )
     assert (result.parameters["A"] or 0) > 60.0 * UM
 
