@@ -18,10 +18,11 @@ STICK = compwright$(if $(EXTRAS),[$(EXTRAS)])
 .PHONY: demo test site pages quality lint real-linuxcnc bench wheelhouse stick stick-windows stick-macos stick-linux picture clean
 
 $(VENV)/.report: pyproject.toml
-	$(PYTHON) -c 'import sys; sys.exit("Python 3.11 or newer is needed, this is " + sys.version.split()[0] if sys.version_info < (3, 11) else 0)'
-	test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
-	$(BIN)/python -m pip install --quiet --editable '.[report]'
-	touch $@
+	@$(PYTHON) -c 'import sys; sys.exit("Python 3.11 or newer is needed, this is " + sys.version.split()[0] if sys.version_info < (3, 11) else 0)'
+	@echo 'Installing into $(VENV): about a minute.'
+	@test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
+	@$(BIN)/python -m pip install --quiet --editable '.[report]'
+	@touch $@
 
 $(VENV)/.test: pyproject.toml $(VENV)/.report
 	$(BIN)/python -m pip install --quiet --editable '.[test]'
@@ -30,6 +31,7 @@ $(VENV)/.test: pyproject.toml $(VENV)/.report
 demo: $(VENV)/.report  ## the whole loop on a virtual machine, into demo/
 	@echo 'The whole loop on a virtual machine: about 20 seconds.'
 	@$(BIN)/compwright demo --out demo --force
+	@echo 'To type compwright in this shell: source $(VENV)/bin/activate'
 
 test: $(VENV)/.test  ## all tests, or with ROOM=fitting those of a room; the last line says what was skipped and why
 	@echo $(if $(ROOM),'The tests of $(ROOM).','All tests: about 12 minutes on two cores. One room alone: make test ROOM=fitting.')
@@ -62,6 +64,7 @@ bench: $(VENV)/.test
 
 wheelhouse: $(VENV)/.report  ## compwright and all it needs, to be installed without a network
 	$(if $(TAGS_$(FOR)),,$(error FOR=$(FOR) is unknown: use windows, macos or linux))
+	$(if $(filter 3.11 3.12 3.13 3.14,$(PY)),,$(error PY=$(PY) does not work: use 3.11 to 3.14))
 	rm -rf wheelhouse/$(FOR)
 	$(BIN)/python -m pip wheel --quiet --no-deps --wheel-dir wheelhouse/$(FOR) .
 	$(BIN)/python -m pip download --quiet --dest wheelhouse/$(FOR) $(WHEELS) --find-links wheelhouse/$(FOR) '$(STICK)'

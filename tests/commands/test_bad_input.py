@@ -238,7 +238,7 @@ JOBS: dict[str, tuple[str, str, int, list[tuple[str, ...]]]] = {
         "  X:",
         "  Y:",
         3,
-        [("x.csv", "another axis", "expected Y", "found X")],
+        [("x.csv", "a test of axis X, not of Y")],
     ),
     "a state that says nothing of the axis": ("none", "[other.INI]", 3, [("AX1", "AX7")]),
 }

@@ -30,6 +30,10 @@ _MARK: Final = re.compile(
 _TEST: Final = re.compile(
     rb"^(\s*HEADER::|\s*\W?target_(mm|deg)\b|direction,.*\bangle_deg\b|\s*TGT_DATA)", re.MULTILINE
 )
+#: A file of a control: an archive, numbered parameters, values of variables.
+_CONTROL: Final = re.compile(
+    rb"\A(@@[A-Z]{3}|%\s*N\d{4,5}(Q\d)?[AP])|^\$[A-Z]{2}_\w+\[", re.MULTILINE
+)
 _PAGE: Final = re.compile(rb"^\s*<(!doctype html|html)\b", re.IGNORECASE)
 _MARKED: Final = {
     b"compwright": JOB.name,
@@ -45,6 +49,7 @@ _TAKEN_BY: Final = {
     DEFINITION.name: "--format",
     MACHINE.name: "compwright simulate",
     MEASUREMENT.name: "compwright evaluate",
+    CONTROL.name: "compwright decode",
 }
 #: A wrong file in the place of these is a wrong use of the command line; else it is a wrong input.
 _USAGE: Final = (JOB, PROFILE, MACHINE, DEFINITION)
@@ -82,4 +87,6 @@ def _kind_of(content: bytes) -> str:
     mark = _MARK.search(head)
     if mark is not None:
         return _MARKED[mark[1]]
+    if _CONTROL.search(head):
+        return CONTROL.name
     return MEASUREMENT.name if _TEST.search(head) else ""

@@ -283,12 +283,15 @@ def _rows(
         elif len(cells) == len(columns):
             found.add(number, cells)
         elif any(cells):
+            comma = _decimal_comma_hint(cells, delimiter, len(columns))
             faults.add(
                 "the row has fewer or more cells than the header row",
                 place=f"line {number}",
                 expected=f"{len(columns)} cells with the {DELIMITERS[delimiter]} as delimiter",
-                found=f"{len(cells)}{_decimal_comma_hint(cells, delimiter, len(columns))}",
-                hint="give this row as many cells as the header row",
+                found=f"{len(cells)}{comma}",
+                hint="put semicolons between the cells of all rows"
+                if comma
+                else "give this row as many cells as the header row",
             )
     return found.lines, found.columns()
 

@@ -48,7 +48,7 @@ _NEEDED: Final[Mapping[str, tuple[str, ...]]] = {
     "own": (),
 }
 _EMPTY: Final[tuple[object, ...]] = (None, "", {})
-_TRAVERSE: Final = '"+1", "-1", "+2", ..: approach direction and run'
+_TRAVERSE: Final = '"+1", "-1", "+2", .. with the quotes: approach direction and run'
 _DIRECTION: Final = '"+" (approached from below) or "-" (from above)'
 
 
@@ -90,7 +90,7 @@ def _empty(data: Mapping[str, Any]) -> Iterator[KeyFault]:
         needed += ["direction", "directions"]
     for key in needed:
         if data.get(key) in _EMPTY:
-            expected = " or ".join(_CHOICES.get(key, ("a value",)))
+            expected = " or ".join(_CHOICES.get(key, ("the name of a column",)))
             yield KeyFault((key,), f"'{key}' is empty and must be filled in", expected)
 
 

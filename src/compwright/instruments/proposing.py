@@ -158,6 +158,11 @@ class _ProposedColumns:
     def of(self, role: Role) -> list[str]:
         return [name for name in self.table.columns if self.roles[name] == role]
 
+    def numbers_rows(self, name: str) -> bool:
+        """Return whether no value of a column comes twice: it numbers the rows, not the runs."""
+        texts = [text for text in self.texts[name] if text]
+        return len(texts) > 2 and len(set(texts)) == len(texts)
+
     def spread(self, name: str) -> float:
         values = self.numbers(name)
         return float(np.nanmax(values) - np.nanmin(values)) if np.isfinite(values).any() else 0.0
@@ -266,7 +271,11 @@ def _long(
         proposal.leave_open("value_is", "deviation (from the target) or measured (positions)")
         proposal.leave_open("unit", "the unit of the values: um, mm, arcsec, deg, ..")
     _direction(proposal, columns, target)
-    runs = [name for name in columns.of("run") if name not in {target, keys.get("value")}]
+    runs = [
+        name
+        for name in columns.of("run")
+        if name not in {target, keys.get("value")} and not columns.numbers_rows(name)
+    ]
     keys["run"] = runs[0] if len(runs) == 1 else None
     if keys["run"]:
         keys["run_counts"] = _run_counts(columns, keys)

@@ -249,3 +249,12 @@ def _printed(name: str, vendor: Mapping[str, Any]) -> tuple[float | None, bool]:
     if not isinstance(entry, Mapping) or not isinstance(entry.get("value"), int | float):
         return None, False
     return float(entry["value"]), entry.get("valid") is False
+
+
+def findings_in_words(result: Mapping[str, Any]) -> list[dict[str, Any]]:
+    """Return the findings of a result, with the causes that they name as text."""
+    axes = result.get("axes") or ("first", "second")
+    return [
+        {**finding, "message": named_in_words(finding["message"], axes)}
+        for finding in result.get("findings") or ()
+    ]

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import Any, Final
 
 from compwright.reporting import paper, sections
-from compwright.reporting.causes import named_in_words, ranked_causes
+from compwright.reporting.causes import findings_in_words, ranked_causes
 from compwright.reporting.circular_parameters import parameter_words
 from compwright.reporting.numbers import number, plain
 from compwright.reporting.page import inline_figure
@@ -78,15 +78,6 @@ class CircleFigure:
         described = say("chart.described", what="circle", name=self.name).text(language)
         drawn = polar_figure(self.result, language=language)
         return str(inline_figure(drawn, prefix=self.prefix, description=described))
-
-
-def findings_in_words(result: Document) -> list[Document]:
-    """Return the findings of a result, with the causes that they name as text."""
-    axes = result.get("axes") or ("first", "second")
-    return [
-        {**finding, "message": named_in_words(finding["message"], axes)}
-        for finding in result.get("findings") or ()
-    ]
 
 
 def limit_rows(circles: Mapping[str, Document]) -> list[dict[str, Any]]:

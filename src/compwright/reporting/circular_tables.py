@@ -14,7 +14,13 @@ from rich.console import Group, RenderableType
 from rich.rule import Rule
 from rich.table import Table
 
-from compwright.reporting.causes import CircleCause, cause_words, machine_title, ranked_causes
+from compwright.reporting.causes import (
+    CircleCause,
+    cause_words,
+    findings_in_words,
+    machine_title,
+    ranked_causes,
+)
 from compwright.reporting.circle_steps import steps_for
 from compwright.reporting.circular_parameters import parameter_rows, printed_parameters
 from compwright.reporting.numbers import MISSING, number, plain, standard_text
@@ -55,7 +61,7 @@ def _result(result: Mapping[str, Any]) -> RenderableType:
         *_causes(result),
     ]
     if result["findings"]:
-        parts += [Text(), *finding_lines(result["findings"])]
+        parts += [Text(), *finding_lines(findings_in_words(result))]
     return Group(*parts, Text())
 
 

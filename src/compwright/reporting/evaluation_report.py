@@ -11,8 +11,8 @@ from typing import Any, Final
 
 from compwright.foundations.findings import DOUBTS
 from compwright.reporting import paper, sections
+from compwright.reporting.causes import findings_in_words
 from compwright.reporting.circle_report import circle_page, machine_block
-from compwright.reporting.circles import findings_in_words
 from compwright.reporting.circular_parameters import parameter_words
 from compwright.reporting.numbers import number, plain, standard_text, symbol, unit_text
 from compwright.reporting.page import render_page

@@ -167,9 +167,8 @@ def axis_options(
                     expected=rule.asked,
                     found="nothing" if value is None else str(value),
                     hint=(
-                        f"add `{rule.name}` to the axis in the job, or the file of the "
-                        "control that "
-                        "contains it"
+                        f"add `{rule.name}` to the axis in the job, or the file of the control "
+                        "that contains it to the state (`--state`)"
                     ),
                 )
             )

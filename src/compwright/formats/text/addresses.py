@@ -70,11 +70,11 @@ def normal_address(definition: Definition, axis: Axis) -> tuple[str, Assumption 
         raise UsageError(
             Fault(
                 message=f"{definition.id} needs the {what} of axis {axis.name}",
-                expected=f"the {what} of the control",
+                expected=f"the {what} that it has in the control, such as {example}",
                 found=error.faults[0].found,
                 hint=(
-                    f"add `address: {example}` to the axis in the job, or give `--option "
-                    f"address={example}`"
+                    f"look it up in the control, then add `address: {example}` to the axis in the "
+                    f"job, or give `--option address={example}`, with your own value"
                 ),
             )
         ) from error

@@ -94,7 +94,7 @@ def _exist_already(paths: Sequence[Path]) -> Fault:
         message=f"{len(paths)} of the files to write exist already in this folder",
         file=str(folder),
         found=", ".join(names) + (f" and {more} more" if more else ""),
-        hint="give another folder, or `--force` to replace them",
+        hint="give another folder (`--out`), or `--force` to replace them",
     )
 
 

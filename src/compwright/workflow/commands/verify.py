@@ -139,7 +139,7 @@ def verify_job(
     evaluated = _evaluated(found.axes, found.circles)
     files, notes = _files(found.job, found.control, document, *evaluated, after)
     before, after_loading = evaluated
-    proof, notes = proven_files(found, document, (out, plan_file.parent), loaded)
+    proof, proven = proven_files(found, document, (out, plan_file.parent), loaded)
     files |= proof
     files |= recorded_verification(
         session,
@@ -155,7 +155,7 @@ def verify_job(
         exit_code=0 if verdict == "good" and (then is None or then.files) else 1,
         document=document,
         files=_stored(session, out, files, then, json_path, report, force=force),
-        notes=(*notes, *notes, *(then.notes if then is not None else ()), *_left_over(out, then)),
+        notes=(*notes, *proven, *(then.notes if then is not None else ()), *_left_over(out, then)),
     )
 
 

@@ -221,15 +221,12 @@ def _check_axis(axis: Axis, test: PositioningTest) -> None:
             )
         )
     if test.axis and test.axis.upper() != axis.name.upper():
-        expected = f"{axis.name}, or the axis of the job under the name that the test gives it"
         faults.append(
             Fault(
-                message="the file is a test of another axis",
+                message=f"the file is a test of axis {test.axis}, not of {axis.name}",
                 file=file,
                 place="key axis",
-                expected=expected,
-                found=test.axis,
-                hint="list the file under its own axis, or correct `# axis:` in it",
+                hint=f"give it to axis {test.axis}, or correct `# axis:` in the file",
             )
         )
     raise_all(InputError, faults)

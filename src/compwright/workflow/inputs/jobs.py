@@ -335,14 +335,16 @@ def job_of(
                 hint=f"give {JOB.help}",
             )
             raise UsageError(fault)
+    examples = {"--format": "ID", "--axis": "X", "--travel": "0:800", "--state": "none|FILE"}
+    missing = [name for name in examples if not {**needed, "--state": states}[name]]
     faults = [
         Fault(
             message=f"the option {name} is missing",
             place=name,
-            hint=f"add `{name} {example}` with your own value, or give one job file",
+            hint=f"add `{name} {examples[name]}` with your own value, or give one job file",
         )
-        for (name, value), example in zip(needed.items(), ("ID", "X", "0:800"), strict=True)
-        if not value
+        for name in missing
+        if missing != ["--state"]  # without it alone everything but the tables is made
     ]
     folder = out or default_folder(session, first)
 

@@ -61,7 +61,9 @@ def proven_files(
             [f"For the definition {definition.id}, in the place of its key proven.", *heading],
             2,
         ),
-    }, (f"what this machine proves of the control is in {FOLDER}/; add it to the job",)
+    }, (
+        f"what this machine proves of the control is in {FOLDER}/: add for_the_job.yaml to the job",
+    )
 
 
 def _lacking(found: Verified, results: Sequence[Path], loaded: Sequence[Path]) -> Iterator[str]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 from compwright.formats.definition.schema import Definition
 from compwright.formats.text.gathering import FoundValue, Gathered, same_value
@@ -89,17 +90,23 @@ def points_by_number(
     """
     highest = definition.limit_number("max_number") or 0
     points: dict[int, FoundValue] = {}
+    beyond: list[FoundValue] = []
     for row in point_rows(definition, gathered, files):
         number = point_number(row)
         text = row.occurrence.tokens["value"].text
         if number > highest:
-            message = f"point number {number} does not exist in this control"
-            notes.faults.append(_fault(row, message, f"0 .. {highest}", str(number)))
+            beyond.append(row)
             continue
         first = points.setdefault(number, row)
         if not same_value(text, first.occurrence.tokens["value"].text):
             message = f"point {number} contradicts {first.where}"
             notes.faults.append(_fault(row, message, first.occurrence.tokens["value"].text, text))
+    if beyond:
+        numbers = sorted({point_number(row) for row in beyond})
+        message = f"{len(numbers)} point numbers of this file do not exist in {definition.id}"
+        fault = _fault(beyond[0], message, f"0 .. {highest}", f"{numbers[0]} .. {numbers[-1]}")
+        hint = f"is this control another one? Then correct `format`; else {fault.hint}"
+        notes.faults.append(replace(fault, hint=hint))
     return points
 
 
