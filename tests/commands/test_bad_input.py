@@ -531,3 +531,15 @@ def test_a_reader_that_hangs_up(folder: Path) -> None:
     )
     assert b"Traceback" not in ran.stderr
     assert ran.stdout.startswith(b"x.csv")
+
+
+@pytest.mark.parametrize(
+    "content",
+    [b"@@MMCIBN.002\n\xfc\x00", b"%\nN10000Q0P1\nN10001Q0P-1\n", b"$AA_ENC_COMP[0,0,AX1]=0\n"],
+)
+def test_a_file_of_the_control_is_no_measurement(
+    content: bytes, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "backup").write_bytes(content)
+    assert compwright(["evaluate", str(tmp_path / "backup")]) == 3
+    assert "a file of a control (compwright decode)" in capsys.readouterr().err

@@ -210,3 +210,11 @@ def test_a_real_log_of_a_rotary_axis() -> None:
     # both days in one file are two tests: a reading that comes twice is no repetition
     with pytest.raises(InputError, match="a reading is given twice"):
         read_positioning(content, "tank.csv", read_profile(text.encode(), "P.yaml"))
+
+
+def test_the_number_of_a_row_is_no_run() -> None:
+    lines = ["Nr;Soll [mm];Richtung;Abweichung [µm]"]
+    for run in range(3):
+        for direction, targets in (("auf", (0, 100, 200)), ("ab", (200, 100, 0))):
+            lines += [f"{len(lines) + i};{x};{direction};{run},5" for i, x in enumerate(targets)]
+    assert keys(proposed_profile("\n".join(lines).encode(), "x.csv"))["run"] is None
