@@ -13,7 +13,8 @@ wrong       another name; ``alike`` where that name's own after-test is within o
 undecided   no name
 
 A third of the jobs have tables of an earlier error in the control (``--old`` chooses): ``active``
-in the test before; ``idle`` there, and the job states it; or ``believed``: idle, but the job states
+in the test before; ``idle`` there, and the job states it (`measured_in`, or `active: no` where
+the files do not show it); or ``believed``: idle, but the job states
 that they were active, which is the fault ``state``.
 
 by fault, by kind of axis and control, and by how far the nearest other name is away. ``apart``
@@ -85,7 +86,7 @@ def job_of(number: int, seed: int, words: argparse.Namespace, folder: Path) -> J
     for name, axis in axes.items():
         active = old.at(name, axis.before.targets) if old and how == "active" else None
         tests[name] = a_test(axis.before, rng, active)
-    tables = _run(axes, control, tests, folder / "job", _state(old, how))
+    tables = _run(axes, control, tests, folder / "job", _states(old, how, control))
     new = _loaded(axes, control, folder / "job")
     size = {name: 3.6 if axes[name].before.rotary else 1.0 for name in tables}  # 0.001 deg, mm
     plans = {}
@@ -100,17 +101,26 @@ def _old_tables(
 ) -> Loaded | None:
     """Tables of an earlier error; None unless every axis has one."""
     tests = {name: a_test(earlier(axis, rng), rng) for name, axis in axes.items()}
-    tables = _run(axes, control, tests, folder / "earlier", "none")
+    tables = _run(axes, control, tests, folder / "earlier", {"as_found": "none"})
     if len(tables) < len(axes):
         return None
     return _loaded(axes, control, folder / "earlier")
 
 
-def _state(old: Loaded | None, how: str) -> Any:
-    """Return what the job states of the control before."""
+def _states(old: Loaded | None, how: str, control: Control) -> dict[str, Any]:
+    """Return what the job states of the control; a state ``idle``: in which its tests were taken.
+
+    Files that show a table as switched on contradict `active: no`; there a state of its own says
+    that nothing was active.
+    """
     if old is None:
-        return "none"
-    return {"files": [str(old.folder)], "active": "no" if how == "idle" else "yes"}
+        return {"as_found": "none"}
+    files = [str(old.folder)]
+    if how != "idle":
+        return {"as_found": {"files": files, "active": "yes"}}
+    if control.format == "isg-kernel":
+        return {"as_found": {"files": files, "active": "no"}}
+    return {"as_found": files, "idle": "none"}
 
 
 def _loaded(axes: Mapping[str, Axis], control: Control, folder: Path) -> Loaded:
@@ -130,7 +140,7 @@ def _run(
     control: Control,
     tests: Mapping[str, tuple[Machine, Floats]],
     folder: Path,
-    found: Any,
+    states: dict[str, Any],
 ) -> list[str]:
     """Write the job, run it; return the axes that have a table."""
     folder.mkdir(parents=True)
@@ -139,14 +149,17 @@ def _run(
         machine, readings = tests[name]
         text = csv_of(machine, machine.targets, readings, name)
         (folder / f"{name}.csv").write_text(text, encoding="utf-8")
-        options = {"first_point": 300 * place} if control.increments and found == "none" else {}
+        empty = states["as_found"] == "none"
+        options = {"first_point": 300 * place} if control.increments and empty else {}
         entries[name] = job_axis(axis, control.addresses[name], options)
-        if found != "none":
+        if not empty:
             del entries[name]["table"]["spacing"]  # the grid that is there
+        if "idle" in states:
+            entries[name]["before"] = [{"files": [f"{name}.csv"], "measured_in": "idle"}]
     job = {
         "compwright": 1,
         "controller": {"format": control.format, "options": dict(control.options)},
-        "states": {"as_found": found},
+        "states": states,
         "axes": entries,
     }
     (folder / "job.yaml").write_text(json.dumps(job, indent=1), encoding="utf-8")

@@ -17,8 +17,9 @@ from compwright.estimation.noise_days import over_days
 from compwright.estimation.noise_posterior import NoisePosterior
 from compwright.estimation.noise_readings import cell_readings
 from compwright.estimation.noise_rounding import common_std, rounded_std, rounded_stds
+from compwright.prediction.fresh_noise import fresh_noise
 from compwright.records.axis import AxisKind, FloatArray
-from compwright.records.noise import INDEPENDENT, RUNS, WAVE, NoiseDraws, normal_noise
+from compwright.records.noise import INDEPENDENT, RUNS, WAVE, NoiseDraws, normal_noise, without
 from compwright.records.positioning import PositioningTest
 
 UM = 1e-3
@@ -308,6 +309,28 @@ def test_heavy_tails_are_found() -> None:
     draws = posterior(readings).draws
     assert np.mean(np.isfinite(draws.dof) | (draws.outlier_share > 0.0)) > 0.95
     assert inside(1.0 * UM, draws.sigma, 0.0)
+
+
+@pytest.mark.parametrize(("spread", "excess"), [("two places", -1.7), ("evenly", -1.2)])
+def test_light_tails_come_again(spread: str, excess: float) -> None:
+    """An axis that comes to rest on two places, or anywhere between two limits: the variance of five
+    readings scatters by 2/4 + excess/5 of its square (Cramer, Mathematical Methods of Statistics,
+    1946, 27.4), which is 1/2 for a normal law. More readings on one side move their mean.
+    """
+    rng = np.random.default_rng(12)
+    if spread == "evenly":
+        readings = rng.uniform(-np.sqrt(3.0), np.sqrt(3.0), (2, M, N))
+    else:
+        side = np.where(rng.random((2, M, N)) < 0.7, 1.0, -1.0)
+        readings = side + 0.3 * rng.standard_normal((2, M, N))
+    found = posterior(readings)
+    plus, _ = fresh_noise(without(found.fresh, "traverses", "drift"), TARGETS, N, N, rng)
+    squares = (np.std(plus, axis=2, ddof=1) / found.fresh.sigma[:, :1]) ** 2
+    assert np.mean(squares) == pytest.approx(1.0, abs=0.05)
+    assert np.var(squares) == pytest.approx(0.5 + excess / 5.0, abs=0.1)
+    plain = np.mean(made(readings).positive, axis=1)
+    assert np.mean(found.mean[:, :M], axis=0) == pytest.approx(plain, abs=0.1 * UM)
+    assert found.findings == ()
 
 
 @pytest.mark.parametrize("seed", [13, 20])

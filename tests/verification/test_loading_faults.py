@@ -522,6 +522,7 @@ def test_what_a_test_tells_little_of_is_near() -> None:
         ({"outlier_share": 0.1, "outlier_size": 4.0}, 0.9 + 0.1 * 16.0),
         ({"outlier_share": 0.1, "outlier_size": 4.0, "outlier_fixed": True}, 1.0 + 0.1 * 16.0),
         ({"outlier_share": 1.0, "outlier_size": 2.0, "outlier_fixed": True}, 5.0),
+        ({"outlier_share": 1.0, "outlier_size": 0.8, "outlier_fixed": True, "core": 0.6}, 1.0),
     ],
 )
 def test_single_readings_have_the_noise_of_the_first_test(

@@ -21,7 +21,7 @@ from compwright.controls.definitions import (
 from compwright.controls.reader_comparison import disagreements
 from compwright.formats.card import look_at
 from compwright.formats.definition.schema import Definition
-from compwright.formats.families.activity import Activity
+from compwright.formats.families.activity import IDLE_TEST, Activity
 from compwright.formats.families.family import Family
 from compwright.formats.families.shapes import RULES, control_format
 from compwright.formats.text.other_files import without_other_files
@@ -281,11 +281,8 @@ def decode(
                     f"`active: no` is given for a state, but the files of {control.id} "
                     "themselves show which tables are active"
                 ),
-                expected="no key `active`, or the files as they were during the test",
-                hint=(
-                    "leave `active` out of this state, or give the files as they "
-                    "were during the test"
-                ),
+                expected="no key `active`",
+                hint=f"leave out `active` in this state. {IDLE_TEST}",
             )
         )
     carried_out = carried_out or written or active is True

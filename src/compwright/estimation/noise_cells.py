@@ -14,7 +14,7 @@ from compwright.estimation.noise_chain import NoiseState
 from compwright.estimation.noise_patterns import OFFSET
 from compwright.estimation.noise_readings import CellReadings, traverse_effects
 from compwright.estimation.noise_rounding import common_std, rounded_std
-from compwright.estimation.noise_tails import KINDS, NORMAL, TAILS, Tail
+from compwright.estimation.noise_tails import KINDS, LIGHT, NORMAL, TAILS, Tail
 from compwright.records.axis import FloatArray
 
 #: Places along the travel whose cells separate the effects that are common to the means.
@@ -62,9 +62,13 @@ def cell_means(
     if KINDS[draw.tail] != NORMAL:
         scale = sigma * np.exp(draw.spread @ shapes)
         values = readings.values - traverse_effects(readings, draw.effects)
-        mean[there], square[there] = cell_locations(
-            TAILS[draw.tail], values[there], readings.there[there], scale[there]
-        )
+        if KINDS[draw.tail] == LIGHT:
+            count = np.maximum(np.sum(readings.there, axis=1), 1)
+            mean, square = np.sum(values * readings.there, axis=1) / count, scale**2 / count
+        else:
+            mean[there], square[there] = cell_locations(
+                TAILS[draw.tail], values[there], readings.there[there], scale[there]
+            )
     return CellMeans(
         mean=np.where(there, mean, 0.0),
         precision=np.where(there, 1.0 / (square + rest), 0.0),
@@ -89,7 +93,7 @@ def means_of_all_runs(
     count = np.maximum(np.sum(every.there, axis=1), 1)
     more = np.maximum(count / np.maximum(np.sum(readings.there, axis=1), 1), 1.0)
     mean = np.sum(every.values, axis=1) / count
-    if KINDS[draw.tail] != NORMAL:
+    if KINDS[draw.tail] not in (NORMAL, LIGHT):
         scale = draw.sigma * np.exp(draw.spread @ shapes)
         mean[there] = cell_locations(
             TAILS[draw.tail], every.values[there], every.there[there], scale[there]

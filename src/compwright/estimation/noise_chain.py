@@ -28,7 +28,14 @@ from compwright.estimation.noise_rounding import (
     with_least_scatter,
 )
 from compwright.estimation.noise_spread import draw_spread, precision_powers, spread_shapes
-from compwright.estimation.noise_tails import TAILS, Latent, draw_latent, tail_probabilities
+from compwright.estimation.noise_tails import (
+    KINDS,
+    LIGHT,
+    TAILS,
+    Latent,
+    draw_latent,
+    tail_probabilities,
+)
 from compwright.estimation.noise_traverses import ReducedTraverses
 from compwright.records.axis import FloatArray
 from compwright.records.noise import WAVE, BoolArray
@@ -273,6 +280,9 @@ class GibbsChain:
         """
         factors = _FACTORS * np.exp(self.rng.uniform(-0.5, 0.5) * _STEP)
         chances = tail_probabilities(z[self.counted], factors)
+        if self.step:  # what is rounded looks evenly spread
+            chances[KINDS == LIGHT] = 0.0
+            chances /= chances.sum()
         self.tail_chances = chances.sum(axis=1)
         cumulative = chances.cumsum()
         steps = (self.rng.random() + np.arange(WAYS) / WAYS) % 1.0

@@ -6,12 +6,13 @@ differ from day to day:
     drift: the same in every test, or drawn for each, normal about nothing;
     scatter: the same in every test, or its logarithm drawn for each, normal about a mean.
 
-A drift repeats in one case of two (the same motion brings the same heat; the hall does not). A
-scatter is the same in three of four: ISO 230-2 takes repeatability from a single test. Both are
-judgements, from no document. The size of a drift is not known: it is summed over, flat in its
-logarithm; so is that of a change of the scatter, flat in itself, as few groups need it (Gelman,
-Prior distributions for variance parameters, Bayesian Analysis 1, 2006). With two tests a drift that
-is drawn for each follows about Student's law with two degrees of freedom.
+Either repeats in one case of two: the same motion brings the same heat, and ISO 230-2 takes
+repeatability from a single test; hall, oil and set-up differ. That is a judgement, from no
+document; the one difference that two tests show decides little. The size of a drift is not known:
+it is summed over, flat in its logarithm; so is that of a change of the scatter, flat in itself, as
+few groups need it (Gelman, Prior distributions for variance parameters, Bayesian Analysis 1, 2006).
+With two tests a drift that is drawn for each follows about Student's law with two degrees of
+freedom.
 """
 
 from __future__ import annotations
@@ -30,7 +31,7 @@ _ALIKE: Final = 0.07
 #: Sizes of a drift that is drawn, in the rms of those that were seen.
 _SIZES: Final = np.geomspace(0.3, 12.0, 24)
 #: Prior probability that the scatter is the same every day.
-_SAME: Final = 0.75
+_SAME: Final = 0.5
 #: Standard deviations of the logarithm of the scatter between days: up to a factor 2.7.
 _CHANGES: Final = np.linspace(0.08, 1.0, 12)
 _TINY: Final = 1e-12

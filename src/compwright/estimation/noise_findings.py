@@ -16,7 +16,7 @@ from compwright.estimation.noise_chain import NoiseState
 from compwright.estimation.noise_patterns import DRIFT, DRIFT_TILT, OFFSET, RATES, TILT
 from compwright.estimation.noise_readings import CellReadings, traverse_effects
 from compwright.estimation.noise_spread import spread_shapes
-from compwright.estimation.noise_tails import KINDS, NORMAL, OUTLIERS, STUDENT
+from compwright.estimation.noise_tails import KINDS, OUTLIERS, STUDENT
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.records.axis import FloatArray
@@ -129,10 +129,8 @@ def _tails(
     test: PositioningTest, readings: CellReadings, draws: Sequence[NoiseState]
 ) -> Iterator[Finding]:
     chances = np.mean([draw.tail_chances for draw in draws], axis=0)
-    normal, student, spoilt = (
-        float(np.sum(chances[kind == KINDS])) for kind in (NORMAL, STUDENT, OUTLIERS)
-    )
-    odds = _odds(normal)
+    student, spoilt = (float(np.sum(chances[kind == KINDS])) for kind in (STUDENT, OUTLIERS))
+    odds = _odds(float(np.sum(chances)) - student - spoilt)
     if odds < CLEAR:
         return
     taken = np.mean([draw.outlier for draw in draws], axis=0) / max(spoilt, 1e-9)

@@ -1,4 +1,4 @@
-"""The distribution of single readings: normal, Student's, or normal with outliers.
+"""The distribution of single readings: normal, Student's, normal with outliers, or light-tailed.
 
 Standardised residuals are counted into bins; the probability of the counts under every member of a
 list of distributions gives the member, and the member gives a weight to every reading (Student's
@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from math import lgamma, log, pi
+from math import inf, lgamma, log, pi
 from typing import Final
 
 import numpy as np
@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from compwright.records.axis import FloatArray
 
 #: Prior probabilities of the kinds.
-_NORMAL, _STUDENT, _SPREAD, _FIXED, _GROSS = 0.918, 0.05, 0.015, 0.015, 0.002
+_NORMAL, _LIGHT, _STUDENT, _SPREAD, _FIXED, _GROSS = 0.888, 0.03, 0.05, 0.015, 0.015, 0.002
 _DOFS: Final = (2.5, 3.0, 3.5, 4.0, 5.0, 7.0, 15.0)
 #: Of Student's: how probable degrees of freedom about each are, flat in their logarithm from 2 to
 #: 25 (Jeffreys, Theory of Probability, 3rd ed. 1961, section 3.1); beyond nothing tells them from a
@@ -37,6 +37,9 @@ _GROSS_SIZES: Final = tuple(100.0 * 2.0**k for k in range(6))
 #: Prior of the sizes: outliers that the instrument itself does not report.
 _USUAL_SIZE: Final = 6.0
 _SIZE_WIDTH: Final = 0.6
+#: Light tails of unit standard deviation: shares of the variance that rests make at which an axis
+#: stops on either side (share 1), or there and in the middle alike (2/3: nearly an even spread).
+_RESTS: Final = {1.0: (0.35, 0.5, 0.65, 0.8, 0.9), 2.0 / 3.0: (0.6, 0.75, 0.87)}
 #: Sizes of residuals that are counted together: 0.03 apart at nothing, 3 % apart far out.
 _EDGES: Final = np.sinh(np.linspace(0.0, np.arcsinh(6000.0), 314))
 _MIDDLES: Final = 0.5 * (_EDGES[1:] + _EDGES[:-1])
@@ -47,7 +50,7 @@ class Tail:
     """One possible error distribution of unit scale.
 
     ``dof`` (inf: normal), outliers by ``share`` and ``size``, ``fixed``: on either side at that
-    size.
+    size; ``core``: scale about each place, below 1 for light tails.
     """
 
     prior: float
@@ -55,6 +58,7 @@ class Tail:
     share: float = 0.0
     size: float = 1.0
     fixed: bool = False
+    core: float = 1.0
 
     def log_density(self, z: FloatArray) -> FloatArray:
         """Return the log density of the distribution at ``z``."""
@@ -66,12 +70,17 @@ class Tail:
                 - 0.5 * (self.dof + 1.0) * np.log1p(z**2 / self.dof)
             )
             return heavy
-        usual = -0.5 * z**2 - 0.5 * log(2.0 * pi)
-        if self.share == 0.0:
-            return usual
-        parts = np.stack([usual + log(1.0 - self.share), *self.log_outlier(z)])
-        together: FloatArray = np.logaddexp.reduce(parts, axis=0)
+        together: FloatArray = np.logaddexp.reduce(self.log_parts(z), axis=0)
         return together
+
+    def log_parts(self, z: FloatArray) -> FloatArray:
+        """Return log share and density at ``z`` (...) of a reading that is off to the lower side,
+        to the upper side, and not at all (3, ...).
+        """
+        usual = -0.5 * (z / self.core) ** 2 - 0.5 * log(2.0 * pi) - log(self.core)
+        rest = log(1.0 - self.share) if self.share < 1.0 else -inf
+        off = self.log_outlier(z) if self.share > 0.0 else np.full((2, *z.shape), -inf)
+        return np.concatenate([off, usual[np.newaxis] + rest])
 
     def log_outlier(self, z: FloatArray) -> FloatArray:
         """Return the log probability that ``z`` (...) is an outlier on the lower and on the upper
@@ -93,6 +102,8 @@ class Tail:
     @property
     def scale(self) -> float:
         """The scale of an outlier about its centre."""
+        if self.core < 1.0:
+            return self.core
         return float(np.hypot(1.0, _FIXED_SPREAD * self.size)) if self.fixed else self.size
 
 
@@ -118,7 +129,17 @@ def _tails() -> tuple[Tail, ...]:
             for share in _SHARES
             for size in _GROSS_SIZES
         ),
+        *_light(),
     )
+
+
+def _light() -> Iterator[Tail]:
+    """Yield the light tails with equal prior probabilities."""
+    count = sum(map(len, _RESTS.values()))
+    for share, variances in _RESTS.items():
+        for variance in variances:
+            size, core = np.sqrt([variance / share, 1.0 - variance]).tolist()
+            yield Tail(_LIGHT / count, share=share, size=size, fixed=True, core=core)
 
 
 TAILS: Final = _tails()
@@ -126,11 +147,19 @@ _TABLE: Final = np.stack([tail.log_density(_MIDDLES) for tail in TAILS])
 _LOG_PRIOR: Final = np.log([tail.prior for tail in TAILS])
 #: How far the errors of each reach.
 REACH: Final = np.array([tail.reach for tail in TAILS])
-NORMAL, STUDENT, OUTLIERS = range(3)
+NORMAL, STUDENT, OUTLIERS, LIGHT = range(4)
+
+
+def _kind(tail: Tail) -> int:
+    if np.isfinite(tail.dof):
+        return STUDENT
+    if tail.share == 0.0:
+        return NORMAL
+    return LIGHT if tail.core < 1.0 else OUTLIERS
+
+
 #: Which of them each member is.
-KINDS: Final = np.array(
-    [STUDENT if np.isfinite(t.dof) else OUTLIERS if t.share > 0.0 else NORMAL for t in TAILS]
-)
+KINDS: Final = np.array([_kind(tail) for tail in TAILS])
 
 
 @dataclass(frozen=True, slots=True)
@@ -176,10 +205,10 @@ def draw_latent(tail: Tail, z: FloatArray, rng: np.random.Generator) -> Latent:
         return Latent(drawn / (0.5 * (tail.dof + z**2)), nothing, never)
     if tail.share == 0.0:
         return Latent(np.ones(z.shape), nothing, never)
-    usual = log(1.0 - tail.share) - 0.5 * z**2 - 0.5 * log(2.0 * pi)
-    logs = np.concatenate([tail.log_outlier(z), usual[np.newaxis]])
+    logs = tail.log_parts(z)
     lower, upper, none = np.exp(logs - np.max(logs, axis=0))
     chance = rng.random(z.shape) * (none + lower + upper)
-    below, outlier = chance < lower, chance < lower + upper
-    shift = np.where(outlier, np.where(below, -tail.size, tail.size), 0.0) * tail.fixed
-    return Latent(np.where(outlier, tail.scale**-2.0, 1.0), shift, outlier)
+    below, off = chance < lower, chance < lower + upper
+    shift = np.where(off, np.where(below, -tail.size, tail.size), 0.0) * tail.fixed
+    weights = np.where(off, tail.scale**-2.0, tail.core**-2.0)
+    return Latent(weights, shift, off if tail.core == 1.0 else never)

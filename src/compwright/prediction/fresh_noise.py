@@ -195,6 +195,7 @@ def _errors(
         errors[heavy] /= np.sqrt(rng.chisquare(dof, (heavy.size, *shape[1:])) / dof)
     spoilt = np.flatnonzero(draws.outlier_share > 0.0)
     if spoilt.size:
+        errors[spoilt] *= draws.core[spoilt, np.newaxis, np.newaxis]
         share = draws.outlier_share[spoilt, np.newaxis, np.newaxis]
         size = draws.taken(spoilt).outlier_size_at(scale[spoilt], way)[:, :, np.newaxis]
         fixed = draws.outlier_fixed[spoilt, np.newaxis, np.newaxis]

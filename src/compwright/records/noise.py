@@ -35,7 +35,9 @@ class NoiseDraws:
     ``sigma`` (count, 2), for approaches in + and -: log s(u) = log sigma + `waves` times ``growth``
     (count, w). e is standard normal, or follows Student's law with ``dof`` degrees of freedom (inf:
     normal); of a share ``outlier_share`` of all readings it has the scale ``outlier_size`` instead,
-    or, where ``outlier_fixed``, lies on either side by ``outlier_size`` in addition. ``offset`` and
+    or, where ``outlier_fixed``, lies on either side by ``outlier_size`` in addition. Where the axis
+    comes to rest on few places, tails are light: most readings lie so on either side, and e has the
+    standard deviation ``core``. ``offset`` and
     ``tilt``: standard deviations of offset_jd and tilt_jd, drawn afresh for every test, by
     ``pattern`` (`INDEPENDENT`, `RUNS`, `WALK`: then those of one step; `WAVE`: ``offset`` is that
     of the wave, whose correlation time is ``pace`` of the test, ``tilt`` each traverse's own in
@@ -54,6 +56,7 @@ class NoiseDraws:
     outlier_share: FloatArray
     outlier_size: FloatArray
     outlier_fixed: BoolArray
+    core: FloatArray
     pattern: IndexArray
     pace: FloatArray
     moved: FloatArray
@@ -85,7 +88,7 @@ class NoiseDraws:
         least = np.min(self.scale_at(ends)[:, way], axis=1)
         largest = np.maximum(self.outlier_size * least, self.farthest)[:, np.newaxis]
         size = np.broadcast_to(self.outlier_size[:, np.newaxis], scale.shape)
-        allowed = np.maximum(largest / np.maximum(scale, _TINY), 1.0)
+        allowed = np.maximum(largest / np.maximum(scale, _TINY), np.minimum(size, 1.0))
         return np.where(size * scale > largest, allowed, size)
 
     def scale_at(self, positions: FloatArray) -> FloatArray:
@@ -124,6 +127,7 @@ def normal_noise(sigma: FloatArray, centre: float = 0.0, half: float = 1.0) -> N
         outlier_share=nothing,
         outlier_size=np.ones(sigma.shape),
         outlier_fixed=np.zeros(sigma.shape, dtype=np.bool_),
+        core=np.ones(sigma.shape),
         pattern=np.zeros(sigma.shape, dtype=np.intp),
         pace=np.ones(sigma.shape),
         moved=np.ones(sigma.shape),
@@ -145,7 +149,10 @@ def without(draws: NoiseDraws, *parts: NoisePart) -> NoiseDraws:
     nothing = np.zeros(draws.count)
     changes: dict[NoisePart, dict[str, Any]] = {
         "scatter": {"sigma": np.zeros_like(draws.sigma)},
-        "tails": {"dof": np.full(draws.count, np.inf), "outlier_share": nothing},
+        "tails": {
+            "dof": np.full(draws.count, np.inf),
+            "outlier_share": np.where(draws.core < 1.0, draws.outlier_share, 0.0),
+        },
         "growth": {"growth": np.zeros_like(draws.growth)},
         "traverses": {"offset": nothing, "tilt": nothing},
         "drift": {"drift": nothing, "drift_tilt": nothing},

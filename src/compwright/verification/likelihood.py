@@ -174,8 +174,9 @@ def _as_before(
     # Student's law has the variance dof / (dof - 2); below three degrees that of three is taken
     dof = np.maximum(taken.dof, 3.0)
     tails = np.divide(dof, dof - 2.0, out=np.ones_like(dof), where=np.isfinite(dof))
-    far = taken.outlier_size**2 + taken.outlier_fixed  # in squares of the scale, on a side or about
-    tails = tails + taken.outlier_share * np.maximum(far - 1.0, 0.0)
+    core = taken.core**2
+    far = taken.outlier_size**2 - np.where(taken.outlier_fixed, 0.0, core)
+    tails = tails + core - 1.0 + taken.outlier_share * far
     scale = np.maximum(taken.scale_at(test.targets), floor)
     variance = scale**2 * tails[:, np.newaxis, np.newaxis]
     signs = np.repeat([1.0, -1.0], m)

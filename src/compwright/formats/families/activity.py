@@ -8,11 +8,18 @@ leadscrew table of its axis was on: one answer never covers two mechanisms.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Final
 
 from compwright.formats.text.gathering import FoundValue
 from compwright.formats.text.notes import Notes
 from compwright.foundations.errors import Fault
 from compwright.words.sentences import control_text
+
+#: Next step where the files show an active table that was not active in a test.
+IDLE_TEST: Final = (
+    "If nothing was active during the test (no restart yet, not homed), add `idle: none` to "
+    "`states` and `measured_in: idle` to the test"
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,13 +61,9 @@ class Activity:
                         ),
                         file=place.occurrence.file if place is not None else "",
                         place=place.occurrence.place if place is not None else "",
-                        expected="no key `active`, or the files as they were during the test",
+                        expected="no key `active`",
                         found=place.text if place is not None else "",
-                        hint=(
-                            "leave out `active` in this state, or give the files as they "
-                            "were during "
-                            "the test"
-                        ),
+                        hint=f"leave out `active` in this state. {IDLE_TEST}",
                     )
                 )
             return True
