@@ -687,7 +687,8 @@ def test_the_card_has_every_number_and_a_box_for_every_step() -> None:
     head, rows = table_with(page, "Expected deviation")
     assert head[:3] == ["Position mm", "Approach", "Control adds µm"]
     assert rows[1] == ["−50.5", "−", "−3", "", "−0.62", "8 µm either way", ""]
-    _, rows = table_with(page, "Moves by")
+    head, rows = table_with(page, "Moves by")
+    assert head == ["", "Name", "Position mm", "Moves by µm"]
     assert rows == [["", "tool change", "−20.0", "+1.20"]]
     ticks = [element for element in tree(page).iter("span") if element.get("class") == "tick"]
     # 1 unconfirmed, 4 steps and the 2 lines or rows of two of them, 1 number of points, 4 values, 1
@@ -699,12 +700,17 @@ def test_the_card_has_every_number_and_a_box_for_every_step() -> None:
     assert "Y: 3620 = 40, 3624 = 25." in words
     assert "‹" not in words
     assert "at least 18 points" in words
+    changes = {"entries": [{"entry": "N1851", "old": "4", "new": "-2"}], "untouched": 3}
+    _, rows = table_with(card_html({**sample_card(), "changes": changes}), "Entry")
+    assert rows == [["N1851", "4", "-2"]]
 
 
 def test_the_card_as_text_says_the_same() -> None:
     card = sample_card()
     lines_ = card_markdown(card).splitlines()
     assert lines_[0] == "# Commissioning card: VMC 850"
+    heads = [re.split(r" *\| *", line) for line in lines_ if line.startswith("| Position")]
+    assert [head[1:4] for head in heads] == [["Position (mm)", "Approach", "Control adds (µm)"]]
     assert "- [ ] **Load the pitch error file** **(unconfirmed)**" in lines_
     assert any(
         re.fullmatch(r"\| −50\.5 +\| − +\| −3 +\| +\| −0\.62 +\| 8 µm either way +\| +\|", line)
