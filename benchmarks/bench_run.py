@@ -15,7 +15,7 @@ from measure import COMPWRIGHT, NUMPY, in_turn, once, spread, two_processors
 RUNS = 5
 #: Axis -> travel, slope, amplitude of the smooth error, reversal, noise (µm) and targets of the
 #: virtual machine; keys of the job.
-AXES = {
+AXES: dict[str, tuple[str, float, float, float, float, int, str]] = {
     "X": ("[0, 850]", 22, 5, -5, 0.5, 18, "screw_pitch: 10, "),
     "Y": ("[-500, 0]", -31, 3, -3, 0.4, 11, ""),
     "Z": ("[-510, 0]", 14, 4, -7, 0.6, 11, ""),
@@ -28,7 +28,11 @@ CONTROLS = {
 MANY = {f"U{number}": AXES["XYZ"[number % 3]] for number in range(1, 21)}
 
 
-def prepare(folder: Path, format_id: str, axes: Mapping[str, tuple[object, ...]] = AXES) -> Path:
+def prepare(
+    folder: Path,
+    format_id: str,
+    axes: Mapping[str, tuple[str, float, float, float, float, int, str]] = AXES,
+) -> Path:
     """Write a job of simulated axes into ``folder`` and return it."""
     folder.mkdir()
     machine = [f"virtual_machine: 1\ncontroller: {{format: {format_id}}}\naxes:"]

@@ -345,8 +345,14 @@ def test_each_number_of_an_evaluation_is_that_of_the_json_with_its_unit() -> Non
         equal(row[3:], [one["position"], one["value"]])
     contributed = result["budget"]["contributions"]
     units = ["µm", "mm", "K", "µm/(m K)", "µm", "µm"]
-    heads = ("Value given", "Distribution", "Sensitivity", f"Contribution u {MICRONS}", "Remark")
-    rows = table_with(page, *heads)
+    budget_heads = (
+        "Value given",
+        "Distribution",
+        "Sensitivity",
+        f"Contribution u {MICRONS}",
+        "Remark",
+    )
+    rows = table_with(page, *budget_heads)
     for row, one, unit in zip(rows[:-2], contributed, units, strict=True):
         equal(
             [row[1].split()[0], *row[3:5]], [one["given"], one["sensitivity"], one["standard"]], 3
@@ -361,8 +367,8 @@ def test_each_number_of_an_evaluation_is_that_of_the_json_with_its_unit() -> Non
         equal(row, [target[key] for key in keys])
     every = every_table(page)
     for sign, key in (("+", "deviations_positive"), ("−", "deviations_negative")):
-        heads = ["Position mm", *(f"{sign}{run} {MICRONS}" for run in range(1, 6))]
-        as_measured, reduced = [rows for has, rows in every if has == heads]
+        runs = ["Position mm", *(f"{sign}{run} {MICRONS}" for run in range(1, 6))]
+        as_measured, reduced = [rows for has, rows in every if has == runs]
         for row, less, target in zip(as_measured, reduced, result["targets"], strict=True):
             place = target["position"]
             equal(row, [place, *(one + place / 100 for one in target[key])], 8)
@@ -460,7 +466,7 @@ def test_each_number_of_a_verification_is_that_of_the_json_with_its_unit() -> No
 
 
 def test_each_number_of_a_circle_and_its_machine_is_that_of_the_json_with_its_unit() -> None:
-    causes = {
+    causes: dict[str, dict[str, dict[str, Any]]] = {
         "squareness": {"XY": {"value": -21.3, "std_error": 0.7, "unit": "um/m"}},
         "backlash": {"X": {"value": 3.41, "std_error": 0.28, "unit": "um"}},
         "scale_error": {"Y": {"value": 5.1, "std_error": 3.3, "unit": "um/m"}},

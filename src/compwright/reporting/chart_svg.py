@@ -315,7 +315,7 @@ def _words(chart: Chart, x: _Scale, y: _Scale, *, named: bool) -> Iterator[str]:
     yield _word((x.first + x.last) / 2, y.first + 23.0, chart.x_label, size=_TEXT, anchor="middle")
     if named:
         # A name longer than its panel begins at the edge of the picture.
-        middle = max((y.first + y.last) / 2, len(chart.y_label) * _LETTER * _TEXT / 2)
+        middle = max((y.first + y.last) / 2, len(str(chart.y_label)) * _LETTER * _TEXT / 2)
         turned = f' transform="rotate(-90 9 {middle:g})"'
         yield _word(9.0, middle, chart.y_label, size=_TEXT, anchor="middle", more=turned)
 
