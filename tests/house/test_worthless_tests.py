@@ -27,8 +27,8 @@ JOB = """compwright: 1
 controller: {format: linuxcnc}
 states: {as_found: none}
 axes:
-  X: {travel: [0, 800], address: 0, before: [x.csv], table: {spacing: 200}, accept: {A: 60}}
-  Y: {travel: [0, 800], address: 1, before: [y.csv], table: {spacing: 200}}
+  X: {travel: [0, 800], address: 0, before: [x.csv], table: {spacing: 400}, accept: {A: 60}}
+  Y: {travel: [0, 800], address: 1, before: [y.csv], table: {spacing: 400}}
 """
 
 
