@@ -102,6 +102,7 @@ def _shape_findings(test: CircularTest, solution: Solution) -> Iterator[Finding]
             depth
             for spike in solution.draws.spikes
             if spike.reversal.axis == axis
+            and spike.reversal.inside
             and (depth := float(np.mean(spike.depths)))
             > _CLEAR * float(np.hypot(np.std(np.mean(spike.depths, axis=1)), spike.least_error))
         ]

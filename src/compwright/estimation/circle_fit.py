@@ -19,6 +19,7 @@ from compwright.estimation.circle_centre import recentre
 from compwright.estimation.circle_model import (
     AXES,
     ENDS,
+    REVERSAL_MARGIN,
     UM,
     CauseColumn,
     CircleSamples,
@@ -38,10 +39,11 @@ from compwright.estimation.circle_noise import (
 from compwright.records.axis import FloatArray
 
 #: Shortest length of a reversal spike in samples and in seconds, longest as a share of the radius,
-#: and the ratio of two lengths.
+#: the lengths after which nothing is left of it, and the ratio of two lengths.
 _SHORTEST: Final = 0.3
 _QUICKEST: Final = 0.004
 _LONGEST: Final = 0.25
+_LASTING: Final = 3.0
 _RATIO: Final = 1.3
 #: Lost motion that is taken up while the axis stands still, um: least and most, and the ratio of
 #: two lengths.
@@ -55,6 +57,7 @@ _SEEN: Final = 0.6
 class Reversal:
     """The reversal point of an axis at one end of its travel, and the columns of its spikes.
 
+    ``inside``: the arc contains the point; else only the tail of its spike is in the arc.
     ``shapes`` (m,): what they are, spikes before take-ups; ``alike`` (m,) and ``unlike`` (m,):
     indices of the columns that have the same sign in both directions, and of those that change it
     (none with one direction).
@@ -62,6 +65,7 @@ class Reversal:
 
     axis: str
     end: str
+    inside: bool
     shapes: tuple[SpikeShape | TakeUp, ...]
     alike: IndexArray
     unlike: IndexArray
@@ -206,25 +210,52 @@ def _reversals(
     ]
     shapes: tuple[SpikeShape | TakeUp, ...] = (*spikes, *_take_ups(samples.radius, spacing))
     places = [
-        (axis, end)
+        (axis, end, inside, lasting)
         for axis in AXES
-        for end, inside in zip(ENDS, samples.reversals(axis), strict=True)
-        if inside
+        for end, inside, lasting in zip(
+            ENDS, samples.reversals(axis), _lasting(samples, axis), strict=True
+        )
+        if inside or lasting
     ]
-    columns = [spike_column(samples, *place, shape) for place in places for shape in shapes]
+    columns = [
+        spike_column(samples, axis, end, shape) for axis, end, *_ in places for shape in shapes
+    ]
     alike = first + np.arange(len(columns)).reshape(len(places), len(shapes))
     unlike = alike + len(columns)
     found = tuple(
         Reversal(
             axis=axis,
             end=end,
+            inside=inside,
             shapes=shapes,
             alike=alike[index],
-            unlike=unlike[index] if samples.both_senses else np.empty(0, dtype=np.intp),
+            unlike=(
+                unlike[index]
+                if samples.both_senses and (inside or lasting == 2)
+                else np.empty(0, dtype=np.intp)
+            ),
         )
-        for index, (axis, end) in enumerate(places)
+        for index, (axis, end, inside, lasting) in enumerate(places)
     )
     return found, columns
+
+
+def _lasting(samples: CircleSamples, axis: str) -> list[int]:
+    """Return for each reversal point of an axis, positive and negative, how many directions enter
+    the arc so soon after it that its spike may last into the arc: the path begins before the arc.
+    """
+    if samples.arc[1] >= 2.0 * np.pi - 1e-9:
+        return [0, 0]
+    start = 0.0 if axis == "first" else 0.5 * np.pi
+    counts = []
+    for point in (start, start + np.pi):
+        since = [
+            sense * (samples.arc[0] + (0.0 if sense > 0.0 else samples.arc[1]) - point)
+            for sense in np.unique(samples.sense)
+        ]
+        after = np.mod(np.add(since, REVERSAL_MARGIN), 2.0 * np.pi) - REVERSAL_MARGIN
+        counts.append(int(np.sum(after < _LASTING * _LONGEST)))
+    return counts
 
 
 def _take_ups(radius: float, spacing: float) -> list[TakeUp]:

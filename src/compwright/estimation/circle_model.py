@@ -74,6 +74,8 @@ _MOST_FADING: Final = 0.3
 #: Closer to its reversal point (rad) the direction of an axis is a matter of rounding; such a
 #: sample tells nothing.
 _AT_REVERSAL: Final = 1e-6
+#: Arc, rad, on both sides of a reversal point that shows a step.
+REVERSAL_MARGIN: Final = np.radians(2.0)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -106,10 +108,12 @@ class CircleSamples:
         negative end.
         """
         at = (0.0, np.pi) if axis == "first" else (0.5 * np.pi, 1.5 * np.pi)
-        margin = np.radians(2.0)  # so much arc on both sides shows a step
         whole = self.arc[1] >= 2.0 * np.pi - 1e-9
         inside = [
-            whole or margin <= (point - self.arc[0]) % (2.0 * np.pi) <= self.arc[1] - margin
+            whole
+            or REVERSAL_MARGIN
+            <= (point - self.arc[0]) % (2.0 * np.pi)
+            <= self.arc[1] - REVERSAL_MARGIN
             for point in at
         ]
         return inside[0], inside[1]

@@ -297,7 +297,11 @@ def _spikes(solution: Solution, axis: str) -> Iterator[_ReportedCause]:
     """Yield the reversal spike of an axis (mean of its ends), then the spike of each end. If the
     directions probably differ, each direction follows.
     """
-    found = [spike for spike in solution.draws.spikes if spike.reversal.axis == axis]
+    found = [
+        spike
+        for spike in solution.draws.spikes
+        if spike.reversal.axis == axis and spike.reversal.inside
+    ]
     if not found:
         return
     ends = [_spike(solution, spike) for spike in found]
