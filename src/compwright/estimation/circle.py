@@ -304,6 +304,11 @@ class _CircleStart:
     shapes: SpikeShapes
     fitted: CircleFit
 
+    @property
+    def evidence(self) -> float:
+        """The logarithm of the probability of shapes and readings."""
+        return fit_evidence(self.fitted, self.shapes.precision) + self.shapes.log_prior
+
 
 def _start_fit(samples: CircleSamples, grid: AngleGrid) -> tuple[_CircleStart, Lag | None]:
     """Return the first fit of a circular test. It includes a common lag of both axes if a lag
@@ -312,24 +317,28 @@ def _start_fit(samples: CircleSamples, grid: AngleGrid) -> tuple[_CircleStart, L
     Lost motion that is taken up while an axis stands still looks like a lag next to the reversal
     points: the evidence of the whole model decides.
     """
-
-    def started(of: CircleSamples) -> _CircleStart:
-        problem = circle_problem(of, grid)
-        shapes = SpikeShapes(problem)
-        return _CircleStart(
-            problem, shapes, _fit_with_noise(problem, shapes, white_spectra(problem))
-        )
-
-    without = started(with_undetected_lag(samples))
+    without = _likeliest(circle_problem(with_undetected_lag(samples), grid))
     lag = common_lag(samples)
     if lag is None:
         return without, None
-    late = started(at_actual_angles(samples, lag))
-    better, worse = (
-        fit_evidence(each.fitted, each.shapes.precision) + each.shapes.log_prior
-        for each in (late, without)
+    late = _likeliest(circle_problem(at_actual_angles(samples, lag), grid))
+    return (late, lag) if late.evidence > without.evidence else (without, None)
+
+
+def _likeliest(problem: CircleProblem, *starts: _CircleStart) -> _CircleStart:
+    """Return the likeliest of the fits that start from several levels of white noise, and from the
+    shapes and noise of ``starts``.
+
+    Shapes that are changed one at a time end in the nearest optimum. Noise may take the place of a
+    spike, or a spike the place of noise.
+    """
+    every = [(start.shapes, start.fitted.spectra) for start in starts]
+    every += [(SpikeShapes(problem), spectra) for spectra in white_spectra(problem)]
+    fits = (
+        _CircleStart(problem, shapes, _fit_with_noise(problem, shapes, spectra))
+        for shapes, spectra in every
     )
-    return (late, lag) if better > worse else (without, None)
+    return max(fits, key=lambda each: each.evidence)
 
 
 def _solution(start: _CircleStart, given: dict[str, float]) -> Solution:
@@ -337,20 +346,22 @@ def _solution(start: _CircleStart, given: dict[str, float]) -> Solution:
     vibration.
     """
     frequencies = dict(given)
-    problem, shapes, fitted = start.problem, start.shapes, start.fitted
     for axis, frequency in given.items():
-        problem, _ = _fit_cyclic(problem, shapes, fitted, axis, frequency, known=True)
+        problem, _ = _fit_cyclic(start, axis, frequency, known=True)
+        start = replace(start, problem=problem)
     if given:
-        fitted = _fit_with_noise(problem, shapes, fitted.spectra)
-    found = search_cyclic(problem, fitted, [axis for axis in AXES if axis not in frequencies])
+        start = _likeliest(start.problem, start)
+    open_axes = [axis for axis in AXES if axis not in frequencies]
+    found = search_cyclic(start.problem, start.fitted, open_axes)
     while found.found:
         for axis, frequency in found.found.items():
-            problem, frequencies[axis] = _fit_cyclic(problem, shapes, fitted, axis, frequency)
-        fitted = _fit_with_noise(problem, shapes, fitted.spectra)
+            problem, frequencies[axis] = _fit_cyclic(start, axis, frequency)
+            start = _likeliest(problem, start)
         open_axes = [axis for axis in AXES if axis not in frequencies]
         if not open_axes:
             break
-        found = search_cyclic(problem, fitted, open_axes)
+        found = search_cyclic(start.problem, start.fitted, open_axes)
+    problem, shapes, fitted = start.problem, start.shapes, start.fitted
     problem, fitted, waves = _add_vibration(problem, shapes, fitted)
     draws = draw_shapes(
         WeightedProblem(problem, fitted.spectra), shapes, np.random.default_rng(problem.target.size)
@@ -389,19 +400,14 @@ def _fit_with_noise(
 
 
 def _fit_cyclic(
-    problem: CircleProblem,
-    shapes: SpikeShapes,
-    fitted: CircleFit,
-    axis: str,
-    frequency: float,
-    *,
-    known: bool = False,
+    start: _CircleStart, axis: str, frequency: float, *, known: bool = False
 ) -> tuple[CircleProblem, float]:
     """Return the problem with a cyclic error of an axis added. Its ``frequency``, 1/mm, is fitted
     unless it is ``known``.
 
     It is fitted together with the delay of the axis (Gauss-Newton: Seber and Wild 1989, chapter 2).
     """
+    problem, shapes, spectra = start.problem, start.shapes, start.fitted.spectra
     samples, amplitudes, late = problem.samples, (0.0, 0.0), 0.0
     without = f"_frequency_{axis}" if known else ""
     for step in range(_TUNING_ROUNDS):
@@ -410,7 +416,7 @@ def _fit_cyclic(
         problem = problem.with_columns([c for c in fixed if c.name != without])
         shapes.adopt(problem)
         active = shapes.active()
-        weighted = WeightedProblem(problem, fitted.spectra, active)
+        weighted = WeightedProblem(problem, spectra, active)
         values = fit_causes(weighted, active, shapes.precision).values
         found = dict(zip(active.tolist(), values.tolist(), strict=True))
         value = {name: found.get(index, 0.0) for index, name in enumerate(problem.names)}

@@ -9,7 +9,7 @@ would change is below a nanometre.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
@@ -381,11 +381,16 @@ def fit_evidence(found: CircleFit, precision: FloatArray) -> float:
     return float(0.5 * volume - 0.5 * np.sum(prior * found.values**2) - 0.5 * noise)
 
 
-def white_spectra(problem: CircleProblem) -> tuple[ResidualSpectrum, ...]:
-    """Return start spectra: the noise of all samples is independent and equal (1 µm each)."""
-    return tuple(
-        ResidualSpectrum(np.full(problem.grid.size, 1e-6), 1.0) for _ in problem.grid.index
-    )
+def white_spectra(problem: CircleProblem) -> Iterator[tuple[ResidualSpectrum, ...]]:
+    """Yield start spectra: the noise of all samples is independent and equal. 1 µm each, as quiet
+    as the upper half of the orders, and the geometric mean of both.
+    """
+    loud = np.full(len(problem.aims), 1e-6)
+    upper = [aim[aim.size // 2 :] ** 2 for aim in problem.aims]
+    # The median of a chi-square of one degree of freedom is 0.455.
+    quiet = np.clip([np.median(power) / 0.455 for power in upper], 1e-14, 1e-6)
+    for level in (loud, np.sqrt(loud * quiet), quiet):
+        yield tuple(ResidualSpectrum(np.full(problem.grid.size, each), 1.0) for each in level)
 
 
 def residual_spectra(found: CircleFit) -> tuple[ResidualSpectrum, ...]:
