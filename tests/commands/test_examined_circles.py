@@ -93,6 +93,42 @@ def test_squareness_where_the_circle_shows_it(number: int, tmp_path: Path) -> No
     assert answer["diagnosis"] is None or answer["diagnosis"]["squareness"]["value"] is None
 
 
+def test_a_spike_before_the_arc_lasts_into_it(tmp_path: Path) -> None:
+    """The clockwise run enters 3° after its first axis reversed; the spike there decays over 8°."""
+    spikes = both_ends("reversal_spike_first", 8.0)
+    decays = {f"decay_{name}": 0.2 for name in both_ends("first", 0.0)}
+    values = {**quiet(), "squareness": 37.0, **both_ends("backlash_first", 3.0), **spikes, **decays}
+    arc = Circle(values=values, radius=50.0, feed=2000.0, start=119.0, extent=238.0, overshoot=45.0)
+    found = evaluated(replace(arc, samples=1000), np.random.default_rng(3), tmp_path / "a.csv")
+    entry = found["diagnosis"]["squareness"]
+    assert abs(entry["value"] - 37.0) < 4.0 * entry["std_error"]
+    assert entry["std_error"] < 5.0 * arc.bound()["squareness"]
+    assert found["diagnosis"]["reversal_spike_first_at_positive"]["value"] is None
+
+
+def test_causes_that_a_test_cannot_have_are_null_with_a_reason(tmp_path: Path) -> None:
+    tests = {
+        "whole": Circle(values=quiet(), samples=300),
+        "one_way": Circle(values=quiet(), samples=300, senses=("cw",), calibrated=False),
+        "arc": Circle(values=quiet(), samples=300, start=20.0, extent=100.0),
+    }
+    answers = {}
+    for name, test in tests.items():
+        rng = np.random.default_rng(4)
+        answers[name] = evaluated(test, rng, tmp_path / f"{name}.csv")
+    for answer in answers.values():
+        assert set(answers["whole"]["diagnosis"]) <= set(answer["diagnosis"])
+        for name, entry in answer["diagnosis"].items():
+            assert entry["unit"] == ("ms" if name == "servo_mismatch" else entry["unit"])
+            if entry["value"] is None:
+                assert answer["not_applicable"][name]
+                assert entry["std_error"] is None or entry["std_error"] > 0.0
+            else:
+                assert entry["std_error"] > 0.0
+    absent = {name for name, e in answers["one_way"]["diagnosis"].items() if e["value"] is None}
+    assert absent >= {"radius_change", "offset_change_first", "scale_error_second"}
+
+
 def test_several_circles_show_one_machine(tmp_path: Path) -> None:
     """Two feeds tell scale and position loop apart; a circle of another squareness is named, and
     one that states another machine is left out.

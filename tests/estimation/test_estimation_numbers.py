@@ -207,7 +207,9 @@ def test_a_cyclic_error_is_found_from_the_false_alarm_threshold_on(
     always = np.arange(len(problem.names))
     searched = search_cyclic(
         problem,
-        fit_causes(WeightedProblem(problem, next(white_spectra(problem))), always, problem.widths**-2.0),
+        fit_causes(
+            WeightedProblem(problem, next(white_spectra(problem))), always, problem.widths**-2.0
+        ),
         [axis],
     )
     assert (axis in searched.found) is found

@@ -186,7 +186,8 @@ def _diagnosis(diagnosis: Diagnosis | None) -> dict[str, Any]:
 def _effect(effect: CircularEffect, *, given: bool) -> dict[str, Any]:
     """Return one cause in its own unit. ``low`` only where the value cannot be negative.
 
-    And what else belongs to it. A cause that is not ``given`` keeps its standard error alone.
+    And what else belongs to it. A cause that is not ``given`` keeps its standard error alone, if it
+    has one.
     """
     entry = {
         "value": _number(effect.value) if given else None,
@@ -196,7 +197,7 @@ def _effect(effect: CircularEffect, *, given: bool) -> dict[str, Any]:
         "share": _number(effect.share) if given else None,
     }
     if not given:
-        return {**entry, **dict.fromkeys(effect.more)}
+        return {**entry, "std_error": entry["std_error"] or None, **dict.fromkeys(effect.more)}
     low = {} if effect.low is None else {"low": _number(effect.low)}
     more = {name: None if value is None else _number(value) for name, value in effect.more.items()}
     return {**entry, **low, **more}

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Container
 from typing import Final
 
-from compwright.estimation.circle_model import AXES, CircleSamples
+from compwright.estimation.circle_model import AXES, ENDS, CircleSamples
 from compwright.records.circular import CircularTest
 from compwright.words.sentences import Sentence, say
 
@@ -38,6 +39,20 @@ def undetermined_causes(test: CircularTest, samples: CircleSamples) -> dict[str,
             for cause in (*_BOTH_REVERSE, *(f"{kind}_{axis}" for kind in _AT_REVERSAL)):
                 reasons.setdefault(cause, []).append(say("undetermined.no_reversal", axis=name))
     return {cause: by_full_circle(*why) for cause, why in reasons.items()}
+
+
+def absent_causes(test: CircularTest, given: Container[str]) -> dict[str, Sentence]:
+    """Return the reason for each documented cause that is not among those that are ``given``."""
+    reasons = {"radius_change": say("undetermined.both_directions")}
+    for axis, name in zip(AXES, test.axes, strict=True):
+        reasons[f"offset_change_{axis}"] = say("undetermined.both_directions")
+        reasons[f"scale_error_{axis}"] = say("undetermined.bar")
+        reasons[f"cyclic_{axis}"] = say("undetermined.pitch")
+        missing = by_full_circle(say("undetermined.no_end", axis=name))
+        for kind in ("backlash", "reversal_spike"):
+            for part in ("", *(f"_at_{end}" for end in ENDS)):
+                reasons[f"{kind}_{axis}{part}"] = missing
+    return {cause: reason for cause, reason in reasons.items() if cause not in given}
 
 
 def by_full_circle(*reasons: Sentence) -> Sentence:

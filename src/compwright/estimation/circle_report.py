@@ -20,7 +20,7 @@ from compwright.estimation.circle_model import (
     CircleSamples,
     prior_width,
 )
-from compwright.estimation.circle_path import by_full_circle
+from compwright.estimation.circle_path import absent_causes, by_full_circle
 from compwright.estimation.circle_reversal import INWARD, SpikeDraws
 from compwright.estimation.circle_solution import Solution
 from compwright.estimation.circle_symptoms import (
@@ -94,7 +94,9 @@ def report_effects(
     interval.
     """
     samples = solution.problem.samples
-    causes = tuple(_causes(test, solution))
+    given = tuple(_causes(test, solution))
+    absent = absent_causes(test, {cause.name for cause in given})
+    causes = (*given, *(_stated(solution, *each, detail=True) for each in absent.items()))
     reasons = {
         cause.name: reason
         for cause in causes
@@ -105,7 +107,7 @@ def report_effects(
         [cause.variance for cause in causes]
     )
     shrink = shrink_uncertainty(samples) / samples.radius * 1e6
-    scales = np.array([1.0 if cause.name.startswith("scale_error") else 0.0 for cause in causes])
+    scales = np.array([test.calibrated and cause.name[:11] == "scale_error" for cause in causes])
     covariance += shrink**2 * np.outer(scales, scales)
     errors = np.sqrt(np.maximum(np.diag(covariance), 1e-24))
     ranges = (
@@ -360,7 +362,7 @@ def _spike(
     more = {
         "decay": time * float(np.median(spike.decay)) if likely else None,
         "rise": time * float(np.median(spike.rise)) if likely else None,
-        "raw_peak": raw_peak(solution, axis, end),
+        "raw_peak": raw_peak(solution, axis, end, None if index is None else (1.0, -1.0)[index]),
     }
     columns = solution.problem.spikes[:, spike.reversal.alike - len(solution.problem.names)]
     curve = columns @ np.mean(spike.curve[pick], axis=0)
@@ -388,18 +390,11 @@ def _cyclic(solution: Solution, axis: str) -> Iterator[_ReportedCause]:
     The amplitude is sqrt(a² + b² - σ²), because the root of two squares is too large by the noise
     in them (Gudbjartsson and Patz, Magnetic Resonance in Medicine 34, 1995).
     """
-    count = solution.draws.values.shape[0]
     name = f"cyclic_{axis}"
     if axis not in solution.frequencies:
         if axis in solution.hidden:
-            yield _ReportedCause(
-                name=name,
-                value=0.0,
-                drawn=np.zeros(count),
-                curve=np.zeros_like(solution.problem.samples.theta),
-                positive=True,
-                variance=(0.5 * solution.hidden[axis]) ** 2,
-            )
+            found = 0.0, 0.5 * solution.hidden[axis]
+            yield _stated(solution, name, say("undetermined.pitch"), found, detail=False)
         return
     parts = [f"_cyclic_{part}_{axis}" for part in ("cos", "sin")]
     value, drawn, curve = _amplitude(solution, parts, 1)
@@ -427,25 +422,29 @@ def _amplitude(
     return value, value + drawn, solution.problem.slopes[:, index] @ mean
 
 
+def _stated(
+    solution: Solution,
+    name: str,
+    reason: Sentence,
+    found: tuple[float, float] | None = None,
+    *,
+    detail: bool,
+) -> _ReportedCause:
+    """Return a cause with the value and standard error of ``found``, or the reason of none."""
+    value, error = found or (0.0, 0.0)
+    return _ReportedCause(
+        name=name,
+        value=value,
+        drawn=np.zeros(solution.draws.values.shape[0]),
+        curve=np.zeros_like(solution.problem.samples.theta),
+        detail=detail,
+        positive=True,
+        variance=error**2,
+        reason=None if found else reason,
+    )
+
+
 def _symptoms(test: CircularTest, solution: Solution) -> Iterator[_ReportedCause]:
-    samples = solution.problem.samples
-    none, still = np.zeros(solution.draws.values.shape[0]), np.zeros_like(samples.theta)
-
-    def stated(
-        name: str, found: tuple[float, float] | None, reason: Sentence, *, detail: bool
-    ) -> _ReportedCause:
-        value, error = found or (0.0, 0.0)
-        return _ReportedCause(
-            name=name,
-            value=value,
-            drawn=none,
-            curve=still,
-            detail=detail,
-            positive=True,
-            variance=error**2,
-            reason=None if found else reason,
-        )
-
     yield _vibration(solution)
     for axis, name in zip(AXES, test.axes, strict=True):
         reason = (
@@ -453,14 +452,15 @@ def _symptoms(test: CircularTest, solution: Solution) -> Iterator[_ReportedCause
             if test.full_circle
             else by_full_circle(say("undetermined.few_at_reversal", axis=name))
         )
-        yield stated(f"stick_slip_{axis}", stick_slip(solution, axis), reason, detail=False)
+        found = stick_slip(solution, axis)
+        yield _stated(solution, f"stick_slip_{axis}", reason, found, detail=False)
     for order in (2, 3):
         found = lobes(solution, order) if test.full_circle else None
         reason = by_full_circle(say("undetermined.lobes"))
-        yield stated(f"lobes_{order}", found, reason, detail=True)
+        yield _stated(solution, f"lobes_{order}", reason, found, detail=True)
     found = positional_tolerance(solution, calibrated=test.calibrated) if test.full_circle else None
     reason = by_full_circle(say("undetermined.square"))
-    yield stated("positional_tolerance", found, reason, detail=True)
+    yield _stated(solution, "positional_tolerance", reason, found, detail=True)
 
 
 def _faded(samples: CircleSamples, frequency: float) -> float:

@@ -21,9 +21,10 @@ _OWN_SHAPE: Final = 0.5
 _MOST_DRAWS: Final = 64
 
 
-def raw_peak(solution: Solution, axis: str, end: str) -> float | None:
+def raw_peak(solution: Solution, axis: str, end: str, sense: float | None) -> float | None:
     """Return the highest reading after the reversals of an axis at one end, above the path without
-    spikes, um. The mean of the runs; None without a sample nearby.
+    spikes, um. The mean of the runs, of one ``sense`` (+1 ccw, -1 cw) or of both (None); None
+    without a sample nearby.
     """
     samples = solution.problem.samples
     start = (0.0 if axis == "first" else 0.5 * np.pi) + (0.0 if end == "positive" else np.pi)
@@ -31,7 +32,9 @@ def raw_peak(solution: Solution, axis: str, end: str) -> float | None:
     above = (solution.problem.target - solution.smooth) / UM
     peaks = [
         float(np.max(above[mine]))
-        for number in np.unique(samples.run)
+        for number in np.unique(
+            samples.run if sense is None else samples.run[samples.sense == sense]
+        )
         if np.any(mine := (samples.run == number) & (since < _PEAK))
     ]
     return float(np.mean(peaks)) if peaks else None

@@ -11,6 +11,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from html import escape
+from itertools import count
 from typing import Final
 
 from compwright.foundations.utf8 import visible
@@ -93,7 +94,9 @@ class Drawing:
         more = max(map(len, columns), default=0) - 2
         below = _BELOW + _LEGEND_ROW * max(more, 0) if columns else _NO_LEGEND
         bottom = self.height - below
-        rows, decimals = _ticks(*up, int((bottom - head) / _ROW), _STEPS)
+        fitting = count(int((bottom - head) / _ROW))
+        every = (_ticks(*up, most, _STEPS) for most in fitting)
+        rows, decimals = next(ticks for ticks in every if len(ticks[0]) > 1)  # one has no scale
         numbers = [_written(value, decimals, language) for value in rows]
         left = _LABEL_WIDTH + _DIGIT * max(map(len, numbers), default=0)
         each = (_WIDTH - left - _EDGE - _GAP * (len(charts) - 1)) / len(charts)

@@ -16,8 +16,8 @@ from rich.table import Table
 
 from compwright.reporting.causes import (
     CircleCause,
-    cause_words,
     findings_in_words,
+    full_cause_words,
     machine_title,
     ranked_causes,
 )
@@ -153,7 +153,7 @@ def _listed(names: Sequence[str], result: Mapping[str, Any]) -> str:
 
 def _shortened(name: str, causes: Container[str], axes: Sequence[str]) -> str:
     if name in causes:
-        return str(cause_words(name, axes))
+        return str(full_cause_words(name, axes))
     return "G (both)" if "_bi" in name else name.partition("_")[0] + _way(name)
 
 

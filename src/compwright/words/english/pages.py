@@ -235,8 +235,12 @@ SENTENCES: Final[dict[str, str]] = {
     "report.sign_measured": "Measured by",
     "report.sign_place": "Place, date",
     "report.signs": (
-        "Deviation: measured minus target. Approach +: in the positive machine direction. B is the"
-        " mean at + minus the mean at −."
+        "Deviation: measured minus target. Approach +: in the positive machine direction. Reversal"
+        " error at a target: mean at + minus mean at −; B is its largest absolute value."
+    ),
+    "report.signs_circle": (
+        "Circle: deviation is measured minus nominal radius. Lost motion above zero: the axis lags"
+        " its direction. Squareness above zero: the angle between the positive axes is above 90°."
     ),
     "report.statistics": "Means, standard deviations and repeatability at {count} target positions",
     "report.test": "Test {name}",

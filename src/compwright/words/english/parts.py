@@ -45,6 +45,13 @@ SENTENCES: Final[dict[str, str]] = {
     "reading_off": "{traverse} at {target} (deviates by {off})",
     "scale_by": "{axis}: scale {scale} by {tests:join|; }",
     "traverse": "run {run} in {direction}",
+    "undetermined.bar": (
+        "the length of the bar was not calibrated: give a calibrated length, or measure the"
+        " axis with a laser"
+    ),
+    "undetermined.both_directions": (
+        "the value compares both directions: measure a full circle in both directions"
+    ),
     "undetermined.causes": (
         "{circle}: its causes cannot be determined from {samples} samples over {arc:g}° in"
         " {directions:plural|one direction|both directions}"
@@ -56,12 +63,16 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "undetermined.full_circle": "{reasons:join|; }: measure a full circle in both directions",
     "undetermined.lobes": "only a full circle shows lobes",
+    "undetermined.no_end": "this reversal point of {axis} is not in the arc",
     "undetermined.no_reversal": "{axis} does not reverse inside the arc",
     "undetermined.of_circle": "{circle}: {reason}",
     "undetermined.one_direction": (
         "one direction alone cannot separate this cause from lag and lost motion"
     ),
     "undetermined.one_reversal": "the arc holds one reversal point of the axis only",
+    "undetermined.pitch": (
+        "the samples are too far apart to show a pitch: sample faster or lower the feed"
+    ),
     "undetermined.prior": (
         "{value:+3sig} ± {error:2sig} {unit} is too uncertain: the samples add little to the"
         " range that is usual on machines (±{width:g}, standard deviation)"

@@ -261,6 +261,11 @@ SENTENCES: Final[dict[str, str]] = {
         " machine. Erreur de réversibilité à un point visé : moyenne à + moins moyenne à − ; B en"
         " est la plus grande valeur absolue."
     ),
+    "report.signs_circle": (
+        "Cercle : l'écart est le rayon mesuré moins le rayon nominal. Jeu positif : l'axe reste en"
+        " retard sur son sens. Perpendicularité positive : l'angle entre les axes positifs dépasse"
+        " 90°."
+    ),
     "report.statistics": (
         "Moyennes, écarts-types et répétabilité en {count} {count:plural|point visé|points visés}"
     ),

@@ -46,6 +46,13 @@ SENTENCES: Final[dict[str, str]] = {
     "reading_off": "{traverse} à {target} (écart {off})",
     "scale_by": "{axis} : échelle {scale} d'après {tests:join|; }",
     "traverse": "parcours {run} dans le sens {direction}",
+    "undetermined.bar": (
+        "la longueur de la barre n'a pas été étalonnée : donner une longueur étalonnée, ou"
+        " mesurer l'axe au laser"
+    ),
+    "undetermined.both_directions": (
+        "la valeur compare les deux sens : mesurer un cercle entier dans les deux sens"
+    ),
     "undetermined.causes": (
         "{circle} : ses causes ne peuvent être déterminées à partir de {samples} points de mesure"
         " sur {arc:g}° dans {directions:plural|un sens|les deux sens}"
@@ -60,10 +67,15 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "undetermined.full_circle": "{reasons:join|; } : mesurer un cercle entier dans les deux sens",
     "undetermined.lobes": "les lobes appartiennent à un cercle fermé",
+    "undetermined.no_end": "ce point d'inversion de {axis} n'est pas dans l'arc",
     "undetermined.no_reversal": "{axis} ne s'inverse pas dans l'arc",
     "undetermined.of_circle": "{circle} : {reason}",
     "undetermined.one_direction": "un seul sens ne peut séparer cette cause du retard et du jeu",
     "undetermined.one_reversal": "l'arc ne contient qu'un point d'inversion de l'axe",
+    "undetermined.pitch": (
+        "les points de mesure sont trop espacés pour montrer une période : échantillonner plus"
+        " vite ou réduire l'avance"
+    ),
     "undetermined.prior": (
         "{value:+3sig} ± {error:2sig} {unit} est trop incertain : les points de mesure ajoutent"
         " peu à la plage usuelle sur les machines (±{width:g}, écart-type)"

@@ -252,6 +252,11 @@ SENTENCES: Final[dict[str, str]] = {
         " Maschinenrichtung. Umkehrspanne an einer Zielposition: Mittel bei + minus Mittel bei −; B"
         " ist ihr größter Betrag."
     ),
+    "report.signs_circle": (
+        "Kreis: Abweichung ist gemessener minus Nennradius. Umkehrspiel über null: Die Achse bleibt"
+        " hinter ihrer Richtung zurück. Rechtwinkligkeit über null: Der Winkel zwischen den"
+        " positiven Achsen ist größer als 90°."
+    ),
     "report.statistics": (
         "Mittelwerte, Standardabweichungen und Wiederholpräzision an {count}"
         " {count:plural|Zielposition|Zielpositionen}"

@@ -46,6 +46,13 @@ SENTENCES: Final[dict[str, str]] = {
     "reading_off": "{traverse} bei {target} (Abweichung {off})",
     "scale_by": "{axis}: Maßstab {scale} nach {tests:join|; }",
     "traverse": "Lauf {run} in {direction}",
+    "undetermined.bar": (
+        "die Länge des Kreisformmessgeräts wurde nicht kalibriert: eine kalibrierte Länge"
+        " angeben, oder die Achse mit einem Laser messen"
+    ),
+    "undetermined.both_directions": (
+        "der Wert vergleicht beide Richtungen: einen vollen Kreis in beiden Richtungen messen"
+    ),
     "undetermined.causes": (
         "{circle}: Die Ursachen sind aus {samples} Messpunkten über {arc:g}° in"
         " {directions:plural|einer Richtung|beiden Richtungen} nicht bestimmbar"
@@ -59,12 +66,17 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "undetermined.full_circle": "{reasons:join|; }: einen vollen Kreis in beiden Richtungen messen",
     "undetermined.lobes": "Vielecke gehören zu einem geschlossenen Kreis",
+    "undetermined.no_end": "dieser Umkehrpunkt von {axis} liegt nicht im Bogen",
     "undetermined.no_reversal": "{axis} kehrt im Bogen nicht um",
     "undetermined.of_circle": "{circle}: {reason}",
     "undetermined.one_direction": (
         "eine Richtung allein trennt diese Ursache nicht von Schleppabstand und Umkehrspiel"
     ),
     "undetermined.one_reversal": "der Bogen hat nur einen Umkehrpunkt der Achse",
+    "undetermined.pitch": (
+        "die Messpunkte liegen zu weit auseinander, um eine Periode zu zeigen: schneller"
+        " abtasten oder den Vorschub senken"
+    ),
     "undetermined.prior": (
         "{value:+3sig} ± {error:2sig} {unit} ist zu unsicher: Die Messpunkte sagen wenig mehr als"
         " der an Maschinen übliche Bereich (±{width:g}, Standardabweichung)"

@@ -45,6 +45,12 @@ SENTENCES: Final[dict[str, str]] = {
     "reading_off": "{traverse} в {target} (отклонение {off})",
     "scale_by": "{axis}: масштаб {scale} по {tests:join|; }",
     "traverse": "проход {run} в направлении {direction}",
+    "undetermined.bar": (
+        "длина прибора не калибрована: задайте калиброванную длину или измерьте ось лазером"
+    ),
+    "undetermined.both_directions": (
+        "значение сравнивает оба направления: измерьте полную окружность в обоих направлениях"
+    ),
     "undetermined.causes": (
         "{circle}: причины нельзя определить по {samples} точкам измерения на {arc:g}° в"
         " {directions:plural|одном направлении|обоих направлениях|обоих направлениях}"
@@ -60,12 +66,16 @@ SENTENCES: Final[dict[str, str]] = {
         "{reasons:join|; }: измерьте полную окружность в обоих направлениях"
     ),
     "undetermined.lobes": "волны относятся к замкнутой окружности",
+    "undetermined.no_end": "этой точки реверса оси {axis} нет на дуге",
     "undetermined.no_reversal": "{axis} не реверсирует на дуге",
     "undetermined.of_circle": "{circle}: {reason}",
     "undetermined.one_direction": (
         "одно направление не отделяет эту причину от отставания и мёртвого хода"
     ),
     "undetermined.one_reversal": "на дуге только одна точка реверса оси",
+    "undetermined.pitch": (
+        "точки измерения слишком редки, чтобы показать период: снимайте чаще или уменьшите подачу"
+    ),
     "undetermined.prior": (
         "{value:+3sig} ± {error:2sig} {unit} слишком неопределённо: точки измерения мало"
         " добавляют к диапазону, обычному для станков (±{width:g}, стандартное отклонение)"
