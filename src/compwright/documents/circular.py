@@ -161,7 +161,8 @@ def _diagnosis(diagnosis: Diagnosis | None) -> dict[str, Any]:
         "diagnosis": {
             name: _effect(effect, given=name not in not_given)
             for name, effect in diagnosis.effects.items()
-        },
+        }
+        | {name: _absent(name) for name in not_given if name not in diagnosis.effects},
         "plain": {
             name: None if name in not_given else _number(value)
             for name, value in diagnosis.plain.items()
@@ -181,6 +182,12 @@ def _diagnosis(diagnosis: Diagnosis | None) -> dict[str, Any]:
             for run in diagnosis.fitted
         ],
     }
+
+
+def _absent(name: str) -> dict[str, Any]:
+    """Return a cause that this test cannot have: nothing but its unit."""
+    unit = "um/m" if name.startswith("scale_error") else "um"
+    return {"value": None, "std_error": None, "unit": unit, "effect": None, "share": None}
 
 
 def _effect(effect: CircularEffect, *, given: bool) -> dict[str, Any]:

@@ -94,10 +94,8 @@ def report_effects(
     interval.
     """
     samples = solution.problem.samples
-    given = tuple(_causes(test, solution))
-    absent = absent_causes(test, {cause.name for cause in given})
-    causes = (*given, *(_stated(solution, *each, detail=True) for each in absent.items()))
-    reasons = {
+    causes = tuple(_causes(test, solution))
+    reasons = absent_causes(test, {cause.name for cause in causes}) | {
         cause.name: reason
         for cause in causes
         if (reason := undetermined.get(cause.name) or cause.reason or _prior_reason(cause, samples))
@@ -107,7 +105,7 @@ def report_effects(
         [cause.variance for cause in causes]
     )
     shrink = shrink_uncertainty(samples) / samples.radius * 1e6
-    scales = np.array([test.calibrated and cause.name[:11] == "scale_error" for cause in causes])
+    scales = np.array([1.0 if cause.name.startswith("scale_error") else 0.0 for cause in causes])
     covariance += shrink**2 * np.outer(scales, scales)
     errors = np.sqrt(np.maximum(np.diag(covariance), 1e-24))
     ranges = (
