@@ -152,7 +152,7 @@ def test_a_plan_is_read_back_as_it_was_written(folder: Path) -> None:
 
 @WHOLE
 def test_tests_in_one_state_are_fitted_together_and_each_is_predicted(folder: Path) -> None:
-    write_test(folder / "later.csv", seed=7, count=9)
+    write_test(folder / "later.csv", seed=7, count=29)
     text = (
         "before: [x.csv, {files: [later.csv], name: afternoon}], accept: {test: afternoon, A: 0.1}"
     )
@@ -166,9 +166,9 @@ def test_tests_in_one_state_are_fitted_together_and_each_is_predicted(folder: Pa
         np.mean(document(folder / name / "plan.json")["axes"]["X"]["estimate"]["std_positive"])
         for name in ("both", "first")
     ]
-    # 26 targets instead of 17, five readings each: sqrt(17/26) = 0.81 of the noise; what is not
+    # 46 targets instead of 17, five readings each: sqrt(17/46) = 0.61 of the noise; what is not
     # known of the shape of the error lessens more slowly.
-    assert 0.75 * std[1] < std[0] < 0.95 * std[1]
+    assert 0.57 * std[1] < std[0] < 0.88 * std[1]
     # What verify estimates again from the plan alone is what the run estimated.
     content = (folder / "both" / "plan.json").read_bytes()
     axis = read_plan(content, "plan.json").axes["X"]
@@ -774,6 +774,7 @@ def test_both_axes_of_a_gantry_get_the_table(
         np.testing.assert_array_equal(leading, other)
 
 
+@WHOLE
 @pytest.mark.parametrize(
     ("limit", "decision"), [(20, "undecided"), (30, "accept"), (1, "undecided"), (3, "undecided")]
 )

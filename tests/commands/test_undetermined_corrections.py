@@ -137,4 +137,4 @@ def test_a_squareness_drowned_in_noise_is_null_with_its_numbers() -> None:
     entry = found["diagnosis"]["squareness"]
     assert entry["value"] is None
     assert entry["std_error"] > 14.0
-    assert "not known well enough" in found["not_applicable"]["squareness"]
+    assert "too uncertain: the uncertainty (k = 2)" in found["not_applicable"]["squareness"]

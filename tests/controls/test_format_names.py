@@ -41,7 +41,10 @@ def asked(capsys: pytest.CaptureFixture[str]) -> set[str]:
             ["--format", "fanuc-30i", "--travel", "0:400", "--state", "none"],
             {"address", "detection_unit", "first_point"},
         ),
-        (["--format", "fanuc-30i"], {"address", "detection_unit", "first_point", "travel"}),
+        (
+            ["--format", "fanuc-30i"],
+            {"address", "detection_unit", "first_point", "travel", "state"},
+        ),
         # without a state there is no table, and no number of its first point
         (
             ["--format", "fanuc-30i", "--travel", "0:400", "--option", "address=1"],
@@ -65,7 +68,9 @@ def test_everything_is_asked_for_at_once(
     words: list[str], names: set[str], test_file: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert compwright(["run", test_file, "--axis", "X", *words]) == 2
-    expected = {"--travel" if name == "travel" else f"--option {name}" for name in names}
+    expected = {
+        f"--{name}" if name in {"travel", "state"} else f"--option {name}" for name in names
+    }
     assert asked(capsys) == expected
 
 

@@ -510,8 +510,8 @@ def test_outliers_are_told_by_run_direction_and_place() -> None:
     found = posterior(readings, runs_positive=(1, 2, 6, 7, 8))
     assert codes(found) == {"CW-E024"}
     told = message(found, "CW-E024")
-    assert told.startswith("2 of 210 readings are outliers: run 1 in − at 200 mm (-")
-    assert "run 6 in + at 350 mm (+2" in told
+    assert told.startswith("2 of 210 readings are outliers: run 1 in − at 200 mm (deviates by -")
+    assert "run 6 in + at 350 mm (deviates by +2" in told
 
 
 def test_outliers_that_lie_together_are_told_by_what_they_have_in_common() -> None:

@@ -206,7 +206,12 @@ def test_what_the_files_do_not_say_is_listed() -> None:
         ("no output", "$AN_CEC_OUTPUT_AXIS[4]=(AX1)\n", "", "OUTPUT_AXIS is missing"),
         ("no step", "$AN_CEC_STEP[4]=400\n", "", "STEP is missing"),
         ("no value", "$AN_CEC[4,1]=0.0020000\n", "", "values are missing"),
-        ("another direction", "DIRECTION[4]=1", "DIRECTION[4]=2", "direction that is not known"),
+        (
+            "another direction",
+            "DIRECTION[4]=1",
+            "DIRECTION[4]=2",
+            "the direction of the table is unknown",
+        ),
         ("a product", "MULT_BY_TABLE[4]=0", "MULT_BY_TABLE[4]=8", "multiplied by table 7"),
         ("repeats, unequal ends", "IS_MODULO[4]=0", "IS_MODULO[4]=1", "two ends differ"),
         ("a switch that is no switch", "IS_MODULO[4]=0", "IS_MODULO[4]=7", "not known"),

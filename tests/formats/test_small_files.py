@@ -321,7 +321,9 @@ def test_decimal_commas_are_read_where_all_values_have_them() -> None:
 
 
 def test_a_value_that_the_listing_does_not_know_is_asked_for_by_name() -> None:
-    with pytest.raises(InputError, match=r"line 8: .*listing does not know it; .*MA_BACKLASH"):
+    with pytest.raises(
+        InputError, match=r"line 8 cannot be read: the listing does not know it; .*MA_BACKLASH"
+    ):
         control_format(SIEMENS, {}).read(listing(LISTING), address="AX1")
 
 

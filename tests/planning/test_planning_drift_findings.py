@@ -68,4 +68,4 @@ def test_outliers_are_told_once_and_the_result_without_them_stays() -> None:
     (compared,) = [each for each in work.results[0].findings if each.code == "CW-T014"]
     assert compared.severity == "info"
     assert "run 2 in +" not in compared.message
-    assert compared.message.endswith(alone.message[alone.message.index("A ") :])
+    assert compared.message.endswith(alone.message[alone.message.index("A: ") :])

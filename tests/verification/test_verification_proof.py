@@ -155,7 +155,9 @@ def test_which_findings_leave_it_undecided(
     assert list(doubt_warnings(after, first, (finding,), guarded=guarded)) == []
     assert [entry.code for entry in found] == (["CW-V024"] if told else [])
     if told:
-        assert found[0].message.startswith(f"In the test after loading, {code}: Something.")
+        assert found[0].message.startswith(
+            f"The test after loading has a doubt ({code}): Something."
+        )
 
 
 def measured(seed: int, *sources: Source) -> PositioningTest:
