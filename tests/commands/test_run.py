@@ -290,7 +290,7 @@ def test_a_table_that_would_make_the_axis_worse_is_not_written(
     path = str(job(folder))
     assert compwright(["run", path]) == 1
     assert (
-        "axis X: no table is written: the readings of the first test, evaluated again with the"
+        "axis X: no table is written: by calculation from the readings of the first test, A is"
         in capsys.readouterr().err
     )
     assert not (folder / "job" / "tables").exists()

@@ -43,7 +43,7 @@ controller: {format: nc7.yaml}
 axes:
   X: {travel: [0, 100], error: {noise_um: 0.1}, test: {targets: 5, runs: 2}}
 """
-JUDGED = "not independently judged"
+JUDGED = "not independently checked"
 
 
 def tutorial(path: Path, *, expect: str = "") -> Path:

@@ -453,7 +453,7 @@ def test_one_direction_only() -> None:
     assert (
         set(result.centres) == set(result.mean_radius_deviation) == set(result.zone_radii) == {"cw"}
     )
-    assert result.not_applicable["D"] == "not measured in the ccw direction"
+    assert result.not_applicable["D"] == "the test was not measured in the ccw direction"
     assert codes(result) == {"CW-C002"}
 
 

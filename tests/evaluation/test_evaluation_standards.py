@@ -320,7 +320,7 @@ def test_one_direction_has_its_own_parameters_only(missing: str) -> None:
     assert present == {f"A_{other}", f"E_{other}", f"R_{other}"}
     assert value(result, f"E_{other}") == pytest.approx(3.0, abs=EXACT)
     sign = {"positive": "+", "negative": "−"}[missing]
-    assert result.not_applicable["A"] == f"not measured in the {sign} direction"
+    assert result.not_applicable["A"] == f"the test was not measured in the {sign} direction"
     assert set(evaluate(test, "vdi3441").not_applicable) == {
         "P",
         "Ps_max",

@@ -777,7 +777,7 @@ def test_points_that_serve_other_axes_too_stay_where_they_are() -> None:
     given = replace(FINE, spacing="free", nodes=own)
     assert fit(SMOOTH, given).compensation.positions.tolist() == list(own)
     assert fit(SMOOTH, given, start=-820.0, end=35.0).compensation.positions.tolist() == list(own)
-    with pytest.raises(CapacityError, match="existing table have to stay") as caught:
+    with pytest.raises(CapacityError, match="existing table must not change") as caught:
         fit(SMOOTH, given, start=-800.0, spacing=50.0)
     assert [fault.place for fault in caught.value.faults] == ["table.start", "table.spacing"]
 

@@ -345,5 +345,5 @@ def test_something_else_in_the_files_is_a_fault_of_our_own(
         return answer if factor else replace(answer, files=())
 
     monkeypatch.setattr(PairsFamily, "between", wrong)
-    with pytest.raises(CompwrightError, match="differs from the one meant"):
+    with pytest.raises(CompwrightError, match="differs from the planned table"):
         write(follows(addresses=("AX1", "AX2")))

@@ -131,7 +131,10 @@ def test_the_job_states_what_the_file_does_not() -> None:
 def test_numbers_get_their_unit_and_start_and_end_are_told_apart() -> None:
     header = {"T_m_start": "21.4", "t m end": "21,9", "Air-Pressure": "1013 mbar", "dwell_s": "4"}
     rows = {row["key"]: row["value"] for row in sheet_rows({"header": header}, {})}
-    assert str(rows["temperatures"]) == "21.4 °C at the start; 21,9 °C at the end"
+    assert (
+        str(rows["temperatures"])
+        == "21.4 °C at the start of the test; 21,9 °C at the end of the test"
+    )
     assert rows["air_pressure"] == "1013 mbar"
     assert str(rows["dwell"]) == "4 s"
 

@@ -327,7 +327,7 @@ def test_a_straight_line_shifted_is_the_same_line_and_mirrored_the_inverted_one(
     assert "No measurement of this axis can tell them" in loaded.message
     assert "Read the values back from the control and give them with --loaded." in loaded.message
     told = judge(straight, line, read_back=True).message
-    assert "they are the plan's (--loaded)." in told
+    assert "they equal the planned values (--loaded)." in told
     back = judge(-straight, line)
     assert {back.verdict, *back.equivalent} >= {"inverted", "mirrored"}
     warm = judge(1.5 * straight, line)

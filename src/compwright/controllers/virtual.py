@@ -94,7 +94,7 @@ _MAKERS: Mapping[str, Callable[[Sequence[ControlFile], Request], VirtualControl]
     "siemens-one": sinumerik_control,
 }
 
-#: Formats that have a judge. A format without one is read back, not independently judged.
+#: Formats that have a judge. A format without one is read back, not independently checked.
 KNOWN: tuple[str, ...] = tuple(_MAKERS)
 
 

@@ -289,8 +289,8 @@ def _same_decoding(
 def _ways_to_read(
     shipped: Mapping[str, Definition], control_id: str
 ) -> Iterator[tuple[str, dict[str, object]]]:
-    """Yield controls with the same shape of tables, with their options. The given control comes
-    first.
+    """Yield the controls with the same form of table (`Layout.shape`), with their options. The
+    given control comes first.
     """
     shape = shipped[control_id].layout.shape
     relatives = [name for name, one in shipped.items() if one.layout.shape == shape]

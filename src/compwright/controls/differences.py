@@ -23,7 +23,7 @@ from compwright.records.correction import AxisCompensation, ControlFile, Control
 
 @dataclass(frozen=True, slots=True)
 class AxisReadings:
-    """The state of all readable axes (None: no axis is). ``refused``: why another axis is
+    """The compensation of all readable axes (None: no axis is). ``refused``: why another axis is
     unreadable, by address.
     """
 
@@ -38,8 +38,8 @@ def read_axis_by_axis(
     among: Collection[str] | None = None,
     caught: type[InputError] | tuple[type[InputError], type[UsageError]] = InputError,
 ) -> AxisReadings:
-    """Return the state from ``files`` by reading one axis at a time. None if the control's axes
-    cannot be read alone.
+    """Return the compensation in ``files`` by reading one axis at a time. None if the
+    control's axes cannot be read alone.
 
     ``among`` these if given.
 

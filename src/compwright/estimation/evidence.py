@@ -145,8 +145,8 @@ class Evidence:
     """Computes the probability of an axis' readings under one set of functions (marginal
     likelihood).
 
-    ``values`` (c,): the means under the typical noise. Where a method takes a ``draw`` of the noise
-    and is given none, it is the typical one.
+    ``values`` (c,): the means of the typical draw of the noise. Where a
+    method takes a ``draw`` of the noise and is given none, it is the typical one.
     """
 
     def __init__(self, basis: Basis, targets: FloatArray, data: CellData, prior: Prior) -> None:
@@ -227,8 +227,8 @@ class Evidence:
         return self._marginal(h, draw, derivatives=False)[1].log + self.prior.log(h)
 
     def with_gradient(self, h: FloatArray) -> tuple[float, FloatArray]:
-        """Return the log posterior density and its gradient (h,) under the typical noise. The
-        gradient of a fixed parameter is 0.
+        """Return the log posterior density and its gradient (h,), with the typical draw of
+        the noise. The gradient of a fixed parameter is 0.
 
         For V' the derivative of the covariance V of the means, half of y' P V' P y - tr(P V') with
         P the inverse of V (Rasmussen and Williams 2006, eq. 5.9).

@@ -23,7 +23,9 @@ _KNOWN: Final = float(np.log(9.0))
 
 
 def bidirectional_means(cells: Cells, *, endless: bool) -> BidirectionalMeans:
-    """Return the mean of both directions at each target, under the typical noise, mm or deg.
+    """Return the mean of both directions at each target, mm or deg.
+
+    The noise is its typical draw (`CellData.typical`).
 
     Means of one direction count by their precision (JCGM 100:2008, G.2.1 for sums, weighted), the
     directions alike. Free are offset and slope (none on an ``endless`` axis), datum and slope of

@@ -102,7 +102,7 @@ def _given_nodes(nodes: FloatArray, request: TableRequest, unit: str) -> FloatAr
         [
             Fault(
                 message=(
-                    "the points of the existing table have to stay, because the "
+                    "the points of the existing table must not change, because the "
                     "columns of other axes depend on them"
                 ),
                 place=f"table.{name}",

@@ -199,9 +199,9 @@ def _uncertainty(section: Mapping[str, Any], paths: Mapping[str, str]) -> dict[s
 
 
 def _applied(section: Mapping[str, Any], then: NextRound) -> dict[str, Any]:
-    """Return the key ``apply`` with the entries that repeated circles still decide.
+    """Return the key ``apply`` of the next job.
 
-    Squareness of planes that were measured again, and where lost motion comes from.
+    It holds the squareness of planes with repeated circles, and the source of lost motion.
     """
     planes = section.get("squareness", {})
     kept = {plane: bent for plane, bent in planes.items() if plane in then.squareness}

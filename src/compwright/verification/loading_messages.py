@@ -37,7 +37,7 @@ class ShownTest:
     ``means`` (2, m) in + and - at ``targets``, NaN where there is none; ``noise`` of a reading; the
     means expected with the new table and without it. ``effect``: which part of their difference the
     test shows, with its standard error. ``read_back``: the values that were read back from the
-    control are the plan's. mm or deg by ``unit``.
+    control equal the planned values. mm or deg by ``unit``.
     """
 
     means: FloatArray

@@ -170,7 +170,8 @@ def _one_side(wish: _Curves, found: _Curves) -> Iterator[tuple[str, str]]:
         )
     theirs = np.abs(found[other] - wish[other]) <= SAME
     if 2 * int(np.sum(theirs)) < theirs.size:  # else single values differ, not the direction
-        yield "one_direction", f"only the values for arriving in {same[0].value} are the plan's"
+        arriving = f"only the values for arriving in {same[0].value} equal the planned values"
+        yield "one_direction", arriving
 
 
 def _shifted(planned: Correction, where: FloatArray, side: Direction, by: float) -> FloatArray:

@@ -155,13 +155,13 @@ def _not_all(placed: PlacedBlock, calls: ProgramCalls) -> Iterator[Fault]:
     pair = conflicts(calls.trail(block))
     if pair is not None:
         line, other = pair
-        why = f"every run that comes to line {other} leaves it out" if other else "no run does"
-        why = "no run does together with all the others" if other == line else why
+        why = f"a run that executes line {other} skips this line" if other else "no run executes it"
+        why = "no run executes this line and all other assignments" if other == line else why
         yield Fault(
-            message=f"the control cannot have executed the whole program: of this line, {why}",
+            message=f"the control cannot have executed the whole program: {why}",
             file=placed.content.name,
             place=f"line {line}",
-            expected=f"{_EXPORT}, or active: no where nothing of it was carried out",
+            expected="a program whose lines are all executed in one run",
             hint=(
                 "export the compensation data from the control and give that "
                 "file, or set `active: no` in this state if none of it was "

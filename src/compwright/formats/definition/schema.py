@@ -198,8 +198,8 @@ class Plain(Binding):
 
 @dataclass(frozen=True, slots=True)
 class Layout:
-    """The shape of the table, given by a family. ``singles``: quantities outside the rows, one
-    value each.
+    """Where a table has its values. ``shape``: the form of the table in the files, a key of
+    ``RULES`` in `families.shapes`; ``singles``: quantities outside the rows, one value each.
     """
 
     shape: str

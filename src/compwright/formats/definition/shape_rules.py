@@ -1,5 +1,5 @@
-"""Rules for a definition by the shape of its tables. Also the lines of this shape that contain no
-private names.
+"""Rules for a definition by the form of table in the files. Also the lines of this form that
+contain no private names.
 """
 
 from __future__ import annotations

@@ -25,7 +25,7 @@ class FileReading(Protocol):
     """
 
     def __call__(self, files: tuple[ControlFile, ...], *, written: bool = False) -> ControlState:
-        """Return the state in the files. Raises CompwrightError."""
+        """Return the compensation in ``files``. Raises CompwrightError if it cannot be read."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -1,4 +1,4 @@
-"""The list of the families, by the shape of their tables, and the entry to a control's format."""
+"""The families of formats by the form of their tables, and the entry to a control's format."""
 
 from __future__ import annotations
 

@@ -132,15 +132,15 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "loading.effect": "{part:.2f} ± {error:.2f} of the planned effect",
     "loading.equivalent": (
-        "These faults would give the same test: {names}. No measurement of this axis can tell"
-        " them apart. {read_back:if|The values that were read back from the control can: they are"
-        " the plan's (--loaded)|Read the values back from the control and give them with"
+        "These faults would give the same test: {names}. No measurement of this axis can tell them"
+        " apart. {read_back:if|The values that were read back from the control can: they equal the"
+        " planned values (--loaded)|Read the values back from the control and give them with"
         " --loaded}."
     ),
     "loading.evidence": (
-        "The test differs from the prediction by {off}, at worst by {worst}. With this"
-        " explanation {left} are left; the noise of a reading is {noise}.{effect:if| Measured:"
-        " {effect}.}"
+        "The test differs from the prediction by {off}, at worst by {worst}. It differs by {left}"
+        " from what the fault named here would show; the noise of a reading is {noise}.{effect:if|"
+        " Measured: {effect}.}"
     ),
     "loading.measurement": (
         "The test after loading itself seems wrong. It fits only if {fault:choose|sign=the sign"
@@ -179,10 +179,10 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "loading.straight_line": (
         "The test after loading shows the loaded table and an additional slope. {slope} The"
-        " correction itself is a straight line, so a table that is active with factor"
-        " {factor:.2f} would show the same. {read_back:if|The values that were read back from the"
-        " control are the plan's (--loaded)|Read the values back from the control to decide"
-        " (--loaded)}."
+        " correction itself is a straight line, so a table that is active with factor {factor:.2f}"
+        " would show the same. {read_back:if|The values that were read back from the control equal"
+        " the planned values (--loaded)|To decide, read the values back from the control and give"
+        " them with --loaded}."
     ),
     "loading.thermal": (
         "The table is active. Apart from a slope, the test after loading differs by {left} from"

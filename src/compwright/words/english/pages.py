@@ -91,7 +91,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "given.approaches": "{counts}; {cycle} cycle",
     "given.arc": "from {start}° to {end}°, {extent}°",
-    "given.at_end": "{text} {end:choose|_start=at the start|_end=at the end}",
+    "given.at_end": (
+        "{text} {end:choose|_start=at the start of the test|_end=at the end of the test}"
+    ),
     "given.axis": "{axis}, {kind}",
     "given.budget": "see the budget of the uncertainty",
     "given.by_job": "{text} (job)",
@@ -264,7 +266,10 @@ SENTENCES: Final[dict[str, str]] = {
     "run.certificate": "Certificate of the fit",
     "run.changes": "Old to new",
     "run.check_first": "Undecided: check first what is named above",
-    "run.circle_worse": "Undecided: a circle is predicted to get worse",
+    "run.circle_worse": (
+        "The limits of a circle are undecided: it is predicted to get worse. Find out why before"
+        " you load anything (CW-P131)"
+    ),
     "run.comparison": "Before and predicted",
     "run.comparison_note": (
         "Before and, on the same scale, what a test at the same targets is expected to show."

@@ -39,8 +39,8 @@ SENTENCES: Final[dict[str, str]] = {
     "parameter": "{parameter} {value}",
     "range": "{low} to {high}",
     "read_back": (
-        "Read back from the files, but not independently judged: only your own definition of"
-        " {definition} says what its files do"
+        "Tables of {definition} are read back from their files, but not independently checked:"
+        " only your own definition says what these files do"
     ),
     "reading_off": "{traverse} at {target} (deviates by {off})",
     "scale_by": "{axis}: scale {scale} by {tests:join|; }",

@@ -7,8 +7,8 @@ from typing import Final
 SENTENCES: Final[dict[str, str]] = {
     "CW-P001": "No table is written for axis {axis}: {why}.",
     "CW-P001.measured": (
-        "the readings of the first test, evaluated again with the table, give {parameter}"
-        " {with_table}; without the table they give {without}"
+        "by calculation from the readings of the first test, {parameter} is {with_table} with the"
+        " table and {without} without it"
     ),
     "CW-P001.new_targets": (
         "in a test at new targets, {parameter} is expected to be {with_table} with the table and"
@@ -53,13 +53,13 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P105": "{measured}. {tests} confirms it ({circle}).",
     "CW-P106.no_circle": (
-        "apply.squareness.{plane} is not corrected: the job has no circle of this plane."
+        "The squareness of plane {plane} is not corrected: the job has no circle of this plane."
         " Measure one in both directions."
     ),
-    "CW-P106.uncertain": "apply.squareness.{plane} is not corrected: the squareness {why}.",
+    "CW-P106.uncertain": "The squareness of plane {plane} is not corrected: {why}.",
     "CW-P106.undetermined": (
-        "apply.squareness.{plane} is not corrected, because the circles do not determine the"
-        " squareness. {reasons:join|; }."
+        "The squareness of plane {plane} is not corrected, because the circles do not determine"
+        " it. {reasons:join|; }."
     ),
     "CW-P107": "Plane {plane}: the squareness is {angle_words}. There is nothing to correct.",
     "CW-P108": (

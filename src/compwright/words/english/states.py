@@ -154,7 +154,10 @@ SENTENCES: Final[dict[str, str]] = {
         "axis {axis} has unusual settings and is not changed; neither are its compensation"
         " points: {reasons:join|; }"
     ),
-    "CW-S043": "{label}: {systems}. Check the detection unit: corrections are counted in this unit",
+    "CW-S043": (
+        "{label}: {systems}. The detection unit, in which corrections are counted, depends on it."
+        " Check 1013 on the control's display before you load"
+    ),
     "CW-S044": (
         "{label}: the axis returns to its reference position in the direction {files} by 1006#5,"
         " but {job} by the job. The job is used: with one table for both directions only the zero"
@@ -229,11 +232,11 @@ SENTENCES: Final[dict[str, str]] = {
         " axis turns endlessly, but its table does not repeat: the table ends at both sides}"
     ),
     "CW-S057": (
-        "{format}: the meaning of the parameters {parameters} on this series is unknown"
-        " ({place}); on other series they are units, paths or further compensation. They are left"
-        " as they are, and not compared with the job. Look them up in the control's own manual."
-        " If one of them is a compensation, the new table allows for it only as long as the"
-        " points of the table stay where they are"
+        "{format}: the meaning of the parameters {parameters} on this series is unknown ({place});"
+        " on other series they are units, paths or further compensation. They stay unchanged, and"
+        " are not compared with the job. Look them up in the control's own manual. If one of them"
+        " is a compensation, do not move the points of the table: at other points the new table"
+        " does not allow for it"
     ),
     "CW-F011.feed": (
         "at {feed:g} {unit}/min ({of:choose|option=option max_feed|rapid=rapid traverse,"
@@ -241,7 +244,7 @@ SENTENCES: Final[dict[str, str]] = {
         " control's rule: feed divided by {rule} ({evidence})"
     ),
     "CW-S060": (
-        "The table was read back from its files, but not independently judged: only your own"
+        "The table was read back from its files, but not independently checked: only your own"
         " definition of {definition} says what these files do. A wrong sign or unit in the"
         " definition makes every result here wrong. Check the correction on the machine, at one"
         " position and from both sides, before the whole table is active{expectation:if|. The"
@@ -264,8 +267,9 @@ SENTENCES: Final[dict[str, str]] = {
         " them"
     ),
     "CW-S072": (
-        "{file}: nothing in this archive shows whether a value was changed after the export."
-        " Before you load, compare the three values per axis on the card with the control"
+        "{file}: nothing in this archive shows whether a value was changed after the export. The"
+        " commissioning card of the run lists up to three values per axis. Before you load,"
+        " compare them with the control's display"
     ),
     "CW-S073": (
         "{file}: by the job the control never ran this file (active: no). Its tables and backlash"

@@ -58,12 +58,12 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-F009.compared": (
         "The magnification is set to {magnification} instead of {before}, which leaves"
-        " {left:if|{left} rms|nothing} of the error. With magnification {before}, increments of"
-        " {increments} times {step} would leave at least {at_least} rms"
+        " {left:if|{left} rms|nothing} of the error. With magnification {before}, one increment is"
+        " {step}. Points with {increments} increments would then leave at least {at_least} rms"
     ),
     "CW-F009.smallest": (
-        "The smallest magnification, {magnification}, is enough: increments of {increments} times"
-        " {step} leave {left:if|{left} rms|nothing} of the error"
+        "Magnification {magnification}, the smallest, is enough. One increment is then {step}."
+        " Points with {increments} increments leave {left:if|{left} rms|nothing} of the error"
     ),
     "CW-F010": (
         "The job asks for a table with the least {goal}. The table with the least expected"
@@ -99,7 +99,7 @@ SENTENCES: Final[dict[str, str]] = {
         "Two tables: one constant difference between the directions would leave {cost} rms more"
     ),
     "mode.two_vary": (
-        "Two tables: the reversal varies with the position (log odds {odds:.1f}; strong from"
-        " {strong:g} on)"
+        "Two tables, because the reversal value varies with the position (log odds {odds:.1f};"
+        " from {strong:g} on, the evidence is strong)"
     ),
 }

@@ -348,17 +348,21 @@ SENTENCES: Final[dict[str, str]] = {
     "reason.not_calibrated": (
         "the length of the bar was not calibrated (ISO 230-4:1996, clause 4.5)"
     ),
-    "reason.not_measured": "not measured in the {direction} direction",
+    "reason.not_measured": "the test was not measured in the {direction} direction",
     "reason.one_approach": "one approach per direction ({clause})",
     "reason.one_reading": (
         "only one reading in the {direction} direction at {position}, so no standard deviation"
         " there"
     ),
     "reason.undefined_1988": (
-        "not defined by ISO 230-2:1988 (clauses 2 and 6: R, A and the mean reversal value)"
+        "ISO 230-2:1988 does not define this parameter, only R, A and the mean reversal value"
+        " (clauses 2 and 6)"
     ),
-    "reason.undefined_1996": "not defined by ISO 230-4:1996 (clauses 3.3 to 3.5: H, G and F)",
+    "reason.undefined_1996": (
+        "ISO 230-4:1996 does not define this parameter, only H, G and F (clauses 3.3 to 3.5)"
+    ),
     "reason.undefined_2005": (
-        "not defined by ISO 230-4:2005, which has the bidirectional circular deviation in its place"
+        "ISO 230-4:2005 does not define this parameter; it has the bidirectional circular"
+        " deviation instead"
     ),
 }

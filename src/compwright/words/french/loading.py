@@ -141,12 +141,14 @@ SENTENCES: Final[dict[str, str]] = {
     "loading.effect": "{part:.2f} ± {error:.2f} de l'effet prévu",
     "loading.equivalent": (
         "Ces défauts donneraient le même essai : {names}. Aucune mesure de cet axe ne peut les"
-        " distinguer. {read_back:if|Les valeurs relues de la commande le peuvent : ce sont celles"
-        " du plan (--loaded)|Relire les valeurs de la commande et les donner par --loaded}."
+        " distinguer. {read_back:if|Les valeurs relues de la commande le peuvent : elles sont"
+        " égales aux valeurs prévues (--loaded)|Relire les valeurs de la commande et les donner"
+        " par --loaded}."
     ),
     "loading.evidence": (
-        "L'essai diffère de la prévision de {off}, au pire de {worst}. Avec cette explication il"
-        " reste {left} ; le bruit d'une mesure est {noise}.{effect:if| Mesuré : {effect}.}"
+        "L'essai diffère de la prévision de {off}, au pire de {worst}. Il diffère de {left} de ce"
+        " que montrerait le défaut nommé ici ; le bruit d'une mesure est {noise}.{effect:if|"
+        " Mesuré : {effect}.}"
     ),
     "loading.likely": "{verdict} {percent:.0f} %",
     "loading.measurement": (
@@ -190,8 +192,9 @@ SENTENCES: Final[dict[str, str]] = {
     "loading.straight_line": (
         "L'essai après chargement montre la table chargée et une pente en plus. {slope} La"
         " correction est elle-même une droite, donc une table active avec le facteur {factor:.2f}"
-        " montrerait la même chose. {read_back:if|Les valeurs relues de la commande sont celles"
-        " du plan (--loaded)|Pour trancher, relire les valeurs de la commande (--loaded)}."
+        " montrerait la même chose. {read_back:if|Les valeurs relues de la commande sont égales"
+        " aux valeurs prévues (--loaded)|Pour trancher, relire les valeurs de la commande et les"
+        " donner par --loaded}."
     ),
     "loading.thermal": (
         "La table est active. À part une pente, l'essai après chargement diffère de {left} de la"

@@ -98,7 +98,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "given.approaches": "{counts} ; {cycle:choose|standard=cycle normal|step=cycle en pas}",
     "given.arc": "de {start}° à {end}°, {extent}°",
-    "given.at_end": "{text} {end:choose|_start=au début|_end=à la fin}",
+    "given.at_end": "{text} {end:choose|_start=au début de l'essai|_end=à la fin de l'essai}",
     "given.axis": "{axis}, {kind:choose|linear=axe linéaire|rotary=axe rotatif}",
     "given.budget": "voir le bilan de l'incertitude",
     "given.by_job": "{text} (dossier de travail)",
@@ -290,7 +290,10 @@ SENTENCES: Final[dict[str, str]] = {
     "run.certificate": "Preuve de l'ajustement",
     "run.changes": "Ancien et nouveau",
     "run.check_first": "Indécis : vérifier d'abord ce qui est cité ci-dessus",
-    "run.circle_worse": "Indécis : la prévision est qu'un cercle se dégrade",
+    "run.circle_worse": (
+        "Les limites d'un cercle sont indécises : la prévision est qu'il se dégrade. Avant de"
+        " charger, chercher pourquoi (CW-P131)"
+    ),
     "run.comparison": "Avant et prévu",
     "run.comparison_note": (
         "Avant et, à la même échelle, ce qu'un essai aux mêmes points visés devrait montrer."

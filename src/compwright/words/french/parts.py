@@ -40,8 +40,8 @@ SENTENCES: Final[dict[str, str]] = {
     "parameter": "{parameter} {value}",
     "range": "{low} à {high}",
     "read_back": (
-        "Relu des fichiers, mais pas jugé indépendamment : seule votre propre définition de"
-        " {definition} dit ce que font ses fichiers"
+        "Les tables de {definition} sont relues de leurs fichiers, mais pas vérifiées"
+        " indépendamment : seule votre propre définition dit ce que font ces fichiers"
     ),
     "reading_off": "{traverse} à {target} (écart {off})",
     "scale_by": "{axis} : échelle {scale} d'après {tests:join|; }",

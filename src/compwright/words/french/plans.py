@@ -7,8 +7,8 @@ from typing import Final
 SENTENCES: Final[dict[str, str]] = {
     "CW-P001": "Aucune table n'est écrite pour l'axe {axis} : {why}.",
     "CW-P001.measured": (
-        "les mesures du premier essai, évaluées de nouveau avec la table, donnent {parameter}"
-        " {with_table} ; sans la table, elles donnent {without}"
+        "par calcul à partir des mesures du premier essai, {parameter} est {with_table} avec la"
+        " table et {without} sans elle"
     ),
     "CW-P001.new_targets": (
         "dans un essai à de nouveaux points visés, {parameter} devrait être {with_table} avec la"
@@ -53,13 +53,13 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P105": "{measured}. {tests} le confirme ({circle}).",
     "CW-P106.no_circle": (
-        "apply.squareness.{plane} n'est pas corrigé : le dossier de travail n'a pas de cercle de ce"
-        " plan. En mesurer un dans les deux sens."
+        "La perpendicularité du plan {plane} n'est pas corrigée : le dossier de travail n'a pas de"
+        " cercle de ce plan. En mesurer un dans les deux sens."
     ),
-    "CW-P106.uncertain": "apply.squareness.{plane} n'est pas corrigé : la perpendicularité {why}.",
+    "CW-P106.uncertain": "La perpendicularité du plan {plane} n'est pas corrigée : {why}.",
     "CW-P106.undetermined": (
-        "apply.squareness.{plane} n'est pas corrigé, car les cercles ne déterminent pas la"
-        " perpendicularité. {reasons:join|; }."
+        "La perpendicularité du plan {plane} n'est pas corrigée, car les cercles ne la déterminent"
+        " pas. {reasons:join|; }."
     ),
     "CW-P107": "Plan {plane} : la perpendicularité est de {angle_words}. Il n'y a rien à corriger.",
     "CW-P108": (

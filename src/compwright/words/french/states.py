@@ -169,8 +169,8 @@ SENTENCES: Final[dict[str, str]] = {
         " non plus : {reasons:join|; }"
     ),
     "CW-S043": (
-        "{label} : {systems}. Vérifier l'unité de détection : les corrections sont comptées dans"
-        " cette unité"
+        "{label} : {systems}. L'unité de détection, dans laquelle les corrections sont comptées,"
+        " en dépend. Vérifier 1013 sur l'affichage de la commande avant de charger"
     ),
     "CW-S044": (
         "{label} : l'axe revient à sa position de référence dans la direction {files} d'après"
@@ -253,16 +253,16 @@ SENTENCES: Final[dict[str, str]] = {
         "{format} : le sens des paramètres {parameters} sur cette série est inconnu ({place}) ;"
         " sur d'autres séries, ce sont des unités, des chemins ou une autre compensation. Ils"
         " restent tels quels et ne sont pas comparés au dossier de travail. Les chercher dans le"
-        " manuel de la commande. Si l'un d'eux est une compensation, la nouvelle table n'en tient"
-        " compte que tant que les points de la table restent où ils sont"
+        " manuel de la commande. Si l'un d'eux est une compensation, ne pas déplacer les points de"
+        " la table : à d'autres points, la nouvelle table n'en tient pas compte"
     ),
     "CW-S060": (
-        "La table a été relue de ses fichiers, mais pas jugée indépendamment : seule votre propre"
-        " définition de {definition} dit ce que font ces fichiers. Un signe ou une unité faux"
-        " dans la définition rend faux tous les résultats ici. Vérifier la correction sur la"
+        "La table a été relue de ses fichiers, mais pas vérifiée indépendamment : seule votre"
+        " propre définition de {definition} dit ce que font ces fichiers. Un signe ou une unité"
+        " faux dans la définition rend faux tous les résultats ici. Vérifier la correction sur la"
         " machine, à une position et des deux côtés, avant que toute la table soit"
-        " active{expectation:if|. Les corrections calculées à la main sont celles de"
-        " {expectation} ; aucune n'a été calculée pour {definition}}"
+        " active{expectation:if|. Les corrections calculées à la main sont celles de {expectation}"
+        " ; aucune n'a été calculée pour {definition}}"
     ),
     "CW-S061": (
         "{what}. La définition de {carried} contenue dans le plan est utilisée. Pour une autre"
@@ -281,8 +281,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-S072": (
         "{file} : rien dans cette archive ne montre si une valeur a été changée après"
-        " l'exportation. Avant de charger, comparer les trois valeurs par axe de la fiche avec la"
-        " commande"
+        " l'exportation. La fiche de mise en service du calcul liste jusqu'à trois valeurs par"
+        " axe. Avant de charger, les comparer avec l'affichage de la commande"
     ),
     "CW-S073": (
         "{file} : d'après le dossier de travail, la commande n'a jamais exécuté ce fichier"

@@ -58,12 +58,13 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-F009.compared": (
         "Le grossissement est mis à {magnification} au lieu de {before}, ce qui laisse"
-        " {left:if|{left} en valeur efficace|rien} de l'erreur. Avec le grossissement {before},"
-        " des pas de {increments} fois {step} laisseraient au moins {at_least} en valeur efficace"
+        " {left:if|{left} en valeur efficace|rien} de l'erreur. Avec le grossissement {before}, un"
+        " pas est de {step}. Des points de {increments} pas laisseraient alors au moins {at_least}"
+        " en valeur efficace"
     ),
     "CW-F009.smallest": (
-        "Le plus petit grossissement, {magnification}, suffit : des pas de {increments} fois"
-        " {step} laissent {left:if|{left} en valeur efficace|rien} de l'erreur"
+        "Le plus petit grossissement, {magnification}, suffit. Un pas est alors de {step}. Des"
+        " points de {increments} pas laissent {left:if|{left} en valeur efficace|rien} de l'erreur"
     ),
     "CW-F010": (
         "Le dossier de travail demande une table au plus petit {goal}. La table à plus petite"
@@ -103,7 +104,7 @@ SENTENCES: Final[dict[str, str]] = {
         " efficace) de plus"
     ),
     "mode.two_vary": (
-        "Deux tables : la réversibilité varie avec la position (logarithme de la cote {odds:.1f}"
-        " ; fort à partir de {strong:g})"
+        "Deux tables, car la réversibilité varie avec la position (logarithme de la cote"
+        " {odds:.1f} ; à partir de {strong:g}, la preuve est forte)"
     ),
 }

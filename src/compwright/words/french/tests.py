@@ -364,16 +364,20 @@ SENTENCES: Final[dict[str, str]] = {
     "reason.not_calibrated": (
         "la longueur de l'instrument n'était pas étalonnée (ISO 230-4:1996, 4.5)"
     ),
-    "reason.not_measured": "non mesuré dans le sens {direction}",
+    "reason.not_measured": "l'essai n'a pas été mesuré dans le sens {direction}",
     "reason.one_approach": "une approche par sens ({clause})",
     "reason.one_reading": (
         "une seule mesure dans le sens {direction} à {position}, donc pas d'écart-type à ce point"
     ),
     "reason.undefined_1988": (
-        "non défini par l'ISO 230-2:1988 (2 et 6 : R, A et la valeur moyenne de réversibilité)"
+        "l'ISO 230-2:1988 ne définit pas ce paramètre, seulement R, A et la valeur moyenne de"
+        " réversibilité (2 et 6)"
     ),
-    "reason.undefined_1996": "non défini par l'ISO 230-4:1996 (3.3 à 3.5 : H, G et F)",
+    "reason.undefined_1996": (
+        "l'ISO 230-4:1996 ne définit pas ce paramètre, seulement H, G et F (3.3 à 3.5)"
+    ),
     "reason.undefined_2005": (
-        "non défini par l'ISO 230-4:2005, qui a l'écart circulaire bidirectionnel à la place"
+        "l'ISO 230-4:2005 ne définit pas ce paramètre ; elle a l'écart circulaire bidirectionnel à"
+        " la place"
     ),
 }

@@ -140,13 +140,13 @@ SENTENCES: Final[dict[str, str]] = {
     "loading.equivalent": (
         "Diese Fehler ergäben dieselbe Prüfung: {names}. Keine Messung dieser Achse kann sie"
         " unterscheiden. {read_back:if|Die aus der Steuerung zurückgelesenen Werte können es: Sie"
-        " sind die des Plans (--loaded)|Die Werte aus der Steuerung zurücklesen und mit --loaded"
-        " angeben}."
+        " sind gleich den geplanten Werten (--loaded)|Die Werte aus der Steuerung zurücklesen und"
+        " mit --loaded angeben}."
     ),
     "loading.evidence": (
-        "Die Prüfung weicht um {off} von der Vorhersage ab, höchstens um {worst}. Mit dieser"
-        " Erklärung bleiben {left}; das Rauschen eines Messwerts ist {noise}.{effect:if|"
-        " Gemessen: {effect}.}"
+        "Die Prüfung weicht um {off} von der Vorhersage ab, höchstens um {worst}. Von dem, was der"
+        " hier genannte Fehler zeigen würde, weicht sie um {left} ab; das Rauschen eines Messwerts"
+        " ist {noise}.{effect:if| Gemessen: {effect}.}"
     ),
     "loading.likely": "{verdict} {percent:.0f} %",
     "loading.measurement": (
@@ -192,8 +192,8 @@ SENTENCES: Final[dict[str, str]] = {
         "Die Prüfung nach dem Laden zeigt die geladene Tabelle und zusätzlich eine Steigung."
         " {slope} Die Korrektur ist selbst eine Gerade, deshalb zeigte eine Tabelle, die mit dem"
         " Faktor {factor:.2f} aktiv ist, dasselbe. {read_back:if|Die aus der Steuerung"
-        " zurückgelesenen Werte sind die des Plans (--loaded)|Zur Entscheidung die Werte aus der"
-        " Steuerung zurücklesen (--loaded)}."
+        " zurückgelesenen Werte sind gleich den geplanten Werten (--loaded)|Zur Entscheidung die"
+        " Werte aus der Steuerung zurücklesen und mit --loaded angeben}."
     ),
     "loading.thermal": (
         "Die Tabelle ist aktiv. Abgesehen von einer Steigung weicht die Prüfung nach dem Laden um"

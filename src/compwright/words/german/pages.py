@@ -97,7 +97,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "given.approaches": "{counts}; {cycle:choose|standard=Standardzyklus|step=Schrittzyklus}",
     "given.arc": "von {start}° bis {end}°, {extent}°",
-    "given.at_end": "{text} {end:choose|_start=zu Beginn|_end=am Ende}",
+    "given.at_end": "{text} {end:choose|_start=zu Beginn der Prüfung|_end=am Ende der Prüfung}",
     "given.axis": "{axis}, {kind:choose|linear=Linearachse|rotary=Drehachse}",
     "given.budget": "siehe Budget der Messunsicherheit",
     "given.by_job": "{text} (Auftrag)",
@@ -282,7 +282,10 @@ SENTENCES: Final[dict[str, str]] = {
     "run.certificate": "Nachweis der Anpassung",
     "run.changes": "Alt und neu",
     "run.check_first": "Offen: Zuerst prüfen, was oben genannt ist",
-    "run.circle_worse": "Offen: Für einen Kreis ist eine Verschlechterung vorhergesagt",
+    "run.circle_worse": (
+        "Die Grenzwerte eines Kreises sind offen: Für ihn ist eine Verschlechterung vorhergesagt."
+        " Vor dem Laden die Ursache finden (CW-P131)"
+    ),
     "run.comparison": "Vorher und Vorhersage",
     "run.comparison_note": (
         "Vorher und, im gleichen Maßstab, was eine Prüfung an den gleichen Zielpositionen"

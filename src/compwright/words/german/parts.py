@@ -40,8 +40,8 @@ SENTENCES: Final[dict[str, str]] = {
     "parameter": "{parameter} {value}",
     "range": "{low} bis {high}",
     "read_back": (
-        "Aus den Dateien zurückgelesen, aber nicht unabhängig beurteilt: Nur Ihre eigene"
-        " Definition von {definition} sagt, was ihre Dateien tun"
+        "Tabellen von {definition} werden aus ihren Dateien zurückgelesen, aber nicht unabhängig"
+        " geprüft: Nur Ihre eigene Definition sagt, was diese Dateien tun"
     ),
     "reading_off": "{traverse} bei {target} (Abweichung {off})",
     "scale_by": "{axis}: Maßstab {scale} nach {tests:join|; }",

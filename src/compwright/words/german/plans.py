@@ -7,8 +7,8 @@ from typing import Final
 SENTENCES: Final[dict[str, str]] = {
     "CW-P001": "Für Achse {axis} wird keine Tabelle geschrieben: {why}.",
     "CW-P001.measured": (
-        "die Messwerte der ersten Prüfung, mit der Tabelle neu ausgewertet, ergeben {parameter}"
-        " {with_table}; ohne die Tabelle ergeben sie {without}"
+        "aus den Messwerten der ersten Prüfung berechnet, ist {parameter} mit der Tabelle"
+        " {with_table} und ohne sie {without}"
     ),
     "CW-P001.new_targets": (
         "in einer Prüfung an neuen Zielpositionen wird {parameter} {with_table} mit der Tabelle"
@@ -60,15 +60,13 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P105": "{measured}. {tests} bestätigt es ({circle}).",
     "CW-P106.no_circle": (
-        "apply.squareness.{plane} wird nicht korrigiert: Der Auftrag hat keinen Kreis dieser Ebene."
-        " Einen in beiden Richtungen messen."
+        "Die Rechtwinkligkeit der Ebene {plane} wird nicht korrigiert: Der Auftrag hat keinen"
+        " Kreis dieser Ebene. Einen in beiden Richtungen messen."
     ),
-    "CW-P106.uncertain": (
-        "apply.squareness.{plane} wird nicht korrigiert: Die Rechtwinkligkeit {why}."
-    ),
+    "CW-P106.uncertain": "Die Rechtwinkligkeit der Ebene {plane} wird nicht korrigiert: {why}.",
     "CW-P106.undetermined": (
-        "apply.squareness.{plane} wird nicht korrigiert, denn die Kreise bestimmen die"
-        " Rechtwinkligkeit nicht. {reasons:join|; }."
+        "Die Rechtwinkligkeit der Ebene {plane} wird nicht korrigiert, denn die Kreise bestimmen"
+        " sie nicht. {reasons:join|; }."
     ),
     "CW-P107": (
         "Ebene {plane}: Die Rechtwinkligkeit ist {angle_words}. Es gibt nichts zu korrigieren."

@@ -171,7 +171,8 @@ SENTENCES: Final[dict[str, str]] = {
         " Kompensationspunkten unverändert: {reasons:join|; }"
     ),
     "CW-S043": (
-        "{label}: {systems}. Die Erfassungseinheit prüfen: Die Korrekturen sind in ihr gezählt"
+        "{label}: {systems}. Davon hängt die Erfassungseinheit ab, in der die Korrekturen gezählt"
+        " sind. Vor dem Laden 1013 an der Anzeige der Steuerung prüfen"
     ),
     "CW-S044": (
         "{label}: Die Achse fährt nach 1006#5 in Richtung {files} zur Referenzposition, nach dem"
@@ -251,18 +252,18 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-S057": (
         "{format}: Die Bedeutung der Parameter {parameters} bei dieser Baureihe ist unbekannt"
-        " ({place}); bei anderen Baureihen sind es Einheiten, Pfade oder weitere Kompensation."
-        " Sie bleiben, wie sie sind, und werden nicht mit dem Auftrag verglichen. Im Handbuch der"
-        " Steuerung nachsehen. Ist einer davon eine Kompensation, berücksichtigt die neue Tabelle"
-        " sie nur, so lange die Tabellenpunkte bleiben, wo sie sind"
+        " ({place}); bei anderen Baureihen sind es Einheiten, Pfade oder weitere Kompensation. Sie"
+        " bleiben, wie sie sind, und werden nicht mit dem Auftrag verglichen. Im Handbuch der"
+        " Steuerung nachsehen. Ist einer davon eine Kompensation, die Tabellenpunkte nicht"
+        " verschieben: An anderen Punkten berücksichtigt die neue Tabelle sie nicht"
     ),
     "CW-S060": (
-        "Die Tabelle wurde aus ihren Dateien zurückgelesen, aber nicht unabhängig beurteilt: Nur"
+        "Die Tabelle wurde aus ihren Dateien zurückgelesen, aber nicht unabhängig geprüft: Nur"
         " Ihre eigene Definition von {definition} sagt, was diese Dateien tun. Ein falsches"
-        " Vorzeichen oder eine falsche Einheit in der Definition macht jedes Ergebnis hier"
-        " falsch. Die Korrektur an der Maschine prüfen, an einer Position und von beiden Seiten,"
-        " bevor die ganze Tabelle aktiv ist{expectation:if|. Die von Hand gerechneten Korrekturen"
-        " sind die von {expectation}; für {definition} wurden keine gerechnet}"
+        " Vorzeichen oder eine falsche Einheit in der Definition macht jedes Ergebnis hier falsch."
+        " Die Korrektur an der Maschine prüfen, an einer Position und von beiden Seiten, bevor die"
+        " ganze Tabelle aktiv ist{expectation:if|. Die von Hand gerechneten Korrekturen sind die"
+        " von {expectation}; für {definition} wurden keine gerechnet}"
     ),
     "CW-S061": (
         "{what}. Verwendet wird die Definition von {carried}, die der Plan enthält. Für eine"
@@ -280,8 +281,9 @@ SENTENCES: Final[dict[str, str]] = {
         " einige vergleichen"
     ),
     "CW-S072": (
-        "{file}: Nichts in diesem Archiv zeigt, ob ein Wert nach dem Export geändert wurde. Vor"
-        " dem Laden die drei Werte je Achse auf der Karte mit der Steuerung vergleichen"
+        "{file}: Nichts in diesem Archiv zeigt, ob ein Wert nach dem Export geändert wurde. Die"
+        " Inbetriebnahmekarte des Laufs nennt bis zu drei Werte je Achse. Vor dem Laden diese mit"
+        " der Anzeige der Steuerung vergleichen"
     ),
     "CW-S073": (
         "{file}: Nach dem Auftrag hat die Steuerung diese Datei nie ausgeführt (active: no). Ihre"

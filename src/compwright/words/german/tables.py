@@ -58,12 +58,13 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-F009.compared": (
         "Die Vergrößerung wird auf {magnification} statt {before} gesetzt, vom Fehler"
-        " {left:if|bleiben {left} Effektivwert|bleibt nichts}. Mit Vergrößerung {before} ließen"
-        " Schritte von {increments} mal {step} mindestens {at_least} Effektivwert"
+        " {left:if|bleiben {left} Effektivwert|bleibt nichts}. Mit Vergrößerung {before} ist ein"
+        " Schritt {step}. Punkte mit {increments} Schritten ließen dann mindestens {at_least}"
+        " Effektivwert"
     ),
     "CW-F009.smallest": (
-        "Die kleinste Vergrößerung, {magnification}, genügt: Schritte von {increments} mal {step}"
-        " lassen {left:if|{left} Effektivwert|nichts} vom Fehler"
+        "Die kleinste Vergrößerung, {magnification}, genügt. Ein Schritt ist damit {step}. Punkte"
+        " mit {increments} Schritten lassen {left:if|{left} Effektivwert|nichts} vom Fehler"
     ),
     "CW-F010": (
         "Der Auftrag verlangt eine Tabelle mit dem kleinsten {goal}. Verwendet wird stattdessen"
@@ -101,7 +102,7 @@ SENTENCES: Final[dict[str, str]] = {
         " (Effektivwert) mehr"
     ),
     "mode.two_vary": (
-        "Zwei Tabellen: Die Umkehrspanne ändert sich mit der Position (logarithmische Chancen"
-        " {odds:.1f}; stark ab {strong:g})"
+        "Zwei Tabellen, weil sich die Umkehrspanne mit der Position ändert (logarithmische Chancen"
+        " {odds:.1f}; ab {strong:g} ist der Beleg stark)"
     ),
 }

@@ -360,18 +360,21 @@ SENTENCES: Final[dict[str, str]] = {
     "reason.no_common_angle": "die beiden Richtungen haben keinen gemeinsamen Winkel",
     "reason.no_reading": "kein Messwert in Richtung {direction} bei {position}",
     "reason.not_calibrated": "die Länge des Messgeräts war nicht kalibriert (ISO 230-4:1996, 4.5)",
-    "reason.not_measured": "in Richtung {direction} nicht gemessen",
+    "reason.not_measured": "die Prüfung wurde in Richtung {direction} nicht gemessen",
     "reason.one_approach": "eine Anfahrt je Richtung ({clause})",
     "reason.one_reading": (
         "nur ein Messwert in Richtung {direction} bei {position}, dort also keine"
         " Standardabweichung"
     ),
     "reason.undefined_1988": (
-        "in ISO 230-2:1988 nicht definiert (2 und 6: R, A und die mittlere Umkehrspanne)"
+        "ISO 230-2:1988 definiert diese Kenngröße nicht, nur R, A und die mittlere Umkehrspanne (2"
+        " und 6)"
     ),
-    "reason.undefined_1996": "in ISO 230-4:1996 nicht definiert (3.3 bis 3.5: H, G und F)",
+    "reason.undefined_1996": (
+        "ISO 230-4:1996 definiert diese Kenngröße nicht, nur H, G und F (3.3 bis 3.5)"
+    ),
     "reason.undefined_2005": (
-        "in ISO 230-4:2005 nicht definiert; an ihrer Stelle steht die zweiseitige"
+        "ISO 230-4:2005 definiert diese Kenngröße nicht; an ihrer Stelle steht die zweiseitige"
         " Kreisformabweichung"
     ),
 }

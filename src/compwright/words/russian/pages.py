@@ -93,7 +93,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "given.approaches": "{counts}; {cycle:choose|standard=стандартный цикл|step=пошаговый цикл}",
     "given.arc": "от {start}° до {end}°, {extent}°",
-    "given.at_end": "{text} {end:choose|_start=в начале|_end=в конце}",
+    "given.at_end": "{text} {end:choose|_start=в начале проверки|_end=в конце проверки}",
     "given.axis": "{axis}, {kind:choose|linear=линейная ось|rotary=ось вращения}",
     "given.budget": "см. бюджет неопределенности",
     "given.by_job": "{text} (задание)",
@@ -275,7 +275,10 @@ SENTENCES: Final[dict[str, str]] = {
     "run.certificate": "Подтверждение расчёта",
     "run.changes": "Старое и новое",
     "run.check_first": "Не решено: сначала проверить указанное выше",
-    "run.circle_worse": "Не решено: по прогнозу одна окружность ухудшится",
+    "run.circle_worse": (
+        "Пределы одной окружности не решены: по прогнозу она ухудшится. До загрузки найдите"
+        " причину (CW-P131)"
+    ),
     "run.comparison": "До и прогноз",
     "run.comparison_note": (
         "До коррекции и, в том же масштабе, ожидаемый результат проверки в тех же заданных"

@@ -293,9 +293,9 @@ def _with_pages(document: Mapping[str, Any]) -> Mapping[str, Any]:
         raise UsageError(
             Fault(
                 message=(
-                    "a stand-still test or a table of lost motion has neither a page nor a picture"
+                    "--plot and --report show no stand-still test and no table of lost motion"
                 ),
-                hint="give a positioning or circular test too, or leave this option out",
+                hint="give a positioning or circular test too, or leave these two options out",
             )
         )
     return {**document, "results": tests}

@@ -19,7 +19,7 @@ from compwright.foundations.session import Session
 from compwright.foundations.storage import definition_files
 from compwright.words.sentences import say
 
-NOT_JUDGED = "not independently judged: there is no virtual control for it"
+NOT_JUDGED = "not independently checked: there is no virtual control for it"
 
 
 def list_formats(session: Session) -> tuple[str, ...]:

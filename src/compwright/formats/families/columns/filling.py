@@ -204,9 +204,9 @@ class TableFiller:
             raise CapacityError(
                 Fault(
                     message=(
-                        f"axis {self.entry.axis.name} ({self.address}): the points of"
-                        f" {self.table.file} have to stay, because its columns {', '.join(others)}"
-                        " depend on them"
+                        f"axis {self.entry.axis.name} ({self.address}): the points of the table"
+                        f" in {self.table.file} must not change, because its columns"
+                        f" {', '.join(others)} depend on them"
                     ),
                     place="table",
                     expected=(

@@ -367,8 +367,8 @@ class GridAxisReader:
         return () if table is None else tuple(float(node) for node in table.positions)
 
     def _backlash(self, scale: NumberScale, *, has_table: bool) -> tuple[float, float]:
-        """Return the backlash value, and the constant correction that replaces it if there is no
-        table.
+        """Return two values, mm or deg: the lost motion, and the constant correction by half the
+        backlash if there is no table. One of them is 0.
         """
         if "backlash" not in self.definition.bindings:
             return 0.0, 0.0

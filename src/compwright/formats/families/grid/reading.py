@@ -160,7 +160,7 @@ class GridReader:
         return list(dict.fromkeys((*self.mentioned, *self.tables.named())))
 
     def between(self) -> Collection[str]:
-        """Return the axes that the files mention only in tables between axes."""
+        """Return the axes of tables between axes. Empty: these files contain no such table."""
         return ()
 
     def couplings(self) -> Sequence[Coupling]:

@@ -352,5 +352,5 @@ SHAPES: Mapping[str, TableShape] = {
 
 
 def shape_of(definition: Definition) -> TableShape:
-    """Return the shape of a control's tables."""
+    """Return the reader and writer of a control's form of table."""
     return SHAPES[definition.layout.shape]

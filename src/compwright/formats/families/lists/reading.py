@@ -1,4 +1,4 @@
-"""Read a control's own lists as the active compensation of every axis that they name.
+"""Read the active compensation of every axis from the compensation value lists of a control.
 
 Missing is not zero. Assumptions are listed; faults of an axis that is not under work stop nothing.
 """

@@ -1,4 +1,4 @@
-"""Write tables into the control's own lists, or into new lists made from templates.
+"""Write tables into a control's compensation value lists, or into new lists from templates.
 
 A value keeps its line. If the entries change in number, place or form, the old ones are removed and
 the new ones are put at the place of the first of them. Every other byte stays.

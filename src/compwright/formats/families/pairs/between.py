@@ -194,15 +194,16 @@ def _unsound(entry: CrossCompensation) -> list[Fault]:
                     hint="make the table span one period, with equal end values",
                 )
             )
-    for side, beyond, node in (("below", entry.below, 0), ("above", entry.above, -1)):
+    ends = (("below", "first", entry.below, 0), ("above", "last", entry.above, -1))
+    for side, end, beyond, node in ends:
         if beyond != "hold" and any(curve[node] != 0 for curve in curves):
             faults.append(
                 Fault(
-                    message=f"{label}: {side} its end points the control keeps the table's end "
-                    "value",
+                    message=f"{label}: {side} its {end} point the control applies the value of "
+                    "this point",
                     expected="hold (the end value)",
                     found=beyond,
-                    hint="make the table cover the whole travel, or leave this option out",
+                    hint=f"make the table cover the whole travel, or leave `{side}` out",
                 )
             )
     return faults

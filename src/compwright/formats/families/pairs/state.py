@@ -105,23 +105,23 @@ class PairsReader(GridReader):
         )
 
     def named(self) -> list[str]:
-        """Return the axis addresses in the files, as `GridReader.named` does."""
+        """Return the axis addresses in the files. Tables of an axis over itself are included."""
         return list(dict.fromkeys((*super().named(), *self.cec.own_axes())))
 
     def couplings(self) -> Sequence[Coupling]:
-        """Return the couplings of axes, as `GridReader.couplings` does."""
+        """Return the couplings of axes."""
         texts = texts_of(self.definition, self.files, [])
         return couplings_of(texts, self.gathered.axis, list(self.wanted))
 
     def between(self) -> Collection[str]:
-        """Return the axes that occur only in tables between axes, as `GridReader.between` does."""
+        """Return both axes of each table between axes."""
         return {
             name for table in self.cec.tables if table.input != table.output for name in table.pair
         }
 
     def elsewhere(self, address: str) -> bool:
-        """Return whether further tables correct an axis, as `GridReader.elsewhere` does. Without
-        their sign the correction is unknown.
+        """Return whether further tables correct an axis. Without their sign the correction is
+        unknown.
         """
         active = self.cec.active((address, address))
         if active and not self.sign_known:
@@ -180,13 +180,11 @@ class PairsReader(GridReader):
         )
 
     def staying(self, compensation: AxisCompensation) -> tuple[AxisCompensation, ...]:
-        """Return the tables of an axis over itself that stay, as `GridReader.staying` does."""
+        """Return the tables of an axis over itself that stay unchanged in the control."""
         return staying(self.cec, compensation)
 
     def cross(self) -> tuple[CrossCompensation, ...]:
-        """Return the corrections between axes, as `GridReader.cross` does. Tables of unknown sign
-        stay unchanged.
-        """
+        """Return the corrections between axes. Tables of unknown sign stay unchanged."""
         cross = cross_tables(self.cec, self._kind)
         if self.sign_known or not cross:
             return cross
@@ -195,13 +193,11 @@ class PairsReader(GridReader):
         return ()
 
     def pair_tables(self) -> PairTables:
-        """Return the tables between axes in the files, as `GridReader.pair_tables` does."""
+        """Return which tables between axes the files contain."""
         return PairTables(self.cec.occupied, self.cec.reserved, self.cec.stay())
 
     def active_lines(self) -> dict[str, FoundValue]:
-        """Return lines with an active correction, as `GridReader.active_lines` does. Tables of an
-        axis over itself are included.
-        """
+        """Return lines with an active correction. Tables of an axis over itself are included."""
         lines = super().active_lines()
         for places in places_of(self.gathered).values():
             base, corrected = (last(name, places) for name in ("cross_input", "cross_output"))

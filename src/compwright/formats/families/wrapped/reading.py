@@ -88,7 +88,7 @@ class WrappedStateReader:
         self.notes.faults.extend(order_dependent_values(self.script))
 
     def read(self) -> ControlState:
-        """Return the state."""
+        """Return the state of the control."""
         raise_all(InputError, self.notes.faults)
         self._ask_about_blocks()
         self._check_tables()

@@ -1,4 +1,4 @@
-"""French texts of controls, from their definitions and families, by the English template."""
+"""French texts of controls, from their definitions and families. The key is the English text."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Translated texts of controls with columns of tables, by the English template."""
+"""Translated texts of controls with columns of tables. The key is the English text."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Translated texts of controls with rows by position, by the English template."""
+"""Translated texts of controls with rows by position. The key is the English text."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Translated texts of several controls, and of the card, by the English template."""
+"""Translated texts of several controls, and of the card. The key is the English text."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Translated texts of controls with whole increments by section, by the English template."""
+"""Translated texts of controls with whole increments by section. The key is the English text."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Translated texts of controls with compensation value lists, by the English template."""
+"""Translated texts of controls with compensation value lists. The key is the English text."""
 
 from __future__ import annotations
 
