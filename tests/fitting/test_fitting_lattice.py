@@ -533,8 +533,9 @@ def test_a_slope_that_two_magnifications_hold_exactly_takes_the_smaller() -> Non
     # the reversal value takes its mean out of one direction: 16 sqrt((1/3 + 1/12) / 2) = 7.3 µm
     # rms.
     assert (
-        "set to 2 instead of 1, which leaves nothing of the error. With magnification 1, increments"
-        " of ±7 times 1 µm would leave at least 7.3 µm rms" in says(steep, "CW-F009")
+        "set to 2 instead of 1, which leaves nothing of the error. With magnification 1, one"
+        " increment is 1 µm. Points with ±7 increments would then leave at least 7.3 µm rms"
+        in says(steep, "CW-F009")
     )
 
 
