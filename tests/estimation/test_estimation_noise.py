@@ -515,15 +515,18 @@ def test_outliers_are_told_by_run_direction_and_place() -> None:
 
 
 def test_outliers_that_lie_together_are_told_by_what_they_have_in_common() -> None:
-    """Half a traverse 12 µm off; a loose place whose readings scatter by 15 µm."""
-    traverse, place = white(31), white(32)
+    """Half a traverse 12 µm off; one and two loose places whose readings scatter by 15 µm."""
+    traverse, place, places = white(31), white(32), white(33)
     traverse[1, :9, 4] += 12.0
     place[:, 13] *= 15.0
+    places[:, [4, 13]] *= 15.0
     (finding,) = (one for one in posterior(traverse).findings if one.code == "CW-E024")
     assert finding.values["cause"].name == "CW-E024.traverse"
-    (doubt,) = (one for one in posterior(place).findings if one.code == "CW-E032")
-    assert doubt.is_doubt
-    assert dict(doubt.values["cause"].values)["target"].value == 650.0
+    for loose, where in ((place, [650.0]), (places, [200.0, 650.0])):
+        (doubt,) = (one for one in posterior(loose).findings if one.code == "CW-E032")
+        assert doubt.is_doubt
+        targets = dict(doubt.values["cause"].values)["target"]
+        assert [target.value for target in targets] == where
 
 
 @pytest.mark.parametrize(

@@ -138,8 +138,9 @@ def _tails(
     if spoilt > student and cells.size:
         off = np.median([_errors(readings, draw) for draw in draws], axis=0)
         order = np.argsort(-np.round(np.abs(off[cells, runs]), 9), kind="stable")
+        places = _at_places(test, readings, cells)
         yield Finding.of(
-            "CW-E032" if _at_one_place(test, cells) else "CW-E024",
+            "CW-E032" if places.size else "CW-E024",
             "warning",
             outliers=cells.size,
             readings=np.count_nonzero(readings.there),
@@ -149,23 +150,33 @@ def _tails(
             ],
             more=max(0, cells.size - _SHOWN),
             odds=_odds_text(odds),
-            cause=_cause(test, cells, runs),
+            cause=_cause(test, places, cells, runs),
         )
     else:
         yield Finding.of("CW-E025", "info", odds=_odds_text(odds))
 
 
-def _at_one_place(test: PositioningTest, cells: IndexArray) -> bool:
-    return cells.size >= _TOGETHER and np.ptp(cells % test.targets.size) == 0
-
-
-def _cause(test: PositioningTest, cells: IndexArray, runs: IndexArray) -> Sentence:
-    """Return a hint for the cause of outliers in ``cells`` and ``runs`` (k,). They may all lie
-    in one traverse or at one place.
+def _at_places(test: PositioningTest, readings: CellReadings, cells: IndexArray) -> IndexArray:
+    """Return the numbers of the targets at which all outliers in ``cells`` (k,) lie, several at
+    each: three or more together, or half of the readings of each. Else none.
     """
     m = test.targets.size
-    if _at_one_place(test, cells):
-        return say("CW-E032.target", target=_position(float(test.targets[cells[0] % m]), test))
+    places, counts = np.unique(cells % m, return_counts=True)
+    there = np.sum(np.sum(readings.there, axis=1).reshape(-1, m), axis=0)[places]
+    several = np.all(counts > 1) and (cells.size >= _TOGETHER or np.all(2 * counts >= there))
+    return places if several else places[:0]
+
+
+def _cause(
+    test: PositioningTest, places: IndexArray, cells: IndexArray, runs: IndexArray
+) -> Sentence:
+    """Return a hint for the cause of outliers in ``cells`` and ``runs`` (k,). They may all lie
+    in groups at the targets ``places``, or in one traverse.
+    """
+    m = test.targets.size
+    if places.size:
+        targets = [_position(float(test.targets[place]), test) for place in places]
+        return say("CW-E032.target", target=targets)
     if cells.size >= _TOGETHER and np.ptp(runs) == 0 and np.ptp(cells // m) == 0:
         traverse = _traverse(test, int(cells[0]), int(runs[0]))
         return say("CW-E024.traverse", traverse=traverse)

@@ -51,7 +51,8 @@ _LEFT: Final = 0.45
 _NOISE: Final = 2.0
 #: Largest probability of so much likeness by chance. Simulated, 1 000 tests each: of tests given
 #: with their own table 64 % instead of 66 % are doubted, of worn axes 3.0 % instead of 3.7 %, of
-#: axes with a table made for another error 1.9 % instead of 3.0 %, of other sound tests 0.1 %.
+#: axes with a table made for another error 1.9 % instead of 3.0 %, of other sound tests
+#: below 0.1 %.
 _CHANCE: Final = 0.1
 
 

@@ -226,13 +226,13 @@ SENTENCES: Final[dict[str, str]] = {
         " test. The means use all runs"
     ),
     "CW-E032": (
-        "{outliers} of {readings} readings are outliers, all at the same target: {where}"
+        "{outliers} of {readings} readings are outliers, several at the same target: {where}"
         "{more:if| and {more} more} ({odds}). The true error of the axis there is uncertain. Next:"
         " {cause}, then measure again"
     ),
     "CW-E032.target": (
-        "check the readings at {target} (unit, beam, chips) and look at screw, guides and covers"
-        " there"
+        "check the readings at {target:and} (unit, beam, chips) and look at screw, guides and"
+        " covers there"
     ),
     "period.cause": (
         "{cause:choose|lead=a screw lead of {number:g} mm|inch_lead=a screw lead of {number:g}"

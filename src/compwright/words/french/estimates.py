@@ -235,12 +235,12 @@ SENTENCES: Final[dict[str, str]] = {
         " régulièrement répartis dans l'essai. Les moyennes utilisent tous les parcours"
     ),
     "CW-E032": (
-        "{outliers} des {readings} mesures sont aberrantes, toutes au même point visé : {where}"
+        "{outliers} des {readings} mesures sont aberrantes, plusieurs au même point visé : {where}"
         "{more:if| et {more} autres} ({odds}). L'erreur vraie de l'axe y est incertaine. Étape"
         " suivante : {cause}, puis mesurer de nouveau"
     ),
     "CW-E032.target": (
-        "vérifier les mesures à {target} (unité, faisceau, copeaux) et y regarder vis, guidages"
+        "vérifier les mesures à {target:and} (unité, faisceau, copeaux) et y regarder vis, guidages"
         " et protections"
     ),
     "period.cause": (

@@ -236,12 +236,12 @@ SENTENCES: Final[dict[str, str]] = {
         " über die Prüfung verteilt. Die Mittelwerte verwenden alle Läufe"
     ),
     "CW-E032": (
-        "{outliers} von {readings} Messwerten sind Ausreißer, alle an derselben Zielposition:"
+        "{outliers} von {readings} Messwerten sind Ausreißer, mehrere an derselben Zielposition:"
         " {where}{more:if| und {more} weitere} ({odds}). Der wahre Fehler der Achse dort ist"
         " unsicher. Nächster Schritt: {cause}, dann neu messen"
     ),
     "CW-E032.target": (
-        "die Messwerte bei {target} prüfen (Einheit, Strahl, Späne) und dort Spindel, Führungen"
+        "die Messwerte bei {target:and} prüfen (Einheit, Strahl, Späne) und dort Spindel, Führungen"
         " und Abdeckungen ansehen"
     ),
     "period.cause": (
