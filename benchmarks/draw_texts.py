@@ -46,7 +46,7 @@ def messages(tree: ast.AST, path: Path) -> Iterator[str]:
         if isinstance(node, ast.Dict) and "english" in path.parts:
             yield from (text_of(value) for value in node.values)
         elif isinstance(node, ast.Call):
-            words = {word.arg: text_of(word.value) for word in node.keywords}
+            words = {word.arg or "": text_of(word.value) for word in node.keywords}
             if "hint" in words and node.args and " " in text_of(node.args[0]):
                 words.setdefault("message", text_of(node.args[0]))
             if {"message", "hint"} <= set(words) and words["message"] != "{message}":

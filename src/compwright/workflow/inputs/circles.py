@@ -66,11 +66,11 @@ def machines_of(circles: Sequence[CircularResult]) -> tuple[list[dict[str, Any]]
     number, or none. Of circles from the same file one counts.
     """
     machines: dict[tuple[str | None, ...], list[CircularResult]] = {}
-    files: set[str] = set()
+    seen: set[str] = set()
     for result in circles:
         own = {source.sha256 for source in result.test.sources}
-        copied = not files.isdisjoint(own)
-        files |= own
+        copied = not seen.isdisjoint(own)
+        seen |= own
         if result.diagnosis is not None and not copied:
             stated = tuple(result.test.header.get(key) for key in _STATED)
             machines.setdefault(stated, []).append(result)
