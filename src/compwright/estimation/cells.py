@@ -140,9 +140,7 @@ def build_cells(
 
 
 def _fresh_noise(noise: NoisePosterior, order: NDArray[np.intp]) -> NoiseDraws:
-    """Return the noise of new tests, one value for each entry of ``order`` (n,), which is a list of
-    draws.
-    """
+    """Return the noise of new tests, one value for each of the draws ``order`` (n,)."""
     each = noise.fresh.count // noise.draws.count
     return noise.fresh.taken((order[:, np.newaxis] * each + np.arange(each)).ravel())
 
@@ -157,9 +155,7 @@ def _distinct(positions: FloatArray) -> FloatArray:
 
 @dataclass(frozen=True, slots=True)
 class _CommonLine:
-    """One straight line for all tests of an axis: a common slope and reversal error, and an offset
-    for each test. mm or deg.
-    """
+    """One slope and reversal error for all tests of an axis, an offset for each; mm or deg."""
 
     offsets: FloatArray
     slope: float

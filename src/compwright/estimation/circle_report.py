@@ -225,9 +225,7 @@ def _linear(
 
 
 def _unseen_end(samples: CircleSamples, axis: str) -> float:
-    """Return the extra variance, um², of the mean lost motion if the arc contains only one reversal
-    point. 0 with both.
-    """
+    """Return the extra variance, um², of the mean lost motion: 0 if the arc has both reversals."""
     return 0.0 if all(samples.reversals(axis)) else _ENDS_DIFFER**2
 
 
