@@ -160,6 +160,7 @@ def _noise(
         outlier_size=np.array([tail.size for tail in tails]),
         outlier_fixed=np.array([tail.fixed for tail in tails]),
         core=np.array([tail.core for tail in tails]),
+        reach=REACH[members],
         pattern=np.array([draw.pattern for draw in draws]),
         pace=np.array([draw.pace for draw in draws]),
         moved=np.array([draw.share for draw in draws]),

@@ -37,11 +37,12 @@ class NoiseDraws:
     normal); of a share ``outlier_share`` of all readings it has the scale ``outlier_size`` instead,
     or, where ``outlier_fixed``, lies on either side by ``outlier_size`` in addition. Where the axis
     comes to rest on few places, tails are light: most readings lie so on either side, and e has the
-    standard deviation ``core``. ``offset`` and
-    ``tilt``: standard deviations of offset_jd and tilt_jd, drawn afresh for every test, by
-    ``pattern`` (`INDEPENDENT`, `RUNS`, `WALK`: then those of one step; `WAVE`: ``offset`` is that
-    of the wave, whose correlation time is ``pace`` of the test, ``tilt`` each traverse's own in
-    addition). Only a share ``moved`` of the offsets (steps) is there, the others are nothing.
+    standard deviation ``core``. ``reach``: root mean square of e within the central 99 % of its
+    law. ``offset`` and ``tilt``: standard deviations of offset_jd and tilt_jd, drawn afresh for
+    every test, by ``pattern`` (`INDEPENDENT`, `RUNS`, `WALK`: then those of one step; `WAVE`:
+    ``offset`` is that of the wave, whose correlation time is ``pace`` of the test, ``tilt`` each
+    traverse's own in addition). Only a share ``moved`` of the offsets (steps) is there, the
+    others are nothing.
     ``drift``, ``drift_tilt``: what the test showed from its first run to its last, on the way p
     that `progress` gives for ``drift_rate``, with q from `slackening`. What drifts within a run
     (`within_run`) is the same in every run and part of the error curve. ``farthest``: the largest
@@ -57,6 +58,7 @@ class NoiseDraws:
     outlier_size: FloatArray
     outlier_fixed: BoolArray
     core: FloatArray
+    reach: FloatArray
     pattern: IndexArray
     pace: FloatArray
     moved: FloatArray
@@ -128,6 +130,7 @@ def normal_noise(sigma: FloatArray, centre: float = 0.0, half: float = 1.0) -> N
         outlier_size=np.ones(sigma.shape),
         outlier_fixed=np.zeros(sigma.shape, dtype=np.bool_),
         core=np.ones(sigma.shape),
+        reach=np.ones(sigma.shape),
         pattern=np.zeros(sigma.shape, dtype=np.intp),
         pace=np.ones(sigma.shape),
         moved=np.ones(sigma.shape),
