@@ -28,9 +28,11 @@ from compwright.estimation import (
     axis,
     circle,
     circle_reversal,
+    hidden_periods,
     likelihood,
     model,
     noise,
+    period_likelihood,
     posterior_peaks,
     step_evidence,
 )
@@ -66,6 +68,12 @@ _SAMPLING: Final = (
     (simulated_repeat_tests, "_SETS", 2),
     (circles, "DRAWS", 12),
     (point_count_tradeoff, "_SIZES", 2),
+    (point_count_tradeoff, "_MOST", 60),
+    # A coarser grid where periods are looked for, and fewer that may be hidden.
+    (period_likelihood, "_SMOOTH_STEP", 1.4),
+    (period_likelihood, "_LENGTH_STEP", 0.9),
+    (hidden_periods, "_OTHERS", 16),
+    (hidden_periods, "_KEPT", 24),
     (likelihood, "_DRAWS", 4),
     # One climb to the posterior's peak, and a coarser search for jumps.
     (posterior_peaks, "_ITERATIONS", 8),

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -76,14 +77,13 @@ def accuracy(readings: dict[int, Floats], k: float = 2.0) -> float:
     return float(max(high) - min(low))
 
 
-def floor_of(machine: Machine, targets: Floats, runs: int = 5) -> float:
-    """The A that 99 of 100 tests of a perfectly compensated axis stay below: noise alone."""
+@cache
+def floor_of(noise: float, targets: int, runs: int) -> float:
+    """The A (mm) that 99 of 100 tests of a perfectly compensated axis stay below: noise alone."""
     values = []
     for seed in range(300):
         rng = np.random.default_rng(10_000 + seed)
-        values.append(
-            accuracy({sign: rng.normal(0, machine.noise, (targets.size, runs)) for sign in (1, -1)})
-        )
+        values.append(accuracy({sign: rng.normal(0, noise, (targets, runs)) for sign in (1, -1)}))
     return float(np.quantile(values, 0.99))
 
 
@@ -97,7 +97,9 @@ def allowed(machine: Machine, targets: Floats, spacing: float, runs: int = 5) ->
     """
     estimate = 2 * 3 * machine.noise / np.sqrt(2 * runs)
     curvature = machine.bow * (2.3 * np.pi / (machine.high - machine.low)) ** 2
-    return float(floor_of(machine, targets, runs) + estimate + 2 * curvature * spacing**2 / 8)
+    return float(
+        floor_of(machine.noise, targets.size, runs) + estimate + 2 * curvature * spacing**2 / 8
+    )
 
 
 def csv_of(targets: Floats, readings: dict[int, Floats], axis: str = "X", unit: str = "mm") -> str:

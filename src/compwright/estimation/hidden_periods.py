@@ -27,7 +27,7 @@ is an amplitude of 6.5 µm, which one axis in a hundred exceeds.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
@@ -36,6 +36,7 @@ import numpy as np
 from compwright.estimation.basis import ALIASED, Basis
 from compwright.estimation.period_candidates import PEAK, PeriodOdds
 from compwright.estimation.period_likelihood import (
+    CHUNK,
     BidirectionalMeans,
     PeriodLikelihood,
     log_gains,
@@ -246,7 +247,7 @@ class _ExpectedPeriods:
         frequencies = np.linspace(1.0 / longest, 1.0 / shortest, count)
         even = np.where(self._there(frequencies, targets), 1.0 / frequencies, 0.0)
         even = even / max(float(np.sum(even)), _NOTHING)
-        logs = likelihood.log_odds(frequencies, likelihood.coarse())[0]
+        logs = likelihood.log_odds(frequencies, likelihood.coarse(), harmonics=1)[0]
         by_likelihood = even * np.exp(logs - np.max(logs))
         drawn = 0.5 * even + 0.5 * by_likelihood / max(float(np.sum(by_likelihood)), _NOTHING)
         places = _evenly(drawn, _OTHERS)
@@ -297,20 +298,24 @@ def _hypotheses(
     long, phases = _long_waves(1.0 / periods, bidirectional.targets)
     width = (AMPLITUDE[expected.kind] * _WIDTHS / likelihood.unit) ** 2
     width = width[:, np.newaxis, np.newaxis]
-    gram, moment = likelihood.moments(1.0 / periods, likelihood.everything())
+    gram, moment = likelihood.moments(1.0 / periods, likelihood.everything(), harmonics=1)
     smooth = np.where(np.isfinite(long), likelihood.roughness**2, 0.0)
-    (gains,) = log_gains(gram, moment[:2], width + smooth)
+    each = _gains(gram, moment, width + smooth)
     logs = np.concatenate([node.log for node in likelihood.nodes])
     logs = logs - log_sum(logs)
-    (without,) = log_gains(gram, moment[:2], np.broadcast_to(smooth, gains.shape[1:]))
-    without = log_sums(logs[:, np.newaxis] + without)
-    each = gains + logs[:, np.newaxis] - without + log_odds - np.log(width.size)
+    (without,) = _gains(gram, moment, smooth[np.newaxis, np.newaxis])
+    each += logs[:, np.newaxis]
+    each -= log_sums(logs[:, np.newaxis] + without)
+    each += log_odds
+    each -= np.log(width.size)
     together = log_sum(each.ravel())
-    fit = _SmoothFit(likelihood, bidirectional, free, curve)
+    sines = curve.columns(bidirectional.targets)[:, -basis.sines :]
+    fit = _SmoothFit(likelihood, bidirectional, np.hstack([free, sines]), curve)
     nodes = _evenly(np.exp(logs), _KEPT // 4)
     usual = np.mean([fit.followed(int(node))[0] for node in nodes], axis=0)
     kept = []
-    for place in _evenly(np.exp(each - together).ravel(), _KEPT):
+    shares = each - together
+    for place in _evenly(np.exp(shares, out=shares).ravel(), _KEPT):
         level, node, number = (int(one) for one in np.unravel_index(place, each.shape))
         own, other = float(width[level, 0, 0]), float(smooth[number])
         squares = [[gram[max(i, j), min(i, j)][node, number] for i in (0, 1)] for j in (0, 1)]
@@ -333,6 +338,24 @@ def _hypotheses(
     return WaveHypotheses(part / (1.0 + float(np.exp(-together))), tuple(kept), curve)
 
 
+def _gains(
+    gram: Mapping[tuple[int, int], FloatArray], moment: Sequence[FloatArray], variance: FloatArray
+) -> FloatArray:
+    """Return the log gain (a, n, p) of one harmonic with each ``variance`` (a, 1, p), for a few
+    of the n grid points at a time.
+    """
+    step = max(1, CHUNK // variance.size)
+    parts = [
+        log_gains(
+            {key: value[first : first + step] for key, value in gram.items()},
+            [each[first : first + step] for each in moment],
+            variance,
+        )[0]
+        for first in range(0, len(moment[0]), step)
+    ]
+    return np.concatenate(parts, axis=1)
+
+
 def _long_waves(frequencies: FloatArray, targets: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Return the long waves that the targets show instead of waves of the ``frequencies`` (f,).
     Their frequencies (f,), 1 / mm or 1 / deg, and phases (f,).
@@ -350,12 +373,12 @@ def _long_waves(frequencies: FloatArray, targets: FloatArray) -> tuple[FloatArra
 @dataclass(frozen=True, slots=True)
 class _SmoothFit:
     """The smooth part of the error fitted to values at the targets, for each node of the
-    ``likelihood``.
+    ``likelihood``. ``columns`` (m, k): free columns and smooth part.
     """
 
     likelihood: PeriodLikelihood
     bidirectional: BidirectionalMeans
-    free: FloatArray
+    columns: FloatArray
     curve: CurveColumns
 
     def followed(self, node: int, period: float | None = None) -> tuple[FloatArray, FloatArray]:
@@ -368,16 +391,15 @@ class _SmoothFit:
             if place < nodes.log.size:
                 break
             place -= nodes.log.size
-        sines = self.curve.columns(self.bidirectional.targets)[:, -basis.sines :]
         density = log_smooth(basis.frequencies, nodes.length, nodes.smoothness)
         deviations = np.concatenate(
             [
-                np.full(self.free.shape[1], _VAGUE),
+                np.full(self.columns.shape[1] - basis.sines, _VAGUE),
                 float(nodes.smooth[place]) * np.exp(0.5 * density),
             ]
         )
         noise = np.sqrt(float(nodes.white[place])) * likelihood.root
-        rows = noise[:, np.newaxis] * np.hstack([self.free, sines]) * deviations
+        rows = noise[:, np.newaxis] * self.columns * deviations
         sides = [self.bidirectional.values[:, np.newaxis]]
         if period is not None:
             sides.append(-self.curve.wave(1.0 / period, self.bidirectional.targets))

@@ -16,7 +16,7 @@ integrated out (Bretthorst, Bayesian Spectrum Analysis and Parameter Estimation,
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final
 
@@ -53,7 +53,7 @@ _UNSEEN: Final = 1e-4
 
 #: Numbers that are worked on at a time: about ten arrays of them stay in the cache of a processor
 #: that has other work too, and are not asked of the system anew each time.
-_CHUNK: Final = 30_000
+CHUNK: Final = 30_000
 
 IntArray = np.ndarray[tuple[int], np.dtype[np.intp]]
 
@@ -187,22 +187,25 @@ class PeriodLikelihood:
         return found
 
     def log_odds(
-        self, frequencies: FloatArray, choice: NodeChoice | None = None
-    ) -> tuple[FloatArray, FloatArray]:
+        self, frequencies: FloatArray, choice: NodeChoice | None = None, *, harmonics: int = 2
+    ) -> tuple[FloatArray, ...]:
         """Return the log likelihood ratios (f,) of a wave against no wave, with one harmonic and
         with two. For each of the ``frequencies`` (1 / mm or 1 / deg).
 
-        ``choice``: fewer nodes of the grid, of both hypotheses.
+        ``choice``: fewer nodes of the grid, of both hypotheses; ``harmonics``: 1 for those with one
+        harmonic alone.
         """
         choice = choice or self.everything()
         log = self._log(choice)
-        chunk = max(1, _CHUNK // (log.size * choice.amplitudes.size))
+        chunk = max(1, CHUNK // (log.size * choice.amplitudes.size))
         parts = [
-            [log_sums(log_sums(gains) + log[:, np.newaxis]) for gains in self._gains(part, choice)]
+            [
+                log_sums(log_sums(gains) + log[:, np.newaxis])
+                for gains in self._gains(part, choice, harmonics)
+            ]
             for part in np.split(frequencies, range(chunk, frequencies.size, chunk))
         ]
-        one, both = (np.concatenate(each) - _log_sum(log) for each in zip(*parts, strict=True))
-        return one, both
+        return tuple(np.concatenate(each) - _log_sum(log) for each in zip(*parts, strict=True))
 
     def detectable(self, frequencies: FloatArray) -> FloatArray:
         """Return the smallest amplitude (f,) that the targets would show, mm or deg, for each of
@@ -212,10 +215,10 @@ class PeriodLikelihood:
         """
         choice = self.coarse()
         shares = np.exp(self._log(choice) - _log_sum(self._log(choice)))
-        chunk = max(1, _CHUNK // shares.size)
+        chunk = max(1, CHUNK // shares.size)
         precisions = []
         for part in np.split(frequencies, range(chunk, frequencies.size, chunk)):
-            gram = self.moments(part, choice)[0]
+            gram = self.moments(part, choice, harmonics=1)[0]
             both, apart = gram[0, 0] + gram[1, 1], gram[0, 0] - gram[1, 1]
             precisions.append(shares @ (0.5 * (both - np.hypot(apart, 2.0 * gram[1, 0]))))
         precision = np.concatenate(precisions)
@@ -251,29 +254,31 @@ class PeriodLikelihood:
     def _log(self, choice: NodeChoice) -> FloatArray:
         return np.concatenate([self.nodes[number].log[kept] for number, kept in choice.nodes])
 
-    def _gains(self, frequencies: FloatArray, choice: NodeChoice) -> list[FloatArray]:
+    def _gains(
+        self, frequencies: FloatArray, choice: NodeChoice, harmonics: int = 2
+    ) -> list[FloatArray]:
         """Return the log gain (a, n, f) of a wave of each amplitude at each grid point, with one
-        harmonic and with two.
+        harmonic, and up to the number of ``harmonics``.
         """
         steps = AMPLITUDES[choice.amplitudes]
         log_prior = -0.5 * steps**2
         log_prior = log_prior - _log_sum(log_prior)
         variances = np.exp(2.0 * (self.amplitude[0] + self.amplitude[1] * steps))
-        gram, moment = self.moments(frequencies, choice)
+        gram, moment = self.moments(frequencies, choice, harmonics=harmonics)
         return [
             gain + log_prior[:, np.newaxis, np.newaxis]
             for gain in log_gains(gram, moment, variances[:, np.newaxis, np.newaxis])
         ]
 
     def moments(
-        self, frequencies: FloatArray, choice: NodeChoice
+        self, frequencies: FloatArray, choice: NodeChoice, *, harmonics: int = 2
     ) -> tuple[dict[tuple[int, int], FloatArray], list[FloatArray]]:
         """Return the products W' P W and W' P y of the waves W (n, f) at each grid point.
 
         For each pair of columns and each column: cosine and sine of the first harmonic, half of
         those of the second.
         """
-        waves = self._waves(frequencies)
+        waves = self._waves(frequencies, 2 * harmonics)
         each = [self._moments(self.nodes[number], kept, waves) for number, kept in choice.nodes]
         gram = {key: np.concatenate([part[0][key] for part in each]) for key in each[0][0]}
         moment = [np.concatenate(part) for part in zip(*(part[1] for part in each), strict=True)]
@@ -307,14 +312,15 @@ class PeriodLikelihood:
             tuple((int(n), kept) for n in np.sort(middle)), np.arange(1, AMPLITUDES.size - 1, 3)
         )
 
-    def _waves(self, frequencies: FloatArray) -> _Waves:
-        """Return the cosine and sine of both harmonics. Those of the second are halved, because its
-        prior is half as wide.
+    def _waves(self, frequencies: FloatArray, count: int) -> _Waves:
+        """Return the cosine and sine of both harmonics, the first ``count`` of them. Those of the
+        second are halved, because its prior is half as wide.
         """
         angle = 2.0 * np.pi * np.outer(self.targets - self.targets[0], frequencies)
         cosine, sine = np.cos(angle), np.sin(angle)
         root = self.root[:, np.newaxis]
-        columns = [root * wave for wave in (cosine, sine, cosine**2 - 0.5, cosine * sine)]
+        both = (cosine, sine) if count == 2 else (cosine, sine, cosine**2 - 0.5, cosine * sine)
+        columns = [root * wave for wave in both]
         along = [self.smooth.T @ column for column in columns]
         if not self.left:
             return _Waves(along, {}, [])
@@ -324,14 +330,14 @@ class PeriodLikelihood:
                 sign * np.einsum("kf,kf->f", part[i], part[j])
                 for sign, part in ((1.0, columns), (-1.0, along), (-1.0, free))
             )
-            for i in range(4)
+            for i in range(count)
             for j in range(i + 1)
         }
         return _Waves(along, across, [self.rest @ column for column in columns])
 
 
 def log_gains(
-    gram: dict[tuple[int, int], FloatArray], moment: list[FloatArray], variance: FloatArray
+    gram: Mapping[tuple[int, int], FloatArray], moment: Sequence[FloatArray], variance: FloatArray
 ) -> list[FloatArray]:
     """Return the gain in log likelihood by the first harmonic, by the first two, and so on.
 
@@ -341,22 +347,23 @@ def log_gains(
     size = len(moment)
     work = {key: variance * value for key, value in gram.items() if max(key) < size}
     for i in range(size):
-        work[i, i] = work[i, i] + 1.0
-    right = [np.sqrt(variance) * part for part in moment]
-    gain = np.zeros_like(right[0])
-    determinant = np.ones_like(right[0])
+        work[i, i] += 1.0
+    root = np.sqrt(variance)
+    right = [root * part for part in moment]
+    gain, determinant = right[0] ** 2 / work[0, 0], work[0, 0]
     gains = []
     for i in range(size):
         pivot = work[i, i]
-        determinant = determinant * pivot
-        gain = gain + right[i] ** 2 / pivot
+        if i:
+            determinant = determinant * pivot
+            gain += right[i] ** 2 / pivot
         if i % 2:  # cosine and sine of a harmonic are in
             gains.append(0.5 * gain - 0.5 * np.log(determinant))
         for j in range(i + 1, size):
             factor = work[j, i] / pivot
-            right[j] = right[j] - factor * right[i]
+            right[j] -= factor * right[i]
             for k in range(i + 1, j + 1):
-                work[j, k] = work[j, k] - factor * work[k, i]
+                work[j, k] -= factor * work[k, i]
     return gains
 
 
