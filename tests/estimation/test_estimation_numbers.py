@@ -17,10 +17,9 @@ from compwright.estimation.cholesky import cholesky_factor, factor_and_solve, in
 from compwright.estimation.circle_centre import second_order
 from compwright.estimation.circle_cyclic import longest_pitch, search_cyclic, shortest_pitch
 from compwright.estimation.circle_fit import (
-    WeightedProblem,
     circle_problem,
     fit_causes,
-    white_spectra,
+    white_problems,
 )
 from compwright.estimation.circle_lag import Lag, at_actual_angles
 from compwright.estimation.circle_model import (
@@ -31,7 +30,7 @@ from compwright.estimation.circle_model import (
     cyclic_columns,
     lag_column,
     since_reversal,
-    spike_column,
+    spike_columns,
 )
 from compwright.estimation.circle_noise import angle_grid
 from compwright.estimation.circle_report import shrink_uncertainty
@@ -102,7 +101,7 @@ def test_a_spike_is_that_of_the_exact_machine(axis: str, sense: float) -> None:
     causes: dict[str, Any] = {f"reversal_spike_{axis}": 5.0, f"decay_{axis}": 6.0}
     machine = Machine(**causes)
     parts = [
-        spike_column(of, axis, end, SpikeShape(6.0, False)) for end in ("positive", "negative")
+        spike_columns(of, axis, end, [SpikeShape(6.0, False)])[0] for end in ("positive", "negative")
     ]
     exact = distance(machine, Setup(), of.theta, sense) - R
     spike = sum(radial(of, part.x, part.y) for part in parts)
@@ -208,7 +207,7 @@ def test_a_cyclic_error_is_found_from_the_false_alarm_threshold_on(
     searched = search_cyclic(
         problem,
         fit_causes(
-            WeightedProblem(problem, next(white_spectra(problem))), always, problem.widths**-2.0
+            next(white_problems(problem)), always, problem.widths**-2.0
         ),
         [axis],
     )

@@ -25,7 +25,8 @@ from compwright.estimation.circle_fit import (
     fit_evidence,
     fitted_path,
     residual_spectra,
-    white_spectra,
+    weighted_problem,
+    white_problems,
 )
 from compwright.estimation.circle_lag import Lag, at_actual_angles, common_lag, with_undetected_lag
 from compwright.estimation.circle_model import AXES, CircleSamples, circle_samples, cyclic_columns
@@ -332,11 +333,11 @@ def _likeliest(problem: CircleProblem, *starts: _CircleStart) -> _CircleStart:
     Shapes that are changed one at a time end in the nearest optimum. Noise may take the place of a
     spike, or a spike the place of noise.
     """
-    every = [(start.shapes, start.fitted.spectra) for start in starts]
-    every += [(SpikeShapes(problem), spectra) for spectra in white_spectra(problem)]
+    every = [(s.shapes, weighted_problem(problem, s.fitted.spectra)) for s in starts]
+    every += [(SpikeShapes(problem), weighted) for weighted in white_problems(problem)]
     fits = (
-        _CircleStart(problem, shapes, _fit_with_noise(problem, shapes, spectra))
-        for shapes, spectra in every
+        _CircleStart(problem, shapes, _fit_with_noise(weighted, shapes))
+        for shapes, weighted in every
     )
     return max(fits, key=lambda each: each.evidence)
 
@@ -364,7 +365,7 @@ def _solution(start: _CircleStart, given: dict[str, float]) -> Solution:
     problem, shapes, fitted = start.problem, start.shapes, start.fitted
     problem, fitted, waves = _add_vibration(problem, shapes, fitted)
     draws = draw_shapes(
-        WeightedProblem(problem, fitted.spectra), shapes, np.random.default_rng(problem.target.size)
+        weighted_problem(problem, fitted.spectra), shapes, np.random.default_rng(problem.target.size)
     )
     return Solution(
         problem=problem,
@@ -377,22 +378,23 @@ def _solution(start: _CircleStart, given: dict[str, float]) -> Solution:
     )
 
 
-def _fit_with_noise(
-    problem: CircleProblem, shapes: SpikeShapes, spectra: tuple[ResidualSpectrum, ...]
-) -> CircleFit:
-    """Return the fit whose weights agree with the noise of its residuals.
+def _fit_with_noise(weighted: WeightedProblem, shapes: SpikeShapes) -> CircleFit:
+    """Return the fit whose weights agree with the noise of its residuals. It starts with the noise
+    of ``weighted``.
 
     Iterated two-stage least squares (Seber and Wild, Nonlinear Regression, 1989, chapter 6).
     """
-    shapes.adopt(problem)
-    for _ in range(_NOISE_ROUNDS):
-        weighted = WeightedProblem(problem, spectra)
+    shapes.adopt(weighted.problem)
+    spectra = weighted.spectra
+    for number in range(_NOISE_ROUNDS):
+        if number:
+            weighted = weighted_problem(weighted.problem, spectra)
         choose_shapes(weighted, shapes)
         fitted = fit_causes(weighted, shapes.active(), shapes.precision)
-        last, spectra = spectra, residual_spectra(fitted)
+        spectra = residual_spectra(fitted)
         changes = [
             abs(np.log(new.density[0] / old.density[0]))
-            for new, old in zip(spectra, last, strict=True)
+            for new, old in zip(spectra, weighted.spectra, strict=True)
         ]
         if max(changes) < _NOISE_STEADY:
             break
@@ -416,7 +418,7 @@ def _fit_cyclic(
         problem = problem.with_columns([c for c in fixed if c.name != without])
         shapes.adopt(problem)
         active = shapes.active()
-        weighted = WeightedProblem(problem, spectra, active)
+        weighted = weighted_problem(problem, spectra, active)
         values = fit_causes(weighted, active, shapes.precision).values
         found = dict(zip(active.tolist(), values.tolist(), strict=True))
         value = {name: found.get(index, 0.0) for index, name in enumerate(problem.names)}
@@ -438,7 +440,7 @@ def _add_vibration(
     if found.frequency is not None:
         columns = vibration_columns(problem.samples, found.frequency)
         shaken = problem.with_columns(columns)
-        steady = _fit_with_noise(shaken, shapes, fitted.spectra)
+        steady = _fit_with_noise(weighted_problem(shaken, fitted.spectra), shapes)
         places = [shaken.names.index(column.name) for column in columns]
         at = np.flatnonzero(np.isin(steady.active, places))
         value, covariance = steady.values[at], steady.covariance[np.ix_(at, at)]

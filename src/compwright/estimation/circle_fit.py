@@ -27,7 +27,7 @@ from compwright.estimation.circle_model import (
     TakeUp,
     fixed_columns,
     lag_column,
-    spike_column,
+    spike_columns,
 )
 from compwright.estimation.circle_noise import (
     AngleGrid,
@@ -217,9 +217,7 @@ def _reversals(
         )
         if inside or lasting
     ]
-    columns = [
-        spike_column(samples, axis, end, shape) for axis, end, *_ in places for shape in shapes
-    ]
+    columns = [c for axis, end, *_ in places for c in spike_columns(samples, axis, end, shapes)]
     alike = first + np.arange(len(columns)).reshape(len(places), len(shapes))
     unlike = alike + len(columns)
     found = tuple(
@@ -273,6 +271,7 @@ def sample_spacing(samples: CircleSamples) -> float:
     return float(samples.radius * samples.arc[1] * runs / samples.theta.size)
 
 
+@dataclass(frozen=True, slots=True)
 class WeightedProblem:
     """The normal equations of a circular test weighted by the spectra of the noise; mm and the
     columns' units.
@@ -280,23 +279,10 @@ class WeightedProblem:
     ``gram`` (k, k) without priors, ``right`` (k,).
     """
 
-    def __init__(
-        self,
-        problem: CircleProblem,
-        spectra: tuple[ResidualSpectrum, ...],
-        only: IndexArray | None = None,
-    ) -> None:
-        self.problem, self.spectra = problem, spectra
-        size = problem.widths.size
-        chosen = np.arange(size) if only is None else only
-        self.gram, self.right = np.zeros((size, size)), np.zeros(size)
-        block = np.zeros((chosen.size, chosen.size))
-        for rows, aim, spectrum in zip(problem.rows, problem.aims, spectra, strict=True):
-            root = 1.0 / np.sqrt(spectrum.density)
-            scaled = rows[:, chosen] * root[:, np.newaxis]
-            block += scaled.T @ scaled
-            self.right[chosen] += scaled.T @ (aim * root)
-        self.gram[np.ix_(chosen, chosen)] = block
+    problem: CircleProblem
+    spectra: tuple[ResidualSpectrum, ...]
+    gram: FloatArray
+    right: FloatArray
 
     def without(self, always: IndexArray) -> MarginalEquations:
         """Return the normal equations without the columns ``always``, which are integrated under
@@ -381,16 +367,42 @@ def fit_evidence(found: CircleFit, precision: FloatArray) -> float:
     return float(0.5 * volume - 0.5 * np.sum(prior * found.values**2) - 0.5 * noise)
 
 
-def white_spectra(problem: CircleProblem) -> Iterator[tuple[ResidualSpectrum, ...]]:
-    """Yield start spectra: the noise of all samples is independent and equal. 1 µm each, as quiet
+def weighted_problem(
+    problem: CircleProblem, spectra: tuple[ResidualSpectrum, ...], only: IndexArray | None = None
+) -> WeightedProblem:
+    """Return the weighted normal equations; ``only``: all other columns are 0."""
+    size = problem.widths.size
+    chosen = slice(None) if only is None else only
+    gram, right = np.zeros((size, size)), np.zeros(size)
+    block = gram if only is None else np.zeros((only.size, only.size))
+    for rows, aim, spectrum in zip(problem.rows, problem.aims, spectra, strict=True):
+        root = 1.0 / np.sqrt(spectrum.density)
+        scaled = rows[:, chosen] * root[:, np.newaxis]
+        block += scaled.T @ scaled
+        right[chosen] += scaled.T @ (aim * root)
+    if only is not None:
+        gram[np.ix_(only, only)] = block
+    return WeightedProblem(problem, spectra, gram, right)
+
+
+def white_problems(problem: CircleProblem) -> Iterator[WeightedProblem]:
+    """Yield start equations: the noise of all samples is independent and equal. 1 µm each, as quiet
     as the upper half of the orders, and the geometric mean of both.
     """
     loud = np.full(len(problem.aims), 1e-6)
     upper = [aim[aim.size // 2 :] ** 2 for aim in problem.aims]
     # The median of a chi-square of one degree of freedom is 0.455.
     quiet = np.clip([np.median(power) / 0.455 for power in upper], 1e-14, 1e-6)
+    halves = [
+        (rows.T @ rows, rows.T @ aim) for rows, aim in zip(problem.rows, problem.aims, strict=True)
+    ]
     for level in (loud, np.sqrt(loud * quiet), quiet):
-        yield tuple(ResidualSpectrum(np.full(problem.grid.size, each), 1.0) for each in level)
+        gram, right = (
+            np.sum([part / each for part, each in zip(parts, level, strict=True)], axis=0)
+            for parts in zip(*halves, strict=True)
+        )
+        spectra = tuple(ResidualSpectrum(np.full(problem.grid.size, v), 1.0) for v in level)
+        yield WeightedProblem(problem, spectra, gram, right)
 
 
 def residual_spectra(found: CircleFit) -> tuple[ResidualSpectrum, ...]:

@@ -19,7 +19,7 @@ Accuracy Inspection of NC Machine Tools by Double Ball Bar Method, 1993):
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final
 
@@ -310,20 +310,25 @@ class TakeUp:
         return left
 
 
-def spike_column(
-    samples: CircleSamples, axis: str, end: str, shape: SpikeShape | TakeUp
-) -> CauseColumn:
-    """Return the column of an outward spike of 1 um after the reversals of an axis at one ``end``,
-    in both directions (ISO 230-4:1996, B.3.1).
+def spike_columns(
+    samples: CircleSamples, axis: str, end: str, shapes: Sequence[SpikeShape | TakeUp]
+) -> list[CauseColumn]:
+    """Return the columns of an outward spike of 1 um after the reversals of an axis at one ``end``,
+    in both directions, one for each shape (ISO 230-4:1996, B.3.1).
     """
     arc = since_reversal(samples, axis)
     zero = np.zeros_like(arc)
     start = 0.0 if axis == "first" else 0.5 * np.pi
     turns = np.floor(samples.sense * (samples.theta - start) / np.pi)
     side = 0.0 if end == "positive" else 1.0
-    moved = UM * (1.0 - 2.0 * side) * shape(arc) * (np.mod(turns, 2.0) == side)
-    x, y = (moved, zero) if axis == "first" else (zero, moved)
-    return CauseColumn("_spike", x, y, PRIORS["_spike"])
+    after = np.flatnonzero(np.mod(turns, 2.0) == side)
+    found = []
+    for shape in shapes:
+        moved = np.zeros_like(arc)
+        moved[after] = UM * (1.0 - 2.0 * side) * shape(arc[after])
+        x, y = (moved, zero) if axis == "first" else (zero, moved)
+        found.append(CauseColumn("_spike", x, y, PRIORS["_spike"]))
+    return found
 
 
 def lag_column(samples: CircleSamples, known: Mapping[str, float]) -> CauseColumn:

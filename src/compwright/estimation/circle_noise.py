@@ -15,7 +15,7 @@ the intervals.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 from typing import Final
 
 import numpy as np
@@ -159,23 +159,33 @@ def estimate_spectrum(residual: FloatArray, leverage: FloatArray) -> ResidualSpe
     """
     size = residual.size
     power, freedom = residual**2, np.clip(1.0 - leverage, 1e-9, 1.0)
-    orders = np.arange(size, dtype=np.float64)
-    pools = _pools(size)
+    pools, inverse, logs, curves = _tried(size)
     pooled_power, pooled_freedom = np.add.reduceat(power, pools), np.add.reduceat(freedom, pools)
-    pooled_orders = np.add.reduceat(orders * freedom, pools) / pooled_freedom
-    lengths = np.geomspace(1.0, max(size / _SHORTEST_WAVE, 2.0), _LENGTHS)
     ratios, log_prior = _mixtures(_LENGTHS)
-    shapes = 1.0 + ratios @ _correlated(pooled_orders / size, lengths)
     total = float(np.sum(pooled_freedom))
-    scale = (1.0 / shapes) @ pooled_power
-    log = log_prior - 0.5 * np.log(shapes) @ pooled_freedom
+    scale = inverse @ pooled_power
+    log = log_prior - 0.5 * logs @ pooled_freedom
     log -= 0.5 * total * np.log(np.maximum(scale, 1e-300))
     weights = np.exp(log - np.max(log))
     level = weights / np.sum(weights) * scale / max(total - 2.0, 1.0)
-    density = np.sum(level) + (level @ ratios) @ _correlated(orders / size, lengths)
+    density = np.sum(level) + (level @ ratios) @ curves
     # A tenth of a nanometre: data without any noise keep a finite weight.
     density = np.maximum(density, 1e-14)
     return ResidualSpectrum(density, float(density[0] / np.mean(density)))
+
+
+@lru_cache(maxsize=2)
+def _tried(size: int) -> tuple[IndexArray, FloatArray, FloatArray, FloatArray]:
+    """Return what does not depend on the residuals of ``size`` orders.
+
+    Pools of orders (p,), the inverse and the logarithm (m, p) of the tried spectra at the middle of
+    each pool, and the correlated densities (2 l, size).
+    """
+    lengths = np.geomspace(1.0, max(size / _SHORTEST_WAVE, 2.0), _LENGTHS)
+    pools = _pools(size)
+    middle = 0.5 * (pools + np.append(pools[1:], size) - 1.0)
+    shapes = 1.0 + _mixtures(_LENGTHS)[0] @ _correlated(middle / size, lengths)
+    return pools, 1.0 / shapes, np.log(shapes), _correlated(np.arange(size) / size, lengths)
 
 
 @cache

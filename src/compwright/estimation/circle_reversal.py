@@ -36,6 +36,7 @@ SLOTS: Final = _DECAYS + 1
 #: Standard deviations of the amplitudes of a decay or take-up, um, equally probable: a single wide
 #: one would make small ones improbable (Bartlett, Biometrika 44, 1957).
 _SIZES: Final = np.array([0.4, 2.0, 10.0])
+_PRIOR: Final = (_SIZES**-2.0)[:, np.newaxis]
 #: Prior probability that a decay is there, and that the two directions differ in it.
 _THERE: Final = 0.5
 _UNLIKE: Final = 0.1
@@ -75,29 +76,48 @@ class SpikeShapes:
         self.reversals = problem.reversals
         self._kinds = [_kinds_of(reversal) for reversal in problem.reversals]
         self.precision = problem.widths**-2.0
+        self._columns: dict[tuple[int, int], list[int]] = {}
         for slot in self.slots():
-            self.precision[self.columns(*slot)] = _SIZES[self.size[slot]] ** -2.0
+            self._find_columns(*slot)
         self.count = len(problem.names)
         self.always = np.array([i for i, n in enumerate(problem.names) if n not in RARE])
         self.rare = {n: i for i, n in enumerate(problem.names) if n in RARE}
 
     def columns(self, reversal: int, slot: int) -> list[int]:
         """Return the columns for one place of a reversal point."""
+        return self._columns[reversal, slot]
+
+    def at(self, place: tuple[int, int] | str) -> tuple[object, ...]:
+        """Return what is chosen at one place of a reversal point, or for a rare cause."""
+        if isinstance(place, str):
+            return (self.present[place],)
+        return *self._columns[place], self.size[place]
+
+    def put(
+        self, reversal: int, slot: int, place: int, *, unlike: bool = False, size: int = 0
+    ) -> None:
+        """Give one place of a reversal point a shape. ``place`` -1: none."""
+        self.place[reversal, slot] = place
+        if place >= 0:
+            self.unlike[reversal, slot], self.size[reversal, slot] = unlike, size
+        self._find_columns(reversal, slot)
+
+    def _find_columns(self, reversal: int, slot: int) -> None:
         place, here = self.place[reversal, slot], self.reversals[reversal]
-        if place < 0:
-            return []
-        own = [int(here.alike[place])]
-        return [*own, int(here.unlike[place])] if self.unlike[reversal, slot] else own
+        found = [int(here.alike[place])] if place >= 0 else []
+        if found and self.unlike[reversal, slot]:
+            found.append(int(here.unlike[place]))
+        self._columns[reversal, slot] = found
+        self.precision[found] = _SIZES[self.size[reversal, slot]] ** -2.0
 
     def chosen(self, but: tuple[int, int] | str | None = None) -> IndexArray:
         """Return the spikes and rare causes in the model, without those of one place or name."""
         rare = [column for name, column in self.rare.items() if self.present[name] and name != but]
         found = [
             column
-            for reversal in range(len(self.reversals))
-            for slot in range(SLOTS)
-            if (reversal, slot) != but
-            for column in self.columns(reversal, slot)
+            for place, columns in self._columns.items()
+            if columns and place != but
+            for column in columns
         ]
         return np.array(rare + found, dtype=np.intp)
 
@@ -144,59 +164,69 @@ def _kinds_of(reversal: Reversal) -> tuple[IndexArray, IndexArray]:
 def choose_shapes(weighted: WeightedProblem, shapes: SpikeShapes) -> None:
     """Change the spike shapes one at a time until no change makes the fit more probable."""
     marginal = weighted.without(shapes.always)
+    every = {place: _Options(marginal, shapes, *place) for place in shapes.slots()}
+    changes, compared = 0, dict.fromkeys((*every, *shapes.rare), -1)
     for _ in range(_CLIMBS):
-        before = shapes.place.copy(), shapes.unlike.copy(), dict(shapes.present)
-        for reversal, slot in shapes.slots():
-            _set(
-                shapes, reversal, slot, int(np.argmax(_evidence(marginal, shapes, reversal, slot)))
-            )
-        for name in shapes.rare:
-            shapes.present[name] = _odds(marginal, shapes, name)[0] > 0.0
-        same = np.array_equal(before[0], shapes.place) and np.array_equal(before[1], shapes.unlike)
-        if same and before[2] == shapes.present:
+        start = changes
+        for place, last in compared.items():
+            if last == changes:  # with the same others the same shape is the most probable
+                continue
+            before = shapes.at(place)
+            if isinstance(place, str):
+                shapes.present[place] = _odds(marginal, shapes, place)[0] > 0.0
+            else:
+                _set(shapes, *place, int(np.argmax(every[place].evidence(marginal, shapes))))
+            changes += shapes.at(place) != before
+            compared[place] = changes
+        if changes == start:
             break
 
 
 def _set(shapes: SpikeShapes, reversal: int, slot: int, option: int) -> None:
-    """Give one place of a reversal point one of the shapes that `_evidence` compares."""
+    """Give one place of a reversal point one of the shapes that `_Options` compares."""
     options = shapes.options(reversal, slot)
     if option == 0:
-        shapes.place[reversal, slot] = -1
+        shapes.put(reversal, slot, -1)
         return
-    unlike, size, place = np.unravel_index(option - 1, (2, _SIZES.size, options.size))
-    shapes.place[reversal, slot] = options[place]
-    shapes.unlike[reversal, slot], shapes.size[reversal, slot] = bool(unlike), size
-    shapes.precision[shapes.columns(reversal, slot)] = _SIZES[size] ** -2.0
+    # Alike or not, size, place: the order of `_Options.evidence`.
+    rest, place = divmod(option - 1, options.size)
+    unlike, size = divmod(rest, _SIZES.size)
+    shapes.put(reversal, slot, int(options[place]), unlike=bool(unlike), size=size)
 
 
-def _added(
-    marginal: MarginalEquations, shapes: SpikeShapes, chosen: IndexArray, tried: IndexArray
-) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Return what the columns ``tried`` (t,) add to a fit with the ``chosen`` columns.
-
-    Right side (t,), weight (t,) without their priors, and the inner products (c, t) with the chosen
-    ones.
-
-    Columns added to a regression with normal priors: Seber and Lee, Linear Regression Analysis, 2nd
-    ed. 2003, section 3.7.
+class _Tried:
+    """Columns (t,) that may be added to a fit, and their normal equations: ``rows`` (k, t),
+    ``weight`` (t,) and ``right`` (t,).
     """
-    weight = marginal.gram[tried, tried]
-    if not chosen.size:
-        return marginal.right[tried], np.maximum(weight, 0.0), np.zeros((0, tried.size))
-    rows = marginal.gram[chosen]
-    normal = rows[:, chosen]
-    diagonal = slice(None, None, chosen.size + 1)
-    normal.flat[diagonal] += shapes.precision[chosen]
-    unit = 1.0 / np.sqrt(normal.diagonal())
-    normal *= np.outer(unit, unit)
-    normal.flat[diagonal] += _ROUNDING
-    root = np.linalg.cholesky(normal)
-    both = np.empty((chosen.size, tried.size + 1))
-    both[:, :-1], both[:, -1] = rows[:, tried], marginal.right[chosen]
-    inner = np.linalg.solve(root, both * unit[:, np.newaxis])
-    known = inner[:, :-1]
-    weight = np.maximum(weight - (known**2).sum(axis=0), 0.0)
-    return marginal.right[tried] - known.T @ inner[:, -1], weight, known
+
+    def __init__(self, marginal: MarginalEquations, columns: IndexArray) -> None:
+        self.rows = marginal.gram[:, columns]
+        self.weight = np.maximum(marginal.gram[columns, columns], 0.0)
+        self.right = marginal.right[columns]
+
+    def added(
+        self, marginal: MarginalEquations, shapes: SpikeShapes, chosen: IndexArray
+    ) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Return what the columns add to a fit with the ``chosen`` columns.
+
+        Right side (t,), weight (t,) without their priors, and the inner products (c, t) with the
+        chosen ones.
+
+        Columns added to a regression with normal priors: Seber and Lee, Linear Regression Analysis,
+        2nd ed. 2003, section 3.7.
+        """
+        if not chosen.size:
+            return self.right, self.weight, np.zeros((0, self.right.size))
+        normal = marginal.gram[chosen[:, np.newaxis], chosen]
+        diagonal = slice(None, None, chosen.size + 1)
+        normal.flat[diagonal] += shapes.precision[chosen]
+        unit = 1.0 / np.sqrt(normal.diagonal())
+        normal *= unit * unit[:, np.newaxis]
+        normal.flat[diagonal] += _ROUNDING
+        root = np.linalg.inv(np.linalg.cholesky(normal)) * unit
+        known = root @ self.rows[chosen]
+        weight = np.maximum(self.weight - np.einsum("ct,ct->t", known, known), 0.0)
+        return self.right - known.T @ (root @ marginal.right[chosen]), weight, known
 
 
 def _odds(marginal: MarginalEquations, shapes: SpikeShapes, name: str) -> tuple[float, float]:
@@ -204,49 +234,58 @@ def _odds(marginal: MarginalEquations, shapes: SpikeShapes, name: str) -> tuple[
     exists.
     """
     column = shapes.rare[name]
-    rest, found, _ = _added(marginal, shapes, shapes.chosen(name), np.array([column]))
+    tried = _Tried(marginal, np.array([column]))
+    rest, found, _ = tried.added(marginal, shapes, shapes.chosen(name))
     weight = found + shapes.precision[column]
     gain = 0.5 * rest**2 / weight - 0.5 * np.log(weight / shapes.precision[column])
     odds = RARE[name] / (1.0 - RARE[name])
     return float(np.log(odds) + gain[0]), float(1.0 / np.sqrt(weight[0]))
 
 
-def _evidence(
-    marginal: MarginalEquations, shapes: SpikeShapes, reversal: int, slot: int
-) -> FloatArray:
-    """Return the log probability of every shape for one place of a reversal point: none, equal in
-    both directions, or different.
+class _Options:
+    """The shapes that are possible at one place of a reversal point, compared by their evidence."""
 
-    Nothing, each size and shape alike in both directions, each with a difference (1 + 2 s m,); with
-    one direction (1 + s m,).
-    """
-    here, options = shapes.reversals[reversal], shapes.options(reversal, slot)
-    if not options.size:
-        return np.zeros(1)
-    count, prior = options.size, (_SIZES**-2.0)[:, np.newaxis]
-    tried = np.concatenate([here.alike[options], here.unlike[options if here.unlike.size else []]])
-    rest, found, known = _added(marginal, shapes, shapes.chosen((reversal, slot)), tried)
-    weight = found[:count] + prior
-    alike = 0.5 * rest[:count] ** 2 / weight - 0.5 * np.log(weight / prior)
-    # Two slots with one shape are one decay of another size.
-    for each in range(SLOTS):
-        if each != slot:
-            alike[:, options == shapes.place[reversal, each]] = -np.inf
-    there = np.log(_THERE / alike.size)
-    if not here.unlike.size:
-        return np.concatenate([[np.log(1.0 - _THERE)], there + alike.ravel()])
-    shared = (known[:, :count] * known[:, count:]).sum(axis=0)
-    cross = marginal.gram[tried[:count], tried[count:]] - shared
-    left = np.maximum(found[count:] - cross**2 / weight, 0.0) + prior
-    more = rest[count:] - cross / weight * rest[:count]
-    unlike = alike + 0.5 * more**2 / left - 0.5 * np.log(left / prior)
-    return np.concatenate(
-        [
-            [np.log(1.0 - _THERE)],
-            there + np.log(1.0 - _UNLIKE) + alike.ravel(),
-            there + np.log(_UNLIKE) + unlike.ravel(),
-        ]
-    )
+    def __init__(
+        self, marginal: MarginalEquations, shapes: SpikeShapes, reversal: int, slot: int
+    ) -> None:
+        here, self.options = shapes.reversals[reversal], shapes.options(reversal, slot)
+        self.place = reversal, slot
+        self.both = bool(here.unlike.size)
+        alike, unlike = here.alike[self.options], here.unlike[self.options if self.both else []]
+        self.tried = _Tried(marginal, np.concatenate([alike, unlike]))
+        self.cross = marginal.gram[alike, unlike] if self.both else np.empty(0)
+
+    def evidence(self, marginal: MarginalEquations, shapes: SpikeShapes) -> FloatArray:
+        """Return the log probability of every shape: none, equal in both directions, or different.
+
+        Nothing, each size and shape alike in both directions, each with a difference (1 + 2 s m,);
+        with one direction (1 + s m,).
+        """
+        count = self.options.size
+        if not count:
+            return np.zeros(1)
+        rest, found, known = self.tried.added(marginal, shapes, shapes.chosen(self.place))
+        weight = found[:count] + _PRIOR
+        alike = 0.5 * rest[:count] ** 2 / weight - 0.5 * np.log(weight / _PRIOR)
+        # Two slots with one shape are one decay of another size.
+        reversal, slot = self.place
+        for each in range(SLOTS):
+            if each != slot:
+                alike[:, self.options == shapes.place[reversal, each]] = -np.inf
+        there = np.log(_THERE / alike.size)
+        if not self.both:
+            return np.concatenate([[np.log(1.0 - _THERE)], there + alike.ravel()])
+        cross = self.cross - np.einsum("ct,ct->t", known[:, :count], known[:, count:])
+        left = np.maximum(found[count:] - cross**2 / weight, 0.0) + _PRIOR
+        more = rest[count:] - cross / weight * rest[:count]
+        unlike = alike + 0.5 * more**2 / left - 0.5 * np.log(left / _PRIOR)
+        return np.concatenate(
+            [
+                [np.log(1.0 - _THERE)],
+                there + np.log(1.0 - _UNLIKE) + alike.ravel(),
+                there + np.log(_UNLIKE) + unlike.ravel(),
+            ]
+        )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -301,15 +340,16 @@ def draw_shapes(
     They come in pairs about their mean (antithetic variates: Hammersley and Morton, 1956).
     """
     marginal = weighted.without(shapes.always)
+    every = {place: _Options(marginal, shapes, *place) for place in shapes.slots()}
     paths: list[FloatArray] = []
     values, errors = [], dict.fromkeys(shapes.rare, 0.0)
     recorded = [_Recorder(weighted.problem, reversal) for reversal in shapes.reversals]
     for sweep in range(_FORGOTTEN + _SWEEPS):
-        for reversal, slot in shapes.slots():
-            score = _evidence(marginal, shapes, reversal, slot)
+        for place, options in every.items():
+            score = options.evidence(marginal, shapes)
             chance = np.exp(score - score.max()).cumsum()
             option = int(chance.searchsorted(rng.random() * chance[-1]))
-            _set(shapes, reversal, slot, min(option, score.size - 1))
+            _set(shapes, *place, min(option, score.size - 1))
         for name in shapes.rare if sweep % _RARELY == 0 else ():
             odds, errors[name] = _odds(marginal, shapes, name)
             shapes.present[name] = bool(np.log(1.0 / max(rng.random(), 1e-300) - 1.0) < odds)
