@@ -101,7 +101,8 @@ def test_a_spike_is_that_of_the_exact_machine(axis: str, sense: float) -> None:
     causes: dict[str, Any] = {f"reversal_spike_{axis}": 5.0, f"decay_{axis}": 6.0}
     machine = Machine(**causes)
     parts = [
-        spike_columns(of, axis, end, [SpikeShape(6.0, False)])[0] for end in ("positive", "negative")
+        spike_columns(of, axis, end, [SpikeShape(6.0, False)])[0]
+        for end in ("positive", "negative")
     ]
     exact = distance(machine, Setup(), of.theta, sense) - R
     spike = sum(radial(of, part.x, part.y) for part in parts)
@@ -206,9 +207,7 @@ def test_a_cyclic_error_is_found_from_the_false_alarm_threshold_on(
     always = np.arange(len(problem.names))
     searched = search_cyclic(
         problem,
-        fit_causes(
-            next(white_problems(problem)), always, problem.widths**-2.0
-        ),
+        fit_causes(next(white_problems(problem)), always, problem.widths**-2.0),
         [axis],
     )
     assert (axis in searched.found) is found

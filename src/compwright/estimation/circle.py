@@ -32,7 +32,6 @@ from compwright.estimation.circle_lag import Lag, at_actual_angles, common_lag, 
 from compwright.estimation.circle_model import AXES, CircleSamples, circle_samples, cyclic_columns
 from compwright.estimation.circle_noise import (
     AngleGrid,
-    ResidualSpectrum,
     angle_grid,
     inverse_cosine_transform,
 )
@@ -365,7 +364,9 @@ def _solution(start: _CircleStart, given: dict[str, float]) -> Solution:
     problem, shapes, fitted = start.problem, start.shapes, start.fitted
     problem, fitted, waves = _add_vibration(problem, shapes, fitted)
     draws = draw_shapes(
-        weighted_problem(problem, fitted.spectra), shapes, np.random.default_rng(problem.target.size)
+        weighted_problem(problem, fitted.spectra),
+        shapes,
+        np.random.default_rng(problem.target.size),
     )
     return Solution(
         problem=problem,

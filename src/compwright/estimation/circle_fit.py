@@ -51,6 +51,8 @@ _TAKEN: Final = (0.2, 30.0)
 _TAKEN_RATIO: Final = 1.35
 #: A take-up shorter than this, in samples, is over before it is seen.
 _SEEN: Final = 0.6
+#: Share of the squares of all spikes in what is left out when they are made of fewer curves.
+_NEGLIGIBLE: Final = 1e-14
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -76,9 +78,11 @@ class CircleProblem:
     """The equations of one circular test, transformed and split into two halves (`circle_noise`).
 
     ``slopes`` (n, p) mm per unit by sample of the ``names`` (p,) that are always in the model;
-    ``widths`` (k,): priors of all columns, the spikes of the ``reversals`` after the first p.
-    ``rows`` (size, k) by half; ``target`` (n,) and ``aims`` (size,) by half: readings, made linear,
-    mm. ``towards_x``, ``towards_y`` (n,): direction of the bar.
+    ``widths`` (k,): priors of all columns, the m spikes of each of the r ``reversals`` after the
+    first p. ``mixture`` (q, m): the spikes of a reversal are so many of each of the q curves in
+    ``spikes`` (n, r q). ``rows`` by half: (size, p + r q), with two directions (size, p + 2 r q);
+    ``target`` (n,) and ``aims`` (size,) by half: readings, made linear, mm. ``towards_x``,
+    ``towards_y`` (n,): direction of the bar.
     """
 
     samples: CircleSamples
@@ -93,6 +97,35 @@ class CircleProblem:
     towards_y: FloatArray
     reversals: tuple[Reversal, ...]
     spikes: FloatArray
+    mixture: FloatArray
+
+    def spiked(self, right: FloatArray) -> FloatArray:
+        """Return a row (..., p + c q) of all curves as one (..., p + c m) of all columns."""
+        count, (curves, shapes) = len(self.names), self.mixture.shape
+        if not shapes:
+            return right
+        mixed = right[..., count:].reshape(-1, curves) @ self.mixture
+        return np.concatenate([right[..., :count], mixed.reshape(*right.shape[:-1], -1)], axis=-1)
+
+    def rows_of(self, active: IndexArray) -> tuple[FloatArray, ...]:
+        """Return the rows (size, a) of the ``active`` columns, by half."""
+        count, (curves, shapes) = len(self.names), self.mixture.shape
+        found = tuple(np.empty((half.shape[0], active.size)) for half in self.rows)
+        for index, column in enumerate(active.tolist()):
+            block, place = divmod(column - count, max(shapes, 1))
+            start = count + block * curves
+            for rows, half in zip(found, self.rows, strict=True):
+                rows[:, index] = (
+                    half[:, column]
+                    if column < count
+                    else half[:, start : start + curves] @ self.mixture[:, place]
+                )
+        return found
+
+    def spike_curve(self, sizes: FloatArray) -> FloatArray:
+        """Return the deviation of the samples, mm (n,), by spikes of these ``sizes`` (r, m)."""
+        curve: FloatArray = self.spikes @ (sizes @ self.mixture.T).ravel()
+        return curve
 
     def seen(self, columns: Sequence[CauseColumn]) -> FloatArray:
         """Return the change of the bar's length by one unit of each cause, mm (n, columns)."""
@@ -105,7 +138,7 @@ class CircleProblem:
         fresh = self.seen(columns)
         replaced = {c.name for c in columns}
         keep = [i for i, name in enumerate(self.names) if name not in replaced]
-        rest = np.arange(len(self.names), self.widths.size)
+        rest = slice(len(self.names), None)
         rows = tuple(
             np.column_stack([row[:, keep], new, row[:, rest]])
             for row, new in zip(self.rows, sum_and_difference(self.grid, fresh), strict=True)
@@ -131,35 +164,50 @@ def circle_problem(samples: CircleSamples, grid: AngleGrid) -> CircleProblem:
     if samples.lag_std > 0.0:
         fixed.append(lag_column(samples, known))
     reversals, spikes = _reversals(samples, len(fixed))
-    columns = [c.x * towards[0] + c.y * towards[1] for c in fixed]
-    slopes = np.column_stack(columns)
-    shapes = [c.x * towards[0] + c.y * towards[1] for c in spikes]
-    seen = np.column_stack([slopes, *shapes]) if shapes else slopes
-    rows = list(sum_and_difference(grid, seen))
-    if len(rows) == 2 and shapes:
+    slopes = np.column_stack([c.x * towards[0] + c.y * towards[1] for c in fixed])
+    shapes = np.array([c.x * towards[0] + c.y * towards[1] for c in spikes])
+    each = len(spikes) // max(len(reversals), 1)
+    curves, mixture = _common_curves(shapes.reshape(len(reversals), each, samples.theta.size))
+    seen = np.column_stack([slopes, curves])
+    rows = sum_and_difference(grid, seen)
+    if len(rows) == 2:
         # A column that changes sign with the direction has its halves exchanged.
         first = slopes.shape[1]
-        rows = [
+        rows = (
             np.column_stack([rows[0], rows[1][:, first:]]),
             np.column_stack([rows[1], rows[0][:, first:]]),
-        ]
-    count = rows[0].shape[1] - len(fixed)
-    widths = np.concatenate([[c.width for c in fixed], np.full(count, 1.0)])
-    widths[len(fixed) :] = spikes[0].width if spikes else 1.0
+        )
+    widths = np.concatenate([[c.width for c in fixed], *([c.width for c in spikes] for _ in rows)])
     return CircleProblem(
         samples=samples,
         grid=grid,
         names=tuple(c.name for c in fixed),
         slopes=slopes,
         widths=widths,
-        rows=tuple(rows),
+        rows=rows,
         target=target,
         aims=sum_and_difference(grid, target),
         towards_x=towards[0],
         towards_y=towards[1],
         reversals=reversals,
-        spikes=np.column_stack(shapes) if shapes else np.zeros((samples.theta.size, 0)),
+        spikes=curves,
+        mixture=mixture,
     )
+
+
+def _common_curves(shapes: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Return fewer curves that the ``shapes`` (r, m, n) of all reversals are made of: (n, r q), and
+    how much of each a shape contains (q, m).
+
+    Decays of neighbouring lengths are nearly dependent; their principal components above the
+    rounding are half as many (Golub and Van Loan, Matrix Computations, 4th ed. 2013, section 2.4).
+    """
+    if not shapes.size:
+        return np.zeros((shapes.shape[2], 0)), np.zeros((0, shapes.shape[1]))
+    energy, vectors = np.linalg.eigh(np.sum(shapes @ np.swapaxes(shapes, 1, 2), axis=0))
+    mixture = vectors[:, energy > _NEGLIGIBLE * energy[-1]].T
+    curves = mixture @ shapes
+    return curves.reshape(-1, shapes.shape[2]).T, mixture
 
 
 def _linear(
@@ -338,7 +386,7 @@ def fit_causes(weighted: WeightedProblem, active: IndexArray, precision: FloatAr
     """
     values, covariance = weighted.posterior(active, precision)
     problem = weighted.problem
-    rows = tuple(half[:, active] for half in problem.rows)
+    rows = problem.rows_of(active)
     return CircleFit(
         active=active,
         values=values,
@@ -371,18 +419,36 @@ def weighted_problem(
     problem: CircleProblem, spectra: tuple[ResidualSpectrum, ...], only: IndexArray | None = None
 ) -> WeightedProblem:
     """Return the weighted normal equations; ``only``: all other columns are 0."""
-    size = problem.widths.size
-    chosen = slice(None) if only is None else only
-    gram, right = np.zeros((size, size)), np.zeros(size)
-    block = gram if only is None else np.zeros((only.size, only.size))
-    for rows, aim, spectrum in zip(problem.rows, problem.aims, spectra, strict=True):
-        root = 1.0 / np.sqrt(spectrum.density)
-        scaled = rows[:, chosen] * root[:, np.newaxis]
-        block += scaled.T @ scaled
-        right[chosen] += scaled.T @ (aim * root)
-    if only is not None:
-        gram[np.ix_(only, only)] = block
+    if only is None:
+        halves = [
+            _normal(rows * root[:, np.newaxis], aim * root)
+            for rows, aim, root in zip(problem.rows, problem.aims, _roots(spectra), strict=True)
+        ]
+        return _of_halves(problem, spectra, halves)
+    gram, right = np.zeros((problem.widths.size,) * 2), np.zeros(problem.widths.size)
+    for rows, aim, root in zip(problem.rows_of(only), problem.aims, _roots(spectra), strict=True):
+        block, side = _normal(rows * root[:, np.newaxis], aim * root)
+        gram[np.ix_(only, only)] += block
+        right[only] += side
     return WeightedProblem(problem, spectra, gram, right)
+
+
+def _roots(spectra: tuple[ResidualSpectrum, ...]) -> list[FloatArray]:
+    return [1.0 / np.sqrt(spectrum.density) for spectrum in spectra]
+
+
+def _normal(rows: FloatArray, aim: FloatArray) -> tuple[FloatArray, FloatArray]:
+    return rows.T @ rows, rows.T @ aim
+
+
+def _of_halves(
+    problem: CircleProblem,
+    spectra: tuple[ResidualSpectrum, ...],
+    halves: Sequence[tuple[FloatArray, FloatArray]],
+) -> WeightedProblem:
+    gram, right = (np.sum(parts, axis=0) for parts in zip(*halves, strict=True))
+    spiked = problem.spiked
+    return WeightedProblem(problem, spectra, spiked(spiked(gram).T), spiked(right))
 
 
 def white_problems(problem: CircleProblem) -> Iterator[WeightedProblem]:
@@ -393,16 +459,11 @@ def white_problems(problem: CircleProblem) -> Iterator[WeightedProblem]:
     upper = [aim[aim.size // 2 :] ** 2 for aim in problem.aims]
     # The median of a chi-square of one degree of freedom is 0.455.
     quiet = np.clip([np.median(power) / 0.455 for power in upper], 1e-14, 1e-6)
-    halves = [
-        (rows.T @ rows, rows.T @ aim) for rows, aim in zip(problem.rows, problem.aims, strict=True)
-    ]
+    halves = [_normal(*half) for half in zip(problem.rows, problem.aims, strict=True)]
     for level in (loud, np.sqrt(loud * quiet), quiet):
-        gram, right = (
-            np.sum([part / each for part, each in zip(parts, level, strict=True)], axis=0)
-            for parts in zip(*halves, strict=True)
-        )
         spectra = tuple(ResidualSpectrum(np.full(problem.grid.size, v), 1.0) for v in level)
-        yield WeightedProblem(problem, spectra, gram, right)
+        weighted = [(g / v, r / v) for (g, r), v in zip(halves, level, strict=True)]
+        yield _of_halves(problem, spectra, weighted)
 
 
 def residual_spectra(found: CircleFit) -> tuple[ResidualSpectrum, ...]:
@@ -424,12 +485,13 @@ def fitted_path(problem: CircleProblem, active: IndexArray, values: FloatArray) 
     """
     every = np.zeros(problem.widths.size)
     every[active] = values
-    count, half = len(problem.names), problem.spikes.shape[1]
-    plain, alike, unlike = np.split(every, [count, count + half])
-    spikes = problem.spikes @ alike
-    if unlike.size:
-        spikes = spikes + problem.samples.sense * (problem.spikes @ unlike)
-    path: FloatArray = problem.slopes @ plain + spikes
+    count = len(problem.names)
+    path: FloatArray = problem.slopes @ every[:count]
+    shape = len(problem.reversals), problem.mixture.shape[1]
+    signs = 1.0, problem.samples.sense
+    for sign, sizes in zip(signs, every[count:].reshape(-1, *shape), strict=False):
+        if sizes.any():
+            path = path + sign * problem.spike_curve(sizes)
     return path
 
 

@@ -360,13 +360,13 @@ def _spike(
         "rise": time * float(np.median(spike.rise)) if likely else None,
         "raw_peak": raw_peak(solution, axis, end, None if index is None else (1.0, -1.0)[index]),
     }
-    columns = solution.problem.spikes[:, spike.reversal.alike - len(solution.problem.names)]
-    curve = columns @ np.mean(spike.curve[pick], axis=0)
+    here = [each is spike for each in solution.draws.spikes]
+    sizes = np.outer(here, np.mean(spike.curve[pick], axis=0))
     return _ReportedCause(
         name=f"reversal_spike_{axis}_at_{end}{suffix}",
         value=value,
         drawn=heights,
-        curve=curve,
+        curve=solution.problem.spike_curve(sizes),
         detail=True,
         positive=value >= 0.0,
         variance=variance,

@@ -12,6 +12,7 @@ George and McCulloch, Statistica Sinica 7, 1997).
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Final
@@ -200,7 +201,7 @@ class _Tried:
     """
 
     def __init__(self, marginal: MarginalEquations, columns: IndexArray) -> None:
-        self.rows = marginal.gram[:, columns]
+        self.rows = marginal.gram[columns].T  # symmetric: rows are quicker to take
         self.weight = np.maximum(marginal.gram[columns, columns], 0.0)
         self.right = marginal.right[columns]
 
@@ -233,13 +234,13 @@ def _odds(marginal: MarginalEquations, shapes: SpikeShapes, name: str) -> tuple[
     """Return the log odds that a rare cause exists. Also its standard error in its unit if it
     exists.
     """
-    column = shapes.rare[name]
-    tried = _Tried(marginal, np.array([column]))
+    tried = _Tried(marginal, np.array([shapes.rare[name]]))
     rest, found, _ = tried.added(marginal, shapes, shapes.chosen(name))
-    weight = found + shapes.precision[column]
-    gain = 0.5 * rest**2 / weight - 0.5 * np.log(weight / shapes.precision[column])
+    prior = shapes.precision[shapes.rare[name]]
+    weight = float(found[0] + prior)
+    gain = 0.5 * float(rest[0]) ** 2 / weight - 0.5 * math.log(weight / prior)
     odds = RARE[name] / (1.0 - RARE[name])
-    return float(np.log(odds) + gain[0]), float(1.0 / np.sqrt(weight[0]))
+    return math.log(odds) + gain, 1.0 / math.sqrt(weight)
 
 
 class _Options:

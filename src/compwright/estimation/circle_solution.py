@@ -39,14 +39,10 @@ class Solution:
     @property
     def spikes(self) -> FloatArray:
         """Return the deviation of every sample that the mean spikes explain, mm (n,)."""
-        samples, shapes = self.problem.samples, self.problem.spikes
-        total = np.zeros(samples.theta.size)
-        first = len(self.problem.names)
-        for spike in self.draws.spikes:
-            columns = shapes[:, spike.reversal.alike - first]
-            for sense, curve in zip((1.0, -1.0), spike.curve, strict=False):
-                mine = samples.sense == sense if len(spike.curve) == 2 else slice(None)
-                total[mine] += columns[mine] @ curve
+        senses, total = self.problem.samples.sense, np.zeros(self.problem.target.size)
+        for turn, sense in enumerate((1.0, -1.0)) if self.draws.spikes else ():
+            sizes = np.array([spike.curve[turn % len(spike.curve)] for spike in self.draws.spikes])
+            total += np.where(senses == sense, self.problem.spike_curve(sizes), 0.0)
         return total
 
     @property
