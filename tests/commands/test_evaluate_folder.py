@@ -323,7 +323,7 @@ def test_a_fault_of_our_own_is_named_and_the_rest_evaluated(
     said = capsys.readouterr()
     assert code == 70
     assert "t04.csv" in said.out
-    assert "t05.csv: a fault of compwright itself: ZeroDivisionError: by nothing" in said.err
+    assert "t05.csv: an internal error of compwright: ZeroDivisionError: by nothing" in said.err
     assert "Please report" in said.err
 
 

@@ -110,7 +110,7 @@ KINDS = {
     "inches": csv("in inches", "export the file again in mm", READINGS.replace("target_mm", "target_in")),
     "an unknown direction": csv("neither + nor -", "write + or -", READINGS.replace("97,+,1,", "97,*,1,")),
     "a newer file": csv("newer version of compwright", "install the newer version", "# compwright: positioning 2\n" + READINGS),
-    "no readings": csv("holds no readings", "add the readings below the header row", READINGS.partition("0,+,1")[0]),
+    "no readings": csv("contains no readings", "add the readings below the header row", READINGS.partition("0,+,1")[0]),
 }  # fmt: skip
 
 

@@ -420,12 +420,12 @@ def cut_index(path: Path) -> None:
 @pytest.mark.parametrize(
     ("make", "words"),
     [
-        (lambda path: path.write_text("A diary"), "is no index of a history"),
-        (lambda path: path.write_bytes(b""), "is no index of a history"),
+        (lambda path: path.write_text("A diary"), "is not an index of a history"),
+        (lambda path: path.write_bytes(b""), "is not an index of a history"),
         (other_database, "another program's database"),
         (newer_index, "is an index of another version"),
         (cut_index, "is a damaged index"),
-        (lambda path: path.mkdir(), "is no index of a history"),
+        (lambda path: path.mkdir(), "is not an index of a history"),
     ],
 )
 def test_what_is_no_index_is_refused_and_stays(

@@ -127,8 +127,11 @@ def test_many_suspect_traverses_are_counted_and_the_farthest_told() -> None:
 @pytest.mark.parametrize(
     ("limit", "words"),
     [
-        ("MOST_READINGS", "holds too many readings; expected at most 100 in one test, found 220"),
-        ("MOST_TARGETS", "holds too many targets; expected at most 100 in one test, found 110"),
+        (
+            "MOST_READINGS",
+            ("contains too many readings; expected at most 100 in one test, found 220"),
+        ),
+        ("MOST_TARGETS", "contains too many targets; expected at most 100 in one test, found 110"),
     ],
 )
 def test_more_than_anything_real_is_refused(

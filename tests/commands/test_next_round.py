@@ -116,7 +116,7 @@ def update(job: Path, after: list[str], loaded: Path, *more: str) -> tuple[int, 
 
 @dataclass
 class Rounds:
-    """A machine over two rounds: the folders, and the A of fresh tests at new targets with what
+    """A machine over two rounds: the folders, and the A of fresh tests at unmeasured targets with what
     each has written (µm).
     """
 
@@ -183,7 +183,11 @@ def test_the_page_of_the_verification_shows_the_next_round(rounds: Rounds) -> No
         page = (folder / "verification.html").read_text(encoding="utf-8")
         words = " ".join(html.unescape(re.sub("<[^>]+>", " ", page)).split())
         then = document["next"]
-        mark = "further table" if then["axes"]["X"]["table"] else "no further table"
+        mark = (
+            "table for the next round"
+            if then["axes"]["X"]["table"]
+            else "no table for the next round"
+        )
         shown = then["axes"]["X"]["reason"].replace("um", "µm")
         assert f"Next round {then['reason']}. X {mark} {shown}" in words
 
@@ -506,6 +510,6 @@ def test_an_inverted_table_is_found_and_nothing_is_written(
     assert (code, document["next"]["written"]) == (1, False)
     assert not (hall / "job" / "next").exists()
     said = capsys.readouterr().out
-    assert "No next round: no axis gets a further table" in said
+    assert "No next round: no axis gets a table for the next round" in said
     assert "the verdict is inverted, not loaded" in said
     assert "axis Y: this axis was not measured after loading" in said

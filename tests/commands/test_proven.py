@@ -61,7 +61,7 @@ def test_a_simulated_test_proves_nothing(
     folder = tmp_path / "job"
     shutil.copytree(machine, folder)
     assert verify(folder) == 0
-    assert "a simulated test is no test of a machine" in capsys.readouterr().err
+    assert "a simulated test is not a test of a machine" in capsys.readouterr().err
     assert not (folder / "job" / "proven").exists()
 
 

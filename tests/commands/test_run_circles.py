@@ -357,7 +357,7 @@ def test_an_axis_without_a_test_stops_no_squareness(
     (cross,) = document(folder / "job" / "prediction.json")["cross"]
     assert (cross["input"], cross["output"]) == ("X", "Y")
     card = (folder / "job" / "card" / "card.md").read_text(encoding="utf-8")
-    assert "Tables between axes: switch off" in card.partition("## Way back")[2]
+    assert "Cross-axis tables: switch off" in card.partition("## Way back")[2]
     loaded = str(folder / "job" / "tables" / control)
     plan = str(folder / "job" / "plan.json")
     assert compwright(["compare", plan, "--loaded", loaded]) == 0

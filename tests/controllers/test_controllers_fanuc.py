@@ -650,7 +650,7 @@ class TestText:
         # a 30i has parameters above 10000, marked Q1 as all parameters: they are never pitch data
         box = control(in_style(("N10041Q0P2", "N10041Q0P2\nN10041Q1P9\nN10100Q1P3")))
         assert values(box, [50], UP) == [0.002]
-        with pytest.raises(InputError, match="holds no pitch data"):
+        with pytest.raises(InputError, match="contains no pitch data"):
             control(in_style(("Q0", "Q1")))
 
     def test_older_series_counts_thousandths(self) -> None:

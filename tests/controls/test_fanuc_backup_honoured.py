@@ -276,7 +276,7 @@ def test_a_table_that_is_on_needs_its_pitch_file(
     bench = Bench(tmp_path)
     bench.state = "[CNC-PARA.TXT]"
     assert bench.run("X") == 3
-    assert "no file that was given holds pitch data" in capsys.readouterr().err
+    assert "no file that was given contains pitch data" in capsys.readouterr().err
 
 
 def test_compare_says_that_a_file_holds_no_pitch_data(
@@ -288,7 +288,7 @@ def test_compare_says_that_a_file_holds_no_pitch_data(
     assert (
         compwright(["compare", str(tmp_path / "job" / "plan.json"), "--loaded", str(loaded)]) == 3
     )
-    assert "no file that was given holds pitch data" in capsys.readouterr().err
+    assert "no file that was given contains pitch data" in capsys.readouterr().err
 
 
 # What else acts, and what points to the numbers

@@ -221,7 +221,7 @@ def test_a_large_drift_is_no_row_of_shifts(size: float, shifted: float) -> None:
             -size * UM, abs=(1.0 + 3.0 * shifted) * UM
         )
         (told,) = [each.message for each in found.findings if each.code == "CW-E020"]
-        assert "odds over 1000 to 1" in told
+        assert "more than 1000 times as likely as not" in told
 
 
 def test_a_drift_that_grows_along_the_travel_is_found() -> None:
@@ -516,7 +516,9 @@ def test_a_drift_is_told_with_its_size_and_its_odds() -> None:
     drift = -6.0 * (np.arange(N) / (N - 1) - 0.5)
     found = posterior(white(5) + drift)
     assert codes(found) == {"CW-E020"}
-    size = re.search(r"drift by (-[0-9.]+) µm .*odds over 1000 to 1", message(found, "CW-E020"))
+    size = re.search(
+        r"drift by (-[0-9.]+) µm .*more than 1000 times as likely as not", message(found, "CW-E020")
+    )
     assert size is not None
     assert float(size[1]) == pytest.approx(-6.0, abs=0.6)
 

@@ -157,7 +157,7 @@ def test_a_table_that_repeats_goes_on_behind_its_ends() -> None:
         ("[2].setpoint         1500000", "[2].setpoint -5", "do not ascend at entry 2"),
         ("[1].pos              0", "[1].pos 0x0", "kw.ssfk.table[1].pos"),
         ("[1].pos              0", "[1].pos 0\nkw.ssfk.table[1].pos 1", "contradicts"),
-        ("bilateral                 1", "bilateral 0", "the column for - holds another value"),
+        ("bilateral                 1", "bilateral 0", "the column for - contains another value"),
         ("bilateral                 1", "bilateral 2", "not known"),
         ("kopf.achs_nr                      1", "", "to which axis"),
         ("kopf.log_achs_name                X", "kopf.log_achs_nr 2", "name different axes"),

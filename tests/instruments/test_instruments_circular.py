@@ -288,7 +288,7 @@ BAD: list[tuple[bytes, str]] = [
     ),
     (csv(rows(FULL), head=HEAD + "# compwright: positioning 1\n"), "is not a circular test"),
     (HEAD.encode(), "contains comment lines only"),
-    (csv(""), "holds no samples"),
+    (csv(""), "contains no samples"),
     (b"", "is empty"),
     (b"\x00\x01\x02\x00", "is a binary file"),
     (csv(rows(FULL), "direction,run,angle,deviation_um"), "line 4: column 'angle_deg' is missing"),

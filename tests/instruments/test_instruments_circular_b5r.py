@@ -361,8 +361,8 @@ def test_what_is_remarkable(content: bytes, words: str) -> None:
             document(re.sub("<END_INDEX>.*</END_INDEX>", "", run_xml())),
             "BALLBAR_RUN/END_INDEX is missing",
         ),
-        (document(run_xml().replace("READINGS", "VALUES")), "holds no readings"),
-        (document(""), "holds no readings: the test was set up, or its header exported"),
+        (document(run_xml().replace("READINGS", "VALUES")), "contains no readings"),
+        (document(""), "contains no readings: the test was set up, or its header exported"),
         (
             document(run_xml() + run_xml("CW").replace("READINGS", "VALUES")),
             "BALLBAR_RUN/READINGS is missing",

@@ -73,7 +73,7 @@ def test_a_file_of_means_that_was_cut() -> None:
     ("blocks", "words"),
     [
         ({"Bidirectional": BOTH}, "the directions cannot be separated"),
-        ({"Forward Directional": []}, "holds no means"),
+        ({"Forward Directional": []}, "contains no means"),
         (
             {
                 "Bidirectional": FORWARD,
@@ -84,7 +84,7 @@ def test_a_file_of_means_that_was_cut() -> None:
         ),
         ({"Forward Directional": [("0.000", "x")]}, "is not a number"),
         ({"Forward Directional": [("x", "0.1"), *FORWARD]}, "is below no title of means"),
-        ({"Forward Directional": [("0.000", "0.001 3")]}, "is no row of position and mean"),
+        ({"Forward Directional": [("0.000", "0.001 3")]}, "is not a row of position and mean"),
         ({"Forward Directional": [*FORWARD, FORWARD[0]]}, "a position is given twice"),
     ],
 )

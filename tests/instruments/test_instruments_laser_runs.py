@@ -173,13 +173,17 @@ def test_a_file_that_was_cut() -> None:
         ("Run-count: 4", "Run-count: four", "is not a whole number"),
         ("   1     6     5.1", "   1     7     5.1", "names an unknown target"),
         ("   1     6     5.1", "   1     5     5.1", "a reading is given twice"),
-        ("   1     6     5.1", "   1     6", "is no row of run, target and deviation"),
-        ("   1     6     5.1", "   1     6     5.1 7", "is no row of run, target and deviation"),
+        ("   1     6     5.1", "   1     6", "is not a row of run, target and deviation"),
+        (
+            "   1     6     5.1",
+            "   1     6     5.1 7",
+            ("is not a row of run, target and deviation"),
+        ),
         ("   1     6     5.1", "   1     6     5,1", "decimal marks are mixed"),
         ("   1     6     5.1", "   1     6     nan", "is not a finite number"),
         ("Owner      : Linear", "Units : inch", "states a unit"),
         ("RUNS::", "HEADER::", "section HEADER:: is given twice"),
-        ("EOF::", "EOF::\r\nHEADER::", "holds more after EOF::"),
+        ("EOF::", "EOF::\r\nHEADER::", "contains more after EOF::"),
         ("File type  : rtl", "", "no line 'File type'"),
     ],
 )
@@ -195,7 +199,7 @@ def test_sections_in_small_letters() -> None:
 
 
 def test_nothing_but_a_header() -> None:
-    assert "holds no targets" in refused("HEADER::\r\nFile type  : rtl\r\n")
+    assert "contains no targets" in refused("HEADER::\r\nFile type  : rtl\r\n")
 
 
 @pytest.mark.parametrize(

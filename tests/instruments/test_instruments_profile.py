@@ -167,7 +167,7 @@ def test_what_is_empty_is_refused(key: str) -> None:
         ('"zurück": "-"', '"zurück": back', "is neither + nor -"),
         ("sign: measured minus target", "sign: plus", "sign is not an accepted value"),
         ("unit: um", "unit: arcsec", "is an angle and target_unit a length"),
-        ("header_line: 2", "header_line: two", "is no line number"),
+        ("header_line: 2", "header_line: two", "is not a line number"),
         ("axis: Y", "axes: Y", "axes: unknown key; expected 'axis'"),
         ("compwright_profile: 1", "compwright_profile: 2", "of a version that is not known"),
         ("compwright_profile: 1", "profile: 1", "is not a mapping profile"),

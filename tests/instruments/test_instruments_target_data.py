@@ -218,7 +218,7 @@ def without(entry: str) -> str:
         (COMPLETE + "TGT_DATA=1\n", "line 16 has wrong indices"),
         (COMPLETE + "done\n", "line 16 is not KEY=value"),
         (COMPLETE.replace("TGT_DATA[2]=.5", "TGT_DATA[2]=-5.0"), "a reading is given twice"),
-        ("UNIT=mm\nTGT_DATA[1]=0\n", "holds no readings"),
+        ("UNIT=mm\nTGT_DATA[1]=0\n", "contains no readings"),
     ],
 )
 def test_faults(text: str, words: str) -> None:

@@ -278,7 +278,7 @@ def test_same_generator_same_prediction() -> None:
     assert once() == once()
 
 
-# ---------------------------------------------------------------- new targets
+# ---------------------------------------------------------------- unmeasured targets
 
 
 @given(

@@ -182,7 +182,7 @@ def test_two_axes_with_one_measurement_are_both_named() -> None:
 
 def test_one_file_twice_within_a_test_is_a_copy_too() -> None:
     twice = AfterTest("X", measured(1, Source("x.csv", "aa"), Source("x2.csv", "aa")), "x")
-    assert "The test of axis X holds one file twice" in str(copied_tests([twice])["X"].sentence)
+    assert "The test of axis X contains one file twice" in str(copied_tests([twice])["X"].sentence)
 
 
 def test_the_circle_from_before_is_no_circle_after() -> None:

@@ -82,7 +82,7 @@ def decode(
     "plan",
     metavar="PLAN.json",
     type=PATH,
-    help="plan.json of a run, or the result folder that holds it.",
+    help="plan.json of a run, or the result folder that contains it.",
 )
 @format_option
 @control_options
@@ -128,7 +128,7 @@ def export(
     "plan",
     metavar="PLAN.json",
     type=PATH,
-    help="plan.json of a run, or the result folder that holds it.",
+    help="plan.json of a run, or the result folder that contains it.",
 )
 @click.option(
     "--loaded",

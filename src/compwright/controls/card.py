@@ -345,7 +345,7 @@ def restore_texts(
             " reference."
         )
         cross = control_text(
-            "Tables between axes: switch off what the steps above switch on, or set each of their"
+            "Cross-axis tables: switch off what the steps above switch on, or set each of their"
             " values to 0."
         )
         own = nothing if steps else SentenceText(say("paragraph", sentences=(nothing, off)))

@@ -282,7 +282,7 @@ def decode(
                     "themselves show which tables are active"
                 ),
                 expected="no key `active`",
-                hint=f"leave out `active` in this state. {IDLE_TEST}",
+                hint=f"leave out `active` in this entry of `states`. {IDLE_TEST}",
             )
         )
     carried_out = carried_out or written or active is True

@@ -138,8 +138,8 @@ def _wrong(
                 faults.append(
                     Fault(
                         message=(
-                            f"a fault of compwright: the written table of {pair[1]} over "
-                            f"{pair[0]} differs from the planned table"
+                            f"an internal error of compwright: the written table of {pair[1]} "
+                            f"over {pair[0]} differs from the planned table"
                         ),
                         place=f"direction {direction.value}",
                         found=f"a difference of {worst:.3g}",

@@ -33,8 +33,8 @@ def changed_neighbours(
     mine = all_names(control.definition, old, addresses)
     return [
         Fault(
-            message="a fault of compwright: the new files would change an entry of axis "
-            f"{change.address}, which has to stay as it is",
+            message="an internal error of compwright: the new files would change an entry of "
+            f"axis {change.address}, which has to stay as it is",
             place=change.entry,
             expected=change.old or "",
             found=change.new or "nothing",
@@ -94,8 +94,8 @@ def loadable_files(
     small = decode(control, delivery.files, axes, written=True)
     faults = [
         Fault(
-            message="a fault of compwright: the small files do not have the same effect as the "
-            "whole archive",
+            message="an internal error of compwright: the small files do not have the same "
+            "effect as the whole archive",
             place=f"axis {axis.address}, direction {direction.value}",
             hint=(
                 "set `files: patched` in the options, and report this line with "

@@ -64,8 +64,8 @@ def partner_questions(
             questions += [
                 Fault(
                     message=(
-                        f"axes {axis.address} and {axis.gantry} move together as a gantry, "
-                        f"but have different compensation in the state {state}"
+                        f"axes {axis.address} and {axis.gantry} move together as a gantry, but "
+                        f"have different compensation in the control's files of `states: {state}`"
                     ),
                     file=job.file,
                     place=place,
@@ -79,9 +79,9 @@ def partner_questions(
             faults.append(
                 Fault(
                     message=(
-                        f"the compensation of axes {axis.gantry} and {axis.address} (a "
-                        f"gantry) differs by another amount in state {measured_in[0]} of "
-                        f"the first test than in state {AS_FOUND}"
+                        f"the compensation of axes {axis.gantry} and {axis.address} (a gantry) "
+                        f"differs by another amount in `states: {measured_in[0]}` (first test) "
+                        f"than in `states: {AS_FOUND}`"
                     ),
                     file=job.file,
                     place=place,
@@ -167,8 +167,8 @@ def check_partners(axes: Sequence[tuple[Axis, FittedTable]], loaded: DecodedStat
         if any(float(np.max(np.abs(off(where, side)))) > SAME for side in Direction):
             faults.append(
                 Fault(
-                    message="a fault of compwright: the table in the new files is not the one "
-                    f"meant for gantry axis {axis.gantry}",
+                    message="an internal error of compwright: the table in the new files is not "
+                    f"the one meant for gantry axis {axis.gantry}",
                     place=f"axis {axis.name}",
                     hint=(
                         "load nothing of this run, and report this line with the job and its files"

@@ -106,9 +106,12 @@ def _number_question(control: Control, axis: Axis, by_name: Mapping[str, tuple[s
             f"the number of axis {axis.name} is uncertain: compwright only counted the "
             "machine's axes in order"
         ),
-        expected=f"the number, or the file with {quantity} among those of the state",
+        expected=f"the number, or the file with {quantity} among the control's files",
         found=f"files that number {names}" if names else "only the letter",
-        hint=(f"set `axis_number` of the axis, or add the file with {quantity} to the state"),
+        hint=(
+            f"set `axis_number` of the axis, or add the file with {quantity} to the control's"
+            " files (`states` or `--state`)"
+        ),
     )
 
 
@@ -224,12 +227,12 @@ def unknown_zeros(job: Job, control: Control, state: ControlState | None) -> Ite
                 file=job.file,
                 place=f"axes.{name}.reference",
                 expected=(
-                    f"the whole INI among the files of the state, or reference: the {offset} of its"
+                    f"the whole INI among the control's files, or reference: the {offset} of its"
                     f" joint, and reference_return: the sign of its {latch}"
                 ),
                 hint=(
-                    "add the whole INI to the state, or set `reference` and "
-                    "`reference_return` of the axis as shown"
+                    "add the whole INI to the control's files (`states` or `--state`), or set "
+                    "`reference` and `reference_return` of the axis as shown"
                 ),
             )
 
@@ -281,8 +284,8 @@ def other_joints(axis: Axis, facts: AxisFacts, state: str) -> Iterator[Fault]:
     if len(axis.name) == 1 and axis.name.upper() in _LETTERS and axis.name.upper() != letter:
         yield Fault(
             message=(
-                "the joint named in `address` has another axis letter in the files of the "
-                f"state {state}"
+                "the joint named in `address` has another axis letter in the control's files "
+                f"(`states: {state}`)"
             ),
             place=f"{place}.address",
             expected=f"a joint of {axis.name}",

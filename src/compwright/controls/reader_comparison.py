@@ -91,7 +91,7 @@ def _apart(
 
 def _cross_disagreements(state: ControlState, judge: VirtualControl) -> list[Fault]:
     """Compare the tables between axes of both readers. Several tables of one pair are added."""
-    between = "the readers of compwright do not agree on a table between axes"
+    between = "the two readers of compwright do not agree on a cross-axis table"
     mine: dict[tuple[str, str], list[CrossCompensation]] = {}
     for entry in state.cross:
         mine.setdefault((entry.input, entry.output), []).append(entry)
@@ -103,8 +103,8 @@ def _cross_disagreements(state: ControlState, judge: VirtualControl) -> list[Fau
     faults = [
         Fault(
             message=(
-                "the files can be read in two ways: the two readers of compwright find "
-                "different tables between axes"
+                "the files can be read in two ways: the two readers of compwright find different "
+                "cross-axis tables"
             ),
             place=" on ".join(pair),
             hint=(

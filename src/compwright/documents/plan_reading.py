@@ -90,7 +90,9 @@ def _definition(entries: Any) -> Any:
     try:
         return tuple((entry["name"], entry["text"].encode("utf-8")) for entry in entries)
     except UnicodeEncodeError as error:
-        return refuse(KeyFault((), "holds what is no text", "text that UTF-8 has", str(error)))
+        return refuse(
+            KeyFault((), "contains something that is not text", "text that UTF-8 has", str(error))
+        )
 
 
 def _both(sides: Any) -> Any:

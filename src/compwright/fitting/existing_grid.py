@@ -58,7 +58,7 @@ def existing_nodes(
     least, most = max(2, capacity.min_points), capacity.at_most
     if nodes.size < least or (most is not None and nodes.size > most):
         expected = f"at least {least} points" if nodes.size < least else f"at most {most} points"
-        raise _no_use("the control does not hold so many points", expected, f"{nodes.size}")
+        raise _no_use("the control does not have so many points", expected, f"{nodes.size}")
     return nodes
 
 

@@ -139,7 +139,9 @@ def _refuse(capacity: Capacity, request: TableRequest) -> None:
     if not low <= 0.0 <= high:
         faults.append(
             Fault(
-                message="the correction is zero at the reference, and the control cannot hold zero",
+                message=(
+                    "the correction is zero at the reference, and the control cannot store zero"
+                ),
                 place="value range",
                 expected="a range that contains 0",
                 found=f"{capacity.value_range[0]:g} to {capacity.value_range[1]:g}",

@@ -168,7 +168,7 @@ def _span(wanted: WantedCorrection, capacity: Capacity, request: TableRequest) -
             nearest = round(value / quantum) * quantum
             faults.append(
                 Fault(
-                    message=f"the control cannot hold the table's {name} exactly",
+                    message=f"the control cannot store the table's {name} exactly",
                     place=f"table.{name}",
                     expected=(
                         f"a multiple of {quantum:.10g} {wanted.kind.unit}, such as {nearest:.10g}"

@@ -92,7 +92,7 @@ def _fixed_ends(
             nearest = reference + round(counted) * quantum
             faults.append(
                 Fault(
-                    message=f"the control cannot hold the table's {name} exactly",
+                    message=f"the control cannot store the table's {name} exactly",
                     place=f"table.{name}",
                     expected=(
                         f"{reference:.10g} {unit} plus a multiple of {quantum:.10g} {unit}, such as"
@@ -148,8 +148,8 @@ def requested_step(spacing: float, capacity: Capacity, unit: str) -> int:
         faults.append(
             Fault(
                 message=(
-                    "the control cannot hold this spacing exactly: the step must be a multiple of"
-                    f" {quantum:.10g} {unit}"
+                    "the control cannot store this spacing exactly: the step must be a multiple"
+                    f" of {quantum:.10g} {unit}"
                 ),
                 place="table.spacing",
                 expected=f"a multiple of {quantum:.10g} {unit}, such as {nearest:.10g}",

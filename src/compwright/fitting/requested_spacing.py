@@ -127,7 +127,7 @@ def _refused(span: Span, spacing: float, capacity: Capacity, why: str, unit: str
     quantum = capacity.position_quantum
     return CapacityError(
         Fault(
-            message=f"the control cannot hold this spacing exactly: {why}",
+            message=f"the control cannot store this spacing exactly: {why}",
             place="table.spacing",
             expected=(
                 f"{' or '.join(near)} {unit} (from {span.low * quantum:.10g} to"

@@ -22,7 +22,7 @@ def own_fault(error: Exception, file: str = "") -> Fault:
     )
     return Fault(
         message=(
-            f"a fault of compwright itself: {type(error).__name__}: {error}"
+            f"an internal error of compwright: {type(error).__name__}: {error}"
             f" ({Path(where.filename).name}, line {where.lineno})"
         ),
         file=file,

@@ -190,7 +190,7 @@ def _words(complaint: ErrorDetails) -> tuple[str, str]:
         "string_type": ("is not text", "text, in quotes where it looks like a number"),
         "string_too_short": ("is empty", "text"),
         "text_in_quotes": ("is not text", "a word, or text in quotes"),
-        "one_line": ("is blank or holds control characters", "text on one line"),
+        "one_line": ("is blank or contains control characters", "text on one line"),
         "truth_value": ("is a truth value", "a number"),
     }
     return fixed.get(kind, (complaint["msg"].lower(), ""))

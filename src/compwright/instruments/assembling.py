@@ -56,7 +56,7 @@ def grid_of(readings: Readings, kind: AxisKind, faults: FaultList) -> ReadingGri
     if not faults:
         if not len(readings):
             faults.add(
-                "holds no readings",
+                "contains no readings",
                 expected="at least one reading below the header",
                 hint="add the readings below the header row, or export the file again",
             )
@@ -206,7 +206,7 @@ def _check_size(readings: Readings, faults: FaultList) -> None:
     ):
         if count > most:
             faults.add(
-                f"holds too many {what}",
+                f"contains too many {what}",
                 expected=f"at most {most} in one test",
                 found=str(count),
                 hint="give one test per file",

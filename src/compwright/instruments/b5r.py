@@ -94,7 +94,10 @@ def read_b5r(content: bytes, file: str, name: str) -> CircularTest:
     elements = list(root.all("RUN_RESULTS", "BALLBAR_RUN"))
     if not any(element.first("READINGS") for element in elements):
         faults.add(
-            "holds no readings: the test was set up, or its header exported, without a measurement",
+            (
+                "contains no readings: the test was set up, or its header exported, without a"
+                " measurement"
+            ),
             expected="RUN_RESULTS with a BALLBAR_RUN and its READINGS",
             hint="make the measurement, then save the file again",
         )

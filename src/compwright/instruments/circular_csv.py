@@ -321,7 +321,7 @@ def _samples(
     )
     for index in np.flatnonzero(np.abs(angles) > LARGEST_ANGLE).tolist():
         faults.add(
-            "is no angle on the circle",
+            "is not an angle on the circle",
             place=table.place("angle_deg")(index),
             expected=f"-{LARGEST_ANGLE:g} to {LARGEST_ANGLE:g} deg",
             found=f"{angles[index]:g}",
@@ -341,7 +341,7 @@ def _samples(
     }
     if not samples and not faults:
         faults.add(
-            "holds no samples",
+            "contains no samples",
             expected="at least one run below the header",
             hint="add the samples below the header row",
         )
@@ -353,7 +353,7 @@ def _samples(
 def _check_size(table: CsvTable, faults: FaultList) -> None:
     if len(table.lines) > MOST_READINGS:
         faults.add(
-            "holds too many samples",
+            "contains too many samples",
             expected=f"at most {MOST_READINGS} in one test",
             found=str(len(table.lines)),
             hint="give one test per file",

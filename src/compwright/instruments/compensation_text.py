@@ -273,7 +273,7 @@ def _columns(
         cells = line.split()
         if len(cells) != len(names):
             faults.add(
-                "is no row of the table",
+                "is not a row of the table",
                 place=f"line {number}",
                 expected=f"{len(names)} numbers",
                 found=shown(line),

@@ -58,7 +58,7 @@ def read_environment(content: bytes, file: str) -> EnvironmentRecord:
     whole = not set(AIR) & set(columns) or set(AIR) <= set(columns)
     if TIME not in table.columns or not columns or not whole:
         faults.add(
-            "is no record of the environment",
+            "is not a record of the environment",
             place=f"line {table.line}",
             expected=f"a column {TIME}, and all of {', '.join(AIR)}, or {MATERIAL}, or both",
             found=shown(", ".join(table.columns)),

@@ -173,7 +173,7 @@ def _kind(sections: FileSections, faults: FaultList) -> AxisKind:
     if name not in _KINDS:
         holds = _OTHER_KINDS.get(name)
         faults.add(
-            f"holds {holds}, not positions" if holds else "is of a type that is not known",
+            f"contains {holds}, not positions" if holds else "is of a type that is not known",
             place=where,
             expected="File type: rtl (linear) or rta (angular)",
             found=shown(written) if written else "no line 'File type' below HEADER::",
@@ -211,7 +211,7 @@ def _rows(sections: FileSections, marks: DecimalMarks, faults: FaultList) -> dic
             table.add(number, cells)
         elif not _ROW_HEADER.fullmatch(text):
             faults.add(
-                "is no row of run, target and deviation",
+                "is not a row of run, target and deviation",
                 place=place(number),
                 expected="such as '1  1  0.3'",
                 found=shown(text),
@@ -259,7 +259,7 @@ def _check_counts(sections: FileSections, runs: _Runs, faults: FaultList) -> Non
     promised = _count(sections, _TARGETS, "Target-count", faults)
     if not runs.targets:
         faults.add(
-            "holds no targets",
+            "contains no targets",
             expected="numbers below 'Targets :' in TARGET DATA::",
             hint="export the file again",
         )
@@ -273,7 +273,7 @@ def _check_counts(sections: FileSections, runs: _Runs, faults: FaultList) -> Non
         )
     if not runs.rows:
         faults.add(
-            "holds no readings",
+            "contains no readings",
             expected="rows below 'Run Target Data:' in DEVIATIONS::",
             hint="make the measurement, then export the file again",
         )

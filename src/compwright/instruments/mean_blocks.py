@@ -202,7 +202,7 @@ def _row(
     cells = line.split()
     if len(cells) != 2:
         faults.add(
-            "is no row of position and mean deviation",
+            "is not a row of position and mean deviation",
             place=f"line {number}",
             expected="two numbers",
             found=shown(line),
@@ -222,7 +222,7 @@ def _both_ways(
     both, out, back = (blocks.get(which) for which in (_BOTH, _FORWARD, _BACK))
     given = [block for block in (both, out, back) if block is not None]
     if not any(given):
-        faults.add("holds no means", expected="rows of position and mean deviation")
+        faults.add("contains no means", expected="rows of position and mean deviation")
         return {}, {}, False
     if any(set(block) != set(given[0]) for block in given):
         faults.add(

@@ -137,7 +137,11 @@ def _traverses(data: Mapping[str, Any]) -> dict[str, tuple[Direction, int]]:
         traverse = None if value is None else traverse_of(str(value))
         one = traverse and (Direction(traverse[0]), traverse[1])
         if one is None:
-            message = "is empty and must be filled in" if value is None else "is no traverse"
+            message = (
+                "is empty and must be filled in"
+                if value is None
+                else ("is not the name of a traverse")
+            )
             faults.append(KeyFault((column,), message, _TRAVERSE, shown(value)))
         elif one in found.values():
             faults.append(KeyFault((column,), "is given twice", "", shown(value)))
@@ -191,7 +195,7 @@ _KEYS: Final[Mapping[str, cs.CoreSchema]] = {
     "encoding": cs.no_info_plain_validator_function(lambda value: _text(value) or None),
     "header_line": worded(
         cs.nullable_schema(cs.int_schema(strict=True, ge=0)),
-        "is no line number",
+        "is not a line number",
         "1, 2, .., or 0 where there is no header row",
     ),
     "directions": cs.nullable_schema(

@@ -334,11 +334,11 @@ def _directions(
     for line, word in zip(rows.lines, rows.directions, strict=True):
         if known[word] is None:
             faults.add(
-                "the direction is not among the words of the profile",
+                "the direction is not among the names that the profile lists under `directions`",
                 place=f"line {line}, column {profile.direction}",
                 expected=", ".join(profile.directions),
                 found=shown(word),
-                hint="add this word under `directions` of the profile",
+                hint="add this name under `directions` of the profile",
             )
         yield known[word]
 

@@ -69,7 +69,7 @@ def propose(text: Sequence[str], encoding: str, file: str) -> Proposal:
     shape = shape_of(text)
     if shape is None:
         faults.add(
-            "holds no table of numbers",
+            "contains no table of numbers",
             expected="rows of at least two columns, one of them with targets",
             found=thousands_in(text),
             hint="give a file with targets in one column and readings in others",

@@ -144,7 +144,7 @@ def sections_of(text: Sequence[str], faults: FaultList) -> FileSections:
         name = match[1].upper() if match else ""
         if found.ended:
             faults.add(
-                "holds more after EOF::",
+                "contains more after EOF::",
                 place=f"line {number}",
                 expected="one test per file",
                 found=shown(line),

@@ -312,7 +312,7 @@ def _check_complete(
     cycles = max(int(entries[name].j.max(initial=0)) for name in _DIRECTIONS)
     if not cycles:
         faults.add(
-            "holds no readings",
+            "contains no readings",
             expected="lines REF_DATA_FWD[target,cycle]= or REF_DATA_BWD[target,cycle]=",
             hint="make the measurement, then export the file again",
         )

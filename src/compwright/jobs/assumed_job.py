@@ -29,7 +29,7 @@ _OF_AXIS: tuple[tuple[str, object, str], ...] = (
     ("programmed", "radius", "radius or diameter: how the control counts this axis"),
 )
 _OF_TEST: tuple[tuple[str, object, str], ...] = (
-    ("measured_in", AS_FOUND, "the state that was active during the test"),
+    ("measured_in", AS_FOUND, "the entry of `states` that was active during the test"),
     ("motion", "feed", "feed or rapid: how the targets were approached"),
 )
 _OF_JOB: tuple[tuple[str, object, str], ...] = (

@@ -147,7 +147,7 @@ def implausible(thermal: Any, path: KeyPath) -> Iterator[KeyFault]:
                 continue
             yield KeyFault(
                 (*path, key, place) if isinstance(value, list) else (*path, key),
-                "is no temperature of a test in °C",
+                "is not a plausible temperature of a test in °C",
                 f"{low:g} to {high:g}{_in_celsius(number)}",
                 shown(each),
             )
@@ -156,7 +156,7 @@ def implausible(thermal: Any, path: KeyPath) -> Iterator[KeyFault]:
         if number is not None and not (number == 0.0 or LEAST_EXPANSION <= number <= most):
             yield KeyFault(
                 (*path, key),
-                "is no coefficient of expansion in µm/(m K)",
+                "is not a coefficient of expansion in µm/(m K)",
                 f"0, or {LEAST_EXPANSION:g} to {most:g}; steel has about 11.5",
                 shown(mapping_of(thermal)[key]),
             )
@@ -184,7 +184,7 @@ def _acceptance(section: Mapping[str, Any], path: KeyPath, standard: Any) -> Ite
                     here, "names no test of this axis", suggestion(str(limit), names), shown(limit)
                 )
         elif key not in known:
-            yield KeyFault(here, f"is no parameter of {standard}", suggestion(key, defined))
+            yield KeyFault(here, f"is not a parameter of {standard}", suggestion(key, defined))
         elif key in undefined:
             yield KeyFault(here, f"is not defined by {standard}", suggestion("", defined))
         else:
@@ -192,7 +192,7 @@ def _acceptance(section: Mapping[str, Any], path: KeyPath, standard: Any) -> Ite
     if "accept" in section and not set(accept) - {"test"} and isinstance(section["accept"], dict):
         yield KeyFault(
             (*path, "accept"),
-            "holds no limit",
+            "contains no limit",
             "a parameter with its limit in µm or arcsec, such as {A: 8}",
         )
 
@@ -203,5 +203,5 @@ def _limit(limit: Any, path: KeyPath) -> Iterator[KeyFault]:
         isinstance(limit, int | float) and not isinstance(limit, bool) and limit > 0
     ):
         return
-    message = f"is text, not a number ({hint})" if hint else "is no limit"
+    message = f"is text, not a number ({hint})" if hint else "is not a limit"
     yield KeyFault(path, message, "a number above 0, in µm or arcsec", shown(limit))

@@ -37,7 +37,7 @@ def circles(circles: Any, states: Sequence[str]) -> Iterator[KeyFault]:
         yield from unknown_state(circle, path, states)
         for key in mapping_of(circle.get("accept")):
             if key not in CIRCULAR_NAMES:
-                message = "is no parameter of a circular test"
+                message = "is not a parameter of a circular test"
                 yield KeyFault((*path, "accept", key), message, suggestion(key, CIRCULAR_NAMES))
 
 
@@ -108,7 +108,7 @@ def applied(section: Any) -> Iterator[KeyFault]:
         ):
             yield KeyFault(
                 ("apply", "squareness", plane),
-                "is no axis of this plane",
+                "is not an axis of this plane",
                 f"the bent axis of {plane}",
                 shown(bent),
             )

@@ -39,7 +39,7 @@ def contradictions(data: Mapping[str, Any]) -> list[KeyFault]:
             found.append(
                 KeyFault(
                     path,
-                    "is no name for an axis",
+                    "is not a valid name for an axis",
                     "letters and digits (X, B2)",
                     shown(name),
                 )
@@ -82,10 +82,17 @@ def _states(states: Any) -> Iterator[KeyFault]:
         files = state.get("files") if isinstance(state, dict) else state
         if not name.strip():
             yield KeyFault(
-                ("states", name), "is a state without a name", "as_found, or a name of your own"
+                ("states", name),
+                "is an entry of `states` without a name",
+                "as_found, or a name of your own",
             )
         elif not is_plain_name(name):
-            yield KeyFault(("states", name), "is no name for a state", PLAIN_NAME, shown(name))
+            yield KeyFault(
+                ("states", name),
+                "is not a valid name for an entry of `states`",
+                PLAIN_NAME,
+                shown(name),
+            )
         if len(list_of(files)) > 1 and NONE_WORD in list_of(files):
             yield KeyFault(
                 path, "names files and none at once", "the word none, or the control's files"
@@ -154,7 +161,7 @@ def _acknowledged(section: Any, axes: Sequence[str]) -> Iterator[KeyFault]:
                 hint="remove this line; docs/findings.md lists the doubts",
             )
         elif code not in DOUBTS:
-            yield KeyFault(path, "is no finding", suggestion(code, DOUBTS))
+            yield KeyFault(path, "is not the code of a finding", suggestion(code, DOUBTS))
         for index, entry in enumerate(value if isinstance(value, list) else [value]):
             axis = mapping_of(entry).get("axis")
             if isinstance(axis, str | int) and str(axis) not in axes:

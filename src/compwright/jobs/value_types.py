@@ -22,7 +22,7 @@ def _one_line_of_text(value: Any) -> Any:
         ord(character) < ord(" ") or character == "\x7f" for character in value
     ):
         kind = "one_line"
-        raise PydanticCustomError(kind, "is blank or holds control characters")
+        raise PydanticCustomError(kind, "is blank or contains control characters")
     return value
 
 

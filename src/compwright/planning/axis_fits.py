@@ -141,7 +141,7 @@ def _requested_fit(
     """
     planned = work.planned
     if planned.active is None:
-        raise TypeError("the state of the control is not given")
+        raise TypeError("the control's existing compensation is not given")
     axis, request = planned.axis, planned.request
     wanted = wanted_correction(
         planned.estimate, planned.active, axis, reversal_log_odds=work.posterior.reversal_log_odds

@@ -12,7 +12,8 @@ from compwright.foundations.errors import Fault, InputError
 from compwright.records.circular import CircularResult, CircularTest, Diagnosis
 
 _NOT_SEPARABLE = (
-    "the samples do not tell the causes apart: no noise to judge them by, or too short an arc"
+    "the samples cannot separate the causes of deviation: they have no noise, or the arc is too"
+    " short"
 )
 
 

@@ -82,7 +82,7 @@ def unknown_motions(job: Job, states: Mapping[str, ControlState]) -> Iterator[Fa
                     expected="the control's whole parameter file, or tests at one motion",
                     found=request.motion,
                     hint=(
-                        "add the control's whole parameter file to the state, or keep "
-                        "the tests of one motion"
+                        "add the control's whole parameter file to its files (`states` or "
+                        "`--state`), or keep the tests of one motion"
                     ),
                 )

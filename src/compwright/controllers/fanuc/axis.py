@@ -299,7 +299,9 @@ class AxisLoader:
         absent = [number for number in grid.numbers() if number not in self.memory.increments]
         if set(absent) - needless:
             what = (
-                "holds no pitch data" if len(absent) == len(grid.numbers()) else "lacks pitch data"
+                "contains no pitch data"
+                if len(absent) == len(grid.numbers())
+                else "lacks pitch data"
             )
             names = number_list(10000 + number for number in absent)
             self.fault(
@@ -320,7 +322,7 @@ class AxisLoader:
             if self.memory.increments.get(start) != self.memory.increments.get(last):
                 self.note(
                     grid.axis,
-                    f"points {start} and {last} are the same section of the turn and should hold"
+                    f"points {start} and {last} are the same section of the turn and should have"
                     " the same value",
                 )
 

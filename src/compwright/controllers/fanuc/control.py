@@ -338,7 +338,8 @@ def _note_shared(loader: AxisLoader, grids: dict[int, IncrementGrid]) -> None:
     idle = [n for n, value in loader.memory.increments.items() if value != 0 and n not in used]
     if idle:
         loader.memory.notes.append(
-            f"points {number_list(POINT_BASE + n for n in idle)} hold values, but no axis uses them"
+            f"points {number_list(POINT_BASE + n for n in idle)} contain values, but no axis"
+            " uses them"
         )
 
 

@@ -217,7 +217,7 @@ class _TapeReader:
         if self.strange:
             which = f"{len(self.strange)} (first at line {self.strange[0]})"
             self.found.notes.append(
-                f"{self.file}: lines that are no parameter blocks were not read: {which}"
+                f"{self.file}: lines that are not parameter blocks were not read: {which}"
             )
 
     def _wrong(self, number: int, raw: str, message: str, expected: str) -> None:

@@ -162,7 +162,7 @@ def _com(block: TableBlock, generation: Generation, stem: str | None, found: Con
             )
         )
     if not grid.rows:
-        faults.append(block.place.fault("the table holds no rows"))
+        faults.append(block.place.fault("the table contains no rows"))
     if generation.name == ITNC530.name:
         com = _by_spacing(block, grid, generation, stem, found, faults)
     else:
@@ -170,7 +170,7 @@ def _com(block: TableBlock, generation: Generation, stem: str | None, found: Con
     if grid.rows and not faults and bool(np.all(np.isnan(com.values))):
         faults.append(
             block.place.fault(
-                "the table holds no values", expected="a value in at least one axis column"
+                "the table contains no values", expected="a value in at least one axis column"
             )
         )
     if faults:

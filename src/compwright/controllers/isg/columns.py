@@ -62,7 +62,9 @@ def column(
         numbers.append(value)
         if value is not None and abs(value) > largest:
             axis.fault(
-                statement, "the value is larger than the control can hold", f"at most {largest:.0f}"
+                statement,
+                "the value is larger than the control can store",
+                f"at most {largest:.0f}",
             )
     return np.array(numbers, dtype=np.float64) if len(axis.faults) == before else None
 

@@ -102,7 +102,7 @@ class CecTableLoader:
         self._check_factors(found, factor_entries, {*empty, *self.left_out})
         if self.left_out:
             self.remarks.notes.append(
-                f"CEC tables {_ranges(self.left_out)} are no curves and left alone"
+                f"CEC tables {_ranges(self.left_out)} are not curves and are left as they are"
             )
         return found
 
@@ -189,7 +189,7 @@ class CecTableLoader:
         on = self._is_active(entries, output, own=output == base)
         reasons = self._reasons(index, entries, (base, output)) if on else iter(())
         strange = (
-            f"{name} is no machine axis"
+            f"{name} is not a machine axis"
             for name in names.values()
             if not self.names.is_machine_axis(name)
         )

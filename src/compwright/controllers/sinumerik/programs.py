@@ -163,9 +163,8 @@ def _not_all(placed: PlacedBlock, calls: ProgramCalls) -> Iterator[Fault]:
             place=f"line {line}",
             expected="a program whose lines are all executed in one run",
             hint=(
-                "export the compensation data from the control and give that "
-                "file, or set `active: no` in this state if none of it was "
-                "executed"
+                "export the compensation data from the control and give that file, or set "
+                "`active: no` in this entry of `states` if none of it was executed"
             ),
         )
 
@@ -218,8 +217,8 @@ def _question(file: str, first: Doubt, calls: ProgramCalls) -> Fault:
         ),
         found=first.text,
         hint=(
-            "export the compensation data from the control and give that "
-            "file, or answer `active: yes` (all executed) or `active: no` "
-            "(none executed) in this state"
+            "export the compensation data from the control and give that file, or answer "
+            "`active: yes` (all executed) or `active: no` (none executed) in this entry of "
+            "`states`"
         ),
     )

@@ -268,8 +268,8 @@ def _split(
     """
     step, low, high = grid
     return first.fault(
-        f"(MAX - MIN) / STEP of the {label} is no whole number of steps, and its last point below"
-        f" MAX and the first one beyond differ (${prefix}_STEP)",
+        f"(MAX - MIN) / STEP of the {label} is not a whole number of steps, and its last point"
+        f" below MAX and the first one beyond differ (${prefix}_STEP)",
         found=f"({high!r} - {low!r}) / {step!r} = {(high - low) / step!r}",
     )
 

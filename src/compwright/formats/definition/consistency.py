@@ -358,7 +358,7 @@ def _writing(definition: Definition, rules: ShapeRules) -> Iterator[tuple[KeyPat
         if file.rows is not None and file.when in ("always", "one_curve")
     ]
     if len(tables) != 1 or (table is not None and tables[0].rows != table.statement):
-        yield ("writing",), "exactly one file must hold the rows of the table"
+        yield ("writing",), "exactly one file must contain the rows of the table"
     for when in ("two_curves", "cross"):
         rows = [
             file.rows for file in definition.writing if file.when == when and file.rows is not None
@@ -372,8 +372,8 @@ def _writing(definition: Definition, rules: ShapeRules) -> Iterator[tuple[KeyPat
             yield (
                 ("writing",),
                 (
-                    f"one file of the set {when} must hold the rows of tables between axes, where"
-                    " the control has them"
+                    f"one file of the set {when} must contain the rows of the cross-axis tables,"
+                    " where the control has them"
                 ),
             )
     for index, file in enumerate(definition.writing):

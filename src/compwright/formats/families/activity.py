@@ -63,7 +63,7 @@ class Activity:
                         place=place.occurrence.place if place is not None else "",
                         expected="no key `active`",
                         found=place.text if place is not None else "",
-                        hint=f"leave out `active` in this state. {IDLE_TEST}",
+                        hint=f"leave out `active` in this entry of `states`. {IDLE_TEST}",
                     )
                 )
             return True
@@ -98,8 +98,8 @@ class Activity:
                     ),
                     found="no answer",
                     hint=(
-                        "answer with `active: yes` or `active: no` in this state of the job "
-                        "(without a job: `--option active=yes`)"
+                        "answer with `active: yes` or `active: no` in this entry of `states` in "
+                        "the job (without a job: `--option active=yes`)"
                     ),
                 )
             )

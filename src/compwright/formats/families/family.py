@@ -290,7 +290,7 @@ def require_files(files: Sequence[ControlFile]) -> None:
         raise UsageError(
             Fault(
                 message="no file of the control was given",
-                expected="its own files, or the state `none`",
+                expected="its own files, or `none` instead of files",
                 hint=(
                     "give the control's files under `states: {as_found: [...]}`, or"
                     " `as_found: none` if it has no compensation (without a job: `--state FILE`"

@@ -69,7 +69,7 @@ def curves(capacity: Capacity, compensation: AxisCompensation, label: str) -> li
     if capacity.curves == 1 and not np.array_equal(compensation.positive, compensation.negative):
         faults.append(
             Fault(
-                message=f"{label}: the control holds only one table for both directions",
+                message=f"{label}: the control has only one table for both directions",
                 expected="one table for both directions",
                 found="two different tables",
                 hint="set `table: {mode: single}` for this axis",

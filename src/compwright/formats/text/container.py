@@ -141,7 +141,7 @@ def opened(file: ControlFile) -> tuple[Container | None, tuple[Fault, ...]]:
                 programs.append(ControlFile(member.path, content))
             continue
         if member.size > MOST_CONTROL_TEXT:
-            what = f"holds {member.name} with {member.size} bytes, more than any control's"
+            what = f"contains {member.name} with {member.size} bytes, more than any control's"
             expected = f"at most {in_words(MOST_CONTROL_TEXT)}"
             faults.append(_fault(file, member.start - _BLOCK, what, expected=expected))
             continue
@@ -151,13 +151,18 @@ def opened(file: ControlFile) -> tuple[Container | None, tuple[Fault, ...]]:
                 _fault(
                     file,
                     member.start - _BLOCK,
-                    f"holds {member.name} twice, and the two differ: which one counts is not known",
+                    (
+                        f"contains {member.name} twice, and the two differ: which one counts is not"
+                        " known"
+                    ),
                     expected="an archive made anew by the control",
                 )
             )
     together = sum(len(one.content) for one in state.values())
     if together > MOST_CONTROL_TEXTS:
-        what = f"holds {len(state)} texts of {in_words(together)} together, more than any control's"
+        what = (
+            f"contains {len(state)} texts of {in_words(together)} together, more than any control's"
+        )
         faults.append(_fault(file, 0, what, expected=f"at most {in_words(MOST_CONTROL_TEXTS)}"))
     if faults:
         return None, tuple(faults)
@@ -177,7 +182,7 @@ def _members(file: ControlFile, faults: list[Fault]) -> Iterator[Member]:
         if not (size.isdigit() and total.isdigit()) or int(total) != sum(
             header[: _SUM.start] + zeros + header[_SUM.stop :]
         ):
-            message = f"holds no header {behind}: it is damaged, or was edited"
+            message = f"contains no header {behind}: it is damaged, or was edited"
             faults.append(_fault(file, place, message))
             return
         shown = _text(header, _SHOWN) or _text(header, _NAME)
@@ -194,7 +199,7 @@ def _members(file: ControlFile, faults: list[Fault]) -> Iterator[Member]:
             faults.append(_fault(file, place, message, expected=f"{member.size} bytes from there"))
             return
         if _text(header, _KIND) not in (_FILE, _MARK) or (place and not member.name):
-            message = f"holds a member of a kind that is not known: {member.path or 'no name'}"
+            message = f"contains a member (file) of an unknown kind: {member.path or 'no name'}"
             found = f"kind {member.kind!r}"
             faults.append(_fault(file, place, message, expected="kind 7 or 0", found=found))
             return

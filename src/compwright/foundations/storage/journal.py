@@ -120,7 +120,7 @@ def read_journal(folder: Path) -> Journal | None:
             raise DamagedError("is not a folder")
         seen = (staging / JOURNAL).lstat()
         if not stat.S_ISREG(seen.st_mode) or seen.st_size > _MOST_BYTES:
-            raise DamagedError("its journal is no file that compwright has written")
+            raise DamagedError("its journal is not a file that compwright has written")
         content = (staging / JOURNAL).read_bytes()
     except FileNotFoundError:
         if _has_both(staging) and not os.path.lexists(staging / JOURNAL) and _has_both(staging):

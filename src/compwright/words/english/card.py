@@ -19,9 +19,9 @@ SENTENCES: Final[dict[str, str]] = {
     "card.expected": "Expected deviation",
     "card.fixed": "Fixed positions that move",
     "card.how_to_check": (
-        "Make every check of this card at these positions. Read what the control adds on its"
-        " compensation display, if it has one. After loading, make the quick check with the"
-        " instrument."
+        "Make every check of this card at these positions. If the control has a compensation"
+        " display, read there which correction it adds. After loading, make the quick check with"
+        " the instrument."
     ),
     "card.inferred": "inferred",
     "card.limit": (
@@ -44,16 +44,16 @@ SENTENCES: Final[dict[str, str]] = {
         " your own definition have no translation and are in English.}"
     ),
     "card.parameter": "{name} = {value}",
-    "card.points": "The control must hold at least {points} points for this axis.",
+    "card.points": "The control must have room for at least {points} points for this axis.",
     "card.proven": "Proven",
     "card.quantity": "Quantity",
     # A control may have another backlash at rapid traverse.
     "card.rapid": (
-        "Measured at rapid traverse: the backlash here, what the control adds and the check"
-        " positions hold at rapid traverse. Check there, not at cutting feed."
+        "Measured at rapid traverse: the backlash, corrections and check positions of this card"
+        " are valid at rapid traverse. Check them at rapid traverse, not at cutting feed."
     ),
     "card.read": "read",
-    "card.same_holds": "The same holds for axis {axes}.",
+    "card.same_holds": "The same applies to axis {axes}.",
     "card.sections": "Numbers of the sections",
     "card.signature": (
         "Loaded by: ______________________   Date: ______________   Measured after loading: [ ]"

@@ -6,14 +6,17 @@ from typing import Final
 
 SENTENCES: Final[dict[str, str]] = {
     "CW-D001": (
-        "only one direction was measured, so causes that depend on the direction cannot be"
-        " separated from the others. Causes whose standard error is multiplied by this:"
+        "only one direction was measured, so causes of deviation that depend on the direction"
+        " cannot be separated from the others. Standard errors that become larger by this:"
         " {causes:if|{causes}|none}"
     ),
-    "CW-D001.cause": "{cause} (standard error times {factor:.0f}, not separable from {other})",
+    "CW-D001.cause": (
+        "{cause} (standard error {factor:.0f} times as large, because it cannot be"
+        " separated from {other})"
+    ),
     "CW-D002": (
-        "an arc of {arc:g}° separates the causes less well than a full circle. Causes whose"
-        " standard error is multiplied by this: {causes:if|{causes}|none}"
+        "an arc of {arc:g}° separates the causes of deviation less well than a full circle."
+        " Standard errors that become larger by this: {causes:if|{causes}|none}"
     ),
     "CW-D003": (
         "the length of the bar was not calibrated, so the scale of single axes is not given. Only"
@@ -80,11 +83,11 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-E011": (
         "The table is made from {number:plural|test {tests} alone, which covers|tests"
         " {tests:and}, which cover} {low:g} to {high:g} {unit}. Test {other} measured"
-        " {other_low:g} to {other_high:g} {unit}, but is not used: the state of the control in"
+        " {other_low:g} to {other_high:g} {unit}, but is not used: what was in the control during"
         " this test is not known. Beyond {low:g} to {high:g} {unit} the error is only continued,"
-        " and may be wrong by more than its size. Do one of three things: name the state that was"
-        " active in the test (measured_in), list test {other} first, or let the table end at the"
-        " measured range (table: start, end)"
+        " and may be wrong by more than its size. Do one of three things: state which entry of"
+        " `states` was in the control during the test (measured_in), list test {other} first, or"
+        " let the table end at the measured range (table: start, end)"
     ),
     "CW-E012.found": (
         "The error repeats every {period:.5g} {unit} (probability {probability:.0f} %, {odds}):"
@@ -140,12 +143,12 @@ SENTENCES: Final[dict[str, str]] = {
         " again to see it without the drift"
     ),
     "CW-E021": (
-        "The readings drift along the travel as in thermal expansion: by {lower} at the lower end"
-        " and {upper} at the upper end, from the first run to the last ({odds}){flattens:if|. The"
-        " drift flattens out}. The prediction holds for a test that is repeated in the same way"
-        " from an equally cold axis: it assumes the same drift, to about a tenth. A different"
-        " drift, or none on a warm axis, gives results outside the predicted band. Warm the axis"
-        " up and measure again to see it without the drift"
+        "The readings drift along the travel as in thermal expansion: by {lower} at the lower"
+        " end and {upper} at the upper end, from the first run to the last ({odds}){flattens:if|."
+        " The drift flattens out}. The prediction is valid for a test that is repeated in the"
+        " same way from an equally cold axis: it assumes the same drift, to about a tenth. A"
+        " different drift, or none on a warm axis, gives results outside the predicted band. Warm"
+        " the axis up and measure again to see it without the drift"
     ),
     "CW-E022.all": (
         "{pattern:choose|traverses=The single runs are shifted against each other|runs=The runs,"
@@ -179,7 +182,7 @@ SENTENCES: Final[dict[str, str]] = {
         " {where}{more:if| and {more} more} ({odds}). Outliers count little in the estimate, and"
         " the prediction expects as many in a repeated test. Next: {cause}, then measure again"
     ),
-    "CW-E024.reading": "find their cause (beam, chips, clamping)",
+    "CW-E024.reading": "find their cause (laser beam interrupted, chips, clamping)",
     "CW-E024.traverse": "all are in {traverse}, so find out what happened in this run",
     "CW-E025": (
         "Some readings lie further from the mean than normal scatter explains ({odds}). Such"
@@ -209,10 +212,11 @@ SENTENCES: Final[dict[str, str]] = {
         " and evaluate again"
     ),
     "CW-E030.jump": (
-        "The error jumps by {size} ± {error} between {low:.10g} and {high:.10g} {unit} (odds"
-        " {sure:if|over 1000|{odds:2sig}} to 1). Look there at the scale (damage, dirt, a joint)"
-        " and its reading head, and check the line count of the encoder. Where exactly the error"
-        " jumps is unknown: measure between these targets every few mm before you load a table"
+        "The error jumps by {size} ± {error} between {low:.10g} and {high:.10g} {unit}"
+        " ({sure:if|more than 1000|{odds:2sig}} times as likely as not). Look there at the scale"
+        " (damage, dirt, a joint) and its reading head, and check the line count of the encoder."
+        " Where exactly the error jumps is unknown: measure between these targets every few mm"
+        " before you load a table"
     ),
     "CW-E030.jump_or_target": (
         "Either the error jumps by {size} ± {error} between {low:.10g} and {high:.10g} {unit}, or"
@@ -231,8 +235,8 @@ SENTENCES: Final[dict[str, str]] = {
         " {cause}, then measure again"
     ),
     "CW-E032.target": (
-        "check the readings at {target:and} (unit, beam, chips) and look at screw, guides and"
-        " covers there"
+        "check the readings at {target:and} (unit, laser beam interrupted, chips) and look at"
+        " screw, guides and covers there"
     ),
     "period.cause": (
         "{cause:choose|lead=a screw lead of {number:g} mm|inch_lead=a screw lead of {number:g}"

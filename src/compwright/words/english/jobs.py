@@ -6,8 +6,8 @@ from typing import Final
 
 SENTENCES: Final[dict[str, str]] = {
     "CW-J002": (
-        "The job names the states {states}, but not as_found, which is what is in the control"
-        " now. Without as_found no table is written"
+        "The job has the entries {states} under `states`, but not as_found, which is what is in"
+        " the control now. Without as_found no table is written"
     ),
     "CW-J003": "axes.{axis}.modulo has no meaning on a linear axis and is not used",
     "CW-J004": (

@@ -140,7 +140,7 @@ SENTENCES: Final[dict[str, str]] = {
     "head.period": "Period",
     "head.position": "Position",
     "head.predicted": "Predicted",
-    "head.predicted_new": "Predicted, new targets",
+    "head.predicted_new": "Predicted, unmeasured targets",
     "head.predicted_same": "Predicted, same targets",
     "head.probability": "Probability",
     "head.quantity": "Quantity",
@@ -228,9 +228,9 @@ SENTENCES: Final[dict[str, str]] = {
     "mark.loading": (
         "{verdict:choose|loaded=✓ loaded|undecided=? undecided|measurement=? fault of"
         " measurement|not_active=✗ not active|inverted=✗ inverted|scaled=✗ scaled|shifted=✗"
-        " shifted|mirrored=✗ mirrored|wrong_axis=✗ wrong axis|increment=✗ increment|on_top=✗ on"
-        " top|state=✗ state|one_direction=✗ one direction|backlash=✗ backlash|partial=✗"
-        " partial|thermal=✗ thermal|=✗ {verdict}}"
+        " shifted|mirrored=✗ mirrored|wrong_axis=✗ wrong axis|increment=✗ only the change"
+        " loaded|on_top=✗ added to the old table|state=✗ old table was not active|one_direction=✗"
+        " one direction|backlash=✗ backlash|partial=✗ partial|thermal=✗ thermal|=✗ {verdict}}"
     ),
     "parameter.A": "{term:if|{term}|Bidirectional accuracy}",
     "parameter.A_negative": "{term:if|{term}|Accuracy, approach −}",

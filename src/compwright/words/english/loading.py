@@ -73,15 +73,15 @@ SENTENCES: Final[dict[str, str]] = {
         "The readings cannot be right: {why}. Export the test in the unit that its file states."
     ),
     "CW-V026.copied": (
-        "This file holds the readings of the test {test} from before"
-        " loading{way:choose|same=|sign=, with the sign turned|direction=, with the directions"
+        "This file contains the readings of the test {test} from before"
+        " loading{way:choose|same=|sign=, with the sign reversed|direction=, with the directions"
         " exchanged}. Measure the axis anew."
     ),
     "CW-V026.file_twice": (
-        "The test of axis {axis} holds one file twice. Give each measurement once."
+        "The test of axis {axis} contains one file twice. Give each measurement once."
     ),
     "CW-V026.one_run": (
-        "All runs hold the same readings: one run was copied. Measure the axis anew."
+        "All runs contain the same readings: one run was copied. Measure the axis anew."
     ),
     "CW-V026.scatter": (
         "Run by run, the readings scatter exactly as in the test {test} (correlation"
@@ -102,13 +102,13 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-V027": "{verdict}",
     "CW-V028": "{verdict}",
     "CW-V030": (
-        "The tests {off} (without the table) and {on} (with it) show that the existing table of"
-        " state {state} was active as its files say ({percent:.1f} % sure)."
+        "The tests {off} (without the table) and {on} (with it) show that the existing table"
+        " (states.{state} in the job) was active as its files say ({percent:.1f} % sure)."
     ),
     "CW-V031": (
         "The tests {off} (without the table) and {on} (with it) do not show whether the existing"
-        " table of state {state} was active as its files say: {likely:if|{likely}|no known cause"
-        " fits}. The two tests are used only as far as they agree."
+        " table (states.{state} in the job) was active as its files say: {likely:if|{likely}|no"
+        " known cause fits}. The two tests are used only as far as they agree."
     ),
     "headline.active": "Table{tables:plural||s} active. No limits given.",
     "headline.bad": "Bad: see the {circles:if|circles|axes} below",
@@ -144,7 +144,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "loading.measurement": (
         "The test after loading itself seems wrong. It fits only if {fault:choose|sign=the sign"
-        " of its deviations is turned|direction=its directions + and − are exchanged|unit=its"
+        " of its deviations is reversed|direction=its directions + and − are exchanged|unit=its"
         " readings are multiplied by {factor:4sig}|wrong_axis=it is a test of axis {axis}}."
         " {fault:choose|sign=Check sign and directions of the instrument and export the test"
         " again.|direction=Check sign and directions of the instrument and export the test"
@@ -160,7 +160,7 @@ SENTENCES: Final[dict[str, str]] = {
         " approaches in + lie on average {offset} {above:if|above|below} those in −.}{effect:if|"
         " Measured: {effect}.}"
     ),
-    "loading.no_table": "The plan holds no table for this axis: nothing was to be loaded.",
+    "loading.no_table": "The plan contains no table for this axis: nothing was to be loaded.",
     "loading.open": (
         "This test cannot show what was loaded. The new table changes the deviations by {size}"
         " rms, and the noise of a reading is {noise}{needed:if|. This correction is smaller than"
@@ -193,22 +193,22 @@ SENTENCES: Final[dict[str, str]] = {
         " was loaded. Measure more targets."
     ),
     "loading.verdict": (
-        "{verdict:choose|loaded=The table is active as planned{effect:if|: the test after loading"
-        " shows {effect}}|not_active=The table is not active{detail:if| ({detail})}{effect:if|:"
-        " the test after loading shows {effect}}|inverted=The table is active with the opposite"
-        " sign{detail:if| ({detail})} and makes the error larger|scaled=The table is active with"
-        " factor {factor:3sig}{detail:if| ({detail})}|shifted=The table is shifted by {nodes}"
-        " table {nodes:plural|point|points} in direction {direction}{detail:if|"
-        " ({detail})}|mirrored=The table is loaded back to front, its last value first{detail:if|"
-        " ({detail})}|wrong_axis=The active table is that of axis {axis}{detail:if|"
-        " ({detail})}|one_direction=The table is active in one direction only:"
-        " {detail}|backlash=The table is active, but the backlash value is wrong:"
+        "{verdict:choose|loaded=The table is active as planned{effect:if|: the test after"
+        " loading shows {effect}}|not_active=The table is not active{detail:if|"
+        " ({detail})}{effect:if|: the test after loading shows {effect}}|inverted=The table is"
+        " active with the opposite sign{detail:if| ({detail})} and makes the error"
+        " larger|scaled=The table is active with factor {factor:3sig}{detail:if|"
+        " ({detail})}|shifted=The table is shifted by {nodes} table {nodes:plural|point|points}"
+        " in direction {direction}{detail:if| ({detail})}|mirrored=The table is loaded back to"
+        " front, its last value first{detail:if| ({detail})}|wrong_axis=The active table is that"
+        " of axis {axis}{detail:if| ({detail})}|one_direction=The table is active in one"
+        " direction only: {detail}|backlash=The table is active, but the backlash value is wrong:"
         " {detail}|partial=Only a part of the table is active: {detail}|increment=Only the change"
         " to the existing table is active{detail:if| ({detail})}. Load the total, which is in the"
         " written files|on_top=The control added the new total to the existing table{detail:if|"
         " ({detail})}. Clear the table and load the written files again|state=The existing table"
         " was not active during the first test, although the job says so. Run the job again with"
-        " `active: no` for this state}."
+        " `active: no` in this entry of `states`}."
     ),
     "loading.worst": "{value} ({position} approached in {direction})",
     "next.between_again": (
@@ -223,18 +223,20 @@ SENTENCES: Final[dict[str, str]] = {
     "next.differs": "what was read back differs from the plan: {why}{quantity:if| ({quantity})}",
     "next.doubted": "the test of this axis after loading is in doubt ({code}: {message})",
     "next.gained": (
-        "a further table is written. It is expected to change {parameter} at new targets from"
-        " {now:.2f} to {then:.2f} {unit}"
+        "a table for the next round is written. It is expected to change {parameter} at"
+        " unmeasured targets from {now:.2f} to {then:.2f} {unit}"
     ),
-    "next.kept": "{why}. The axis keeps what is in the control, and gets no further table",
+    "next.kept": (
+        "{why}. The axis keeps what is in the control, and gets no table for the next round"
+    ),
     "next.load": (
-        "a further table was written for {axes}{between:if|{axes:if|, }squareness}. Load all"
-        " files of next/tables, measure again, and verify that round"
+        "a table for the next round was written for {axes}{between:if|{axes:if|, }squareness}."
+        " Load all files of next/tables, measure again, and verify that round"
     ),
-    "next.no_axis": "no axis gets a further table",
+    "next.no_axis": "no axis gets a table for the next round",
     "next.no_table": (
-        "the plan holds no table for this axis, so none was loaded. The axis keeps what is in the"
-        " control"
+        "the plan contains no table for this axis, so none was loaded. The axis keeps what is in"
+        " the control"
     ),
     "next.not_compared": "what was read back cannot be compared with the plan: {why}",
     "next.not_measured": (
@@ -251,21 +253,22 @@ SENTENCES: Final[dict[str, str]] = {
         " first, then run a new job"
     ),
     "next.squareness_alone": (
-        "no axis gets a further table, and squareness alone gets no next round."
+        "no axis gets a table for the next round, and squareness alone gets no next round."
         " {measured:if|Measure an axis that has a table after loading too, and give its test with"
         " --after in addition to the circles|To correct the remaining squareness, run a new job:"
         " with the files that were read back as as_found, and with the circles after loading}"
     ),
     "next.stop": (
-        "stop here: the gain of a further table for {axes} would be too small to show in a test"
+        "stop here: another correction round for {axes} would gain too little: its effect would"
+        " be too small to show in a test"
     ),
-    "next.stop_axis": "{stop:if|stop here|no further table}: {why}",
+    "next.stop_axis": "{stop:if|stop here|no table for the next round}: {why}",
     "next.verdict": (
         "the verdict is {verdict:choose|not_active=not"
         " active|inverted=inverted|scaled=scaled|shifted=shifted|mirrored=mirrored|wrong_axis=wrong"
-        " axis|on_top=on top|one_direction=one"
+        " axis|on_top=added to the old table|one_direction=one"
         " direction|partial=partial|thermal=thermal|undecided=undecided|={name}}{of:if| ({of})},"
         " not loaded"
     ),
-    "next.written": "a further table is written",
+    "next.written": "a table for the next round is written",
 }

@@ -8,7 +8,7 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-R001": "The file does not state the following, so it was assumed: {assumed:join|; }.",
     "CW-R002": "The file does not name its axis. Add a comment line '# axis: X'.",
     "CW-R003": (
-        "The file holds measured positions. They were converted to deviations (measured minus"
+        "The file contains measured positions. They were converted to deviations (measured minus"
         " target)."
     ),
     "CW-R004": "The instrument already compensated for: {compensated}.",
@@ -79,7 +79,7 @@ SENTENCES: Final[dict[str, str]] = {
         "Run {direction} {run} has {number} {more:if|more|fewer} readings after the measured arc"
         " than before it. A reading may have been doubled or lost."
     ),
-    "CW-R033": "The test asks for a {sense} run, but the file holds none.",
+    "CW-R033": "The test asks for a {sense} run, but the file contains none.",
     "CW-R034": (
         "Samples are missing in {run} from {angle:.6g} deg on, over {width:.4g} deg (samples"
         " are {step:.3g} deg apart)."
@@ -120,8 +120,8 @@ SENTENCES: Final[dict[str, str]] = {
         " compare with the instrument."
     ),
     "CW-R053.header": (
-        "By its key {key} the file has {promised} {what:choose|targets=targets|runs=runs}, but it"
-        " holds {found}. It may have been cut off: compare with the instrument."
+        "By its key {key} the file has {promised} {what:choose|targets=targets|runs=runs}, but"
+        " it contains {found}. It may have been cut off: compare with the instrument."
     ),
     "CW-R053.last_run": (
         "The last rows belong to run {run}, which lacks {lacking} of {readings} readings, while"
@@ -137,13 +137,13 @@ SENTENCES: Final[dict[str, str]] = {
         " been cut off, and digits or readings may be missing. Compare with the instrument."
     ),
     "CW-R053.one_direction": (
-        "The file holds only direction {direction}. In this form all readings of one direction"
-        " come before the other, so the second direction may have been cut off. Compare with the"
-        " instrument."
+        "The file contains only direction {direction}. In this form all readings of one"
+        " direction come before the other, so the second direction may have been cut off. Compare"
+        " with the instrument."
     ),
     "CW-R053.run_count": (
-        "By its key Run-count the file has {promised} runs, but it holds {found}. Either the file"
-        " was cut off, or the test was stopped. Compare with the instrument."
+        "By its key Run-count the file has {promised} runs, but it contains {found}. Either the"
+        " file was cut off, or the test was stopped. Compare with the instrument."
     ),
     "CW-R053.share": (
         "{share:.0%} of the readings are missing. Either the file was cut off, or rows were lost."
@@ -163,7 +163,7 @@ SENTENCES: Final[dict[str, str]] = {
         " largest deviation, {largest}, is then {arcsec} arcsec. Compare it with the instrument."
     ),
     "CW-R057": (
-        "The file holds means of several runs, not single readings. It is read as one run per"
+        "The file contains means of several runs, not single readings. It is read as one run per"
         " direction, and repeatability is unknown.{way_back:if| The means of the way back are not"
         " in the file: they were calculated as twice the means of both directions less those of"
         " the way out.}"

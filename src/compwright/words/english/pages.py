@@ -8,7 +8,7 @@ SENTENCES: Final[dict[str, str]] = {
     "circle.about": "{centre:choose|set_up= (set-up centre)|own= (own centre)}",
     "circle.agreement": "{how:choose|agrees=agrees|differs=differs|not_valid=not valid}",
     "circle.cause": "{cause}  {value} {unit}",
-    "circle.cause_share": "{cause} ({share:.0f} % of all effects)",
+    "circle.cause_share": "{cause} ({share:.0f} % of the sum of all effects)",
     "circle.centre": (
         "{name:choose|common=common least-squares centre|set-up=set-up centre|ccw=least-squares"
         " centre of ccw|cw=least-squares centre of cw}: {first} {x}, {second} {y} µm{H:if|; H {H}"
@@ -24,7 +24,7 @@ SENTENCES: Final[dict[str, str]] = {
     "circle.detail": "– {part}",
     "circle.effect": "Effect on the radius",
     "circle.effects": "Effect, peak to peak, in µm; whiskers 95 %",
-    "circle.fit": "fit: what all causes together make of each run",
+    "circle.fit": "fit: path of each run as all causes together explain it",
     "circle.job": (
         "These lines of a job put into tables and backlash compensation what they can correct. Make"
         " the job with `compwright new --from FILE... --format ID --out job.yaml` from the files of"
@@ -35,11 +35,14 @@ SENTENCES: Final[dict[str, str]] = {
     "circle.least_squares": "least-squares circle, radius {base} µm from nominal",
     "circle.magnified": "{setting}\nMagnification {magnification} : 1, rings in µm",
     "circle.next": "What to do next",
-    "circle.no_table": "No table corrects these causes. Repeat the test after the work.",
+    "circle.no_table": (
+        "No table corrects these causes of deviation. Repeat the test after the repair."
+    ),
     "circle.nominal": "nominal circle",
     "circle.open_causes": (
         "No action is proposed for {causes}, because the standard error is more than half of the"
-        " value. Repeat the circle, if possible at a lower feed; a cause that returns is real."
+        " value. Repeat the circular test, if possible at a lower feed; a cause that appears"
+        " again is real."
     ),
     "circle.parameter": (
         "{name:choose|G=Circular deviation, minimum zone|G_lsc=by the least-squares"
@@ -59,20 +62,20 @@ SENTENCES: Final[dict[str, str]] = {
     "circle.software": "Software of the instrument",
     "circle.start": "start of {sense}",
     "circle.step": (
-        "{kind:choose|squareness=Mechanic: check level and alignment of the guideways. Table: a job"
-        " with `apply` corrects it where the control can.|scale_mismatch=Check the temperature of"
-        " both axes. Table: measure {first} and {second} with a laser and run a job with both"
-        " tests.|servo_mismatch=Servo: give {first} and {second} the same position loop gain (Kv)"
-        " and feedforward.|radius_change=Measurement: repeat both directions with the same feed;"
-        " check the seat of the bar.|backlash=Mechanic: check nut, support bearing and coupling of"
-        " the {axis} screw. Then correct the control's backlash compensation of"
+        "{kind:choose|squareness=Mechanic: check level and alignment of the guideways. Table: a"
+        " job with `apply` corrects it where the control can.|scale_mismatch=Check the"
+        " temperature of both axes. Table: measure {first} and {second} with a laser and run a"
+        " job with both tests.|servo_mismatch=Servo: give {first} and {second} the same position"
+        " loop gain (Kv) and feedforward.|radius_change=Measurement: repeat both directions with"
+        " the same feed; check the seat of the bar.|backlash=Mechanic: check nut, support bearing"
+        " and coupling of the {axis} screw. Then correct the control's backlash compensation of"
         " {axis}.|lateral_play=Mechanic: check preload and gibs of the {axis}"
         " guideway.|reversal_spike=Servo: adjust the friction compensation of {axis} at reversal."
-        " Mechanic: check its lubrication and wipers.|cyclic=Mechanic: check screw, its bearing and"
-        " the encoder mount of {axis}. Table: at least three points in each period correct what is"
-        " left.|straightness=Mechanic: check the alignment of the {axis} guideway. Table: a table"
-        " between the axes corrects it where the control has one"
-        " (cross).|offset_change=Measurement: check the centre mount and the magnet cups; then"
+        " Mechanic: check its lubrication and wipers.|cyclic=Mechanic: check screw, its bearing"
+        " and the encoder mount of {axis}. Table: at least three points in each period correct"
+        " what is left.|straightness=Mechanic: check the alignment of the {axis} guideway. Table:"
+        " a cross-axis table corrects it where the control has one (key `cross` of the"
+        " job).|offset_change=Measurement: check the centre mount and the magnet cups; then"
         " repeat.|spiral=Measurement: let machine and bar reach a stable temperature; then"
         " repeat.|vibration=Look for the source by its frequency: pump, fan, motor. Servo: lower"
         " the gain for a trial.|stick_slip=Mechanic: check lubrication, wipers and preload of the"
@@ -83,8 +86,8 @@ SENTENCES: Final[dict[str, str]] = {
         "{letter}{sense:if| {sense:choose|ccw=ccw|cw=cw|bidirectional=both}|}{centre:if|,"
         " {centre:choose|G=least-squares circle|F=least-squares centre}|}"
     ),
-    "circle.to_do": "{cause} ({share:.0f} % of all effects). {step}",
-    "circle.unexplained": "The causes below leave {rms} µm rms unexplained.",
+    "circle.to_do": "{cause} ({share:.0f} % of the sum of all effects). {step}",
+    "circle.unexplained": "The causes of deviation below leave {rms} µm rms unexplained.",
     "circle.value_error": "Value ± standard error",
     "circle.zone": (
         "minimum zone{sense:choose|both= of both|ccw=, ccw|cw=, cw}: G {G} µm{D:if|; D {D} µm|}"
@@ -129,24 +132,25 @@ SENTENCES: Final[dict[str, str]] = {
     "given.travel": "{low:g} to {high:g} {unit}",
     "limits.all": "all together",
     "limits.cause": (
-        "{cause:choose|noise=readings scatter: the same position does not come back the same"
-        " (repeatability)|single outliers=single outliers|shifts between traverses=whole"
-        " traverses that are shifted|drift=drift: the axis changes while it is"
-        " measured|temperature within its uncertainty=temperature: a slope within what the job"
-        " declares uncertain|error that the test leaves open=error that the test did not show:"
-        " between targets, and hidden in the scatter|periods that the test leaves open=periodic"
-        " error that these targets cannot show: what it would add|steps that the control never"
-        " applies=steps of the correction (reversal) that the control never applies, because of"
-        " its acceleration and servo period|no table is written=error that was measured, and that"
-        " no table takes away|spacing too wide for the period=periodic error: the points are too"
-        " far apart for it|spacing of the points=what bends between the points of the"
-        " table|number of points=what bends between the points: the control has too few of"
-        " them|one table for both directions=reversal that changes along the travel: one table"
-        " and one reversal value cannot hold it|no backlash value=reversal: the control has no"
-        " value for it|quantum=resolution of the table's values|value range=largest value that"
-        " the control takes|backlash range=largest reversal value that the control takes|largest"
-        " increment=largest step from point to point that the control takes|a straight line"
-        " instead of a table=what bends: the control holds a straight line, no table|={cause}}"
+        "{cause:choose|noise=readings scatter: repeated approaches to a position give different"
+        " readings (repeatability)|single outliers=single outliers|shifts between"
+        " traverses=shifts of whole traverses|drift=drift: the axis changes while it is"
+        " measured|temperature within its uncertainty=temperature: a slope within the temperature"
+        " uncertainty that the job declares|error that the test leaves open=error that the test"
+        " did not show: between targets, and hidden in the scatter|periods that the test leaves"
+        " open=periodic error that these targets cannot show: what it would add|steps that the"
+        " control never applies=steps of the correction (reversal) that the control never"
+        " applies, because of its acceleration and servo period|no table is written=error that"
+        " was measured, and that no table removes|spacing too wide for the period=periodic error:"
+        " the points are too far apart for it|spacing of the points=curved part of the error"
+        " between the points of the table|number of points=curved part of the error between the"
+        " points: the control has too few of them|one table for both directions=reversal that"
+        " changes along the travel: one table and one reversal value cannot correct it|no"
+        " backlash value=reversal: the control has no value for it|quantum=resolution of the"
+        " table's values|value range=largest table value that the control accepts|backlash"
+        " range=largest reversal value that the control accepts|largest increment=largest step"
+        " from point to point that the control accepts|a straight line instead of a table=curved"
+        " part of the error: the control has a straight line, no table|={cause}}"
     ),
     "limits.left": "Left by the control",
     "limits.note": (
@@ -156,9 +160,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "limits.part": "Part of {parameter}",
     "limits.summary": (
-        "{parameter} at new targets: {then} {unit} expected, {before} {unit} with what is in the"
-        " control now. Scatter alone, without any error of the axis, would give {least} {unit}: no"
-        " table goes below that."
+        "{parameter} at unmeasured targets: {then} {unit} expected, {before} {unit} with what is"
+        " in the control now. Scatter alone, without any error of the axis, would give {least}"
+        " {unit}: no table can make it smaller."
     ),
     "period.alike": "These targets cannot tell apart: {periods} {unit}.",
     "period.caption": (
@@ -166,7 +170,7 @@ SENTENCES: Final[dict[str, str]] = {
         " without it. How usual such a period is on machines is not yet included. Dashed: periods"
         " that are used in the estimate."
     ),
-    "period.described": "odds of each period",
+    "period.described": "likelihood of each period",
     "period.least": "smallest amplitude that this test shows, by period",
     "period.least_caption": (
         "For each period: the smallest amplitude ({unit}) of a wave that this test shows in 95 %"
@@ -257,7 +261,7 @@ SENTENCES: Final[dict[str, str]] = {
     "run.annex_c": "Annex C: compensation",
     "run.assumed": "Assumed facts",
     "run.assumed_note": (
-        "Not in the files that were given; the results hold only where these are true."
+        "Not in the files that were given; the results are valid only if these are true."
     ),
     "run.axis_table": "Axis {axis}: table",
     "run.bends": "{input} bends {output}",
@@ -265,7 +269,7 @@ SENTENCES: Final[dict[str, str]] = {
     "run.card": "Commissioning card",
     "run.certificate": "Certificate of the fit",
     "run.changes": "Old to new",
-    "run.check_first": "Undecided: check first what is named above",
+    "run.check_first": "Undecided: check the doubts named above first",
     "run.circle_worse": (
         "The limits of a circle are undecided: it is predicted to get worse. Find out why before"
         " you load anything (CW-P131)"
@@ -281,15 +285,15 @@ SENTENCES: Final[dict[str, str]] = {
         "{tests:plural|1 test|{tests} tests} of {count:plural|axis|axes} {axes}"
         " {tests:plural|was|were} evaluated to {standards:if|{standards:and}|no standard}. The"
         " error was estimated over the travel{tables:if|; the best table that"
-        " {control:if|{control}|the control} can hold was fitted, written in the control's own"
-        " form, and read back from the files to predict the next test. Nothing has been loaded yet:"
-        " load the table with the commissioning card, measure again, and run compwright verify.|."
-        " No table was written: predicted is the next test without one.}"
+        " {control:if|{control}|the control} can store was fitted, written in the control's own"
+        " form, and read back from the files to predict the next test. Nothing has been loaded"
+        " yet: load the table with the commissioning card, measure again, and run compwright"
+        " verify.|. No table was written: predicted is the next test without one.}"
     ),
     "run.estimate": "Axis {axis}: estimated error",
     "run.estimate_note": (
-        "The error that the table has to remove: the deviation over the travel, in the state in"
-        " which it was measured, with its uncertainty."
+        "The error that the table has to remove: the deviation over the travel, with the"
+        " compensation that was active during the measurement, and its uncertainty."
     ),
     "run.files": "Files",
     "run.files_written": "Files written",
@@ -306,10 +310,10 @@ SENTENCES: Final[dict[str, str]] = {
     "run.limits": "Axis {axis}: what limits its accuracy",
     "run.limits_met": "All limits are predicted to be met",
     "run.limits_met_if": (
-        "All limits are predicted to be met, as far as what is named above is right"
+        "All limits are predicted to be met, if the doubts named above turn out to be unfounded"
     ),
     "run.no_axis_table": "No table for this axis{reason:if|: {reason}}.",
-    "run.no_limits": "Predicted result; no limits were given to decide against",
+    "run.no_limits": "Predicted result; no limits were given, so nothing is decided",
     "run.no_statement": (
         "Statement of conformity: none. The decisions are about the predicted next test; the report"
         " of compwright verify decides about the machine."
@@ -322,10 +326,8 @@ SENTENCES: Final[dict[str, str]] = {
     "run.raw_readings": "Raw readings",
     "run.refusal": "Axis {axis}: {reason}.",
     "run.single": "One curve and one reversal value",
-    "run.state": "Axis {axis}: state of the control that was used",
-    "run.state_files": (
-        "As in {files}; the table is the total of what was there and what is to be added."
-    ),
+    "run.state": "Axis {axis}: existing compensation of the control that was used",
+    "run.state_files": ("As in {files}; the new table is the total: existing table plus change."),
     "run.state_none": "None: nothing was active in the control when the axis was measured.",
     "run.state_not_given": (
         "Not given. Without it no table is written, because the new table has to include what is"
@@ -342,7 +344,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "verify.equivalent": "cannot be distinguished from",
     "verify.factor": "factor",
-    "verify.further_table": "further table",
+    "verify.further_table": "table for the next round",
     "verify.in_english": (
         "Texts of the job, of the files and of the control's definition are as they were given;"
         " refusals of a control's files are in English."
@@ -353,15 +355,16 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "verify.look_at": "Look at:",
     "verify.next_round": "{written:if|Next round|No next round}",
-    "verify.no_further_table": "no further table",
+    "verify.no_further_table": "no table for the next round",
     "verify.outside": "outside",
     "verify.shift": "shift in nodes",
     "verify.table_of": "table of axis",
     "verify.within": "within",
     "worth.caption": (
-        "Predicted {symbol} at new targets for each number of table points: median and 5 to 95 %."
-        " The filled dot is the table that is written{grid:if|; {grid:choose|ring=the ring is the"
-        " existing table of the control|on_it=it keeps the points of the existing table}|}."
+        "Predicted {symbol} at unmeasured targets for each number of table points: median and 5"
+        " to 95 %. The filled dot is the table that is written{grid:if|; {grid:choose|ring=the"
+        " ring is the existing table of the control|on_it=it keeps the points of the existing"
+        " table}|}."
     ),
     "worth.described": "{quantity} over the number of points",
     "worth.over": "points of the table",

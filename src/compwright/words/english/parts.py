@@ -27,10 +27,10 @@ SENTENCES: Final[dict[str, str]] = {
     "increments": "{symmetric:if|±{largest}|{least} to {largest}}",
     "listed": "{items:join|; }{more:if|; and {more} more}",
     "listed_places": "{items}{more:if| and {more} more}",
-    "odds.1_to": "odds 1 to {odds:2sig}",
-    "odds.above_1000": "odds above 1000 to 1",
-    "odds.over_1000": "odds over 1000 to 1",
-    "odds.to_1": "odds {odds:2sig} to 1",
+    "odds.1_to": "{odds:2sig} times as likely not to exist",
+    "odds.above_1000": "more than 1000 times as likely as not",
+    "odds.over_1000": "more than 1000 times as likely as not",
+    "odds.to_1": "{odds:2sig} times as likely as not",
     "of_axis": "Axis {axis}: {finding}",
     "of_axis_small": "axis {axis}: {finding}",
     "of_circle": "Circle {circle}: {finding}",
@@ -53,8 +53,8 @@ SENTENCES: Final[dict[str, str]] = {
         "the value compares both directions: measure a full circle in both directions"
     ),
     "undetermined.causes": (
-        "{circle}: its causes cannot be determined from {samples} samples over {arc:g}° in"
-        " {directions:plural|one direction|both directions}"
+        "{circle}: the causes of its deviation cannot be determined from {samples} samples over"
+        " {arc:g}° in {directions:plural|one direction|both directions}"
     ),
     "undetermined.few_at_reversal": "the arc has too few samples where the {axis} axis reverses",
     "undetermined.few_in_time": "the {time:3sig} s of the run have too few samples",
@@ -69,7 +69,7 @@ SENTENCES: Final[dict[str, str]] = {
     "undetermined.one_direction": (
         "one direction alone cannot separate this cause from lag and lost motion"
     ),
-    "undetermined.one_reversal": "the arc holds one reversal point of the axis only",
+    "undetermined.one_reversal": "the arc contains only one reversal point of the axis",
     "undetermined.pitch": (
         "the samples are too far apart to show a pitch: sample faster or lower the feed"
     ),

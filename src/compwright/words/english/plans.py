@@ -11,26 +11,26 @@ SENTENCES: Final[dict[str, str]] = {
         " table and {without} without it"
     ),
     "CW-P001.new_targets": (
-        "in a test at new targets, {parameter} is expected to be {with_table} with the table and"
-        " {without} without it"
+        "in a test at unmeasured targets, {parameter} is expected to be {with_table} with the"
+        " table and {without} without it"
     ),
     "CW-P001.not_seen": (
-        "in a test at new targets, {parameter} is expected to be {with_table} with a further"
-        " table and {without} without it. It differs by {spread} from one test to the next, so"
-        " the gain is within the uncertainty"
+        "in a test at unmeasured targets, {parameter} is expected to be {with_table} with a"
+        " table of another correction round and {without} without it. It differs by {spread} from"
+        " one test to the next, so the gain is within the uncertainty"
     ),
     "CW-P001.old_table": (
         "the tests {off} and {on} contradict the control's files ({percent:.1f} % sure). In {on}"
-        " the existing table of state {state} {did:choose|not_active=was not active|inverted=was"
-        " active with the opposite sign|scaled=was active with factor {factor:2sig}|shifted=was"
-        " active, shifted by {shift:+d} points|mirrored=was active, mirrored over the"
-        " travel|wrong_axis=was not active; the table of another axis was|one_direction=was"
-        " active in one direction only|backlash=was active with a different backlash|partial=was"
-        " active over a part of the travel only|measurement=does not fit the readings: one of the"
-        " tests was measured wrongly|undecided=did something else ({likely:join|, or"
-        " })}{detail:if| ({detail})}.{off_too:if| Or it was active in {off} too, because both"
-        " tests show the same axis: was it off for {off}?}{exchanged:if| Or the two tests are"
-        " exchanged.} The new table would be wrong by as much{look_at:if|. Look at:"
+        " the existing table (states.{state} in the job) {did:choose|not_active=was not"
+        " active|inverted=was active with the opposite sign|scaled=was active with factor"
+        " {factor:2sig}|shifted=was active, shifted by {shift:+d} points|mirrored=was active,"
+        " mirrored over the travel|wrong_axis=was not active; the table of another axis"
+        " was|one_direction=was active in one direction only|backlash=was active with a different"
+        " backlash|partial=was active over a part of the travel only|measurement=does not fit the"
+        " readings: one of the tests was measured wrongly|undecided=did something else"
+        " ({likely:join|, or })}{detail:if| ({detail})}.{off_too:if| Or it was active in {off}"
+        " too, because both tests show the same axis: was it off for {off}?}{exchanged:if| Or the"
+        " two tests are exchanged.} The new table would be wrong by as much{look_at:if|. Look at:"
         " {look_at:join|. }}"
     ),
     "CW-P101": (
@@ -91,8 +91,8 @@ SENTENCES: Final[dict[str, str]] = {
         " {values:choose|correction=corrections|error=errors})."
     ),
     "CW-P113.not_held": (
-        "{what} is not corrected, because this control, as the job describes it, cannot hold the"
-        " correction: {why}."
+        "{what} is not corrected, because this control, as the job describes it, cannot store"
+        " the correction: {why}."
     ),
     "CW-P113.sheet": (
         "{what} is corrected by parameters that no file contains. They are in {sheet} next to the"
@@ -156,7 +156,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P130.no_test": (
         "{axis}: the lost motion by circles is not corrected. The axis has no positioning test,"
-        " so no table is made that could hold it."
+        " so no table is made that could contain it."
     ),
     "CW-P130.none": (
         "apply.backlash_from has no effect: no circle of the job shows the lost motion of an axis."
@@ -176,9 +176,9 @@ SENTENCES: Final[dict[str, str]] = {
         " decision stays undecided: {give}."
     ),
     "CW-P133": (
-        "Axis {axis}: the limit is predicted to be kept at the same targets, but not at new"
-        " targets. There, 5 % of the tests show more than {parameters}, so the limit stays"
-        " undecided.{reasons:if| The error may repeat {reasons:join|, or }.} Measure at"
+        "Axis {axis}: the limit is predicted to be kept at the same targets, but not at"
+        " unmeasured targets. There, 5 % of the tests show more than {parameters}, so the limit"
+        " stays undecided.{reasons:if| The error may repeat {reasons:join|, or }.} Measure at"
         " {better}.{known:if|| Give the lead of the screw, if it is known (screw_pitch).}"
     ),
     "CW-P133.open": (
@@ -213,10 +213,10 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P141": (
         "Axis {axis}: the points of the existing table {stays:if|are kept|do not serve},"
-        " {existing}: predicted {parameter} {same} ({new} at new targets). New points, {grid},"
-        " would give {parameter} {better} ({better_new}). To use them, set `spacing: auto` in the"
-        " table of the axis. Settings that depend on the old points are moved too, or named where"
-        " this is impossible"
+        " {existing}: predicted {parameter} {same} ({new} at unmeasured targets). New points,"
+        " {grid}, would give {parameter} {better} ({better_new}). To use them, set `spacing:"
+        " auto` in the table of the axis. Settings that depend on the old points are moved too,"
+        " or named where this is impossible"
     ),
     "CW-P142.line": (
         "The slope of {slope} goes into the control's separate straight line. At the table points"
@@ -238,24 +238,24 @@ SENTENCES: Final[dict[str, str]] = {
         " {end:.10g}, spacing: {spacing:.10g} in the table of the axis"
     ),
     "CW-P150": (
-        "Axis {axis}: a table will not help here. {parameter} at new targets is"
+        "Axis {axis}: a table will not help here. {parameter} at unmeasured targets is"
         " {now}{with_table:if| without a table and {with_table} with one}. The largest cause is"
         " {cause} ({value:.2f} {unit}, {share:.0%}): {advice}"
     ),
     "CW-P151.cause": (
-        "Axis {axis}: {parameter} at new targets is {now} now, and the table reduces it by"
-        " {taken:.0%}. Most of the rest is {cause} ({value:.2f} of {left}): {advice}"
+        "Axis {axis}: {parameter} at unmeasured targets is {now} now, and the table reduces it"
+        " by {taken:.0%}. Most of the rest is {cause} ({value:.2f} of {left}): {advice}"
     ),
     "CW-P151.scatter": (
-        "Axis {axis}: {parameter} at new targets is {now} now, and the table reduces it by"
-        " {taken:.0%}. {scatter:.0%} of it is scatter of the readings, which no table reduces"
+        "Axis {axis}: {parameter} at unmeasured targets is {now} now, and the table reduces it"
+        " by {taken:.0%}. {scatter:.0%} of it is scatter of the readings, which no table reduces"
     ),
     "CW-P152": (
         "Axis {axis}: {tables:choose|left=the table with the least expected squared error is"
         " used, not one for the least {goal}|same=the table with the least expected squared error"
         " also gives the least {goal}|taken=the table was made for the least {goal}|no_gain=a"
         " table made for the least {goal} shows no smaller {goal} in new simulated tests, so the"
-        " table with the least expected squared error is used}. Expected at new"
+        " table with the least expected squared error is used}. Expected at unmeasured"
         " targets{tables:choose|left=|same=|taken=, in brackets with the table of least expected"
         " squared error|no_gain=, in brackets with the table made for {goal}}: {parameters}"
         " {unit}"
@@ -276,8 +276,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P155": (
         "Axis {axis}: stop here. What is left is {cause} ({value:.2f} {unit} of {parameter}"
-        " {left:.2f} {unit} at new targets). A further table would change less than the"
-        " difference between one test and the next."
+        " {left:.2f} {unit} at unmeasured targets). Another correction round would change less"
+        " than the difference between one test and the next."
     ),
     "CW-P156": (
         "Axis {axis}: the control never applies a step of the correction that is larger than"
@@ -289,32 +289,33 @@ SENTENCES: Final[dict[str, str]] = {
         " and run again"
     ),
     "CW-P160": (
-        "The readings of test {test} do not fit its file and the stated state of the control."
-        " They are {ways:join|, or }. A table made from such readings would be wrong."
+        "The readings of test {test} do not fit its file and the control's contents as stated in"
+        " the job. They are {ways:join|, or }. A table made from such readings would be wrong."
         " {checks:join| }"
     ),
     "CW-P160.check": (
         "{way:choose|off=Was compensation switched on, and the axis referenced, while it was"
-        " measured? If not, name that state under measured_in.|sign=Compare one reading with"
-        " the instrument: too far in + is a positive deviation.|directions=Look into the"
-        " instrument's file which way the axis went in the first run.|order=Compare the"
-        " readings at the first and the last target with the instrument's file.|against=Move"
-        " the axis in +: if the instrument counts down, the test needs position_map: {{sense:"
-        " -1, offset: ..}}.}"
+        " measured? If not, add its files under `states` and name that entry under"
+        " measured_in.|sign=Compare one reading with the instrument: too far in + is a positive"
+        " deviation.|directions=Look into the instrument's file which way the axis went in the"
+        " first run.|order=Compare the readings at the first and the last target with the"
+        " instrument's file.|against=Move the axis in +: if the instrument counts down, the test"
+        " needs position_map: {{sense: -1, offset: ..}}.}"
     ),
     "CW-P160.way": (
-        "{odds:odds} times more likely {way:choose|off=if the table of the control was not active"
-        " in this test|sign=if the sign of the deviations is turned (target minus"
+        "{odds:odds} times more likely {way:choose|off=if the table of the control was not"
+        " active in this test|sign=if the sign of the deviations is reversed (target minus"
         " measured)|directions=if + and − are exchanged|order=if the readings are in the opposite"
         " order of the targets|against=if the instrument counts against the machine}"
     ),
     "CW-P161": (
-        "The table in state {measured_in} looks like the mirror image of test {test} ({size:.1f}"
-        " {unit}). By chance, curves as smooth are so alike in {less:if|less than }{chance:2sig} %"
-        " of cases. If the table was made from this test, it was not active in it, and a further"
-        " table would correct the same error twice. Measure again with the table active, or name"
-        " under measured_in the state in which the test was taken. If the table was active in this"
-        " test, give the reason (acknowledged)"
+        "The table in states.{measured_in} of the job looks like the mirror image of test {test}"
+        " ({size:.1f} {unit}). By chance, curves as smooth as these are so similar in"
+        " {less:if|less than }{chance:2sig} % of cases. If the table was made from this test, it"
+        " was not active in it, and a new table would correct the same error twice. Measure again"
+        " with the table active, or name under measured_in the entry of `states` that was in the"
+        " control during the test. If the table was active in this test, give the reason"
+        " (acknowledged)"
     ),
     "CW-P162.after": (
         "the file of the test after loading states that compensation was {both:if|both on and"
@@ -327,7 +328,7 @@ SENTENCES: Final[dict[str, str]] = {
         " compensation of the file, or measured_in and states of the job."
     ),
     "CW-P162.state": (
-        "the file states that compensation was {on:if|on|off}, but the state {state} of the job"
+        "the file states that compensation was {on:if|on|off}, but states.{state} of the job"
         " {active:if|has an active table or backlash|has nothing active} for {names:and}. If the"
         " job is wrong about it, the new table is wrong too. Check at the control what was"
         " active. Then correct the key compensation of the file, or measured_in and states of the"
@@ -344,14 +345,16 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P165": (
         "Axis {axis}: the test drifts by {drift}, and the prediction assumes the same drift in"
-        " the next test: {parameter} {low:.2f} to {high:.2f} {unit} at new targets. If each test"
-        " has its own drift of this size, {parameter} is {least:.2f} to {most:.2f} {unit}. To"
-        " find out which is true, measure a second test in the same way, and add its file to"
-        " `before` of the axis"
+        " the next test: {parameter} {low:.2f} to {high:.2f} {unit} at unmeasured targets. If"
+        " each test has its own drift of this size, {parameter} is {least:.2f} to {most:.2f}"
+        " {unit}. To find out which is true, measure a second test in the same way, and add its"
+        " file to `before` of the axis"
     ),
     "grid.even": "{points} points from {start:.10g} to {end:.10g} {unit}, every {step:.6g} {unit}",
     "grid.few": "{points} points",
-    "grid.predicted": "predicted {name} {value:.2f} {unit} ({elsewhere:.2f} at new targets)",
+    "grid.predicted": (
+        "predicted {name} {value:.2f} {unit} ({elsewhere:.2f} at unmeasured targets)"
+    ),
     "grid.uneven": (
         "{points} points from {start:.10g} to {end:.10g} {unit}, {least:.6g} to {most:.6g} {unit}"
         " apart"
@@ -361,21 +364,20 @@ SENTENCES: Final[dict[str, str]] = {
         " {{as_found: none}} or states: {{as_found: [files of the control]}}"
     ),
     "table_advice": (
-        "{cause:choose|noise=the axis does not repeat, which no table corrects: check first "
-        "how the instrument is mounted (vibration, air, fixing), then call a mechanic (play, "
-        "guides, bearings, coupling, scale)|single outliers=a few readings are outliers, "
-        "which no table corrects: find what disturbs the measurement (interrupted beam, "
-        "settling time, dirt), and measure again|shifts between traverses=whole traverses are"
-        " shifted, which no table corrects: check whether instrument, spindle and clamping "
-        "are firm, and look for play that differs from run to run|drift=the axis changes "
-        "during the test, which no table corrects: warm it up as in work until it is stable, "
-        "and measure again|one table for both directions=the reversal changes along the "
-        "travel, and one table with one reversal value cannot hold that: call a mechanic "
-        "(nut, screw, guides), or use a control with a table for each direction|spacing too "
-        "wide for the period=the points are too far apart for so short a period; CW-F002 "
-        "gives the interval that is needed. If the control cannot hold it, call a mechanic "
-        "(screw, its bearings and coupling, gear, encoder)|error that the test leaves "
-        "open=the test does not determine the error well enough: measure more targets or more"
-        " runs}"
+        "{cause:choose|noise=the axis does not repeat, which no table corrects: check first how"
+        " the instrument is mounted (vibration, air, fixing), then call a mechanic (play, guides,"
+        " bearings, coupling, scale)|single outliers=a few readings are outliers, which no table"
+        " corrects: find what disturbs the measurement (laser beam interrupted, settling time,"
+        " dirt), and measure again|shifts between traverses=whole traverses are shifted, which no"
+        " table corrects: check whether instrument, spindle and clamping are firm, and look for"
+        " play that differs from run to run|drift=the axis changes during the test, which no"
+        " table corrects: warm it up as in work until it is stable, and measure again|one table"
+        " for both directions=the reversal changes along the travel, and one table with one"
+        " reversal value cannot correct that: call a mechanic (nut, screw, guides), or use a"
+        " control with a table for each direction|spacing too wide for the period=the points are"
+        " too far apart for so short a period; CW-F002 gives the interval that is needed. If the"
+        " control cannot store such a table, call a mechanic (screw, its bearings and coupling,"
+        " gear, encoder)|error that the test leaves open=the test does not determine the error"
+        " well enough: measure more targets or more runs}"
     ),
 }

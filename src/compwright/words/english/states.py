@@ -17,17 +17,17 @@ SENTENCES: Final[dict[str, str]] = {
         " ({where})"
     ),
     "CW-S004.not_zero": (
-        "{label}: the file holds {values} {values:plural|value|values} behind the end of the"
+        "{label}: the file contains {values} {values:plural|value|values} after the end of the"
         " table ({first} to {last}), {not_zero} of them not zero. The control does not use them."
         " They belong to an older, longer table, or the end or the spacing of this table is"
         " wrong: check both"
     ),
     "CW-S004.zero": (
-        "{label}: the file holds {values} {values:plural|value|values} behind the end of the"
+        "{label}: the file contains {values} {values:plural|value|values} after the end of the"
         " table, all zero. The control does not use them"
     ),
     "CW-S005": (
-        "{label}: {quantity} is not in the files; {value} is assumed. If the control holds"
+        "{label}: {quantity} is not in the files; {value} is assumed. If the control contains"
         " another value, the tables and corrections are wrong by the difference. Look the value"
         " up at the control, or add the file that contains it"
     ),
@@ -83,7 +83,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-S016": (
         "{label}: on a full turn the compensation points {first} and {last} are the same"
-        " position. Point {first} should hold the value of point {last} ({value:g})"
+        " position. Point {first} should have the value of point {last} ({value:g})"
     ),
     "CW-S017": (
         "axis {axis}: the table in {file} covers a full turn, but its last value differs from its"
@@ -101,12 +101,12 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-S030": "axes {leading} and {partner} form a gantry, but their corrections differ",
     "CW-S031.gantry": (
-        "axes {axis} and {other} hold the same table. If they form a gantry, give axis {axis} the"
-        " key `gantry: {other}` in the job, so that both get the new table. A new table on one of"
-        " them alone twists the gantry"
+        "axes {axis} and {other} have the same table. If they form a gantry, give axis {axis}"
+        " the key `gantry: {other}` in the job, so that both get the new table. A new table on"
+        " one of them alone twists the gantry"
     ),
     "CW-S031.single": (
-        "axes {axis} and {other} hold the same table. By the control's files axis {axis} belongs"
+        "axes {axis} and {other} have the same table. By the control's files axis {axis} belongs"
         " to no gantry"
     ),
     "CW-S032": "{label}: all values and the grid are zero. This means that there is no table",
@@ -252,7 +252,7 @@ SENTENCES: Final[dict[str, str]] = {
         " out for {definition}}"
     ),
     "CW-S061": (
-        "{what}. The definition of {carried} that the plan holds is used. To use another"
+        "{what}. The definition of {carried} that the plan contains is used. To use another"
         " definition, run the job again"
     ),
     "CW-S062": "the control format {name} means {definition}: {title}",
@@ -285,8 +285,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-S082": "{files}: these files contain no data of the control and are not compared: {idle}",
     "CW-S083.new": (
-        "What was read back holds {new} {new:plural|compensation value|compensation values} that"
-        " no file of the plan contains. {new:plural|It was|They were} not compared"
+        "What was read back contains {new} {new:plural|compensation value|compensation values}"
+        " that no file of the plan contains. {new:plural|It was|They were} not compared"
     ),
     "CW-S083.not_read": (
         "{missing} {missing:plural|compensation value|compensation values} of the plan's files"

@@ -7,7 +7,7 @@ from typing import Final
 SENTENCES: Final[dict[str, str]] = {
     "CW-F001.held": (
         "The table does not cover {uncovered:g} {unit} of the travel"
-        " {side:choose|below=below|above=above} {end:g} {unit}. The control holds the end value"
+        " {side:choose|below=below|above=above} {end:g} {unit}. The control applies the end value"
         " there"
     ),
     "CW-F001.step": (
@@ -49,12 +49,12 @@ SENTENCES: Final[dict[str, str]] = {
         " the travel"
     ),
     "CW-F007": (
-        "The correction would exceed the largest value that the control takes: {left} rms of the"
-        " error remain"
+        "The correction would exceed the largest table value that the control accepts: {left}"
+        " rms of the error remain"
     ),
     "CW-F008": (
         "The error is steeper than the largest step between two table points that the control"
-        " takes: {left} rms of it remain"
+        " accepts: {left} rms of it remain"
     ),
     "CW-F009.compared": (
         "The magnification is set to {magnification} instead of {before}, which leaves"
@@ -67,8 +67,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-F010": (
         "The job asks for a table with the least {goal}. The table with the least expected"
-        " squared error is used instead: {why:choose|slope=this control holds one slope and no"
-        " table|increments=this control holds whole increments only|no_gain=rounded to whole"
+        " squared error is used instead: {why:choose|slope=this control has one slope and no"
+        " table|increments=this control stores whole increments only|no_gain=rounded to whole"
         " increments, the table for {goal} shows no gain in simulated tests}"
     ),
     "CW-F011": (
@@ -78,28 +78,28 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "mode.one_asked": "One table and one reversal value, as the job asks",
     "mode.one_constant": (
-        "One table and one constant difference between the directions: the wanted correction does"
-        " not vary more than this along the travel (log odds {odds:.1f}; from {strong:g} on they"
-        " would be strong)"
+        "One table and one constant difference between the directions: the wanted correction"
+        " does not vary more than this along the travel (evidence, as natural logarithm of the"
+        " likelihood ratio: {odds:.1f}; strong from {strong:g})"
     ),
     "mode.one_drift": (
         "One table and one reversal value: the reversal changes along the travel, but the drift"
         " within each run explains this change with a constant backlash"
     ),
     "mode.one_held": (
-        "One table and one reversal value: the control holds one table for both directions"
+        "One table and one reversal value: the control has one table for both directions"
     ),
     "mode.one_unless_asked": (
         "One table and one reversal value: two tables are made only if the job asks for them"
         " (mode: bidirectional)"
     ),
-    "mode.slope": "One slope and one reversal value: the control holds no table",
+    "mode.slope": "One slope and one reversal value: the control has no table",
     "mode.two_asked": "Two tables, as the job asks",
     "mode.two_cost": (
         "Two tables: one constant difference between the directions would leave {cost} rms more"
     ),
     "mode.two_vary": (
-        "Two tables, because the reversal value varies with the position (log odds {odds:.1f};"
-        " from {strong:g} on, the evidence is strong)"
+        "Two tables, because the reversal value varies with the position (evidence, as natural"
+        " logarithm of the likelihood ratio: {odds:.1f}; strong from {strong:g})"
     ),
 }

@@ -236,9 +236,9 @@ SENTENCES: Final[dict[str, str]] = {
         " {minutes:g} min."
     ),
     "CW-T027": (
-        "The stand-still test {file} cannot show the whole environmental variation E_VE:"
-        " {reasons:join|; }. Record the reading of the axis at rest, at least ten times, for as"
-        " long as a positioning test takes."
+        "The drift test {file} (axis at rest) cannot show the whole environmental variation"
+        " E_VE: {reasons:join|; }. Record the reading of the axis at rest, at least ten times,"
+        " for as long as a positioning test takes."
     ),
     "CW-T027.coarse": (
         "up to {minutes:g} min lie between two readings, so changes in between are missed"
@@ -269,10 +269,10 @@ SENTENCES: Final[dict[str, str]] = {
         " readings."
     ),
     "CW-T030.unit": (
-        "The readings were read as {read_as}, but their unit is probably {unit} (odds {odds:odds}"
-        " to 1). They spread over {spread} and scatter by {scatter}; machine tools usually have"
-        " values {factor:g} times {larger:if|larger|smaller}. Compare one reading with the"
-        " instrument."
+        "The readings were read as {read_as}, but their unit is probably {unit} ({odds:odds}"
+        " times as likely as {read_as}). They spread over {spread} and scatter by {scatter};"
+        " machine tools usually have values {factor:g} times {larger:if|larger|smaller}. Compare"
+        " one reading with the instrument."
     ),
     "CW-T031.directions": "the runs in + and those in −",
     "CW-T031.near": (
@@ -289,11 +289,11 @@ SENTENCES: Final[dict[str, str]] = {
         " digits."
     ),
     "CW-T032": (
-        "The mean reversal value is +{reversal}, but lost motion makes it negative."
-        " {likely:if|With odds of {odds:odds} to 1|Perhaps} the directions + and − are swapped or"
-        " the sign of the deviations is turned, unless the backlash compensation is too large. A"
-        " table made from swapped directions doubles the lost motion. Check at one target: with"
-        " lost motion the deviation of an approach in + is the smaller one."
+        "The mean reversal value is +{reversal}, but lost motion makes it negative. The"
+        " directions + and − {likely:if|are probably ({odds:odds} times as likely as not)|may be}"
+        " swapped, or the sign of the deviations is reversed, unless the backlash compensation is"
+        " too large. A table made from swapped directions doubles the lost motion. Check at one"
+        " target: with lost motion the deviation of an approach in + is the smaller one."
     ),
     "CW-T033": (
         "Taken as inches, the targets {first} to {last} are whole numbers of millimetres. Check"
@@ -305,19 +305,20 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-T035": (
         "The test has {targets} {targets:plural|target|targets}, but the standard asks for at"
-        " least {fewest}. The error between the targets is unknown. Parameters and limits hold"
-        " for {targets:plural|this target|these targets} alone."
+        " least {fewest}. The error between the targets is unknown. Parameters and limits are"
+        " valid for {targets:plural|this target|these targets} alone."
     ),
     "CW-T036": (
         "The tests {test} and {other} contradict each other. They differ by {difference:.2f}"
         " {unit}, and {what:choose|error=the error itself|reversal=the mean reversal itself} is"
         " {size:.2f} {unit}. Only {test} is used, {other} is not. Check that both have the same"
-        " sign, directions, unit, axis and state of the control."
+        " sign, directions, unit, axis and control contents."
     ),
     "CW-T037": (
-        "The tests of axes {one} and {other} show the same error. With odds of {odds:odds} to 1,"
-        " the same axis was measured for both, or one file was given for both. A table made from"
-        " the test of another axis makes the error larger. Check which axis moved in each test."
+        "The tests of axes {one} and {other} show the same error. It is {odds:odds} times as"
+        " likely as not that the same axis was measured for both, or that one file was given for"
+        " both. A table made from the test of another axis makes the error larger. Check which"
+        " axis moved in each test."
     ),
     "CW-T038": (
         "The environment record {file} has a gap during the test, {gap:2sig} times as long as the"

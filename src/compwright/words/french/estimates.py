@@ -83,8 +83,9 @@ SENTENCES: Final[dict[str, str]] = {
         " {other_low:g} à {other_high:g} {unit}, mais il n'est pas utilisé : l'état de la"
         " commande dans cet essai n'est pas connu. Au-delà de {low:g} à {high:g} {unit}, l'erreur"
         " est seulement prolongée et peut être fausse de plus que sa valeur. Faire une de ces"
-        " trois choses : nommer l'état actif pendant l'essai (measured_in), donner l'essai"
-        " {other} en premier, ou arrêter la table à la zone mesurée (table: start, end)"
+        " trois choses : nommer l'entrée de `states` qui était dans la commande pendant l'essai"
+        " (measured_in), donner l'essai {other} en premier, ou arrêter la table à la zone mesurée"
+        " (table: start, end)"
     ),
     "CW-E012.found": (
         "L'erreur se répète tous les {period:.5g} {unit} (probabilité {probability:.0f} %,"

@@ -6,8 +6,9 @@ from typing import Final
 
 SENTENCES: Final[dict[str, str]] = {
     "CW-J002": (
-        "Le dossier de travail nomme les états {states} mais pas as_found, c'est-à-dire ce qui"
-        " est maintenant dans la commande. Sans as_found, aucune table n'est écrite"
+        "Le dossier de travail a sous `states` les entrées {states} mais pas as_found,"
+        " c'est-à-dire ce qui est maintenant dans la commande. Sans as_found, aucune table n'est"
+        " écrite"
     ),
     "CW-J003": "axes.{axis}.modulo n'a pas de sens sur un axe linéaire et n'est pas utilisé",
     "CW-J004": (

@@ -108,14 +108,15 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-V027": "{verdict}",
     "CW-V028": "{verdict}",
     "CW-V030": (
-        "Les essais {off} (sans la table) et {on} (avec elle) montrent que la table existante de"
-        " l'état {state} était active comme le disent ses fichiers (sûr à {percent:.1f} %)."
+        "Les essais {off} (sans la table) et {on} (avec elle) montrent que la table existante"
+        " (states.{state} dans le dossier de travail) était active comme le disent ses fichiers"
+        " (sûr à {percent:.1f} %)."
     ),
     "CW-V031": (
         "Les essais {off} (sans la table) et {on} (avec elle) ne montrent pas si la table"
-        " existante de l'état {state} était active comme le disent ses fichiers :"
-        " {likely:if|{likely}|aucune cause connue ne convient}. Les deux essais ne sont utilisés"
-        " que dans la mesure où ils s'accordent."
+        " existante (states.{state} dans le dossier de travail) était active comme le disent ses"
+        " fichiers : {likely:if|{likely}|aucune cause connue ne convient}. Les deux essais ne"
+        " sont utilisés que dans la mesure où ils s'accordent."
     ),
     "headline.active": "{tables:plural|Table active|Tables actives}. Aucune limite donnée.",
     "headline.bad": "Mauvais : voir les {circles:if|cercles|axes} ci-dessous",
@@ -239,15 +240,18 @@ SENTENCES: Final[dict[str, str]] = {
     "next.differs": "ce qui a été relu diffère du plan : {why}{quantity:if| ({quantity})}",
     "next.doubted": "l'essai de cet axe après chargement est douteux ({code} : {message})",
     "next.gained": (
-        "une table de plus est écrite. Elle devrait changer {parameter} à de nouveaux points"
-        " visés de {now:.2f} à {then:.2f} {unit}"
+        "une table de plus est écrite. Elle devrait changer {parameter} à des points visés non"
+        " mesurés de {now:.2f} à {then:.2f} {unit}"
     ),
-    "next.kept": "{why}. L'axe garde ce qui est dans la commande, et ne reçoit pas d'autre table",
+    "next.kept": (
+        "{why}. L'axe garde ce qui est dans la commande, et ne reçoit pas de table pour"
+        " le prochain tour"
+    ),
     "next.load": (
         "une table de plus a été écrite pour {axes}{between:if|{axes:if|, }perpendicularité}."
         " Charger tous les fichiers de next/tables, mesurer de nouveau et vérifier ce tour"
     ),
-    "next.no_axis": "aucun axe ne reçoit d'autre table",
+    "next.no_axis": "aucun axe ne reçoit de table pour le prochain tour",
     "next.no_table": (
         "le plan ne contient pas de table pour cet axe, donc aucune n'a été chargée. L'axe garde"
         " ce qui est dans la commande"
@@ -267,17 +271,17 @@ SENTENCES: Final[dict[str, str]] = {
         " Vérifier d'abord ces changements, puis lancer un nouveau dossier de travail"
     ),
     "next.squareness_alone": (
-        "aucun axe ne reçoit d'autre table, et la perpendicularité seule n'a pas de prochain"
-        " tour. {measured:if|Mesurer aussi après chargement un axe qui a une table, et donner son"
-        " essai par --after en plus des cercles|Pour corriger la perpendicularité restante,"
-        " lancer un nouveau dossier de travail : avec les fichiers relus comme as_found, et avec"
-        " les cercles après chargement}"
+        "aucun axe ne reçoit de table pour le prochain tour, et la perpendicularité seule n'a"
+        " pas de prochain tour. {measured:if|Mesurer aussi après chargement un axe qui a une"
+        " table, et donner son essai par --after en plus des cercles|Pour corriger la"
+        " perpendicularité restante, lancer un nouveau dossier de travail : avec les fichiers"
+        " relus comme as_found, et avec les cercles après chargement}"
     ),
     "next.stop": (
         "arrêter ici : le gain d'une autre table pour {axes} serait trop petit pour se voir dans"
         " un essai"
     ),
-    "next.stop_axis": "{stop:if|arrêter ici|pas d'autre table} : {why}",
+    "next.stop_axis": "{stop:if|arrêter ici|pas de table pour le prochain tour} : {why}",
     "next.verdict": (
         "le verdict est {verdict:choose|not_active=non active|inverted=inversée|scaled=mise à "
         "l'échelle|shifted=décalée|mirrored=en miroir|wrong_axis=mauvais axe|on_top=en plus|"

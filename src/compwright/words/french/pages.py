@@ -170,9 +170,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "limits.part": "Part de {parameter}",
     "limits.summary": (
-        "{parameter} à de nouveaux points visés : {then} {unit} attendus, {before} {unit} avec le"
-        " contenu actuel de la commande. La dispersion seule, sans aucune erreur de l'axe,"
-        " donnerait {least} {unit} : aucune table ne descend plus bas."
+        "{parameter} à des points visés non mesurés : {then} {unit} attendus, {before} {unit}"
+        " avec le contenu actuel de la commande. La dispersion seule, sans aucune erreur de"
+        " l'axe, donnerait {least} {unit} : aucune table ne descend plus bas."
     ),
     "period.alike": "Ces points visés ne distinguent pas : {periods} {unit}.",
     "period.caption": (
@@ -369,7 +369,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "verify.equivalent": "impossible à distinguer de",
     "verify.factor": "facteur",
-    "verify.further_table": "nouvelle table",
+    "verify.further_table": "table pour la prochain tour",
     "verify.in_english": (
         "Les textes du dossier de travail, des fichiers et de la définition de la commande sont"
         " tels qu'ils ont été donnés ; les refus de fichiers de la commande sont en anglais. La"
@@ -381,13 +381,13 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "verify.look_at": "À vérifier :",
     "verify.next_round": "{written:if|Tour suivant|Pas de tour suivant}",
-    "verify.no_further_table": "pas de nouvelle table",
+    "verify.no_further_table": "pas de table pour la prochain tour",
     "verify.outside": "hors",
     "verify.shift": "décalage en nœuds",
     "verify.table_of": "table de l'axe",
     "verify.within": "dans",
     "worth.caption": (
-        "{symbol} prévu à de nouveaux points visés pour chaque nombre de points de table :"
+        "{symbol} prévu à des points visés non mesurés pour chaque nombre de points de table :"
         " médiane et 5 à 95 %. Le point plein est la table écrite{grid:if| ;"
         " {grid:choose|ring=l'anneau est la table existante de la commande|on_it=elle garde les"
         " points de la table existante}|}."

@@ -11,27 +11,28 @@ SENTENCES: Final[dict[str, str]] = {
         " table et {without} sans elle"
     ),
     "CW-P001.new_targets": (
-        "dans un essai à de nouveaux points visés, {parameter} devrait être {with_table} avec la"
-        " table et {without} sans elle"
+        "dans un essai à des points visés non mesurés, {parameter} devrait être {with_table}"
+        " avec la table et {without} sans elle"
     ),
     "CW-P001.not_seen": (
-        "dans un essai à de nouveaux points visés, {parameter} devrait être {with_table} avec une"
-        " autre table et {without} sans elle. D'un essai à l'autre {parameter} diffère de"
-        " {spread}, donc le gain est dans l'incertitude"
+        "dans un essai à des points visés non mesurés, {parameter} devrait être {with_table}"
+        " avec une autre table et {without} sans elle. D'un essai à l'autre {parameter} diffère"
+        " de {spread}, donc le gain est dans l'incertitude"
     ),
     "CW-P001.old_table": (
         "les essais {off} et {on} contredisent les fichiers de la commande (sûr à {percent:.1f}"
-        " %). Dans {on}, la table existante de l'état {state} {did:choose|not_active=n'était pas"
-        " active|inverted=était active avec le signe opposé|scaled=était active avec le facteur"
-        " {factor:2sig}|shifted=était active, décalée de {shift:+d} points|mirrored=était active,"
-        " en miroir sur la course|wrong_axis=n'était pas active ; celle d'un autre axe"
-        " l'était|one_direction=n'était active que dans un sens|backlash=était active avec un"
-        " autre jeu|partial=n'était active que sur une partie de la course|measurement=ne va pas"
-        " avec les mesures : un des essais a été mal mesuré|undecided=a fait autre chose"
-        " ({likely:join|, ou })}{detail:if| ({detail})}.{off_too:if| Ou elle était active aussi"
-        " dans {off}, car les deux essais montrent le même axe : était-elle désactivée pour {off}"
-        " ?}{exchanged:if| Ou les deux essais sont permutés.} La nouvelle table serait fausse"
-        " d'autant{look_at:if|. Regarder : {look_at:join|. }}"
+        " %). Dans {on}, la table existante (states.{state} dans le dossier de travail)"
+        " {did:choose|not_active=n'était pas active|inverted=était active avec le signe"
+        " opposé|scaled=était active avec le facteur {factor:2sig}|shifted=était active, décalée"
+        " de {shift:+d} points|mirrored=était active, en miroir sur la course|wrong_axis=n'était"
+        " pas active ; celle d'un autre axe l'était|one_direction=n'était active que dans un"
+        " sens|backlash=était active avec un autre jeu|partial=n'était active que sur une partie"
+        " de la course|measurement=ne va pas avec les mesures : un des essais a été mal"
+        " mesuré|undecided=a fait autre chose ({likely:join|, ou })}{detail:if|"
+        " ({detail})}.{off_too:if| Ou elle était active aussi dans {off}, car les deux essais"
+        " montrent le même axe : était-elle désactivée pour {off} ?}{exchanged:if| Ou les deux"
+        " essais sont permutés.} La nouvelle table serait fausse d'autant{look_at:if|. Regarder :"
+        " {look_at:join|. }}"
     ),
     "CW-P101": (
         "Cercle {circle} : le dossier de travail ne donne pas son centre dans la machine, donc le"
@@ -214,11 +215,11 @@ SENTENCES: Final[dict[str, str]] = {
         " existante, {existing}, ne peuvent être gardés : {why}"
     ),
     "CW-P141": (
-        "Axe {axis} : les points de la table existante {stays:if|sont gardés|ne conviennent pas},"
-        " {existing} : prévu {parameter} {same} ({new} à de nouveaux points visés). De nouveaux"
-        " points, {grid}, donneraient {parameter} {better} ({better_new}). Pour cela, mettre"
-        " `spacing: auto` dans la table de l'axe. Les réglages qui dépendent des anciens points"
-        " suivent, ou sont nommés si ce n'est pas possible"
+        "Axe {axis} : les points de la table existante {stays:if|sont gardés|ne conviennent"
+        " pas}, {existing} : prévu {parameter} {same} ({new} à des points visés non mesurés). De"
+        " nouveaux points, {grid}, donneraient {parameter} {better} ({better_new}). Pour cela,"
+        " mettre `spacing: auto` dans la table de l'axe. Les réglages qui dépendent des anciens"
+        " points suivent, ou sont nommés si ce n'est pas possible"
     ),
     "CW-P142.line": (
         "La pente de {slope} va dans la droite à part de la commande. Aux points de la table, il"
@@ -241,19 +242,19 @@ SENTENCES: Final[dict[str, str]] = {
         " end: {end:.10g}, spacing: {spacing:.10g} dans la table de l'axe"
     ),
     "CW-P150": (
-        "Axe {axis} : une table n'aidera pas ici. {parameter} à de nouveaux points visés est"
+        "Axe {axis} : une table n'aidera pas ici. {parameter} à des points visés non mesurés est"
         " {now}{with_table:if| sans table et {with_table} avec une table}. La plus grande cause"
         " est {cause} ({value:.2f} {unit}, {share:.0%}) : {advice}"
     ),
     "CW-P151.cause": (
-        "Axe {axis} : {parameter} à de nouveaux points visés est de {now} à présent, et la table"
-        " le réduit de {taken:.0%}. La plus grande part du reste est {cause} ({value:.2f} sur"
-        " {left}) : {advice}"
+        "Axe {axis} : {parameter} à des points visés non mesurés est de {now} à présent, et la"
+        " table le réduit de {taken:.0%}. La plus grande part du reste est {cause} ({value:.2f}"
+        " sur {left}) : {advice}"
     ),
     "CW-P151.scatter": (
-        "Axe {axis} : {parameter} à de nouveaux points visés est de {now} à présent, et la table"
-        " le réduit de {taken:.0%}. {scatter:.0%} en est de la dispersion des mesures, qu'aucune"
-        " table ne réduit"
+        "Axe {axis} : {parameter} à des points visés non mesurés est de {now} à présent, et la"
+        " table le réduit de {taken:.0%}. {scatter:.0%} en est de la dispersion des mesures,"
+        " qu'aucune table ne réduit"
     ),
     "CW-P152": (
         "Axe {axis} : {tables:choose|left=la table à plus petite erreur quadratique attendue est"
@@ -261,8 +262,8 @@ SENTENCES: Final[dict[str, str]] = {
         " quadratique attendue donne aussi le plus petit {goal}|taken=la table a été faite pour"
         " le plus petit {goal}|no_gain=une table faite pour le plus petit {goal} ne montre pas de"
         " {goal} plus petit dans de nouveaux essais simulés, donc la table à plus petite erreur"
-        " quadratique attendue est utilisée}. Attendu à de nouveaux points"
-        " visés{tables:choose|left=|same=|taken=, entre parenthèses avec la table à plus petite"
+        " quadratique attendue est utilisée}. Attendu à des points visés non"
+        " mesurés{tables:choose|left=|same=|taken=, entre parenthèses avec la table à plus petite"
         " erreur quadratique attendue|no_gain=, entre parenthèses avec la table faite pour"
         " {goal}} : {parameters} {unit}"
     ),
@@ -284,8 +285,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P155": (
         "Axe {axis} : s'arrêter ici. Ce qui reste est {cause} ({value:.2f} {unit} de {parameter}"
-        " {left:.2f} {unit} à de nouveaux points visés). Une autre table changerait moins qu'un"
-        " essai ne diffère du suivant."
+        " {left:.2f} {unit} à des points visés non mesurés). Une autre table changerait moins"
+        " qu'un essai ne diffère du suivant."
     ),
     "CW-P156": (
         "Axe {axis} : la commande n'applique jamais un saut de la correction plus grand que"
@@ -302,12 +303,13 @@ SENTENCES: Final[dict[str, str]] = {
         " fausse. {checks:join| }"
     ),
     "CW-P160.check": (
-        "{way:choose|off=La compensation était-elle active, et l'axe référencé, pendant la mesure ?"
-        " Sinon, nommer cet état sous measured_in.|sign=Comparer une mesure avec l'instrument :"
-        " trop loin en + est un écart positif.|directions=Regarder dans le fichier de l'instrument"
-        " dans quel sens l'axe allait au premier parcours.|order=Comparer les mesures du premier et"
-        " du dernier point visé avec le fichier de l'instrument.|against=Déplacer l'axe en + : si"
-        " l'instrument décompte, l'essai a besoin de position_map: {{sense: -1, offset: ..}}.}"
+        "{way:choose|off=La compensation était-elle active, et l'axe référencé, pendant la"
+        " mesure ? Sinon, donner ses fichiers sous `states` et nommer cette entrée sous"
+        " measured_in.|sign=Comparer une mesure avec l'instrument : trop loin en + est un écart"
+        " positif.|directions=Regarder dans le fichier de l'instrument dans quel sens l'axe"
+        " allait au premier parcours.|order=Comparer les mesures du premier et du dernier point"
+        " visé avec le fichier de l'instrument.|against=Déplacer l'axe en + : si l'instrument"
+        " décompte, l'essai a besoin de position_map: {{sense: -1, offset: ..}}.}"
     ),
     "CW-P160.way": (
         "{odds:odds} fois plus vraisemblables {way:choose|off=si la table de la commande n'était"
@@ -316,12 +318,13 @@ SENTENCES: Final[dict[str, str]] = {
         " inverse des points visés|against=si l'instrument compte à l'opposé de la machine}"
     ),
     "CW-P161": (
-        "La table de l'état {measured_in} ressemble à l'image en miroir de l'essai {test}"
-        " ({size:.1f} {unit}). Par hasard, des courbes aussi lisses se ressemblent autant dans"
-        " {less:if|moins de }{chance:2sig} % des cas. Si la table a été faite de cet essai, elle"
-        " n'y était pas active, et une autre table corrigerait deux fois la même erreur. Mesurer de"
-        " nouveau avec la table active, ou nommer sous measured_in l'état dans lequel l'essai a été"
-        " fait. Si la table était active dans cet essai, en donner la raison (acknowledged)"
+        "La table de states.{measured_in} (dossier de travail) ressemble à l'image en miroir de"
+        " l'essai {test} ({size:.1f} {unit}). Par hasard, des courbes aussi lisses se ressemblent"
+        " autant dans {less:if|moins de }{chance:2sig} % des cas. Si la table a été faite de cet"
+        " essai, elle n'y était pas active, et une autre table corrigerait deux fois la même"
+        " erreur. Mesurer de nouveau avec la table active, ou nommer sous measured_in l'entrée de"
+        " `states` dans laquelle l'essai a été fait. Si la table était active dans cet essai, en"
+        " donner la raison (acknowledged)"
     ),
     "CW-P162.after": (
         "le fichier de l'essai après chargement indique la compensation {both:if|active et non"
@@ -336,7 +339,7 @@ SENTENCES: Final[dict[str, str]] = {
         " dossier de travail."
     ),
     "CW-P162.state": (
-        "le fichier indique la compensation {on:if|active|non active}, mais l'état {state} du"
+        "le fichier indique la compensation {on:if|active|non active}, mais states.{state} du"
         " dossier de travail {active:if|a une table ou un jeu actifs|n'a rien d'actif} pour"
         " {names:and}. Si le dossier de travail est faux sur ce point, la nouvelle table l'est"
         " aussi. Vérifier à la commande ce qui était actif. Puis corriger la clé compensation du"
@@ -353,15 +356,15 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P165": (
         "Axe {axis} : l'essai dérive de {drift}, et la prévision suppose la même dérive dans le"
-        " prochain essai : {parameter} {low:.2f} à {high:.2f} {unit} à de nouveaux points visés."
-        " Si chaque essai a sa propre dérive de cette taille, {parameter} est de {least:.2f} à"
-        " {most:.2f} {unit}. Pour le savoir, mesurer un deuxième essai de la même façon, et"
-        " ajouter son fichier à `before` de l'axe"
+        " prochain essai : {parameter} {low:.2f} à {high:.2f} {unit} à des points visés non"
+        " mesurés. Si chaque essai a sa propre dérive de cette taille, {parameter} est de"
+        " {least:.2f} à {most:.2f} {unit}. Pour le savoir, mesurer un deuxième essai de la même"
+        " façon, et ajouter son fichier à `before` de l'axe"
     ),
     "grid.even": "{points} points de {start:.10g} à {end:.10g} {unit}, tous les {step:.6g} {unit}",
     "grid.few": "{points} points",
     "grid.predicted": (
-        "{name} prévu {value:.2f} {unit} ({elsewhere:.2f} à de nouveaux points visés)"
+        "{name} prévu {value:.2f} {unit} ({elsewhere:.2f} à des points visés non mesurés)"
     ),
     "grid.uneven": (
         "{points} points de {start:.10g} à {end:.10g} {unit}, espacés de {least:.6g} à {most:.6g}"

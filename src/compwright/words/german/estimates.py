@@ -85,9 +85,9 @@ SENTENCES: Final[dict[str, str]] = {
         " {other} maß {other_low:g} bis {other_high:g} {unit}, wird aber nicht verwendet: Der"
         " Zustand der Steuerung in dieser Prüfung ist nicht bekannt. Jenseits von {low:g} bis"
         " {high:g} {unit} ist der Fehler nur fortgesetzt und kann um mehr falsch sein, als er"
-        " groß ist. Eines von drei Dingen tun: den Zustand nennen, der in der Prüfung aktiv war"
-        " (measured_in), Prüfung {other} zuerst nennen oder die Tabelle am gemessenen Bereich"
-        " enden lassen (table: start, end)"
+        " groß ist. Eines von drei Dingen tun: den Eintrag von `states` nennen, der bei der"
+        " Prüfung in der Steuerung war (measured_in), Prüfung {other} zuerst nennen oder die"
+        " Tabelle am gemessenen Bereich enden lassen (table: start, end)"
     ),
     "CW-E012.found": (
         "Der Fehler wiederholt sich alle {period:.5g} {unit} (Wahrscheinlichkeit"

@@ -6,8 +6,8 @@ from typing import Final
 
 SENTENCES: Final[dict[str, str]] = {
     "CW-J002": (
-        "Der Auftrag nennt die Zustände {states}, aber nicht as_found, das heißt, was jetzt in"
-        " der Steuerung ist. Ohne as_found wird keine Tabelle geschrieben"
+        "Der Auftrag hat unter `states` die Einträge {states}, aber nicht as_found, das heißt,"
+        " was jetzt in der Steuerung ist. Ohne as_found wird keine Tabelle geschrieben"
     ),
     "CW-J003": (
         "axes.{axis}.modulo hat bei einer Linearachse keine Bedeutung und wird nicht verwendet"

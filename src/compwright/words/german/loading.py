@@ -105,12 +105,12 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-V028": "{verdict}",
     "CW-V030": (
         "Die Prüfungen {off} (ohne die Tabelle) und {on} (mit ihr) zeigen, dass die vorhandene"
-        " Tabelle des Zustands {state} aktiv war, wie ihre Dateien sagen (zu {percent:.1f} %"
-        " sicher)."
+        " Tabelle (states.{state} im Auftrag) aktiv war, wie ihre Dateien sagen (zu {percent:.1f}"
+        " % sicher)."
     ),
     "CW-V031": (
         "Die Prüfungen {off} (ohne die Tabelle) und {on} (mit ihr) zeigen nicht, ob die"
-        " vorhandene Tabelle des Zustands {state} aktiv war, wie ihre Dateien sagen:"
+        " vorhandene Tabelle (states.{state} im Auftrag) aktiv war, wie ihre Dateien sagen:"
         " {likely:if|{likely}|keine bekannte Ursache passt}. Die beiden Prüfungen werden nur"
         " verwendet, so weit sie übereinstimmen."
     ),
@@ -238,18 +238,19 @@ SENTENCES: Final[dict[str, str]] = {
     "next.differs": "das Zurückgelesene weicht vom Plan ab: {why}{quantity:if| ({quantity})}",
     "next.doubted": "die Prüfung dieser Achse nach dem Laden ist zweifelhaft ({code}: {message})",
     "next.gained": (
-        "eine weitere Tabelle ist geschrieben. Sie soll {parameter} an neuen Zielpositionen von"
-        " {now:.2f} auf {then:.2f} {unit} ändern"
+        "eine Tabelle für die nächste Runde ist geschrieben. Sie soll {parameter} an nicht"
+        " gemessenen Zielpositionen von {now:.2f} auf {then:.2f} {unit} ändern"
     ),
     "next.kept": (
-        "{why}. Die Achse behält, was in der Steuerung ist, und bekommt keine weitere Tabelle"
+        "{why}. Die Achse behält, was in der Steuerung ist, und bekommt keine Tabelle für die"
+        " nächste Runde"
     ),
     "next.load": (
-        "eine weitere Tabelle wurde geschrieben für {axes}{between:if|{axes:if|,"
+        "eine Tabelle für die nächste Runde wurde geschrieben für {axes}{between:if|{axes:if|,"
         " }Rechtwinkligkeit}. Alle Dateien aus next/tables laden, neu messen und diese Runde"
         " verifizieren"
     ),
-    "next.no_axis": "keine Achse bekommt eine weitere Tabelle",
+    "next.no_axis": "keine Achse bekommt eine Tabelle für die nächste Runde",
     "next.no_table": (
         "der Plan enthält keine Tabelle für diese Achse, es wurde also keine geladen. Die Achse"
         " behält, was in der Steuerung ist"
@@ -270,9 +271,9 @@ SENTENCES: Final[dict[str, str]] = {
         " diese Änderungen prüfen, dann einen neuen Auftrag ausführen"
     ),
     "next.squareness_alone": (
-        "keine Achse bekommt eine weitere Tabelle, und Rechtwinkligkeit allein bekommt keine"
-        " nächste Runde. {measured:if|Auch eine Achse mit Tabelle nach dem Laden messen und ihre"
-        " Prüfung mit --after zusätzlich zu den Kreisen angeben|Für die restliche"
+        "keine Achse bekommt eine Tabelle für die nächste Runde, und Rechtwinkligkeit allein"
+        " bekommt keine nächste Runde. {measured:if|Auch eine Achse mit Tabelle nach dem Laden"
+        " messen und ihre Prüfung mit --after zusätzlich zu den Kreisen angeben|Für die restliche"
         " Rechtwinkligkeit einen neuen Auftrag ausführen: mit den zurückgelesenen Dateien als"
         " as_found und mit den Kreisen nach dem Laden}"
     ),
@@ -280,7 +281,7 @@ SENTENCES: Final[dict[str, str]] = {
         "hier aufhören: Der Gewinn einer weiteren Tabelle für {axes} wäre zu klein, um sich in"
         " einer Prüfung zu zeigen"
     ),
-    "next.stop_axis": "{stop:if|hier aufhören|keine weitere Tabelle}: {why}",
+    "next.stop_axis": "{stop:if|hier aufhören|keine Tabelle für die nächste Runde}: {why}",
     "next.verdict": (
         "der Befund ist {verdict:choose|not_active=nicht aktiv|inverted=umgekehrt|"
         "scaled=skaliert|shifted=verschoben|mirrored=gespiegelt|wrong_axis=falsche Achse|"
@@ -288,5 +289,5 @@ SENTENCES: Final[dict[str, str]] = {
         "increment=nur Änderung|state=Zustand|backlash=Lose|measurement=Fehler der Messung|"
         "undecided=offen|={name}}{of:if| ({of})}, nicht geladen"
     ),
-    "next.written": "eine weitere Tabelle ist geschrieben",
+    "next.written": "eine Tabelle für die nächste Runde ist geschrieben",
 }

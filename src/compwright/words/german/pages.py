@@ -163,9 +163,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "limits.part": "Teil von {parameter}",
     "limits.summary": (
-        "{parameter} an neuen Zielpositionen: {then} {unit} erwartet, {before} {unit} mit dem, was"
-        " jetzt in der Steuerung ist. Die Streuung allein, ohne jeden Fehler der Achse, ergäbe"
-        " {least} {unit}: Darunter kommt keine Tabelle."
+        "{parameter} an nicht gemessenen Zielpositionen: {then} {unit} erwartet, {before} {unit}"
+        " mit dem, was jetzt in der Steuerung ist. Die Streuung allein, ohne jeden Fehler der"
+        " Achse, ergäbe {least} {unit}: Darunter kommt keine Tabelle."
     ),
     "period.alike": "Diese Zielpositionen unterscheiden nicht: {periods} {unit}.",
     "period.caption": (
@@ -344,7 +344,7 @@ SENTENCES: Final[dict[str, str]] = {
     "run.raw_readings": "Rohmesswerte",
     "run.refusal": "Achse {axis}: {reason}.",
     "run.single": "Eine Kurve und ein Wert der Umkehrspanne",
-    "run.state": "Achse {axis}: angenommener Zustand der Steuerung",
+    "run.state": "Achse {axis}: angenommener Inhalt der Steuerung",
     "run.state_files": (
         "Wie in {files}; die Tabelle ist die Summe aus dem, was vorhanden war, und dem, was"
         " hinzukommt."
@@ -365,7 +365,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "verify.equivalent": "nicht zu unterscheiden von",
     "verify.factor": "Faktor",
-    "verify.further_table": "weitere Tabelle",
+    "verify.further_table": "Tabelle für die nächste Runde",
     "verify.in_english": (
         "Texte des Auftrags, der Dateien und der Definition der Steuerung sind, wie sie gegeben"
         " wurden; Ablehnungen von Dateien der Steuerung sind auf Englisch. Die Übersetzung hat"
@@ -377,15 +377,15 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "verify.look_at": "Zu prüfen:",
     "verify.next_round": "{written:if|Nächste Runde|Keine nächste Runde}",
-    "verify.no_further_table": "keine weitere Tabelle",
+    "verify.no_further_table": "keine Tabelle für die nächste Runde",
     "verify.outside": "außerhalb",
     "verify.shift": "Verschiebung in Stützpunkten",
     "verify.table_of": "Tabelle der Achse",
     "verify.within": "innerhalb",
     "worth.caption": (
-        "Vorhergesagtes {symbol} an neuen Zielpositionen für jede Zahl von Tabellenpunkten:"
-        " Median und 5 bis 95 %. Der gefüllte Punkt ist die Tabelle, die geschrieben"
-        " wird{grid:if|; {grid:choose|ring=der Ring ist die vorhandene Tabelle der"
+        "Vorhergesagtes {symbol} an nicht gemessenen Zielpositionen für jede Zahl von"
+        " Tabellenpunkten: Median und 5 bis 95 %. Der gefüllte Punkt ist die Tabelle, die"
+        " geschrieben wird{grid:if|; {grid:choose|ring=der Ring ist die vorhandene Tabelle der"
         " Steuerung|on_it=sie behält die Punkte der vorhandenen Tabelle}|}."
     ),
     "worth.described": "{quantity} über der Anzahl der Punkte",

@@ -11,29 +11,30 @@ SENTENCES: Final[dict[str, str]] = {
         " {with_table} und ohne sie {without}"
     ),
     "CW-P001.new_targets": (
-        "in einer Prüfung an neuen Zielpositionen wird {parameter} {with_table} mit der Tabelle"
-        " erwartet, {without} ohne sie"
+        "in einer Prüfung an nicht gemessenen Zielpositionen wird {parameter} {with_table} mit"
+        " der Tabelle erwartet, {without} ohne sie"
     ),
     "CW-P001.not_seen": (
-        "in einer Prüfung an neuen Zielpositionen wird {parameter} {with_table} mit einer"
-        " weiteren Tabelle erwartet, {without} ohne sie. Von Prüfung zu Prüfung ändert sich"
+        "in einer Prüfung an nicht gemessenen Zielpositionen wird {parameter} {with_table} mit"
+        " einer weiteren Tabelle erwartet, {without} ohne sie. Von Prüfung zu Prüfung ändert sich"
         " {parameter} um {spread}, der Gewinn liegt also innerhalb der Unsicherheit"
     ),
     "CW-P001.old_table": (
-        "die Prüfungen {off} und {on} widersprechen den Dateien der Steuerung (zu {percent:.1f} %"
-        " sicher). In {on} {did:choose|not_active=war die vorhandene Tabelle des Zustands {state}"
-        " nicht aktiv|inverted=war die vorhandene Tabelle des Zustands {state} mit umgekehrtem"
-        " Vorzeichen aktiv|scaled=war die vorhandene Tabelle des Zustands {state} mit dem Faktor"
-        " {factor:2sig} aktiv|shifted=war die vorhandene Tabelle des Zustands {state} aktiv, um"
-        " {shift:+d} Punkte verschoben|mirrored=war die vorhandene Tabelle des Zustands {state}"
-        " aktiv, über den Verfahrweg gespiegelt|wrong_axis=war die vorhandene Tabelle des"
-        " Zustands {state} nicht aktiv, sondern die einer anderen Achse|one_direction=war die"
-        " vorhandene Tabelle des Zustands {state} nur in einer Richtung aktiv|backlash=war die"
-        " vorhandene Tabelle des Zustands {state} mit anderer Lose aktiv|partial=war die"
-        " vorhandene Tabelle des Zustands {state} nur über einen Teil des Verfahrwegs"
-        " aktiv|measurement=passt die vorhandene Tabelle des Zustands {state} nicht zu den"
+        "die Prüfungen {off} und {on} widersprechen den Dateien der Steuerung (zu {percent:.1f}"
+        " % sicher). In {on} {did:choose|not_active=war die vorhandene Tabelle (states.{state} im"
+        " Auftrag) nicht aktiv|inverted=war die vorhandene Tabelle (states.{state} im Auftrag)"
+        " mit umgekehrtem Vorzeichen aktiv|scaled=war die vorhandene Tabelle (states.{state} im"
+        " Auftrag) mit dem Faktor {factor:2sig} aktiv|shifted=war die vorhandene Tabelle"
+        " (states.{state} im Auftrag) aktiv, um {shift:+d} Punkte verschoben|mirrored=war die"
+        " vorhandene Tabelle (states.{state} im Auftrag) aktiv, über den Verfahrweg"
+        " gespiegelt|wrong_axis=war die vorhandene Tabelle (states.{state} im Auftrag) nicht"
+        " aktiv, sondern die einer anderen Achse|one_direction=war die vorhandene Tabelle"
+        " (states.{state} im Auftrag) nur in einer Richtung aktiv|backlash=war die vorhandene"
+        " Tabelle (states.{state} im Auftrag) mit anderer Lose aktiv|partial=war die vorhandene"
+        " Tabelle (states.{state} im Auftrag) nur über einen Teil des Verfahrwegs"
+        " aktiv|measurement=passt die vorhandene Tabelle (states.{state} im Auftrag) nicht zu den"
         " Messwerten: Eine der Prüfungen wurde falsch gemessen|undecided=tat die vorhandene"
-        " Tabelle des Zustands {state} etwas anderes ({likely:join|, oder })}{detail:if|"
+        " Tabelle (states.{state} im Auftrag) etwas anderes ({likely:join|, oder })}{detail:if|"
         " ({detail})}.{off_too:if| Oder sie war auch in {off} aktiv, denn beide Prüfungen zeigen"
         " dieselbe Achse: War sie für {off} aus?}{exchanged:if| Oder die beiden Prüfungen sind"
         " vertauscht.} Die neue Tabelle wäre um so viel falsch{look_at:if|. Ansehen:"
@@ -228,10 +229,10 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P141": (
         "Achse {axis}: Die Punkte der vorhandenen Tabelle {stays:if|bleiben|genügen nicht},"
-        " {existing}: vorhergesagt {parameter} {same} ({new} an neuen Zielpositionen). Neue"
-        " Punkte, {grid}, gäben {parameter} {better} ({better_new}). Dafür `spacing: auto` in der"
-        " Tabelle der Achse setzen. Einstellungen, die von den alten Punkten abhängen, ziehen mit"
-        " um oder werden genannt, wo das nicht geht"
+        " {existing}: vorhergesagt {parameter} {same} ({new} an nicht gemessenen Zielpositionen)."
+        " Neue Punkte, {grid}, gäben {parameter} {better} ({better_new}). Dafür `spacing: auto`"
+        " in der Tabelle der Achse setzen. Einstellungen, die von den alten Punkten abhängen,"
+        " ziehen mit um oder werden genannt, wo das nicht geht"
     ),
     "CW-P142.line": (
         "Die Steigung von {slope} kommt in die getrennte Gerade der Steuerung. An den"
@@ -254,19 +255,19 @@ SENTENCES: Final[dict[str, str]] = {
         " end: {end:.10g}, spacing: {spacing:.10g} in der Tabelle der Achse setzen"
     ),
     "CW-P150": (
-        "Achse {axis}: Eine Tabelle hilft hier nicht. {parameter} an neuen Zielpositionen ist"
-        " {now}{with_table:if| ohne Tabelle und {with_table} mit einer}. Die größte Ursache ist"
-        " {cause} ({value:.2f} {unit}, {share:.0%}): {advice}"
+        "Achse {axis}: Eine Tabelle hilft hier nicht. {parameter} an nicht gemessenen"
+        " Zielpositionen ist {now}{with_table:if| ohne Tabelle und {with_table} mit einer}. Die"
+        " größte Ursache ist {cause} ({value:.2f} {unit}, {share:.0%}): {advice}"
     ),
     "CW-P151.cause": (
-        "Achse {axis}: {parameter} an neuen Zielpositionen ist jetzt {now}, und die Tabelle"
-        " verringert es um {taken:.0%}. Das meiste vom Rest ist {cause} ({value:.2f} von {left}):"
-        " {advice}"
+        "Achse {axis}: {parameter} an nicht gemessenen Zielpositionen ist jetzt {now}, und die"
+        " Tabelle verringert es um {taken:.0%}. Das meiste vom Rest ist {cause} ({value:.2f} von"
+        " {left}): {advice}"
     ),
     "CW-P151.scatter": (
-        "Achse {axis}: {parameter} an neuen Zielpositionen ist jetzt {now}, und die Tabelle"
-        " verringert es um {taken:.0%}. {scatter:.0%} davon ist Streuung der Messwerte, die keine"
-        " Tabelle verringert"
+        "Achse {axis}: {parameter} an nicht gemessenen Zielpositionen ist jetzt {now}, und die"
+        " Tabelle verringert es um {taken:.0%}. {scatter:.0%} davon ist Streuung der Messwerte,"
+        " die keine Tabelle verringert"
     ),
     "CW-P152": (
         "Achse {axis}: {tables:choose|left=verwendet wird die Tabelle mit dem kleinsten"
@@ -274,7 +275,7 @@ SENTENCES: Final[dict[str, str]] = {
         " kleinsten erwarteten Fehlerquadrat ergibt auch das kleinste {goal}|taken=die Tabelle"
         " wurde für das kleinste {goal} gemacht|no_gain=eine Tabelle für das kleinste {goal}"
         " zeigt in neuen simulierten Prüfungen kein kleineres {goal}, deshalb wird die Tabelle"
-        " mit dem kleinsten erwarteten Fehlerquadrat verwendet}. Erwartet an neuen"
+        " mit dem kleinsten erwarteten Fehlerquadrat verwendet}. Erwartet an nicht gemessenen"
         " Zielpositionen{tables:choose|left=|same=|taken=, in Klammern mit der Tabelle des"
         " kleinsten erwarteten Fehlerquadrats|no_gain=, in Klammern mit der Tabelle für {goal}}:"
         " {parameters} {unit}"
@@ -297,8 +298,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P155": (
         "Achse {axis}: Hier aufhören. Übrig ist {cause} ({value:.2f} {unit} von {parameter}"
-        " {left:.2f} {unit} an neuen Zielpositionen). Eine weitere Tabelle änderte weniger, als"
-        " sich eine Prüfung von der nächsten unterscheidet."
+        " {left:.2f} {unit} an nicht gemessenen Zielpositionen). Eine weitere Runde änderte"
+        " weniger, als sich eine Prüfung von der nächsten unterscheidet."
     ),
     "CW-P156": (
         "Achse {axis}: Die Steuerung führt eine Stufe der Korrektur nie aus, die größer als"
@@ -310,18 +311,19 @@ SENTENCES: Final[dict[str, str]] = {
         " jetzigen setzen oder auf mindestens das {high:3sig}-Fache und neu rechnen"
     ),
     "CW-P160": (
-        "Die Messwerte der Prüfung {test} passen nicht zu ihrer Datei und dem angegebenen Zustand"
-        " der Steuerung. Sie sind {ways:join|, oder }. Eine Tabelle aus solchen Messwerten wäre"
-        " falsch. {checks:join| }"
+        "Die Messwerte der Prüfung {test} passen nicht zu ihrer Datei und zum Inhalt der"
+        " Steuerung laut Auftrag. Sie sind {ways:join|, oder }. Eine Tabelle aus solchen"
+        " Messwerten wäre falsch. {checks:join| }"
     ),
     "CW-P160.check": (
         "{way:choose|off=War die Kompensation eingeschaltet und die Achse referenziert, als"
-        " gemessen wurde? Wenn nicht, diesen Zustand unter measured_in nennen.|sign=Einen Messwert"
-        " mit dem Messgerät vergleichen: Zu weit in + ist eine positive Abweichung.|directions=In"
-        " der Datei des Messgeräts nachsehen, in welcher Richtung die Achse im ersten Lauf"
-        " fuhr.|order=Die Messwerte der ersten und der letzten Zielposition mit der Datei des"
-        " Messgeräts vergleichen.|against=Die Achse in + bewegen: Zählt das Messgerät abwärts,"
-        " braucht die Prüfung position_map: {{sense: -1, offset: ..}}.}"
+        " gemessen wurde? Wenn nicht, dessen Dateien unter `states` eintragen und diesen Eintrag"
+        " unter measured_in nennen.|sign=Einen Messwert mit dem Messgerät vergleichen: Zu weit in"
+        " + ist eine positive Abweichung.|directions=In der Datei des Messgeräts nachsehen, in"
+        " welcher Richtung die Achse im ersten Lauf fuhr.|order=Die Messwerte der ersten und der"
+        " letzten Zielposition mit der Datei des Messgeräts vergleichen.|against=Die Achse in +"
+        " bewegen: Zählt das Messgerät abwärts, braucht die Prüfung position_map: {{sense: -1,"
+        " offset: ..}}.}"
     ),
     "CW-P160.way": (
         "{odds:odds}-mal wahrscheinlicher, {way:choose|off=wenn die Tabelle der Steuerung in"
@@ -331,13 +333,13 @@ SENTENCES: Final[dict[str, str]] = {
         " die Maschine zählt}"
     ),
     "CW-P161": (
-        "Die Tabelle im Zustand {measured_in} sieht aus wie das Spiegelbild der Prüfung {test}"
-        " ({size:.1f} {unit}). Zufällig sind so glatte Kurven einander in {less:if|weniger als"
-        " }{chance:2sig} % der Fälle so ähnlich. Wurde die Tabelle aus dieser Prüfung gemacht, war"
-        " sie dabei nicht aktiv, und eine weitere Tabelle korrigierte denselben Fehler zweimal. Mit"
-        " aktiver Tabelle neu messen, oder unter measured_in den Zustand nennen, in dem gemessen"
-        " wurde. War die Tabelle in dieser Prüfung aktiv, den Grund im"
-        " Auftrag angeben (acknowledged)"
+        "Die Tabelle in states.{measured_in} des Auftrags sieht aus wie das Spiegelbild der"
+        " Prüfung {test} ({size:.1f} {unit}). Zufällig sind so glatte Kurven einander in"
+        " {less:if|weniger als }{chance:2sig} % der Fälle so ähnlich. Wurde die Tabelle aus"
+        " dieser Prüfung gemacht, war sie dabei nicht aktiv, und eine neue Tabelle korrigierte"
+        " denselben Fehler zweimal. Mit aktiver Tabelle neu messen, oder unter measured_in den"
+        " Eintrag von `states` nennen, der bei der Prüfung in der Steuerung war. War die Tabelle"
+        " in dieser Prüfung aktiv, den Grund im Auftrag angeben (acknowledged)"
     ),
     "CW-P162.after": (
         "die Datei der Prüfung nach dem Laden nennt die Kompensation {both:if|ein und aus|aus},"
@@ -350,7 +352,7 @@ SENTENCES: Final[dict[str, str]] = {
         " compensation der Datei oder measured_in und states des Auftrags berichtigen."
     ),
     "CW-P162.state": (
-        "die Datei nennt die Kompensation {on:if|ein|aus}, aber der Zustand {state} des Auftrags"
+        "die Datei nennt die Kompensation {on:if|ein|aus}, aber states.{state} des Auftrags"
         " {active:if|hat eine aktive Tabelle oder Lose|hat nichts Aktives} für {names:and}. Ist"
         " der Auftrag hier falsch, ist es auch die neue Tabelle. An der Steuerung prüfen, was"
         " aktiv war. Dann den Schlüssel compensation der Datei oder measured_in und states des"
@@ -367,16 +369,17 @@ SENTENCES: Final[dict[str, str]] = {
         " zeigen einen solchen Fehler ab einer Amplitude von {amplitude}."
     ),
     "CW-P165": (
-        "Achse {axis}: Die Prüfung driftet um {drift}, und die Vorhersage nimmt dieselbe Drift in"
-        " der nächsten Prüfung an: {parameter} {low:.2f} bis {high:.2f} {unit} an neuen"
-        " Zielpositionen. Hat jede Prüfung eine eigene Drift dieser Größe, ist {parameter}"
-        " {least:.2f} bis {most:.2f} {unit}. Um das zu klären, eine zweite Prüfung auf dieselbe"
-        " Art messen und ihre Datei bei der Achse unter `before` angeben"
+        "Achse {axis}: Die Prüfung driftet um {drift}, und die Vorhersage nimmt dieselbe Drift"
+        " in der nächsten Prüfung an: {parameter} {low:.2f} bis {high:.2f} {unit} an nicht"
+        " gemessenen Zielpositionen. Hat jede Prüfung eine eigene Drift dieser Größe, ist"
+        " {parameter} {least:.2f} bis {most:.2f} {unit}. Um das zu klären, eine zweite Prüfung"
+        " auf dieselbe Art messen und ihre Datei bei der Achse unter `before` angeben"
     ),
     "grid.even": "{points} Punkte von {start:.10g} bis {end:.10g} {unit}, alle {step:.6g} {unit}",
     "grid.few": "{points} Punkte",
     "grid.predicted": (
-        "vorhergesagt {name} {value:.2f} {unit} ({elsewhere:.2f} an neuen Zielpositionen)"
+        "vorhergesagt {name} {value:.2f} {unit} ({elsewhere:.2f} an nicht gemessenen"
+        " Zielpositionen)"
     ),
     "grid.uneven": (
         "{points} Punkte von {start:.10g} bis {end:.10g} {unit}, {least:.6g} bis {most:.6g} {unit}"

@@ -323,7 +323,7 @@ SENTENCES: Final[dict[str, str]] = {
         "Die Prüfungen {test} und {other} widersprechen sich. Sie unterscheiden sich um"
         " {difference:.2f} {unit}, und {what:choose|error=der Fehler selbst|reversal=die mittlere"
         " Umkehrspanne selbst} ist {size:.2f} {unit}. Verwendet wird nur {test}, {other} nicht."
-        " Prüfen, ob Vorzeichen, Richtungen, Einheit, Achse und Zustand der Steuerung bei beiden"
+        " Prüfen, ob Vorzeichen, Richtungen, Einheit, Achse und Inhalt der Steuerung bei beiden"
         " gleich sind."
     ),
     "CW-T037": (

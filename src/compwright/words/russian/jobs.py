@@ -6,8 +6,8 @@ from typing import Final
 
 SENTENCES: Final[dict[str, str]] = {
     "CW-J002": (
-        "В задании названы состояния {states}, но не as_found, то есть то, что сейчас в УЧПУ. Без"
-        " as_found таблица не записывается"
+        "В задании под `states` есть {states}, но нет as_found, то есть то, что сейчас в УЧПУ."
+        " Без as_found таблица не записывается"
     ),
     "CW-J003": "axes.{axis}.modulo не имеет смысла для линейной оси и не используется",
     "CW-J004": (

@@ -243,7 +243,7 @@ def _state(
         return decode(control, files, axes, active=plan.active.get(AS_FOUND))
     raise UsageError(
         Fault(
-            message="the state of the control is not given",
+            message="the control's existing compensation is not given",
             file=file,
             place="--state",
             expected="--state none, or --state with each file of the control",

@@ -235,7 +235,8 @@ def _names_of_one_number(entries: Iterable[HistoryEntry]) -> Iterator[str]:
         if len(known) > 1:
             yield (
                 f"serial number {serial}: named {' and '.join(known.values())}; shown as one"
-                " machine. If they are two, a difference between them is no change of either"
+                " machine. If they are two, a difference between them does not mean that one of"
+                " them changed"
             )
 
 

@@ -33,7 +33,10 @@ NO_STATE_OPTION = (
     "--state: no table is written without the state of the control; add --state none, or --state"
     " with each of its files"
 )
-_NO_JOB = f"{JOB} is not written: the name of a file is no text that it could hold; rename the file"
+_NO_JOB = (
+    f"{JOB} is not written: the name of a file contains characters that a job file cannot"
+    " contain; rename the file"
+)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -141,10 +141,10 @@ def _fill(session: Session, database: sqlite3.Connection, path: Path | None, fil
         return
     content = storage.earlier_bytes(session, path)
     if not content.startswith(b"SQLite format 3\0"):
-        raise _refused(file, "is no index of a history", "another file")
+        raise _refused(file, "is not an index of a history", "another file")
     database.deserialize(content)
     if database.execute("PRAGMA application_id").fetchone()[0] != _APPLICATION:
-        raise _refused(file, "is no index of a history", "another program's database")
+        raise _refused(file, "is not an index of a history", "another program's database")
     version = database.execute("PRAGMA user_version").fetchone()[0]
     if version != _VERSION:
         raise _refused(file, "is an index of another version", str(version), str(_VERSION))

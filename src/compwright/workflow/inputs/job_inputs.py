@@ -262,14 +262,14 @@ def _other_neighbours(job: Job, states: Mapping[str, DecodedState]) -> list[Faul
                 found = _differing(found)
                 faults.append(
                     Fault(
-                        message=f"axis {name}: {what} differs between the states",
+                        message=f"axis {name}: {what} differs between the entries of `states`",
                         file=job.file,
                         place="states",
                         expected="the same in all of them",
                         found="; ".join(f"{state}: {words}" for state, words in found.items()),
                         hint=(
-                            "give states that agree in it, or set `measured_in` to one state "
-                            "for all tests"
+                            "give files that agree in it under `states`, or set `measured_in` to "
+                            "one state for all tests"
                         ),
                     )
                 )
@@ -304,8 +304,8 @@ def _other_tables_between(job: Job, states: Mapping[str, DecodedState]) -> Itera
                 (help_, *_) = (facts.uncounted_help for facts in pairs if facts.uncounted)
                 yield Fault(
                     message=(
-                        f"tables from other axes are active on axis {name} and are not the "
-                        f"same in all states. A circle or a cross measurement in {state} "
+                        f"tables from other axes are active on axis {name} and are not the same "
+                        f"in all entries of `states`. A circle or a cross measurement in {state} "
                         "therefore shows nothing about the existing tables"
                     ),
                     file=job.file,
@@ -357,9 +357,9 @@ def _unsaid_units(
             if max(ratio, 1 / ratio) > MILLIMETRES_PER_INCH / _SAME_RANGE:
                 yield Fault(
                     message=(
-                        f"axis {axis.name}: the unit of the machine is not given, and its "
-                        f"table in the state {name}, read in "
-                        f"{control.options[rule.name]}, does not fit the travel"
+                        f"axis {axis.name}: the unit of the machine is not given, and its table "
+                        f"in the files of `states: {name}`, read in {control.options[rule.name]}, "
+                        "does not fit the travel"
                     ),
                     file=job.file,
                     place=f"controller.options.{rule.name}",
@@ -383,16 +383,16 @@ def _missing_axes(job: Job, states: Mapping[str, DecodedState]) -> list[Fault]:
         faults.extend(
             Fault(
                 message=(
-                    "the files of this state contain no data of axis "
+                    "the files of this entry of `states` contain no data of axis "
                     f"{entry.axis.name} (address {entry.axis.address})"
                 ),
                 file=job.file,
                 place=f"states.{name}",
-                expected="the file that holds its table or backlash, or the word none",
+                expected="the file with its table or backlash, or the word none",
                 found=f"only {', '.join(sorted(decoded.state.axes)) or 'no axis at all'}",
                 hint=(
-                    f"add the file with the table of {entry.axis.address} to this state, or write"
-                    " `none` where the control has no compensation"
+                    f"add the file with the table of {entry.axis.address} to this entry of"
+                    " `states`, or write `none` where the control has no compensation"
                 ),
             )
             for entry in job.axes.values()

@@ -304,17 +304,19 @@ def _change(
 
 def _fault(job: Job, place: str, test: str, state: str, earlier: _Earlier) -> Fault:
     return Fault(
-        message=f"an earlier run made the files of the state {state} from this very test: {_AGAIN}",
+        message=(
+            f"an earlier run made the files of `states: {state}` from this very test: {_AGAIN}"
+        ),
         file=job.file,
         place=place,
         expected=(
-            "a test that was taken with these tables loaded, or under `measured_in` the "
-            f"state in which {test} was taken"
+            "a test that was taken with these tables loaded, or under `measured_in` the name of "
+            f"the entry of `states` that was in the control during {test}"
         ),
         found=f"{test}, the test of {earlier.path}",
         hint=(
-            "give a test taken with these tables loaded, or under "
-            f"`measured_in` the state in which {test} was taken"
+            "give a test taken with these tables loaded, or under `measured_in` the name of the "
+            f"entry of `states` that was in the control during {test}"
         ),
     )
 

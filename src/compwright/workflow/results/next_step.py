@@ -79,7 +79,7 @@ def after_verify(
             "compare", plan, "--loaded", READ_BACK
         )
     if not then and active:
-        return "Next: the table is active, but not enough. For a further table type: " + _command(
+        return "Next: the table is active, but not enough. To correct again, type: " + _command(
             "verify", job, *again, *given, "--loaded", READ_BACK, "--update", "--force"
         )
     return "Next: correct what is named above, measure again, then type: " + _command(

@@ -76,12 +76,12 @@ def _lacking(found: Verified, results: Sequence[Path], loaded: Sequence[Path]) -
         if axis.loading["verdict"] != "loaded" or "CW-V010" not in codes:
             yield f"axis {name} was not read back as planned"
         if found.plan.axes[name].fitted is None:
-            yield f"the plan holds no table for axis {name}"
+            yield f"the plan contains no table for axis {name}"
     headers = [
         result.test.header for axis in found.axes.values() for result in (axis.before, axis.after)
     ]
     if any("simulated" in map(str.lower, header) for header in headers):
-        yield "a simulated test is no test of a machine"
+        yield "a simulated test is not a test of a machine"
 
 
 def _proven(found: Verified, name: str) -> ProvenAxis:

@@ -72,8 +72,8 @@ def _active_row(sources: Sources, table: UserTable, faults: list[Fault]) -> Row 
                 file=table.file,
                 expected=what,
                 hint=(
-                    "give the .CMA file, with the mark in its active line, among the files of "
-                    "the state"
+                    "give the .CMA file, with the mark in its active line, among the control's "
+                    "files"
                 ),
             )
         )

@@ -247,7 +247,7 @@ class ColumnAxisReader:
                 self._answer(None, None)
             elif found is None and self.sources.assignments is None:
                 self._assume_switch(
-                    "0: no table is active on it", "no file holds a table of the axis"
+                    "0: no table is active on it", "no file contains a table of the axis"
                 )
             return found is not None and found.text == "1"
         if found is None and self.points:
@@ -298,7 +298,7 @@ class ColumnAxisReader:
                     found=slope.text,
                     hint=(
                         f"add {self._switch} to the files, or answer `active: yes` (the table was "
-                        "selected) or `active: no` in this state of the job"
+                        "selected) or `active: no` in this entry of `states` in the job"
                     ),
                 )
             )

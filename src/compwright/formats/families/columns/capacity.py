@@ -148,8 +148,8 @@ def broken_limits(
     label, unit = f"axis {axis.name} ({compensation.address})", axis.kind.unit
     if compensation.interpolation != "linear" or compensation.others:
         yield Fault(
-            message=f"{label}: the control holds only one table, with straight lines between "
-            "its points",
+            message=f"{label}: the control has only one table, with straight lines between its "
+            "points",
             hint="set `table: {mode: single}` for this axis",
         )
     yield from _line_faults(label, axis, compensation, capacity)

@@ -259,10 +259,13 @@ def _unnamed(address: str, mentioned: Sequence[str], files: Sequence[ControlFile
             f"no given file contains data of axis {address}; missing values do not count as zero"
         ),
         file=", ".join(file.name for file in files),
-        expected=f"a table, a sheet or {', '.join(PARAMETERS)} of {address}, or the state `none`",
+        expected=(
+            f"a table, a sheet or {', '.join(PARAMETERS)} of {address}, or `none` instead of files"
+        ),
         found=f"axes {', '.join(mentioned)}" if mentioned else "no axis at all",
         hint=(
-            "correct the `address` of the axis, or add the file with its data to the "
-            "state; use the state `none` if the control has none"
+            "correct the `address` of the axis, or add the file with its data to the control's "
+            "files (`states` or `--state`); give `none` instead of files if the control has no "
+            "compensation"
         ),
     )

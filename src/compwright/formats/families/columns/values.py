@@ -237,7 +237,7 @@ class TableValues:
         self, table: UserTable, row: Row, column: str, text: str, scale: NumberScale
     ) -> Iterator[float]:
         if not is_number(text):
-            message = f"the {column} holds no number"
+            message = f"the {column} contains no number"
             self._fault(table, row.line, message, "a decimal number", text)
             return
         value = scale.read("value", text) * self._factor(table, scale.kind)

@@ -73,15 +73,17 @@ def _refuse_unknown_backlash(
     questions = [
         Fault(
             message=(
-                f"axis {axis.name} ({address}): {name} is in no file of the state, but the "
-                "new table overwrites it. Its existing value would be missing in the total"
+                f"axis {axis.name} ({address}): {name} is in none of the control's files that "
+                "were given, but the new table overwrites it. Its existing value would be "
+                "missing in the total"
             ),
             place="states",
             expected=f"{name} as it is in the control now",
             found="no value",
             hint=(
-                f"add the file with {name} to the state, or an entry sheet of {address} "
-                f"with the line `{name},,0.0000,{axis.kind.unit}` if it is 0"
+                f"add the file with {name} to the control's files (`states` or `--state`), or an "
+                f"entry sheet of {address} with the line `{name},,0.0000,{axis.kind.unit}` if it "
+                "is 0"
             ),
         )
         for address, axis, compensation in pairs

@@ -300,7 +300,7 @@ class GridAxisReader:
             self.notes.assume(
                 control_text("{label}: table", label=self.label),
                 control_text("none"),
-                unconfirmed(control_text("no file that was given holds one")),
+                unconfirmed(control_text("no file that was given contains one")),
             )
             reserved = max_points is None or int(max_points.text) > 0
             off = not reserved or self.values.stated_word("enabled") == "no"

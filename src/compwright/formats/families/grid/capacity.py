@@ -128,7 +128,7 @@ class GridLimits:
         assumed.append(
             Assumption(
                 fact=control_text(
-                    "axis {name}: number of points the control can hold", name=self.axis.name
+                    "axis {name}: number of points the control can store", name=self.axis.name
                 ),
                 value=control_text("as many as are needed; the card says how many to set"),
                 evidence=unconfirmed(what),

@@ -251,7 +251,7 @@ def _check_beginning(values: GridAxisValues, table: GridTable) -> None:
             expected=(
                 f"MIN = {start:g}"
                 if found is not None
-                else "MIN = 0, or the file that holds MD30340"
+                else "MIN = 0, or the file that contains MD30340"
             ),
             hint=CORRECT_VALUE if found is not None else ADD_FILE,
         )

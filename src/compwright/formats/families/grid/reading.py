@@ -380,11 +380,12 @@ class GridReader:
                     "count as zero"
                 ),
                 file=", ".join(text.file for text in self.texts),
-                expected=f"lines for {address}, or the state `none`",
+                expected=f"lines for {address}, or `none` instead of files",
                 found=f"axes {', '.join(named)}" if named else "no axis at all",
                 hint=(
                     "correct the `address` of the axis, or add the file with its data to the "
-                    "state; use the state `none` if the control has none"
+                    "control's files (`states` or `--state`); give `none` instead of files if "
+                    "the control has no compensation"
                 ),
             )
         )

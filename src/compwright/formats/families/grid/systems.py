@@ -35,7 +35,7 @@ class SystemChoice:
                 " $MA_NUM_ENCS)",
                 self.gathered.singles[self.address, None]["encoders"][-1],
                 expected=(
-                    f"encoder: {{system: {count}}}, or no word of it"
+                    f"encoder: {{system: {count}}}, or no key `encoder`"
                     if count
                     else "MD30200 at least 1"
                 ),
@@ -100,8 +100,8 @@ class SystemChoice:
             return chosen
         reasons = (
             (self._switch, "the only one that is switched on (MD32700)"),
-            (self._written, "the only one that holds a table"),
-            (self._rows, "the only one that holds a table"),
+            (self._written, "the only one that contains a table"),
+            (self._rows, "the only one that contains a table"),
             (self._reserved, "the only one with points reserved (MD38000)"),
             (self._backlash, "the only one with a backlash value"),
         )
@@ -142,7 +142,7 @@ class SystemChoice:
             or [system for system in self.systems if self._backlash(system)]
             or self.systems
         )[0]
-        self._assume(chosen, "inferred: the one that holds a table")
+        self._assume(chosen, "inferred: the one that contains a table")
         if len(active) > 1:
             self.notes.find(
                 "CW-S006", "warning", self.address, axis=self.address, system=int(chosen) + 1

@@ -205,7 +205,7 @@ class GridWriter:
         ahead = float(np.mod(axis.reference - MODULO_START, compensation.period))
         if turn is None and min(ahead, compensation.period - ahead) > SAME_TURN:
             expected = (
-                "the machine data of the axis with MD30310 and MD30340 among the files of the state"
+                "the machine data of the axis with MD30310 and MD30340 among the control's files"
             )
             work.faults.append(
                 Fault(
@@ -217,7 +217,10 @@ class GridWriter:
                     ),
                     expected=expected,
                     found="in no file",
-                    hint="add the file of the control that contains it to the state",
+                    hint=(
+                        "add the file that contains it to the control's files (`states` or"
+                        " `--state`)"
+                    ),
                 )
             )
             return compensation

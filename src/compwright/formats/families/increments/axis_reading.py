@@ -186,7 +186,7 @@ class IncrementReader:
         low, high = values.definition.measure("backlash").range
         value = int(Decimal(found.text))
         if not low <= value <= high:
-            message = "a backlash that the control cannot hold"
+            message = "a backlash that the control cannot store"
             values.notes.refuse(
                 values.label, message, found, expected=f"{low:g} .. {high:g}", hint=CORRECT_VALUE
             )
@@ -211,8 +211,8 @@ class IncrementReader:
             message = (
                 f"point data are missing ({len(missing)} of {len(numbers)}); missing is not zero"
                 if self.points
-                else "its table is on, and no file that was given holds pitch data; the control"
-                " saves them apart from its parameters"
+                else "its table is on, and no file that was given contains pitch data; the"
+                " control saves them apart from its parameters"
             )
             where = self.values.found("last_number")
             expected = f"the pitch data N{POINTS_FROM + missing[0]} and so on"
@@ -223,7 +223,7 @@ class IncrementReader:
         counts = [int(row.occurrence.tokens["value"].text) for row in rows]
         for row, count in zip(rows, counts, strict=True):
             if abs(count) > limit:
-                message = "an increment that the control cannot hold (option increment_limit)"
+                message = "an increment that the control cannot store (option increment_limit)"
                 notes.refuse(
                     label,
                     message,

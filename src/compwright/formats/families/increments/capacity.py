@@ -164,13 +164,14 @@ class IncrementLimits:
                     ),
                     place="first_point",
                     expected=(
-                        "the control's whole pitch data among the files of the state, or the first"
-                        " free number (look at 3621 and 3622 of all axes)"
+                        "the control's whole pitch data among its files, or the first free"
+                        " number (look at 3621 and 3622 of all axes)"
                     ),
                     found="nothing",
                     hint=(
-                        "add the control's whole pitch data to the state, or give `first_point` "
-                        "after a look at 3621 and 3622 of all axes"
+                        "add the control's whole pitch data to its files (`states` or "
+                        "`--state`), or give `first_point` after a look at 3621 and 3622 of all "
+                        "axes"
                     ),
                 )
             )

@@ -145,7 +145,8 @@ def free_numbers_question(definition: Definition) -> Fault:
         place="first_point",
         expected=(
             "the first free number (look at 3621 and 3622 of all axes), such as --option"
-            " first_point=1, or the control's own parameter and pitch files as the state"
+            " first_point=1, or the control's own parameter and pitch files (`states` or"
+            " `--state`)"
         ),
         found="nothing",
         hint=(
@@ -277,7 +278,7 @@ class _WholeNumbers:
         if not low <= count <= high:
             raise NotHeld(
                 "the backlash at cutting feed or rapid traverse (1851, 1852), whose difference"
-                f" stays, would be {count}; the control holds {low:g} to {high:g}"
+                f" stays, would be {count}; the control can store {low:g} to {high:g}"
             )
         return str(count)
 
@@ -354,9 +355,9 @@ class _WholeNumbers:
             if divisor % candidate == 0 and largest <= limit * candidate:
                 return candidate
         raise NotHeld(
-            f"an increment of {largest} detection units is more than the control holds: at most"
-            f" {limit} times the magnification, which must divide all increments (their greatest"
-            f" common divisor is {divisor}); a smaller spacing would help"
+            f"an increment of {largest} detection units is more than the control can store: at"
+            f" most {limit} times the magnification, which must divide all increments (their"
+            f" greatest common divisor is {divisor}); a smaller spacing would help"
         )
 
     def _kept(
@@ -424,7 +425,7 @@ class _WholeNumbers:
         if not low <= count <= high:
             raise NotHeld(
                 f"the reversal at the reference (3627) is {count:g} detection units; the control"
-                f" holds {low} to {high}"
+                f" can store {low} to {high}"
             )
         return str(int(count) * sign)
 

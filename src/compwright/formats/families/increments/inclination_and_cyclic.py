@@ -189,7 +189,7 @@ def line_parameters(numbers: Sequence[int], amounts: Sequence[int]) -> dict[int,
     if not all(low <= amount <= high for amount in amounts):
         raise NotHeld(
             f"the line of inclination compensation would need the amounts {amounts[0]} and"
-            f" {amounts[1]} (5871 to 5874); the control holds {low} to {high}"
+            f" {amounts[1]} (5871 to 5874); the control can store {low} to {high}"
         )
     (first, last), (begin, end) = numbers, amounts
     points = zip(known.INCLINATION_POINTS, (first, first, last, last), strict=True)

@@ -176,8 +176,8 @@ def check_diameter(values: IncrementAxisValues, kind: AxisKind) -> None:
                 expected=expected,
                 found="diameter",
                 hint=(
-                    "add the parameter file with 1006 to the state, or set `programmed: "
-                    "radius` for the axis in the job"
+                    "add the parameter file with 1006 to the control's files (`states` or "
+                    "`--state`), or set `programmed: radius` for the axis in the job"
                 ),
             )
         )

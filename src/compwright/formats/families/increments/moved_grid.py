@@ -128,7 +128,9 @@ def _point_in_place(
     inside = first - 1 <= point.number <= last and place.first - 1 <= new <= place.last
     if on_node and inside:
         return new
-    why = "is no node of the new grid" if not on_node else "lies outside the old or the new grid"
+    why = (
+        "is not a point of the new table" if not on_node else "lies outside the old or the new grid"
+    )
     help_ = _old_ends(axis, facts, interval) if on_node else _HELP
     raise NotHeld(
         f"{each.label}, is active in addition to the table: the position of {point.label} {why}"

@@ -311,8 +311,8 @@ class StateReader:
             if first.whole != multiplier.whole:
                 yield replace(
                     multiplier.fault(
-                        f"{own.label}: its 1820 differs, so that one detection_unit does not hold"
-                        " for both",
+                        f"{own.label}: its 1820 differs, so that one detection_unit does not fit"
+                        " both",
                         f"{first.label}, or the increment system (1013) among the files",
                     ),
                     hint=(
@@ -430,10 +430,11 @@ def _unnamed(address: str, named: Sequence[str], files: Sequence[ControlFile]) -
             f"no given file contains data of axis {address}; missing values do not count as zero"
         ),
         file=", ".join(file.name for file in files),
-        expected=f"parameters with A{address}, or the state `none`",
+        expected=f"parameters with A{address}, or `none` instead of files",
         found=f"axes {', '.join(named)}" if named else "no axis at all",
         hint=(
-            "correct the `address` of the axis, or add the file with its parameters to "
-            "the state; use the state `none` if the control has none"
+            "correct the `address` of the axis, or add the file with its parameters to the "
+            "control's files (`states` or `--state`); give `none` instead of files if the "
+            "control has no compensation"
         ),
     )

@@ -65,7 +65,7 @@ def read_sections(values: IncrementAxisValues, kind: AxisKind) -> IncrementSecti
     present = {name: values.found(name) for name in GRID}
     if not any(present.values()):
         ends = f"{values.name('reference_number')} to {values.name('table_spacing')}"
-        why = f"unconfirmed: no file that was given holds its parameters {ends}"
+        why = f"unconfirmed: no file that was given contains its parameters {ends}"
         values.notes.assume(f"{values.label}: table", "none", why)
         values.notes.no_table(values.label)
         return None

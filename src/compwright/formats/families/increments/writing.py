@@ -70,9 +70,12 @@ def _homeless(definition: Definition, left: Entries) -> Iterator[Fault]:
                 f"written only into lines of the control's own files{evidence}"
             ),
             expected=f"lines of {', '.join(numbers[:8])}{' ..' if len(numbers) > 8 else ''} of axis"
-            f" {left.address} among the files of the state",
+            f" {left.address} among the control's files",
             found="none",
-            hint="add the control's parameter file with these lines to the state",
+            hint=(
+                "add the control's parameter file with these lines to its files (`states` or"
+                " `--state`)"
+            ),
         )
 
 
@@ -101,7 +104,7 @@ class _OwnFiles(Patches):
             if not self._parameter(entry, name, value)
         }
         if left.pop("bidirectional", "0") == "1":
-            expected = "the control's own parameter file with 3605 among the files of the state"
+            expected = "the control's own parameter file with 3605 among the control's files"
             faults.append(
                 Fault(
                     message=(

@@ -108,7 +108,7 @@ def _write(
     if not np.allclose(added.positive, added.negative, rtol=0.0, atol=_STRAIGHT):
         faults.append(
             Fault(
-                message="a table between axes contains one curve, which is the same for both "
+                message="a cross-axis table contains one curve, which is the same for both "
                 "directions",
                 expected="one curve",
                 found="two different curves",

@@ -56,7 +56,7 @@ def read_cross(
         return None
     unit = lists.one("cross_unit")
     if unit is not None and not same_value(unit.text, "1"):
-        message = "a table between axes that counts in increments is not understood"
+        message = "a cross-axis table in increments cannot be read"
         lists.notes.refuse(
             lists.label, message, unit, expected="1 (0.1 µm, 0.0001 deg)", hint=NOT_COUNTED
         )

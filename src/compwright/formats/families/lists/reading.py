@@ -189,11 +189,12 @@ class ListStateReader:
                 "count as zero"
             ),
             file=", ".join(file.name for file in files),
-            expected=f"a list of axis {address}, or the state `none`",
+            expected=f"a list of axis {address}, or `none` instead of files",
             found=f"axes {', '.join(lists.statements)}" if lists.statements else "no axis at all",
             hint=(
                 "correct the `address` of the axis, or give its list with the control's other "
-                "files; in a job, use the state `none` if the control has none"
+                "files; in a job, give `none` instead of files if the control has no "
+                "compensation"
             ),
         )
         self.notes.faults.append(fault)

@@ -172,7 +172,7 @@ class TableReader:
                 self.of.label, message, place, expected=f"at most {room - 1}", hint=CORRECT_VALUE
             )
         elif count == 0:
-            message = f"{self.of.lists.name('count')} is 0, but the list holds entries"
+            message = f"{self.of.lists.name('count')} is 0, but the list contains entries"
             self.of.notes.refuse(
                 self.of.label, message, place, expected="their number", hint=CORRECT_VALUE
             )
@@ -243,7 +243,7 @@ class TableReader:
         for index, found in rows["negative"].items():
             first = rows["positive"].get(index)
             if first is not None and not same_value(first.text, found.text):
-                message = "bilateral is 0, but the column for - holds another value"
+                message = "bilateral is 0, but the column for - contains another value"
                 self.of.notes.refuse(
                     self.of.label, message, found, expected=first.text, hint=CORRECT_VALUE
                 )

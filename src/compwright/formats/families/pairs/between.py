@@ -59,7 +59,7 @@ def write_cross(
     if not available(control.options):
         raise CapacityError(
             Fault(
-                message=f"{definition.id} has tables between axes (CEC) only if the control has "
+                message=f"{definition.id} has cross-axis tables (CEC) only if the control has "
                 "this option",
                 place="option cec",
                 expected="cec: available",

@@ -21,8 +21,8 @@ from compwright.records.axis import AxisKind
 IN_INCH = "its values are in inch (MD32711 $MA_CEC_SCALING_SYSTEM_METRIC = 0)"
 #: Why tables of a control that works in inch are neither read nor written.
 MAYBE_INCH = (
-    "the control works in inch (MD10240 = 0), and no file says in which unit its corrections"
-    " between axes stand (MD32711 $MA_CEC_SCALING_SYSTEM_METRIC)"
+    "the control works in inch (MD10240 = 0), and no file says in which unit its cross-axis"
+    " corrections are (MD32711 $MA_CEC_SCALING_SYSTEM_METRIC)"
 )
 SAYING_METRIC = "the machine data with MD32711 = 1: metric"
 _SWITCHES = "SD41300 $SN_CEC_TABLE_ENABLE, MD32710 $MA_CEC_ENABLE"

@@ -163,7 +163,11 @@ def unit_unknown(
     unknown = metric is None and control.options.get("units") == "inch"
     if (metric is False or unknown) and any(kind is not AxisKind.ROTARY for kind in kinds):
         why = MAYBE_INCH if unknown else IN_INCH
-        known = f", or add the file with {SAYING_METRIC} to the state" if unknown else ""
+        known = (
+            f", or add the file with {SAYING_METRIC} to the control's files (`states` or `--state`)"
+            if unknown
+            else ""
+        )
         yield Fault(
             message=f"{label}: a CEC table is not written here: {why}",
             place="option cec",

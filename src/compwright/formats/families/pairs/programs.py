@@ -372,8 +372,8 @@ def _question(found: Found) -> Fault:
         ),
         found=repr(doubts[0].text),
         hint=(
-            "export the compensation data from the control and give that file, or "
-            "answer `active: yes` (every value was executed) or `active: no` (none "
-            "was) in this state of the job"
+            "export the compensation data from the control and give that file, or answer "
+            "`active: yes` (every value was executed) or `active: no` (none was) in this entry "
+            "of `states` in the job"
         ),
     )

@@ -321,7 +321,7 @@ class _CrossTableReader(TableLines):
     def _check_axes(self, stated: Mapping[str, FoundValue]) -> None:
         for name in ("cross_input", "cross_output"):
             if not self.gathered.names.known(self.gathered.axis(stated[name].text)):
-                message = f"{self.values(self.label).name(name)} is no machine axis"
+                message = f"{self.values(self.label).name(name)} is not a machine axis"
                 self._wrong(message, stated[name], expected="a name of MD10000, or AX1 and so on")
 
     def _unknown_keys(self) -> None:

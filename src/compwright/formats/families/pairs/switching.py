@@ -114,7 +114,10 @@ class Switches:
                     " this axis"
                 ),
                 found="in no file",
-                hint=f"add the file with MD32710 of {output} to the state",
+                hint=(
+                    f"add the file with MD32710 of {output} to the control's files (`states` or"
+                    " `--state`)"
+                ),
             )
         )
 

@@ -142,8 +142,8 @@ class CecWriter:
                         ),
                         found=", ".join(map(str, tables.allowed)) or "no indices",
                         hint=(
-                            f"add {index} to `cec_tables` in the options, and give the "
-                            "control's own files as the state"
+                            f"add {index} to `cec_tables` in the options, and give the control's "
+                            "own files (`states` or `--state`)"
                         ),
                     )
                 )
@@ -193,7 +193,7 @@ class CecWriter:
             if count > fixed:
                 faults.append(
                     Fault(
-                        message=f"CEC table {index} needs more points than a table can hold",
+                        message=f"CEC table {index} needs more points than a table can have",
                         expected=f"{fixed} points",
                         found=f"{count} points",
                         hint=f"give `table: {{spacing: ...}}` that leads to {fixed} points",

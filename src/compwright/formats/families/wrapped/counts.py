@@ -66,7 +66,7 @@ class Counts:
         for value, number, exact in zip(added, numbers, ratio, strict=True):
             if abs(exact - number) > EXACTNESS:
                 raise NotHeld(
-                    f"{what}: {value:.9g} is no multiple of {self.quantum:.9g} (1/16 count)"
+                    f"{what}: {value:.9g} is not a multiple of {self.quantum:.9g} (1/16 count)"
                 )
             if not low <= number <= high:
                 raise NotHeld(

@@ -187,8 +187,8 @@ class WrappedStateReader:
                 ),
                 found=repr(block.text[:60]),
                 hint=(
-                    "give the script as it was sent, or answer `active: yes` in this state of "
-                    "the job if all of it was sent"
+                    "give the script as it was sent, or answer `active: yes` in this entry of "
+                    "`states` in the job if all of it was sent"
                 ),
             )
         )
@@ -212,7 +212,7 @@ class WrappedStateReader:
             file=", ".join(file.name for file in self.files),
             expected=(
                 f"a table of #{address}, or I{address}86 as it is (I{address}86=0 alone: it has"
-                " neither), or the state `none`"
+                " neither), or `none` instead of files"
             ),
             found=f"motors {', '.join(named)}" if named else "no motor at all",
             hint=(

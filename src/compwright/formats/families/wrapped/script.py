@@ -212,9 +212,9 @@ class _ScriptReader:
         word = self._word(place, len(self.text) if end is None else end.start())
         if self._idle_by_macro(word):
             return word.end
-        message = "this is no command that compwright knows, and it may act"
+        message = "this is not a command that compwright knows, and it may have an effect"
         if self.open is not None and len(self.open.values) < self.open.needed:
-            message = f"{self.open.label}: this is no whole number"
+            message = f"{self.open.label}: this is not a whole number"
         expected = "DEFINE, DELETE, I..=.. and the like; docs/controllers/pmac.md"
         if _INCLUDE.match(word.text):
             message = "the script of another file belongs here, and is not in this one"
@@ -358,7 +358,7 @@ class _ScriptReader:
                 continue
             if number is None or abs(number) >= _MOST:
                 name = match["setting"].split("=")[0].strip()
-                message = f"{name} is set to something that is no whole number of the control"
+                message = f"{name} is set to something that is not a whole number"
                 self._fault(value, message, "a whole number, or $ and hexadecimal digits")
                 continue
             guard = self.conditions.guard_of(value.text)

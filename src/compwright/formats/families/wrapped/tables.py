@@ -107,7 +107,7 @@ def motor_table(
     if abs(length - round(length)) > EXACTNESS:
         faults.append(
             Fault(
-                message=f"{label}: the length of the table is no whole number of counts",
+                message=f"{label}: the length of the table is not a whole number of counts",
                 expected=f"a spacing that is a multiple of {counts.count:.9g} {axis.kind.unit}",
                 found=f"{nodes.step:.10g} {axis.kind.unit}, {length:.6f} counts",
                 hint="set `table: {spacing: ...}` to such a multiple",

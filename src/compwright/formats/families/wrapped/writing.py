@@ -312,7 +312,10 @@ def _read_otherwise(before: Script, after: Script, tables: Sequence[MotorTable])
             faults.append(
                 Fault(
                     message=f"motor {motor}: the new table cannot be put into this script",
-                    hint="give the script with this table as the state",
+                    hint=(
+                        "give the script with this table among the control's files (`states` or"
+                        " `--state`)"
+                    ),
                 )
             )
     for key, old in before.tables.items():
@@ -321,8 +324,8 @@ def _read_otherwise(before: Script, after: Script, tables: Sequence[MotorTable])
         if not mine and (new is None or new.numbers != old.numbers or new.counts != old.counts):
             faults.append(
                 Fault(
-                    message=f"a fault of compwright: {old.label}, a table of another motor, "
-                    "would change",
+                    message=f"an internal error of compwright: {old.label}, a table of another "
+                    "motor, would change",
                     hint="load nothing of this run, and move the table of the other motor to a "
                     "script of its own",
                 )

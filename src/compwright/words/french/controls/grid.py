@@ -140,7 +140,7 @@ TEXTS: Final[dict[str, str]] = {
         " contient compte comme zéro"
     ),
     "{label}: table": "{label} : table",
-    "no file that was given holds one": "aucun fichier donné n'en contient",
+    "no file that was given contains one": "aucun fichier donné n'en contient",
     "where its turn begins (MD30340)": "où son tour commence (MD30340)",
     "{value} deg": "{value}°",
     "the control has reserved none yet": "la commande n'en a pas encore réservé",
@@ -149,7 +149,7 @@ TEXTS: Final[dict[str, str]] = {
     "the control's files do not say it": "les fichiers de la commande ne le disent pas",
     "axis {name}: {fact}": "axe {name} : {fact}",
     "in no file": "dans aucun fichier",
-    "axis {name}: number of points the control can hold": (
+    "axis {name}: number of points the control can store": (
         "axe {name} : nombre de points que la commande peut contenir"
     ),
     "as many as are needed; the card says how many to set": (

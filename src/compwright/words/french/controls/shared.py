@@ -36,8 +36,8 @@ TEXTS: Final[dict[str, str]] = {
         " table vide), régler le jeu par le paramètre de la colonne Ancien de chaque axe,"
         " redémarrer et référencer."
     ),
-    "Tables between axes: switch off what the steps above switch on, or set each of their"
-    " values to 0.": (
+    "Cross-axis tables: switch off what the steps above switch on, or set each of their values"
+    " to 0.": (
         "Tables entre axes : désactiver ce que les étapes ci-dessus activent, ou mettre chacune de"
         " leurs valeurs à 0."
     ),

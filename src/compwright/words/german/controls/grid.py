@@ -140,7 +140,7 @@ TEXTS: Final[dict[str, str]] = {
         " Tabelle dort enthält, zählt als null"
     ),
     "{label}: table": "{label}: Tabelle",
-    "no file that was given holds one": "keine angegebene Datei enthält eine",
+    "no file that was given contains one": "keine angegebene Datei enthält eine",
     "where its turn begins (MD30340)": "wo ihre Umdrehung beginnt (MD30340)",
     "{value} deg": "{value}°",
     "the control has reserved none yet": "die Steuerung hat noch keine reserviert",
@@ -149,7 +149,7 @@ TEXTS: Final[dict[str, str]] = {
     "the control's files do not say it": "die Dateien der Steuerung sagen es nicht",
     "axis {name}: {fact}": "Achse {name}: {fact}",
     "in no file": "in keiner Datei",
-    "axis {name}: number of points the control can hold": (
+    "axis {name}: number of points the control can store": (
         "Achse {name}: Anzahl der Punkte, die die Steuerung aufnimmt"
     ),
     "as many as are needed; the card says how many to set": (

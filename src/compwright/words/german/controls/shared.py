@@ -36,8 +36,8 @@ TEXTS: Final[dict[str, str]] = {
         " leere Tabelle), die Lose durch den Parameter in Spalte Alt jeder Achse setzen, neu"
         " starten und referenzieren."
     ),
-    "Tables between axes: switch off what the steps above switch on, or set each of their"
-    " values to 0.": (
+    "Cross-axis tables: switch off what the steps above switch on, or set each of their values"
+    " to 0.": (
         "Tabellen zwischen Achsen: ausschalten, was die Schritte oben einschalten, oder jeden ihrer"
         " Werte auf 0 setzen."
     ),

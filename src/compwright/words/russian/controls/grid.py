@@ -136,7 +136,7 @@ TEXTS: Final[dict[str, str]] = {
         " таблица там содержит, считается нулём"
     ),
     "{label}: table": "{label}: таблица",
-    "no file that was given holds one": "ни один данный файл её не содержит",
+    "no file that was given contains one": "ни один данный файл её не содержит",
     "where its turn begins (MD30340)": "где начинается её оборот (MD30340)",
     "{value} deg": "{value}°",
     "the control has reserved none yet": "УЧПУ ещё ничего не зарезервировало",
@@ -145,7 +145,7 @@ TEXTS: Final[dict[str, str]] = {
     "the control's files do not say it": "файлы УЧПУ этого не говорят",
     "axis {name}: {fact}": "ось {name}: {fact}",
     "in no file": "ни в одном файле",
-    "axis {name}: number of points the control can hold": (
+    "axis {name}: number of points the control can store": (
         "ось {name}: число точек, которое вмещает УЧПУ"
     ),
     "as many as are needed; the card says how many to set": (

@@ -36,8 +36,8 @@ TEXTS: Final[dict[str, str]] = {
         " люфт параметром из столбца «Старое» каждой оси, перезапустите и выведите в опорную"
         " позицию."
     ),
-    "Tables between axes: switch off what the steps above switch on, or set each of their"
-    " values to 0.": (
+    "Cross-axis tables: switch off what the steps above switch on, or set each of their values"
+    " to 0.": (
         "Таблицы между осями: выключите то, что включают шаги выше, или задайте каждому их значению"
         " 0."
     ),
