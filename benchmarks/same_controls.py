@@ -70,7 +70,7 @@ def hold_in_increments(axis: MachineAxis, unit: float) -> None:
 
 
 def sinumerik(rng: Rng, axes: list[MachineAxis], system: int, *, enabled: str) -> dict[str, str]:
-    """Tables (EEC), machine data and sometimes a table between axes that are not under work."""
+    """Tables (EEC), machine data and sometimes a cross-axis table that are not under work."""
     eec, md = ["%_N_AX_EEC_INI", "CHANDATA(1)"], ["CHANDATA(1)"]
     for axis in axes:
         name, old = axis.address, axis.old
@@ -130,7 +130,7 @@ def _sinumerik_extras(rng: Rng, axes: list[MachineAxis], system: int, md: list[s
 
 
 def _cec(rng: Rng, axes: list[MachineAxis]) -> str:
-    """One or two tables between axes, or of an axis over itself; some sleep."""
+    """One or two cross-axis tables, or of an axis over itself; some sleep."""
     lines = ["%_N_NC_CEC_INI", "CHANDATA(1)"]
     names = [axis.address for axis in axes] + ["AX7", "AX8"]
     for table in rng.choice([0, 1, 3, 8], int(rng.integers(1, 3)), replace=False):

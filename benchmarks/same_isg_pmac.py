@@ -15,7 +15,7 @@ PARTS = 16
 
 def isg_lists(rng: Rng, axes: list[MachineAxis], *, meaning: str, acts: bool) -> dict[str, str]:
     """A list for each axis: one column or two, positions listed or at an interval, switched off by
-    the list or by the axis parameters; sometimes a table between axes and the start-up list.
+    the list or by the axis parameters; sometimes a cross-axis table and the start-up list.
     """
     files: dict[str, str] = {}
     for axis in axes:

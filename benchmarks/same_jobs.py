@@ -353,7 +353,7 @@ def _table(rng: Rng, axis: MachineAxis, both: float) -> Words:
 
 
 def _whole(rng: Rng, job: Words, axes: list[MachineAxis], files: dict[str, str]) -> None:
-    """What stands beside the axes: circles, tables between axes, uncertainty, rules."""
+    """What stands beside the axes: circles, cross-axis tables, uncertainty, rules."""
     linear = [axis for axis in axes if not axis.rotary]
     if len(linear) >= 2 and rng.random() < 0.4:
         _circle(rng, job, linear, files)

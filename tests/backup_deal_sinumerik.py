@@ -101,7 +101,7 @@ def _inch(case: Case) -> bool:
 
 
 def relatives(case: Case, rng: np.random.Generator, special: str) -> None:
-    """The 840D pl and the ONE with the same files; the 828D where no table between axes is ours."""
+    """The 840D pl and the ONE with the same files; the 828D where no cross-axis table is ours."""
     others = ["siemens-840d-pl", "siemens-one"]
     if special in _WITHOUT_TABLES:
         others.append("siemens-828d")

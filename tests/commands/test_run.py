@@ -323,7 +323,7 @@ def test_two_readers_that_disagree_write_nothing(
         control_module, "virtual_control", lambda *a, **k: Wrong(virtual_control(*a, **k))
     )
     assert compwright(["run", str(job(folder))]) == 70
-    assert "the two readers of compwright do not agree" in capsys.readouterr().err
+    assert "the two independent file readers of compwright do not agree" in capsys.readouterr().err
     assert not (folder / "job").exists()
     # Files of the control's own that are understood in two ways are contradictory input, not a
     # fault of ours.

@@ -414,7 +414,7 @@ def test_the_bit_of_an_axis_is_not_changed_where_the_table_of_another_axis_hangs
     assert "Y.COM" in said
 
 
-# --- tables between axes that differ between the states
+# --- cross-axis tables that differ between the states
 
 
 @pytest.mark.parametrize(

@@ -116,7 +116,7 @@ def acts(judge: VirtualControl, address: str, output: str = "") -> Callable[[Flo
     def correction(where: Floats, sign: int) -> Floats:
         way = Direction.POSITIVE if sign > 0 else Direction.NEGATIVE
         if not output and address not in judge.addresses():
-            return np.zeros(np.shape(where))  # the files hold nothing but tables between axes
+            return np.zeros(np.shape(where))  # the files hold nothing but cross-axis tables
         return (
             judge.cross_correction(address, output, where, way)
             if output
@@ -337,7 +337,7 @@ def test_a_control_that_cannot_hold_squareness_says_so(
     assert document(folder / "job" / "prediction.json")["cross"] == []
     card = (folder / "job" / "card" / "card.md").read_text(encoding="utf-8")
     assert "Not corrected: squareness of Y over X" in card
-    assert "Tables between axes" not in card.partition("## Way back")[2]
+    assert "Cross-axis tables" not in card.partition("## Way back")[2]
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""compare on controls with tables between axes: a table switched off, a value of a sag table, a bit
+"""compare on controls with cross-axis tables: a table switched off, a value of a sag table, a bit
 or a column of another axis changed meanwhile is named; the plan's own files are the same.
 
 Runs: X with a table of its own, Y bent over X by + 40 µm/m (`test_run_apply`).

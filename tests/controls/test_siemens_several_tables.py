@@ -51,7 +51,7 @@ WITH_CEC = {
     "TABLES.INI": "CHANDATA(1)\n" + table("AX1") + CEC + "M17\n",
     "MD.INI": machine_data(("AX1",)) + "$MA_CEC_ENABLE[AX3]=1\nM17\n",
 }
-STATES = {"one file": ONE_FILE, "two files": TWO_FILES, "a table between axes": WITH_CEC}
+STATES = {"one file": ONE_FILE, "two files": TWO_FILES, "a cross-axis table": WITH_CEC}
 
 
 SET = r"(\$MA_(?:ENC_COMP|CEC)_ENABLE\[[^\]]*\]) = (\d)"

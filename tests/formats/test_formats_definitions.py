@@ -258,7 +258,7 @@ def _without(data: Any, path: tuple[str, ...]) -> Any:
             "has no field joint",
         ),
         (
-            "an unknown field in the alternative to a table between axes",
+            "an unknown field in the alternative to a cross-axis table",
             "linuxcnc.yaml",
             "add {squareness} to",
             "add {angle} to",

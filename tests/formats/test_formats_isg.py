@@ -295,7 +295,7 @@ def test_the_axes_of_a_gantry_get_one_table_and_twins_are_told() -> None:
     )
 
 
-# --- tables between axes
+# --- cross-axis tables
 
 
 def test_a_table_in_the_slaves_list_is_read_with_its_sign_and_left_out_without() -> None:

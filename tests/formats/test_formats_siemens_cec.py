@@ -1,4 +1,4 @@
-"""SINUMERIK: tables between axes (CEC), by hand-worked numbers: pairs of an axis over itself,
+"""SINUMERIK: cross-axis tables (CEC), by hand-worked numbers: pairs of an axis over itself,
 squareness, straightness.
 """
 
@@ -652,7 +652,7 @@ def test_the_card_names_the_tables_and_the_check_of_the_sign() -> None:
     assert "MD18342 $MN" not in single
 
 
-# Tables between axes
+# Cross-axis tables
 # --------------------------------------------------------------------------------------------------
 
 

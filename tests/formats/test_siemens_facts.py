@@ -117,7 +117,7 @@ def gate(definition: Definition) -> None:
 
 
 def acts(definition: Definition) -> None:
-    """Everything together, as the virtual control does it, and the tables between axes."""
+    """Everything together, as the virtual control does it, and the cross-axis tables."""
     (given,) = text_of(BASE)
     state = read(definition, [given])
     agrees(state, given.content.decode())

@@ -20,7 +20,9 @@ _VARIABLE = "_COMPWRIGHT_COMPLETE"
     page="docs/commands.md#completion",
 )
 @click.argument(
-    "shell", type=click.Choice(["bash", "zsh", "fish"]), help="The shell that will load the script."
+    "shell",
+    type=click.Choice(["bash", "zsh", "fish"]),
+    help=("The shell for which the completion script is written."),
 )
 @exiting
 def completion(shell: str) -> int:

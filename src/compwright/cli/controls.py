@@ -188,7 +188,7 @@ def compare(
     required=True,
     type=PATH,
     metavar="NEW...",
-    help="The other backup of the same machine; files or folders.",
+    help="The later backup of the same machine; files or folders.",
 )
 @format_option
 @control_options
@@ -281,7 +281,9 @@ def formats_show(invocation: Invocation, /, format_id: str) -> int:
     nargs=-1,
     metavar="[PATH...]",
     type=PATH,
-    help="Definitions, or folders of them; default: those that ship.",
+    help=(
+        "Definition files of controls, or folders of them; default: those shipped with compwright."
+    ),
 )
 @exiting
 @click.pass_obj

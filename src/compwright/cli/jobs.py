@@ -196,7 +196,10 @@ def new(
     required=True,
     type=FILE_WORD,
     metavar="[TEST=]FILE...",
-    help="Measurement files from after loading; TEST: the test of the job that is repeated.",
+    help=(
+        "Measurement files of the tests after loading; TEST: name of the test in the job that"
+        " was repeated."
+    ),
 )
 @click.option(
     "--plan", type=PATH, help="Folder of the run, or its plan.json; default: where run puts it."

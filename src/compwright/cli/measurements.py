@@ -58,7 +58,7 @@ _STANDARDS = (
     "standards",
     multiple=True,
     metavar="ID...",
-    help=f"Standard to evaluate to, one for each kind of test: {_STANDARDS}.",
+    help=f"Standard of the evaluation, one for each kind of test: {_STANDARDS}.",
 )
 @click.option(
     "--spread",
@@ -201,7 +201,12 @@ def _tell_errors(entries: Sequence[Mapping[str, str]], *, one_each: bool) -> Non
     ),
     page="docs/commands.md#profile, docs/measurement-files.md",
 )
-@click.argument("file", metavar="FILE", type=PATH, help="The table of the other program.")
+@click.argument(
+    "file",
+    metavar="FILE",
+    type=PATH,
+    help=("Measurement table of another program, for which a profile is made."),
+)
 @click.option("--out", required=True, type=PATH, metavar="P.yaml", help="The profile to write.")
 @force_option
 @exiting

@@ -135,8 +135,8 @@ def virtual_control(
     if maker is None:
         raise UsageError(
             Fault(
-                message="compwright has no virtual control (second reader of the files) for "
-                "this format",
+                message="compwright has no virtual control (independent second reader of the "
+                "files) for this format",
                 expected=" or ".join(KNOWN),
                 found=format_id,
                 hint="use one of these formats",

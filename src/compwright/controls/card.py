@@ -335,7 +335,7 @@ def restore_texts(
     """Return texts on how to restore the old state: with the control's own ``files`` or the small
     files ``back``.
 
-    ``steps``: `restore_steps` say the rest; ``between``: there are new tables between axes.
+    ``steps``: `restore_steps` say the rest; ``between``: there are new cross-axis tables.
     """
     if not files:
         nothing = control_text("The job says that nothing was active.")

@@ -278,7 +278,7 @@ def decode(
         raise UsageError(
             Fault(
                 message=(
-                    f"`active: no` is given for a state, but the files of {control.id} "
+                    f"the job gives `active: no` under `states`, but the files of {control.id} "
                     "themselves show which tables are active"
                 ),
                 expected="no key `active`",

@@ -1,4 +1,4 @@
-"""Write tables between axes into the control's files, read them back, and return the card's text
+"""Write cross-axis tables into the control's files, read them back, and return the card's text
 about them.
 """
 
@@ -55,7 +55,7 @@ def write_planned(
     axes: Mapping[str, Axis],
     tabled: Collection[str] = (),
 ) -> CrossOutcome:
-    """Write the tables between axes in addition to ``tables`` (those of single axes), and read
+    """Write the cross-axis tables in addition to ``tables`` (those of single axes), and read
     everything back.
 
     ``control``: as it is in the state ``as_found``. ``tabled``: the axes (names of ``axes``) that

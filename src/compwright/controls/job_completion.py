@@ -300,7 +300,7 @@ def other_joints(axis: Axis, facts: AxisFacts, state: str) -> Iterator[Fault]:
     ]
     if others and axis.gantry not in others:
         yield Fault(
-            message=f"two joints drive axis {axis.name}: a table on only one of them would skew "
+            message=f"two joints drive axis {axis.name}: a table on only one of them would twist "
             "the gantry",
             place=f"{place}.gantry",
             expected=" or ".join(f'gantry: "{other}"' for other in others),

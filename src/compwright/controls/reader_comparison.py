@@ -37,8 +37,8 @@ def disagreements(state: ControlState, judge: VirtualControl) -> list[Fault]:
         faults.append(
             Fault(
                 message=(
-                    "the files can be read in two ways: the two readers of compwright find"
-                    " different axes in them"
+                    "the files can be read in two ways: the two independent file readers of"
+                    " compwright find different axes in them"
                 ),
                 expected=", ".join(unseen),
                 found=", ".join(sorted(judge.addresses())) or "no axis",
@@ -48,7 +48,7 @@ def disagreements(state: ControlState, judge: VirtualControl) -> list[Fault]:
                 ),
             )
         )
-    alone = "the two readers of compwright do not agree on them"
+    alone = "the two independent file readers of compwright do not agree on them"
     for address in sorted(set(state.axes) - set(unseen)):
         axis = state.axes[address]
         faults += _apart(
@@ -90,8 +90,8 @@ def _apart(
 
 
 def _cross_disagreements(state: ControlState, judge: VirtualControl) -> list[Fault]:
-    """Compare the tables between axes of both readers. Several tables of one pair are added."""
-    between = "the two readers of compwright do not agree on a cross-axis table"
+    """Compare the cross-axis tables of both readers. Several tables of one pair are added."""
+    between = "the two independent file readers of compwright do not agree on a cross-axis table"
     mine: dict[tuple[str, str], list[CrossCompensation]] = {}
     for entry in state.cross:
         mine.setdefault((entry.input, entry.output), []).append(entry)
@@ -103,8 +103,8 @@ def _cross_disagreements(state: ControlState, judge: VirtualControl) -> list[Fau
     faults = [
         Fault(
             message=(
-                "the files can be read in two ways: the two readers of compwright find different "
-                "cross-axis tables"
+                "the files can be read in two ways: the two independent file readers of "
+                "compwright find different cross-axis tables"
             ),
             place=" on ".join(pair),
             hint=(

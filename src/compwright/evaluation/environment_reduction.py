@@ -122,7 +122,7 @@ def _refuse_compensated_air(test: PositioningTest) -> None:
                 expected="a blank value, or the material only",
                 found=stated,
                 hint=(
-                    f"take the columns {', '.join(AIR)} out of the record of `environment`, or"
+                    f"remove the columns {', '.join(AIR)} from the record of `environment`, or"
                     " correct `compensated_for` in the file"
                 ),
             )
@@ -161,7 +161,7 @@ def _times(test: PositioningTest, environment: Environment) -> FloatArray | None
                     f"{int(missing.sum())} of {missing.size} readings without, the first at "
                     f"{test.targets[int(np.argmax(missing.any(axis=1)))]:.10g} mm"
                 ),
-                hint="correct these cells, or take the column out",
+                hint="correct these cells, or remove the column",
             )
         )
     if test.times.clock != record.clock:

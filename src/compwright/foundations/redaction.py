@@ -152,7 +152,7 @@ def not_the_same(file: str, found: str) -> InputError:
             file=file,
             expected="the same numbers in the copy",
             found=found,
-            hint="take the names out by hand",
+            hint="remove the names by hand",
         )
     )
 
@@ -186,7 +186,7 @@ def refuse_left_over(
                 place=_lines(lines),
                 expected="names that are neither",
                 found=f"{len(left)} texts ({', '.join(kinds)})",
-                hint="take the names out by hand",
+                hint="remove the names by hand",
             )
         )
 

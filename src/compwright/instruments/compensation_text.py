@@ -263,8 +263,8 @@ def _columns(
     }
     if grid and len(found.rows) != len(grid):
         faults.add(
-            "has fewer or more rows than its start, end and spacing state; the file may have been"
-            " cut",
+            "has fewer or more rows than its start, end and spacing state; the file may have"
+            " been cut off",
             expected=str(len(grid)),
             found=str(len(found.rows)),
             hint="export the table again",

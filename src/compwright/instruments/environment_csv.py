@@ -62,7 +62,10 @@ def read_environment(content: bytes, file: str) -> EnvironmentRecord:
             place=f"line {table.line}",
             expected=f"a column {TIME}, and all of {', '.join(AIR)}, or {MATERIAL}, or both",
             found=shown(", ".join(table.columns)),
-            hint="name the columns so in the header row, or take a part of the air out",
+            hint=(
+                "give the columns these names in the header row; remove air columns if the"
+                " record does not contain all of them"
+            ),
         )
         faults.raise_if_any()
     clock, times = times_of(table.of(TIME), table.place(TIME), faults)

@@ -144,7 +144,7 @@ def read_xml(content: bytes, file: str) -> Element:
         raise InputError(
             Fault(
                 message=(
-                    f"the file is cut short: its XML ends too early ({reason})"
+                    f"the file is cut off: its XML ends too early ({reason})"
                     if reason in _CUT_SHORT
                     else f"the file is not whole XML ({reason})"
                 ),

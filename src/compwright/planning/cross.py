@@ -33,7 +33,7 @@ SQUARE = 5e-6
 #: A correction over more than this many diameters of the circle (lengths of the measured range) is
 #: an extrapolation.
 FAR = 2.0
-#: Values and positions of a table between axes are whole multiples of these, mm or deg: less than
+#: Values and positions of a cross-axis table are whole multiples of these, mm or deg: less than
 #: any control resolves.
 QUANTUM, STEP = 1e-6, 1e-3
 MOST_NODES = 100

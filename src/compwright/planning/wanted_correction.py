@@ -263,8 +263,8 @@ def check_coverage(file: str, axis: Axis, tests: Sequence[PositioningTest]) -> N
     raise InputError(
         Fault(
             message=(
-                f"the table of axis {axis.name} is made from {which}, whose targets cover "
-                "less than half of the travel; the rest would be guesswork"
+                f"the table of axis {axis.name} is made from {which}, whose targets cover less "
+                "than half of the travel; the rest would have to be guessed"
             ),
             file=file,
             place=f"axes.{axis.name}.travel",

@@ -25,7 +25,7 @@ class Turn:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PairFacts:
-    """Facts about the tables between axes of one axis, or of the axis over itself.
+    """Facts about the cross-axis tables of one axis, or of the axis over itself.
 
     ``own``: the indices of its own two tables, + first. ``max_sum``: the control's limit of the sum
     of all corrections on it, mm or deg; None: unknown. ``metric``: their values are in mm, not in
@@ -97,7 +97,7 @@ class AxisFacts:
 
 @dataclass(frozen=True, slots=True)
 class PairTables:
-    """The tables between axes in a control's files, by index: input axis, output axis and reserved
+    """The cross-axis tables in a control's files, by index: input axis, output axis and reserved
     points.
 
     ``stay``: those over an axis itself that stay whatever is written.

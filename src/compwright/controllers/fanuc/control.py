@@ -137,8 +137,8 @@ class FanucControl:
             raise UsageError(
                 Fault(
                     message=(
-                        "the control's files contain no active table by which one of these "
-                        "axes corrects the other"
+                        "the control's files contain no active table that corrects one of these "
+                        "axes over the position of the other"
                     ),
                     expected=" or ".join(f"{a} for {b}" for a, b in self.cross()),
                     found=f"{input} for {output}",

@@ -92,8 +92,8 @@ class HeidenhainControl:
             known = ", ".join(f"{corrected} by {moving}" for moving, corrected in self.crossed)
             raise UsageError(
                 Fault(
-                    message="the files contain no table with which the second of these axes "
-                    "corrects the first",
+                    message="the files contain no table that corrects the first of these axes "
+                    "over the position of the second",
                     expected=known,
                     found=f"{output} by {input}",
                     hint=("correct the entry `cross` of the job, or give the file with this table"),

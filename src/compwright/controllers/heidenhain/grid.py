@@ -96,7 +96,7 @@ def _cut_short(opened: TableBlock | None, faults: list[Fault]) -> None:
     if opened is not None:
         faults.append(
             opened.place.fault(
-                "the table has no end line (cut short?)",
+                "the table has no end line (cut off?)",
                 expected=f"END {opened.name} .{opened.kind}",
             )
         )

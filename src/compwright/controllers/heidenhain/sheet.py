@@ -247,7 +247,7 @@ class _SheetLines:
             )
         elif not self.points and not self.parameters and not self.faults:
             self.faults.append(
-                head.fault("the sheet contains no points and no parameters (cut short?)")
+                head.fault("the sheet contains no points and no parameters (cut off?)")
             )
         values = self.comments.get("value", "")
         if values not in {"error", "correction"}:

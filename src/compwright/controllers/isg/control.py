@@ -73,7 +73,7 @@ class IsgControl:
         return total + (0.0 if direction is axis.home else direction.sign * axis.backlash)
 
     def cross(self) -> tuple[tuple[str, str], ...]:
-        """Return (master, slave) of the active tables between axes. A table of unknown sign is only
+        """Return (master, slave) of the active cross-axis tables. A table of unknown sign is only
         in ``notes``.
         """
         return tuple(self.tables)
@@ -92,8 +92,8 @@ class IsgControl:
         if table is None:
             raise UsageError(
                 Fault(
-                    message=f"the lists contain no table by which axis {input} corrects axis "
-                    f"{output}",
+                    message=f"the lists contain no table that corrects axis {output} over the "
+                    f"position of axis {input}",
                     expected=" or ".join(f"{a} and {b}" for a, b in self.tables)
                     or "an active table kw.crosscomp, and the option cross_values",
                     hint=("correct the entry `cross` of the job, or give the list with this table"),

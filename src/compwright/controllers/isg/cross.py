@@ -35,7 +35,7 @@ DEFAULT_ROOM = 1001
 
 @dataclass(frozen=True, slots=True)
 class CrossTable:
-    """A table between axes: ``positions`` (k,) of ``master``, ascending; corrections ``values``
+    """A cross-axis table: ``positions`` (k,) of ``master``, ascending; corrections ``values``
     (k,) of ``slave``; mm or deg.
     """
 

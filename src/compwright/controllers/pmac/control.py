@@ -85,8 +85,8 @@ class PmacControl:
         if pair is None:
             raise UsageError(
                 Fault(
-                    message=f"the scripts contain no table by which motor {input} corrects "
-                    f"motor {output}",
+                    message=f"the scripts contain no table that corrects motor {output} over the "
+                    f"position of motor {input}",
                     expected=" or ".join(f"{a} and {b}" for a, b in self.tables) or "a table",
                     hint=(
                         "correct the entry `cross` of the job, or give the script with this table"

@@ -154,8 +154,8 @@ class SinumerikControl:
         if pair is None:
             raise UsageError(
                 Fault(
-                    message=f"the files contain no table by which axis {input} corrects axis "
-                    f"{output}",
+                    message=f"the files contain no table that corrects axis {output} over the "
+                    f"position of axis {input}",
                     expected=" or ".join(f"{base} on {corrected}" for base, corrected in crossing)
                     or "cross tables in the files",
                     hint=("correct the entry `cross` of the job, or give the file with this table"),

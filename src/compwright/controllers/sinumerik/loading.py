@@ -181,8 +181,8 @@ def active_files(file: ControlFile) -> Opened:
                 opened.faults.append(
                     Fault(
                         message=(
-                            "the archive contains two different members (files) "
-                            f"{member.name}, and it is unknown which one counts"
+                            f"the archive contains two different members (files) {member.name}, "
+                            "and it is unknown which one is valid"
                         ),
                         file=file.name,
                         place=member.name,
@@ -197,7 +197,7 @@ def active_files(file: ControlFile) -> Opened:
     opened.faults += _contradictions(opened.files)
     opened.faults += [
         Fault(
-            message=f"the archive is cut short: its list names {name}, which is not in it",
+            message=f"the archive is cut off: its list names {name}, which is not in it",
             file=file.name,
             place=name,
             expected="an archive as the control wrote it",
@@ -278,7 +278,7 @@ def _members(file: ControlFile) -> Iterator[_Member]:
         if len(data) < size:
             raise InputError(
                 Fault(
-                    message="the archive is cut short inside its member (file of the archive) "
+                    message="the archive is cut off inside its member (file of the archive) "
                     f"{name}",
                     file=file.name,
                     place=f"byte {start}",

@@ -59,7 +59,7 @@ _LOOK_FIELDS = frozenset(
 )
 #: What the backlash as the control's parameter may say, with the fields of the shape.
 _TYPED_FIELDS = _LOOK_FIELDS | {"backlash", "backlash_unit"}
-#: What the alternative to a table between axes may say.
+#: What the alternative to a cross-axis table may say.
 _INSTEAD_FIELDS = frozenset({"squareness", "input", "output", "shift"})
 _FILE_NAME = re.compile(r"[A-Za-z0-9_.{}-]+")
 _ID = re.compile(r"(?!(?:con|prn|aux|nul|com\d|lpt\d)$)[a-z0-9][a-z0-9_-]{0,63}", re.IGNORECASE)
@@ -175,7 +175,7 @@ def _layout(definition: Definition, rules: ShapeRules) -> Iterator[tuple[KeyPath
                 f"{single} cannot stand alone; known are {', '.join(known)}",
             )
     needed = {*rules.grid, *curves(definition), *singles}
-    if has_cross(definition):  # tables between axes come with all that they need, or not at all
+    if has_cross(definition):  # cross-axis tables come with all that they need, or not at all
         needed |= set(CROSS)
     for name in sorted(needed - set(definition.bindings)):
         yield ("bindings",), f"the layout needs the quantity {name}"

@@ -150,7 +150,7 @@ Predicate = Literal[
     "cross_points",
 ]
 #: When a file belongs to the set: always, with one table for both directions, with one for each,
-#: for tables between two axes.
+#: for cross-axis tables.
 When = Literal["always", "one_curve", "two_curves", "cross"]
 #: What a table of an axis that is programmed in diameter counts in.
 DiameterTables = Literal["radius", "unconfirmed"]

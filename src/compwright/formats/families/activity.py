@@ -1,7 +1,7 @@
 """Decide whether tables were active, if the control's files switch them off or do not state it.
 
 The job's answer (`active`) holds only for what the files leave open. A table that the files end
-with switched on was active. A table between axes that they switch off was not active if the
+with switched on was active. A cross-axis table that they switch off was not active if the
 leadscrew table of its axis was on: one answer never covers two mechanisms.
 """
 
@@ -91,10 +91,10 @@ class Activity:
                     file=place.occurrence.file if place is not None else "",
                     place=place.occurrence.place if place is not None else "",
                     expected=(
-                        "states: {as_found: {files: [...], active: yes}} or active: "
-                        "no (without a job: --option active=yes); this answer applies to "
-                        "all tables in question: if some were on and others off, give the "
-                        "files with their switches as they were"
+                        "states: {as_found: {files: [...], active: yes}} or active: no (without "
+                        "a job: --option active=yes); the answer applies to all these tables; "
+                        "if some were on and others off, give the files with their switches as "
+                        "they were during the test"
                     ),
                     found="no answer",
                     hint=(

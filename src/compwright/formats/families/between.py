@@ -15,7 +15,7 @@ from compwright.records.correction import ControlFile, ControlState
 from compwright.records.plan import PlannedCross
 from compwright.words.sentences import ControlText, Sentence, SentenceText, control_text, say
 
-#: A shift of the whole axis by a table between axes is reported from this size on, mm or deg.
+#: A shift of the whole axis by a cross-axis table is reported from this size on, mm or deg.
 _NO_SHIFT = 2e-6
 
 
@@ -118,7 +118,7 @@ def cannot_hold(entry: PlannedCross, why: str) -> Between:
 
 
 def alternative_answer(definition: Definition, planned: Iterable[PlannedCross]) -> Between:
-    """Return the alternative in the definition of a control without tables between axes.
+    """Return the alternative in the definition of a control without cross-axis tables.
 
     The text may contain the angle to be removed by kinematics (``{squareness}``, rad), the axes
     (``{input}`` and ``{output}``, lower case), and the shift this also causes (``{shift}``): the

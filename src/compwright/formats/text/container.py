@@ -152,8 +152,8 @@ def opened(file: ControlFile) -> tuple[Container | None, tuple[Fault, ...]]:
                     file,
                     member.start - _BLOCK,
                     (
-                        f"contains {member.name} twice, and the two differ: which one counts is not"
-                        " known"
+                        f"contains {member.name} twice, and the two differ: which one is valid"
+                        " is not known"
                     ),
                     expected="an archive made anew by the control",
                 )

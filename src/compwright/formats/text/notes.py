@@ -28,7 +28,7 @@ EXPORT_AGAIN: Final = (
 )
 ADD_FILE: Final = "give the file that contains it with the control's other files"
 KEEP_ONE: Final = (
-    "give only the file that is in the control now: take the other one out of the files of the"
+    "give only the file that is in the control now: remove the other one from the files of the"
     " state; within one file, export it from the control again"
 )
 CORRECT_TRAVEL: Final = (

@@ -201,7 +201,7 @@ def _in_the_way(
             )
             yield Fault(
                 message=(
-                    "everything in this folder is loaded or passed on, but this file is "
+                    "everything in this folder is loaded or passed on later, but this file is "
                     "not one that the command writes"
                 ),
                 file=str(path),

@@ -23,9 +23,9 @@ SENTENCES: Final[dict[str, str]] = {
         " the difference of their scales is given"
     ),
     "CW-D004": (
-        "at {feed:g} mm/min a soft position loop makes the circle up to {most:.1f} µm smaller."
-        " The scale of single axes is therefore uncertain by {doubt:.0f} µm/m. A second test at a"
-        " low feed removes this doubt"
+        "at {feed:g} mm/min a position loop with low gain (Kv) makes the circle up to"
+        " {most:.1f} µm smaller. The scale of single axes is therefore uncertain by {doubt:.0f}"
+        " µm/m. A second test at a low feed removes this doubt"
     ),
     "CW-D005.none": (
         "axis {name} does not reverse on this arc. Its lost motion, lateral play and reversal"
@@ -46,14 +46,14 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-D009": (
         "the samples show only periods of {least:3sig} to {most:g} mm, so an error of period"
-        " {period:g} mm along axis {axis} stays unseen"
+        " {period:g} mm along axis {axis} cannot be seen"
     ),
     "CW-D010": (
         "a part of the deviation, {rms:2sig} µm rms, has a shape that no known cause explains."
         " The standard errors allow for this"
     ),
     "CW-D011": (
-        "the axes reverse {lag:.1f} ± {error:.1f} ms after their commands; the angles were"
+        "the axes reverse {lag:.1f} ± {error:.1f} ms later than commanded; the angles were"
         " corrected for this delay"
     ),
     "CW-E001": (
@@ -166,11 +166,11 @@ SENTENCES: Final[dict[str, str]] = {
         " reference runs and the mounting of the instrument between runs"
     ),
     "CW-E022.seldom": (
-        "{pattern:choose|traverses=Single runs deviate from the others|runs=Single runs, out and"
-        " back together, deviate from the others|walk=The zero point jumps now and then, and"
+        "{pattern:choose|traverses=Single runs deviate from the others|runs=Single runs, out"
+        " and back together, deviate from the others|walk=The zero point jumps now and then, and"
         " stays there,} by {size} (standard deviation; {odds}){where:if|, {where:and}}. Check"
         " warm-up, clamping, reference runs and the mounting of the instrument between runs. The"
-        " prediction assumes shifts of this size in the next test, as seldom"
+        " prediction assumes that such shifts are as rare in the next test"
     ),
     "CW-E023": (
         "The scale changes from run to run: the ends of the travel move by {tilt} relative to its"
@@ -191,12 +191,12 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-E026": (
         "The readings scatter by {positive} in + and by {negative} in − ({odds}): look for"
-        " what moves freely in one direction only"
+        " parts that have play in one direction only"
     ),
     "CW-E027": (
         "The scatter of the readings depends on the position ({odds}). It is smallest, {least},"
-        " at {least_at} and largest, {most}, at {most_at}. Look at screw, guides and covers where"
-        " it is largest"
+        " at {least_at} and largest, {most}, at {most_at}. Inspect screw, guides and covers"
+        " where it is largest"
     ),
     "CW-E028": (
         "Test {test} has a different slope from test {other}: the difference is {difference:+.1f}"
@@ -213,17 +213,17 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-E030.jump": (
         "The error jumps by {size} ± {error} between {low:.10g} and {high:.10g} {unit}"
-        " ({sure:if|more than 1000|{odds:2sig}} times as likely as not). Look there at the scale"
+        " ({sure:if|more than 1000|{odds:2sig}} times as likely as not). Inspect the scale there"
         " (damage, dirt, a joint) and its reading head, and check the line count of the encoder."
         " Where exactly the error jumps is unknown: measure between these targets every few mm"
         " before you load a table"
     ),
     "CW-E030.jump_or_target": (
-        "Either the error jumps by {size} ± {error} between {low:.10g} and {high:.10g} {unit}, or"
-        " only the target at {target:.10g} {unit} deviates by so much. Look there at the scale"
-        " (damage, dirt, a joint) and its reading head, and check the line count of the encoder."
-        " Where exactly the error jumps is unknown: measure between these targets every few mm"
-        " before you load a table"
+        "Either the error jumps by {size} ± {error} between {low:.10g} and {high:.10g} {unit},"
+        " or only the target at {target:.10g} {unit} deviates by so much. Inspect the scale"
+        " there (damage, dirt, a joint) and its reading head, and check the line count of the"
+        " encoder. Where exactly the error jumps is unknown: measure between these targets every"
+        " few mm before you load a table"
     ),
     "CW-E031": (
         "To save time, the noise is estimated from {used} of {runs} runs, evenly spaced over the"
@@ -235,7 +235,7 @@ SENTENCES: Final[dict[str, str]] = {
         " {cause}, then measure again"
     ),
     "CW-E032.target": (
-        "check the readings at {target:and} (unit, laser beam interrupted, chips) and look at"
+        "check the readings at {target:and} (unit, laser beam interrupted, chips) and inspect"
         " screw, guides and covers there"
     ),
     "period.cause": (
@@ -253,8 +253,8 @@ SENTENCES: Final[dict[str, str]] = {
         " of such a turn, the pitch of the scale or rack, and a pair of magnets"
     ),
     "period.usual": (
-        "{once:if|look for what turns or repeats once in {period:.5g} {unit}: {once:join|, or"
-        " }|}{twice:if|{once:if|; or for|look for} what does so twice in {double:.5g} {unit}:"
-        " {twice:join|, or }|}"
+        "{once:if|look for a part that turns or repeats once in {period:.5g} {unit}:"
+        " {once:join|, or }|}{twice:if|{once:if|; or for|look for} a part that does so twice in"
+        " {double:.5g} {unit}: {twice:join|, or }|}"
     ),
 }

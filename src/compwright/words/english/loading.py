@@ -42,25 +42,27 @@ SENTENCES: Final[dict[str, str]] = {
         " and verdict use the same values."
     ),
     "CW-V023.axis": (
-        "Axis {axis} was not measured after loading, so nothing is proven for it. Measure it as"
-        " for the test {test}."
+        "Axis {axis} was not measured after loading, so the result is not proven for it."
+        " Measure it as for the test {test}."
     ),
     "CW-V023.circle": (
-        "Circle {circle} has limits and was not measured after loading, so nothing is proven for"
-        " it. Measure it again and give it as --after {circle}=FILE."
+        "Circle {circle} has limits and was not measured after loading, so the result is not"
+        " proven for it. Measure it again and give it as --after {circle}=FILE."
     ),
     "CW-V023.scale": (
         "The scale of axis {axis} came from circles, and none was measured after loading, so"
-        " nothing is proven for it. Measure the circle {circles:if|{circles:join| or }|of this"
-        " plane} again."
+        " the result is not proven for it. Measure the circle {circles:if|{circles:join| or }|of"
+        " this plane} again."
     ),
     "CW-V023.squareness": (
-        "The squareness of {plane} was corrected and not measured after loading, so nothing is"
-        " proven for it. Measure the circle {circles:if|{circles:join| or }|of this plane} again."
+        "The squareness of {plane} was corrected and not measured after loading, so the result"
+        " is not proven for it. Measure the circle {circles:if|{circles:join| or }|of this"
+        " plane} again."
     ),
     "CW-V023.test": (
         "The limits of axis {axis} are for the test {meant}, and {measured} was measured, so"
-        " nothing is proven for them. Measure as for {meant} and give it as --after {meant}=FILE."
+        " the result is not proven for them. Measure as for {meant} and give it as --after"
+        " {meant}=FILE."
     ),
     "CW-V024": (
         "The test after loading has a doubt ({code}): {finding} Remove its cause, or measure again."

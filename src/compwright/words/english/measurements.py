@@ -43,7 +43,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-R012": (
         "These targets are almost the same, and no run has readings at both: {targets}. If they"
-        " mean one target, give it the same number in all rows."
+        " are the same target, give it the same number in all rows."
     ),
     "CW-R012.pair": "{low:.10g} and {high}",
     "CW-R013": (
@@ -99,8 +99,8 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-R038": "{files:and} were taken as the two directions of one test.",
     "CW-R039": (
         "The other direction may be in {files}, but it is not certain which files belong"
-        " together, so none were joined. Evaluate one pair at a time, or give the files of a pair"
-        " names that differ only by ccw and cw."
+        " together, so no files were combined. Evaluate one pair at a time, or give the files of"
+        " a pair names that differ only by ccw and cw."
     ),
     "CW-R050": (
         "In this test in two directions, these targets were approached in one direction only and"
@@ -120,8 +120,9 @@ SENTENCES: Final[dict[str, str]] = {
         " compare with the instrument."
     ),
     "CW-R053.header": (
-        "By its key {key} the file has {promised} {what:choose|targets=targets|runs=runs}, but"
-        " it contains {found}. It may have been cut off: compare with the instrument."
+        "According to its key {key} the file has {promised}"
+        " {what:choose|targets=targets|runs=runs}, but it contains {found}. It may have been cut"
+        " off: compare with the instrument."
     ),
     "CW-R053.last_run": (
         "The last rows belong to run {run}, which lacks {lacking} of {readings} readings, while"
@@ -142,8 +143,8 @@ SENTENCES: Final[dict[str, str]] = {
         " with the instrument."
     ),
     "CW-R053.run_count": (
-        "By its key Run-count the file has {promised} runs, but it contains {found}. Either the"
-        " file was cut off, or the test was stopped. Compare with the instrument."
+        "According to its key Run-count the file has {promised} runs, but it contains {found}."
+        " Either the file was cut off, or the test was stopped. Compare with the instrument."
     ),
     "CW-R053.share": (
         "{share:.0%} of the readings are missing. Either the file was cut off, or rows were lost."
@@ -156,7 +157,7 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-R055": (
         "Even runs were taken as the way back (direction {back}), only because of their number:"
         " the rows of run {run} are in the same order as those of run 1. If all runs of the test"
-        " went the same way, its reversal and backlash values mean nothing."
+        " went the same way, its reversal and backlash values are meaningless."
     ),
     "CW-R056": (
         "The file does not state the unit of its deviations, so microradian was assumed. The"
@@ -177,7 +178,7 @@ SENTENCES: Final[dict[str, str]] = {
         "Rows without a number in the column {column} were left out: line {lines}{more:if|"
         " and {more} more}."
     ),
-    "CW-R060": "Read{by:if| by {by}}: {readings:join|; }.",
+    "CW-R060": "How the file was read{by:if| (by {by})}: {readings:join|; }.",
     "CW-R061.sheets": "Sheets that were left out: {sheets}{more:if|, ..}.",
     "CW-R061.tests": (
         "Tests in the same file without an axis were left out: {tests}. Only {used} is used."

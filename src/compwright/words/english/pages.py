@@ -107,7 +107,7 @@ SENTENCES: Final[dict[str, str]] = {
         " {files} (job, states.{state})"
     ),
     "given.compensation_loaded": (
-        "on, as loaded after the run of this job; what the test shows of it: see Loading"
+        "on, as loaded after the run of this job; section Loading states what the test shows"
     ),
     "given.compensation_none": "off: nothing was active in the control (job, states.{state})",
     "given.estimator": (
@@ -164,7 +164,9 @@ SENTENCES: Final[dict[str, str]] = {
         " in the control now. Scatter alone, without any error of the axis, would give {least}"
         " {unit}: no table can make it smaller."
     ),
-    "period.alike": "These targets cannot tell apart: {periods} {unit}.",
+    "period.alike": (
+        "At these targets the following periods cannot be distinguished: {periods} {unit}."
+    ),
     "period.caption": (
         "For each period: how much more likely the readings are with an error of this period than"
         " without it. How usual such a period is on machines is not yet included. Dashed: periods"
@@ -221,7 +223,7 @@ SENTENCES: Final[dict[str, str]] = {
     "report.no_number": "Report without a number",
     "report.not_conform": "The machine does not conform to every limit of the table above.",
     "report.number": "Report number",
-    "report.open_sections": "Only open sections are printed.",
+    "report.open_sections": "Only sections that are open on this page are printed.",
     "report.operator": "Operator",
     "report.other_findings": "Other findings",
     "report.page": "Page",

@@ -14,7 +14,8 @@ SENTENCES: Final[dict[str, str]] = {
     "between.squareness": "squareness of {output} over {input} ({slope:+.1f} µm/m)",
     "compared_not_removed": "{parameters:join|; }. Nothing was removed from the result.",
     "direct_squareness": (
-        "{input} and {output}: squareness {squareness:+.1f} µm/m by the direct measurement"
+        "{input} and {output}: squareness {squareness:+.1f} µm/m according to the direct"
+        " measurement"
     ),
     "doubts.acknowledged": "Acknowledged in the job: {reason}. {message}",
     "doubts.first": "Check first: the result depends on it",
@@ -43,7 +44,7 @@ SENTENCES: Final[dict[str, str]] = {
         " only your own definition says what these files do"
     ),
     "reading_off": "{traverse} at {target} (deviates by {off})",
-    "scale_by": "{axis}: scale {scale} by {tests:join|; }",
+    "scale_by": "{axis}: scale {scale} according to {tests:join|; }",
     "traverse": "run {run} in {direction}",
     "undetermined.bar": (
         "the length of the bar was not calibrated: give a calibrated length, or measure the"

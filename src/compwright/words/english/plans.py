@@ -48,8 +48,9 @@ SENTENCES: Final[dict[str, str]] = {
         " points it differs from the wanted correction by up to {missed:2sig} µm."
     ),
     "CW-P104": (
-        "{measured}, but {circle} by {tests}. The two contradict each other. The direct"
-        " measurement is corrected: check its sign, and repeat the measurement that is wrong."
+        "{measured}, but {circle} according to {tests}. The two contradict each other. The"
+        " direct measurement is corrected: check its sign, and repeat the measurement that is"
+        " wrong."
     ),
     "CW-P105": "{measured}. {tests} confirms it ({circle}).",
     "CW-P106.no_circle": (
@@ -63,13 +64,13 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P107": "Plane {plane}: the squareness is {angle_words}. There is nothing to correct.",
     "CW-P108": (
-        "Plane {plane}: the squareness is {squareness} by {tests}. It is not corrected, because"
-        " the job does not ask for it: add apply.squareness.{plane} with the axis to be"
-        " corrected."
+        "Plane {plane}: the squareness is {squareness} according to {tests}. It is not"
+        " corrected, because the job does not ask for it: add apply.squareness.{plane} with the"
+        " axis to be corrected."
     ),
     "CW-P109": (
-        "{plane}: the squareness is {squareness} by {tests}. To correct it, axis {output} is"
-        " moved as a function of axis {input}."
+        "{plane}: the squareness is {squareness} according to {tests}. To correct it, axis"
+        " {output} is moved as a function of axis {input}."
     ),
     "CW-P110": (
         "Plane {plane}: the circles contradict each other about the squareness (µm/m: {values})."
@@ -107,17 +108,17 @@ SENTENCES: Final[dict[str, str]] = {
         " {values:choose|correction=corrections|error=errors}; their sign is unconfirmed."
     ),
     "CW-P114": (
-        "{axis}: laser and circle disagree about the lost motion. It is {laser} by the laser, and"
-        " {circle} by {test}, measured in motion. The value of the"
+        "{axis}: laser and circle disagree about the lost motion. It is {laser} according to"
+        " the laser, and {circle} according to {test}, measured in motion. The value of the"
         " {counts:choose|circle=circle|laser=laser} is used."
     ),
     "CW-P115": (
-        "{axis}: laser and circle disagree about the scale. It is {laser} by the laser and"
-        " {circle} by {test}. The value of the laser is used."
+        "{axis}: laser and circle disagree about the scale. It is {laser} according to the"
+        " laser and {circle} according to {test}. The value of the laser is used."
     ),
     "CW-P116": (
-        "Scale of {pair}: laser and circle disagree. It is {laser} by the laser and {circle} by"
-        " {test}. The value of the laser is used."
+        "Scale of {pair}: laser and circle disagree. It is {laser} according to the laser and"
+        " {circle} according to {test}. The value of the laser is used."
     ),
     "CW-P117": (
         "{axis}: the lost motion is taken from the circles. It differs from the laser's value by"
@@ -140,8 +141,11 @@ SENTENCES: Final[dict[str, str]] = {
         "at the feed of {circle} the lag of the axes may make the circle smaller by {lag:.0f}"
         " µm/m (measure at a low feed, at two feeds, or the other axis with a laser)"
     ),
-    "CW-P119.low_feed": "{circle} at a low feed",
-    "CW-P119.mismatch": "the scale mismatch of {circle} and the laser on {axis}",
+    "CW-P119.low_feed": "circular test {circle} at a low feed",
+    "CW-P119.mismatch": (
+        "the scale of axis {axis} by laser, and the scale difference of the two"
+        " axes in circular test {circle}"
+    ),
     "CW-P119.not_calibrated": (
         "the bar of {circle} was not calibrated, and its other axis has no positioning test"
     ),

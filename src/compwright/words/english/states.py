@@ -68,8 +68,8 @@ SENTENCES: Final[dict[str, str]] = {
         "The control does not load {file}: the start-up list does not name this file"
     ),
     "CW-S013": (
-        "{file}, line {line}: no manual shows a line of this form. It was read all the same"
-        " ({lines} {lines:plural|line|lines} of the file)"
+        "{file}, line {line}: no manual shows a line of this form. It was read nevertheless:"
+        " check it ({lines} {lines:plural|line|lines} of the file)"
     ),
     "CW-S014": (
         "axes {addresses:and} share the compensation point numbers {first} to {last}. A change"
@@ -96,7 +96,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-S019": (
         "{label}: the axis is programmed in diameter (1006#3). Positions, interval and"
-        " corrections are taken as radius values; this is unconfirmed. The usual fault is a"
+        " corrections are taken as radius values; this is unconfirmed. A usual error here is a"
         " factor of 2, so check the correction at one position after loading"
     ),
     "CW-S030": "axes {leading} and {partner} form a gantry, but their corrections differ",
@@ -106,8 +106,8 @@ SENTENCES: Final[dict[str, str]] = {
         " one of them alone twists the gantry"
     ),
     "CW-S031.single": (
-        "axes {axis} and {other} have the same table. By the control's files axis {axis} belongs"
-        " to no gantry"
+        "axes {axis} and {other} have the same table. According to the control's files axis"
+        " {axis} belongs to no gantry"
     ),
     "CW-S032": "{label}: all values and the grid are zero. This means that there is no table",
     "CW-S033.ends": (
@@ -159,9 +159,10 @@ SENTENCES: Final[dict[str, str]] = {
         " Check 1013 on the control's display before you load"
     ),
     "CW-S044": (
-        "{label}: the axis returns to its reference position in the direction {files} by 1006#5,"
-        " but {job} by the job. The job is used: with one table for both directions only the zero"
-        " point shifts, by the backlash. With two tables such a contradiction is refused"
+        "{label}: the axis returns to its reference position in the direction {files} according"
+        " to 1006#5, but {job} according to the job. The job is used: with one table for both"
+        " directions only the zero point shifts, by the backlash. With two tables such a"
+        " contradiction is refused"
     ),
     "CW-S045": (
         "{label}: the travel of the job goes {outside:g} {unit} beyond the axis limits of the"
@@ -189,8 +190,8 @@ SENTENCES: Final[dict[str, str]] = {
         " the screw"
     ),
     "CW-S049.suggested": (
-        "{label}: by the control's files one turn of the motor moves the axis by {lead:g} {unit}"
-        " ({evidence}). Errors may repeat with this period"
+        "{label}: according to the control's files one turn of the motor moves the axis by"
+        " {lead:g} {unit} ({evidence}). Errors may repeat with this period"
     ),
     "CW-S050.cec": (
         "{label} corrects {output} over {input}. It is left as it is: {why}. {active:if|It is"
@@ -221,10 +222,10 @@ SENTENCES: Final[dict[str, str]] = {
         " values are 0, so they correct nothing"
     ),
     "CW-S055": (
-        "The values of CEC tables are shown as if a positive value moved the axis in +. By"
-        " Siemens' manual (Extended Functions 03/2009, page 372) a positive value moves the axis"
-        " in −, the opposite. Make the check of the sign on the card, then give the option"
-        " cec_sign"
+        "The values of CEC tables are shown as if a positive value moved the axis in +."
+        " According to Siemens' manual (Extended Functions 03/2009, page 372) a positive value"
+        " moves the axis in −, the opposite. Make the check of the sign on the card, then give"
+        " the option cec_sign"
     ),
     "CW-S056": (
         "axis {axis}: {period:if|the existing table repeats every {period:g}, but the job gives"
@@ -272,16 +273,16 @@ SENTENCES: Final[dict[str, str]] = {
         " compare them with the control's display"
     ),
     "CW-S073": (
-        "{file}: by the job the control never ran this file (active: no). Its tables and backlash"
-        " values count as not loaded"
+        "{file}: according to the job the control never ran this file (active: no). Its tables"
+        " and backlash values count as not loaded"
     ),
     "CW-S080": (
         "{files}: what {what} makes the control do cannot be worked out ({faults}). Only the"
         " entries of the files are compared"
     ),
     "CW-S081": (
-        "{files}: compwright reads such files in two independent ways. Only one of them could"
-        " read these corrections; the other one reports: {why}"
+        "{files}: compwright reads such files with two independent readers. Only one of them"
+        " could read these corrections; the other one reports: {why}"
     ),
     "CW-S082": "{files}: these files contain no data of the control and are not compared: {idle}",
     "CW-S083.new": (

@@ -76,7 +76,7 @@ SENTENCES: Final[dict[str, str]] = {
         " {unit} apart: {reason}. The control has worked with these points so far. To get a"
         " spacing that is wide enough, set table.spacing: auto"
     ),
-    "mode.one_asked": "One table and one reversal value, as the job asks",
+    "mode.one_asked": "One table and one reversal value, as requested in the job",
     "mode.one_constant": (
         "One table and one constant difference between the directions: the wanted correction"
         " does not vary more than this along the travel (evidence, as natural logarithm of the"
@@ -90,11 +90,11 @@ SENTENCES: Final[dict[str, str]] = {
         "One table and one reversal value: the control has one table for both directions"
     ),
     "mode.one_unless_asked": (
-        "One table and one reversal value: two tables are made only if the job asks for them"
+        "One table and one reversal value: two tables are made only if the job requests them"
         " (mode: bidirectional)"
     ),
     "mode.slope": "One slope and one reversal value: the control has no table",
-    "mode.two_asked": "Two tables, as the job asks",
+    "mode.two_asked": "Two tables, as requested in the job",
     "mode.two_cost": (
         "Two tables: one constant difference between the directions would leave {cost} rms more"
     ),

@@ -223,8 +223,7 @@ SENTENCES: Final[dict[str, str]] = {
         " drift."
     ),
     "CW-T025.change": (
-        "that of the {of:choose|scale=scale|workpiece=workpiece|instrument=instrument} by"
-        " {kelvin:+2sig} K"
+        "{of:choose|scale=scale|workpiece=workpiece|instrument=instrument} {kelvin:+2sig} K"
     ),
     "CW-T026.whole": (
         "The environmental variation E_VE is {E_VE}: the largest range of {file} within all of"
@@ -265,8 +264,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-T030.certain": "The readings cannot be right: {why}. Check their unit.",
     "CW-T030.small": (
-        "All readings lie within {spread}. Few machines are so accurate: check the unit of the"
-        " readings."
+        "All readings lie within {spread}. Few machines are this accurate: check the unit of"
+        " the readings."
     ),
     "CW-T030.unit": (
         "The readings were read as {read_as}, but their unit is probably {unit} ({odds:odds}"

@@ -287,7 +287,7 @@ def _differing(found: Mapping[str, str]) -> dict[str, str]:
 
 
 def _other_tables_between(job: Job, states: Mapping[str, DecodedState]) -> Iterator[Fault]:
-    """Yield a fault where tables between axes differ between a circle's state and the present one
+    """Yield a fault where cross-axis tables differ between a circle's state and the present one
     and cannot be computed.
     """
     now = states.get(AS_FOUND)

@@ -52,7 +52,7 @@ def card_document(
     """Return the card of a run as plain data, values in µm or arcsec.
 
     ``entered``: the control's own files as patched, and new ones; ``back``: small files that bring
-    the old values back; ``between``: the tables between axes; ``harmful``: what some of the files
+    the old values back; ``between``: the cross-axis tables; ``harmful``: what some of the files
     do without the others.
     """
     written = {name: work for name, work in works.items() if work.planned.fitted is not None}

@@ -107,7 +107,7 @@ def _check_count(sheet: EntrySheet, found: int, faults: list[Fault]) -> None:
         faults.append(
             Fault(
                 message="the entry sheet contains fewer points than it states, so it may have "
-                "been cut short",
+                "been cut off",
                 file=sheet.name,
                 place=place,
                 expected=text[:60],

@@ -2,7 +2,7 @@
 positions.
 
 The form of positions and values in a file is a shape (`tables`), one module each. `pairs` extends
-this family by tables between axes; nothing here depends on it.
+this family by cross-axis tables; nothing here depends on it.
 """
 
 from __future__ import annotations
@@ -105,7 +105,7 @@ class GridFamily(Family):
         return GridLimits(self, axis).capacity()
 
     def between(self, request: BetweenRequest) -> Between:
-        """Return that the control has no tables between axes; arguments as those of
+        """Return that the control has no cross-axis tables; arguments as those of
         `Family.between`.
         """
         return alternative_answer(self.definition, request.planned)

@@ -160,7 +160,7 @@ class GridReader:
         return list(dict.fromkeys((*self.mentioned, *self.tables.named())))
 
     def between(self) -> Collection[str]:
-        """Return the axes of tables between axes. Empty: these files contain no such table."""
+        """Return the axes of cross-axis tables. Empty: these files contain no such table."""
         return ()
 
     def couplings(self) -> Sequence[Coupling]:
@@ -182,7 +182,7 @@ class GridReader:
         return ()
 
     def pair_tables(self) -> PairTables:
-        """Return the tables between axes in the files."""
+        """Return the cross-axis tables in the files."""
         return PairTables()
 
     def active_lines(self) -> dict[str, FoundValue]:

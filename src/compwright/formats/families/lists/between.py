@@ -32,7 +32,7 @@ _STRAIGHT = 1e-9
 
 
 def lists_between(family: Family, request: BetweenRequest) -> Between:
-    """Return the lists with the tables between axes and the loading steps, or why the control
+    """Return the lists with the cross-axis tables and the loading steps, or why the control
     cannot hold them. Raises UsageError.
     """
     signs = {entry.output: _sign(family, request, entry) for entry in request.planned}
@@ -126,8 +126,8 @@ def _write(
         found = str(positions.size)
         raise CapacityError(
             Fault(
-                message=f"the table by which axis {added.input} corrects axis {added.output} "
-                "has too many points",
+                message=f"the table that corrects axis {added.output} over the position of axis "
+                f"{added.input} has too many points",
                 expected=f"at most {room}",
                 found=found,
                 hint="give fewer points in this entry of `cross`",

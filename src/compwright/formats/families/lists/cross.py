@@ -16,7 +16,7 @@ from compwright.records.correction import CrossCompensation
 
 #: The option that says what the values are; no page does.
 CROSS_VALUES = "cross_values"
-#: Entries of a table between axes where the list does not say how many there is room for.
+#: Entries of a cross-axis table where the list does not say how many there is room for.
 CROSS_ROOM = 1001
 #: Every statement of such a table.
 CROSS_STATEMENTS = (
@@ -79,7 +79,7 @@ def read_cross(
 
 
 def left_out(notes: Notes, label: str, why: str) -> None:
-    """Note a table between axes that stays unchanged."""
+    """Note a cross-axis table that stays unchanged."""
     notes.find("CW-S050.list", "warning", label=label, why=why)
 
 

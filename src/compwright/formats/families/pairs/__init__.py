@@ -1,1 +1,1 @@
-"""Extension of the grid family: tables between axes, and tables of an axis over itself."""
+"""Extension of the grid family: cross-axis tables, and tables of an axis over itself."""

@@ -215,7 +215,7 @@ _OWN = "own files/"
 
 
 def pairs_between(family: Family, request: BetweenRequest, *, small: bool) -> Between:
-    """Return the tables between axes with the loading steps, or why the control has no room for
+    """Return the cross-axis tables with the loading steps, or why the control has no room for
     them.
 
     ``small``: the result is delivered in small files.
@@ -273,7 +273,7 @@ def _steps(
     before: ControlState,
     after: ControlState,
 ) -> list[dict[str, str]]:
-    """Return the loading steps of new tables between two axes: sign first, then the data, the
+    """Return the loading steps of new cross-axis tables: sign first, then the data, the
     switches last.
 
     Existing tables of the same axes belong to others, and stay unchanged.

@@ -1,4 +1,4 @@
-"""The existing tables between axes in the control's own files, to which new ones are added."""
+"""The existing cross-axis tables in the control's own files, to which new ones are added."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from compwright.foundations.errors import Fault
 
 
 class ExistingTables:
-    """The tables between axes of one control. ``own``: its files, None if no file is patched.
+    """The cross-axis tables of one control. ``own``: its files, None if no file is patched.
 
     ``allowed``: indices that may be written; ``in_use``: input and output axis of every existing
     table; ``kept``: the indices of compwright's own tables; ``stay``: those over an axis itself

@@ -1,4 +1,4 @@
-"""Family of tables between axes in addition to those of a grid: an axis over itself, or over
+"""Family of cross-axis tables in addition to those of a grid: an axis over itself, or over
 another axis.
 """
 
@@ -53,7 +53,7 @@ from compwright.words.sentences import control_text, unconfirmed
 
 
 def with_sign_unknown(state: ControlState) -> ControlState:
-    """Return a state with the note that the sign of its tables between axes is unknown. They were
+    """Return a state with the note that the sign of its cross-axis tables is unknown. They were
     read as corrections.
     """
     if not state.tables.used:
@@ -82,7 +82,7 @@ _LISTING = "a listing with decimal commas, which the control does not take"
 
 
 def _shown(control: Family) -> Family:
-    """Return the control that shows tables between axes as corrections if their sign is unknown."""
+    """Return the control that shows cross-axis tables as corrections if their sign is unknown."""
     if control.options.get("cec_sign", "") is not None:
         return control
     shown = PairsFamily(control.definition, {**control.options, "cec_sign": "correction"})
@@ -104,7 +104,7 @@ def _alone(control: Family, files: Sequence[ControlFile]) -> Sequence[str]:
 
 
 class PairsFamily(GridFamily):
-    """A grid with tables between axes.
+    """A grid with cross-axis tables.
 
     ``sign_assumed``: its files are only shown, and the sign of these tables is unknown.
     """
@@ -247,7 +247,7 @@ class PairsFamily(GridFamily):
         return PairLimits(self, axis).capacity()
 
     def between(self, request: BetweenRequest) -> Between:
-        """Return separate tables between axes, if the control has them; arguments as those of
+        """Return separate cross-axis tables, if the control has them; arguments as those of
         `Family.between`.
         """
         if not available(self.options):

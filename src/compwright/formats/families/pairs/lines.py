@@ -1,4 +1,4 @@
-"""Read the values of one table between axes, and decide whether it is active."""
+"""Read the values of one cross-axis table, and decide whether it is active."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Options for tables between axes: whether there are any, which may be written, the meaning of
+"""Options for cross-axis tables: whether there are any, which may be written, the meaning of
 their values.
 """
 
@@ -28,7 +28,7 @@ _SIGN_CHECK = (
 
 
 def available(options: Mapping[str, object]) -> bool:
-    """Return whether the control has tables between axes, by its option ``cec``."""
+    """Return whether the control has cross-axis tables, by its option ``cec``."""
     return options.get("cec") == "available"
 
 
@@ -154,7 +154,7 @@ def too_few(name: str, format_id: str, needed: int, found: int, allowed: tuple[i
 def unit_unknown(
     control: Family, label: str, output: str, kinds: Iterable[AxisKind]
 ) -> Iterator[Fault]:
-    """Yield why a table between axes that corrects ``output`` is not written: its unit is inch or
+    """Yield why a cross-axis table that corrects ``output`` is not written: its unit is inch or
     unknown.
 
     These ``kinds``; the control works in inch and no file states their unit.
@@ -178,7 +178,7 @@ def unit_unknown(
 
 
 def scale_of_pairs(control: Family, kind: AxisKind) -> NumberScale:
-    """Return unit, sign and resolution of a table between axes.
+    """Return unit, sign and resolution of a cross-axis table.
 
     If the sign is not known, its structure can still be read.
     """

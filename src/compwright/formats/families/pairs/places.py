@@ -1,4 +1,4 @@
-"""The places of tables between axes in the control's files, by index and quantity."""
+"""The places of cross-axis tables in the control's files, by index and quantity."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ Places = Mapping[str, Sequence[FoundValue]]
 
 
 def as_table(definition: Definition) -> Definition:
-    """Return the definition with its tables between axes described as tables on one axis, so that
+    """Return the definition with its cross-axis tables described as tables on one axis, so that
     the same code reads them.
     """
     bindings = {

@@ -296,8 +296,8 @@ def _called_late(
         if concerns(value) and value_of(value).upper() != value_of(other).upper():
             yield Fault(
                 message=(
-                    f"this line assigns the same entry as {other_file}, line {other.line}, "
-                    "and the value that counts depends on the order of the programs"
+                    f"this line assigns the same entry as {other_file}, line {other.line}, and "
+                    "the value that is valid depends on the order of the programs"
                 ),
                 file=file,
                 place=f"line {value.line}",

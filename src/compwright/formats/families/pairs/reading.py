@@ -1,4 +1,4 @@
-"""Read the tables between axes (SINUMERIK CEC) from the control's files as curves.
+"""Read the cross-axis tables (SINUMERIK CEC) from the control's files as curves.
 
 A pair of tables with one input and output axis, one for each direction, is how such a control holds
 a reversal that varies. Active tables of one pair of axes add up; one that is multiplied by another
@@ -83,7 +83,7 @@ def _largest(places: Places) -> float:
 
 
 class CecReader(SingleValues):
-    """Reads the tables between axes. Faults are added to ``notes``.
+    """Reads the cross-axis tables. Faults are added to ``notes``.
 
     ``scale``: that of a table on one axis (`places.as_table`). ``wanted``: the axes under work
     (none: all). ``units``: units of the numbers. Some tables cannot be read as a curve: the range
@@ -115,7 +115,7 @@ class CecReader(SingleValues):
         self.quiet: list[int] = []
 
     def read(self) -> Cec:
-        """Return all tables between axes in the files."""
+        """Return all cross-axis tables in the files."""
         places = self.places
         tables = [self._table(index, found) for index, found in places.items()]
         self._note_empty()
@@ -240,7 +240,7 @@ class CecReader(SingleValues):
 
 
 class _CrossTableReader(TableLines):
-    """Reads one table between axes."""
+    """Reads one cross-axis table."""
 
     @property
     def damaged(self) -> bool:

@@ -259,7 +259,7 @@ class SmallFiles:
                 return
 
     def _tables(self) -> dict[str, list[Key]]:
-        """Return the entries of each table between axes."""
+        """Return the entries of each cross-axis table."""
         tables: dict[str, list[Key]] = {}
         for key in self.new.entries:
             table = self._table(key)

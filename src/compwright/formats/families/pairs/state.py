@@ -1,4 +1,4 @@
-"""Read a control's own files with tables between axes as compensation of the axes, and between
+"""Read a control's own files with cross-axis tables as compensation of the axes, and between
 them.
 
 Values in two members of a commissioning archive must agree.
@@ -48,7 +48,7 @@ from compwright.records.facts import PairTables
 
 
 class PairsReader(GridReader):
-    """Reads the files of a control, tables between axes included."""
+    """Reads the files of a control, cross-axis tables included."""
 
     export_instead = (
         "the tables and the machine data as text (AX_EEC.INI, NC_CEC.INI, INITIAL.INI), or the"
@@ -114,7 +114,7 @@ class PairsReader(GridReader):
         return couplings_of(texts, self.gathered.axis, list(self.wanted))
 
     def between(self) -> Collection[str]:
-        """Return both axes of each table between axes."""
+        """Return both axes of each cross-axis table."""
         return {
             name for table in self.cec.tables if table.input != table.output for name in table.pair
         }
@@ -193,7 +193,7 @@ class PairsReader(GridReader):
         return ()
 
     def pair_tables(self) -> PairTables:
-        """Return which tables between axes the files contain."""
+        """Return which cross-axis tables the files contain."""
         return PairTables(self.cec.occupied, self.cec.reserved, self.cec.stay())
 
     def active_lines(self) -> dict[str, FoundValue]:

@@ -1,4 +1,4 @@
-"""Add the tables between axes (SINUMERIK CEC) of each axis pair to one curve, within the control's
+"""Add the cross-axis tables (SINUMERIK CEC) of each axis pair to one curve, within the control's
 limit.
 """
 

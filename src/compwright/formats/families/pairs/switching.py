@@ -1,4 +1,4 @@
-"""Switch on new tables between axes in the control's own files, without activating others."""
+"""Switch on new cross-axis tables in the control's own files, without activating others."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The tables between axes in the files, by index, with input axis, output axis and direction."""
+"""The cross-axis tables in the files, by index, with input axis, output axis and direction."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ class OddTable:
 
 @dataclass(frozen=True, slots=True)
 class Cec:
-    """All tables between axes in the files. ``reserved``: points by index; ``max_sum``: by output
+    """All cross-axis tables in the files. ``reserved``: points by index; ``max_sum``: by output
     axis, mm or deg.
 
     ``metric``: by output axis, whether values are in mm.

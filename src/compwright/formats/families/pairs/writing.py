@@ -1,4 +1,4 @@
-"""Write tables between axes (CEC) into the control's files.
+"""Write cross-axis tables (CEC) into the control's files.
 
 Only indices that the option ``cec_tables`` allows are written, and of these only free ones or an
 axis' own pair: tables of the machine's builder stay as they are.

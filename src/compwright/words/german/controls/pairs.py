@@ -1,4 +1,4 @@
-"""Translated texts of controls with tables by index and tables between axes, by the English
+"""Translated texts of controls with tables by index and cross-axis tables, by the English
 template.
 """
 
