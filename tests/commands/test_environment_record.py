@@ -161,7 +161,10 @@ def test_refused_where_the_instrument_did_it(
         (RECORD.replace("2026-11-24T0", "0"), "writes times differently"),
         (RECORD.replace("1013.25", "101325"), "pressure_hpa"),
         (RECORD.replace("1013.25", "101.325"), "pressure_hpa"),
-        (RECORD.replace("material_c", "steel").replace("air_c", "a"), "no record of the environm"),
+        (
+            RECORD.replace("material_c", "steel").replace("air_c", "a"),
+            "not a record of the environm",
+        ),
         (RECORD.replace("09:00:01", "09:00:00"), "given twice"),
         (RECORD.replace("22.0", "71.6"), "material_c"),
         (RECORD.replace("2026-11-24T08:00:00", "early"), "is not a time"),

@@ -469,7 +469,7 @@ def test_a_damaged_record_is_named_and_the_rest_is_shown(
     assert compwright(["history", str(tmp_path)]) == 3
     told = capsys.readouterr()
     assert "bad" in told.err
-    assert "fault of compwright" not in told.err
+    assert "internal error of compwright" not in told.err
     assert "axis X" in told.out
     assert compwright(["history", str(tmp_path / "bad")]) == 3
 

@@ -760,7 +760,7 @@ class TestText:
         assert [fault.place for fault in caught.value.faults[:2]] == ["line 4", "line 13"]
 
     def test_grid_without_points_names_them(self) -> None:
-        with pytest.raises(InputError, match=r"holds no pitch data.*N10037 to 10044"):
+        with pytest.raises(InputError, match=r"contains no pitch data.*N10037 to 10044"):
             control(PARAMETERS)
 
     def test_points_without_a_grid(self) -> None:

@@ -310,10 +310,10 @@ class TestStepsThatDoNotDivide:
 
     def test_max_between_two_points_that_differ(self) -> None:
         values = [0.001] * 9 + [0.002]
-        with pytest.raises(InputError, match=r"no whole number.*differ \(\$AA_ENC_COMP_STEP\)"):
+        with pytest.raises(InputError, match=r"not a whole number.*differ \(\$AA_ENC_COMP_STEP\)"):
             load(self.table(100, values, low=-850, high=0))
         # a point that no file holds may be anything
-        with pytest.raises(InputError, match="no whole number"):
+        with pytest.raises(InputError, match="not a whole number"):
             load(self.table(100, [0.001] * 9, low=-850, high=0))
         assert at(load(self.table(100, [0.0] * 9, low=-850, high=0)), "AX1", [-20], UP) == [0.0]
 

@@ -54,7 +54,10 @@ def test_a_test_at_rapid_traverse_is_taken_with_1852(mode: str, tmp_path: Path) 
     assert (
         f"1852 = {rapid} detection units (at rapid traverse; 1851 is active at cutting feed" in card
     )
-    assert "check positions hold at rapid traverse" in card[card.index("## Axis X") :]
+    assert (
+        "check positions of this card are valid at rapid traverse"
+        in card[card.index("## Axis X") :]
+    )
 
 
 def test_where_1852_does_not_act_the_motion_makes_no_difference(tmp_path: Path) -> None:

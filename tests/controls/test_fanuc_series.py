@@ -87,7 +87,7 @@ def test_an_increment_beyond_the_series_is_refused(format_id: str) -> None:
         if value <= most:
             control.read(files, [LINEAR])
             continue
-        with pytest.raises(InputError, match="cannot hold"):
+        with pytest.raises(InputError, match="cannot store"):
             control.read(files, [LINEAR])
 
 

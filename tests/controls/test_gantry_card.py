@@ -94,4 +94,4 @@ def test_the_card_asks_only_what_the_files_leave_open(
     card = (tmp_path / "job" / "card" / "card.md").read_text(encoding="utf-8")
     assert ("No gantry: MD37100 = 0" in card) == no_gantry
     assert ("is not a gantry master axis" in card) == (not no_gantry)
-    assert ("The control must hold at least" in card) == (not room)
+    assert ("The control must have room for at least" in card) == (not room)

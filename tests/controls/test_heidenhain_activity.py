@@ -162,7 +162,7 @@ def test_a_backlash_that_is_written_over_is_asked_for(
     """
     files = {"cma": STAR} if control == NCK else {"mp": "MP730 : %00001\n"}
     assert run_without_backlash(tmp_path, control, files=files) == 2
-    assert f"axis X (X): {name} is in no file of the state" in capsys.readouterr().err
+    assert f"axis X (X): {name} is in none of the control's files" in capsys.readouterr().err
     assert not (tmp_path / "job" / "tables").exists()
     assert (
         run_without_backlash(tmp_path, control, files={**files, "play.csv": PLAY.format(name)}) == 0

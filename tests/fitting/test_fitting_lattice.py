@@ -595,7 +595,7 @@ def test_two_tables_only_where_the_job_asks() -> None:
         fit(varying, FANUC, spacing=50.0, mode="bidirectional"),
     )
     assert (single.mode, double.mode) == ("single", "bidirectional")
-    assert "if the job asks" in single.mode_reason
+    assert "if the job requests" in single.mode_reason
     assert np.array_equal(single.compensation.positive, single.compensation.negative)
     assert single.compensation.backlash != 0.0
     assert double.compensation.backlash == 0.0

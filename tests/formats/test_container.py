@@ -83,7 +83,7 @@ def test_a_container_edited_with_a_text_editor_is_refused() -> None:
 
 def test_a_member_of_an_unknown_kind_is_refused() -> None:
     odd = header("_N_AX_EEC_INI", "AX_EEC.INI", ACTIVE, 0, kind="9")
-    assert "kind that is not known" in refused(container(TEXTS) + odd)
+    assert "of an unknown kind" in refused(container(TEXTS) + odd)
 
 
 def test_a_hostile_container_takes_no_time() -> None:

@@ -150,7 +150,7 @@ def test_the_same_file_in_other_clothes() -> None:
 @pytest.mark.parametrize("share", [0.1, 0.4, 0.6, 0.9, 0.999])
 def test_published_files_cut_short(name: str, share: float) -> None:
     content = real(name)
-    with pytest.raises(InputError, match=r"line \d+, column \d+: the file is cut short"):
+    with pytest.raises(InputError, match=r"line \d+, column \d+: the file is cut off"):
         read_circular(content[: int(len(content) * share)], name)
 
 
@@ -376,7 +376,7 @@ def test_what_is_remarkable(content: bytes, words: str) -> None:
             b"<?xml version='1.0'?><a/>",
             "line 1: the file is not a ballbar file; expected the root element TEST_DOCUMENT, found 'a'",
         ),
-        (b"<html><body>", "is cut short"),
+        (b"<html><body>", "is cut off"),
         (b"<a></b>", "line 1, column 6: the file is not whole XML (mismatched tag); expected </a>"),
         (document().replace(b"utf-8", b"klingon"), "in an unknown encoding"),
         (b"<" + b"a><" * 50 + b"b", "has more elements than any measurement"),

@@ -123,7 +123,7 @@ def test_angles() -> None:
         ("2,1", "2.1", "line 4, column Abw. [µm] has a point, and the profile says decimal comma"),
         ("2,1", "1.002,1", "has a point"),
         ("2,1", "zwei1", "is not a number"),
-        ("100,000;vor;1", "100,000;hin;1", "not among the words of the profile"),
+        ("100,000;vor;1", "100,000;hin;1", "not among the names that the profile lists"),
         ("100,000;vor;1", "100,000;vor;eins", "is not a number of at least 1"),
         ("100,000;vor;1", "0,000;vor;1", "a reading is given twice"),
         ("Abw. [µm]", "Abw.", "a column of the profile is not in the file"),

@@ -54,8 +54,8 @@ def test_a_test_of_its_own_shows_no_fault_and_lacks_nothing() -> None:
     [
         (FIRST.positive, FIRST.negative, "from before loading. Measure"),
         (FIRST.positive + 0.007, FIRST.negative + 0.007, "from before loading. Measure"),
-        (-FIRST.positive, -FIRST.negative, "with the sign turned"),
-        (0.002 - FIRST.positive, 0.002 - FIRST.negative, "with the sign turned"),
+        (-FIRST.positive, -FIRST.negative, "with the sign reversed"),
+        (0.002 - FIRST.positive, 0.002 - FIRST.negative, "with the sign reversed"),
         (FIRST.negative, FIRST.positive, "with the directions exchanged"),
     ],
 )

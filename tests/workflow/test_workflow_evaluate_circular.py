@@ -417,7 +417,7 @@ def test_causes_without_a_standard_error_are_not_given(
     put(tmp_path, xy=csv_of())
     (result,) = evaluate_files(Session(), [tmp_path]).document["results"]
     assert result["diagnosis"] is None
-    assert "do not tell the causes apart" in result["not_applicable"]["diagnosis"]
+    assert "cannot separate the causes of deviation" in result["not_applicable"]["diagnosis"]
 
 
 @pytest.mark.parametrize("extent", [90.0, 180.0, 360.0])

@@ -204,7 +204,7 @@ def kind(axis: Axis, compensation: AxisCompensation, label: str) -> list[Fault]:
         return []
     return [
         Fault(
-            message=f"{label}: of table and axis one is linear, the other rotary",
+            message=f"{label}: the table is {compensation.kind}, but the axis is {axis.kind}",
             expected=axis.kind,
             found=compensation.kind,
             hint="correct `kind` of the axis in the job",

@@ -29,9 +29,9 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-V020.range": "it covers {range}",
     "CW-V021": (
         "Repeated readings scatter by {scatter}, {ratio:3sig} times {less:if|less|more} than in"
-        " the first test ({first}). If the noise of the two tests differed by no more than"
-        " {factor:g} times, chance alone would do this in less than one of 1000 tests. Check unit"
-        " and readings. Measure again with the instrument set as for the first test."
+        " the first test ({first}). Even where the noise of two tests differs by a factor of up"
+        " to {factor:g}, this happens by chance in less than one of 1000 tests. Check unit and"
+        " readings. Measure again with the instrument set as for the first test."
     ),
     "CW-V022": (
         "The job was edited after the run: {what:choose|standard=the standard|rule=the decision"

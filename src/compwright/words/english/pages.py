@@ -8,7 +8,7 @@ SENTENCES: Final[dict[str, str]] = {
     "circle.about": "{centre:choose|set_up= (set-up centre)|own= (own centre)}",
     "circle.agreement": "{how:choose|agrees=agrees|differs=differs|not_valid=not valid}",
     "circle.cause": "{cause}  {value} {unit}",
-    "circle.cause_share": "{cause} ({share:.0f} % of the sum of all effects)",
+    "circle.cause_share": "{cause} ({share:.0f} % of all effects)",
     "circle.centre": (
         "{name:choose|common=common least-squares centre|set-up=set-up centre|ccw=least-squares"
         " centre of ccw|cw=least-squares centre of cw}: {first} {x}, {second} {y} µm{H:if|; H {H}"
@@ -86,7 +86,7 @@ SENTENCES: Final[dict[str, str]] = {
         "{letter}{sense:if| {sense:choose|ccw=ccw|cw=cw|bidirectional=both}|}{centre:if|,"
         " {centre:choose|G=least-squares circle|F=least-squares centre}|}"
     ),
-    "circle.to_do": "{cause} ({share:.0f} % of the sum of all effects). {step}",
+    "circle.to_do": "{cause} ({share:.0f} % of all effects). {step}",
     "circle.unexplained": "The causes of deviation below leave {rms} µm rms unexplained.",
     "circle.value_error": "Value ± standard error",
     "circle.zone": (
@@ -213,7 +213,9 @@ SENTENCES: Final[dict[str, str]] = {
     "report.extremes": "Extremes: rings in the figure",
     "report.findings": "Findings",
     "report.footer": "Report {number}",
-    "report.in_english": "Names and texts of the job and of the files are as they were given.",
+    "report.in_english": (
+        "Names and texts from the job and from the files are printed as given, not translated."
+    ),
     "report.in_file": "In the file: {name}",
     "report.logo": "Logo",
     "report.machine": "{circles} as one machine{name:if|: {name}|}",

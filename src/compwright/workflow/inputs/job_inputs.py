@@ -268,8 +268,8 @@ def _other_neighbours(job: Job, states: Mapping[str, DecodedState]) -> list[Faul
                         expected="the same in all of them",
                         found="; ".join(f"{state}: {words}" for state, words in found.items()),
                         hint=(
-                            "give files that agree in it under `states`, or set `measured_in` to "
-                            "one state for all tests"
+                            "give files that agree in it under `states`, or set `measured_in` "
+                            "to the same entry of `states` for all tests"
                         ),
                     )
                 )

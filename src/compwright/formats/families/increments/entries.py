@@ -97,7 +97,10 @@ def all_entries(family: Family, tables: Sequence[AxisTable]) -> tuple[Entries, .
             faults.append(
                 Fault(
                     message=f"axis {axis.name} ({address}): {error}",
-                    hint=f"change that on the control, or `table` of axis {axis.name} in the job",
+                    hint=(
+                        f"correct this at the control, or correct `table` of axis {axis.name}"
+                        " in the job"
+                    ),
                 )
             )
             continue
