@@ -17,6 +17,7 @@ from compwright.cli import run as compwright
 from compwright.evaluation.plausibility import plausibility_findings
 from compwright.evaluation.same_error import same_error_findings, same_error_odds
 from compwright.evaluation.typical_magnitudes import turned_odds
+from compwright.foundations.findings import Finding
 from compwright.planning.sign_and_unit_doubts import misreading_doubts
 from compwright.planning.wanted_correction import observed_tests
 from compwright.records.axis import Axis, AxisKind, Direction
@@ -217,6 +218,14 @@ def test_a_unit_is_doubted_by_size_and_scatter_with_its_odds(
     (found,) = (one for one in plausibility_findings(scaled) if one.code == "CW-T030")
     assert "{unit} read as {read_as}".format(**found.values) == says
     assert found.values["odds"] >= 20
+
+
+def test_measured_positions_near_their_targets_are_in_the_unit_of_the_targets() -> None:
+    """934.669 mm read as 936.699 is a poor axis; in µm it would be 0.937 mm: not near its target."""
+    large = as_test({d: 100.0 * values for d, values in MACHINE.measure(TARGETS, 1).items()})
+    assert "CW-T030" in {one.code for one in plausibility_findings(large)}
+    measured = replace(large, findings=(Finding.of("CW-R003", "info"),))
+    assert "CW-T030" not in {one.code for one in plausibility_findings(measured)}
 
 
 def test_the_odds_of_turned_directions_grow_with_the_reversal() -> None:

@@ -187,6 +187,26 @@ def test_on_one_day_the_table_is_loaded_between_before_and_after(
     assert sizes == [pytest.approx(5.0)]
 
 
+@pytest.mark.parametrize(
+    ("before", "after"),
+    [("", "2026-11-22 08:00"), ("2026-11-22 08:00", ""), ("03/04/2026", "2026")],
+)
+def test_a_test_without_a_date_keeps_its_side_of_the_loading(
+    tmp_path: Path, ask: Ask, before: str, after: str
+) -> None:
+    """The table of the visit removed the lost motion; a later visit is dated in any case."""
+    after = "2026-11-22" if after == "2026" else after
+    tests = (
+        axis_test(date=after, B_mean=0.0, taken="after"),
+        axis_test(date=before, B_mean=-5.0),
+    )
+    verification = {"verdict": "good", "axes": {"X": {"loading": {"verdict": "loaded"}}}}
+    record(tmp_path / "a", *tests, verification=verification)
+    record(tmp_path / "b", axis_test(date="2027-11-22", B_mean=-0.1))
+    one = axis_of(ask(tmp_path))
+    assert [test["B_mean"] for test in one["tests"]] == [-5.0, 0.0, -0.1]
+
+
 def test_dates_that_contradict_the_work_are_told(tmp_path: Path, ask: Ask) -> None:
     verification = {"verdict": "good", "axes": {"X": {"loading": {"verdict": "loaded"}}}}
     tests = (axis_test(date="2026-11-22"), axis_test(date="2025-11-23", taken="after"))

@@ -163,3 +163,34 @@ def test_no_total_is_made_from_what_did_not_act(
     assert (
         json.loads((tmp_path / "job" / "prediction.json").read_text())["axes"]["X"]["table"] is None
     )
+
+
+@pytest.mark.short_estimate
+def test_an_old_backlash_is_on_the_card_and_no_contradiction_of_the_new_ini(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """LinuxCNC gives half of BACKLASH in each direction; the user's INI gets three new lines."""
+    (tmp_path / "x.csv").write_text(csv_of(TARGETS, MACHINE.measure(TARGETS, 1)))
+    ini = "[TRAJ]\nLINEAR_UNITS = mm\n[JOINT_0]\nTYPE = LINEAR\nBACKLASH=0.003\n"
+    (tmp_path / "machine.ini").write_text(ini)
+    (tmp_path / "job.yaml").write_text(
+        "compwright: 1\ncontroller: {format: linuxcnc}\nstates: {as_found: [machine.ini]}\n"
+        "axes:\n  X: {travel: [0, 800], address: 0, before: [x.csv], accept: {A: 20}}\n"
+    )
+    assert compwright(["run", str(tmp_path / "job.yaml")]) == 0
+    card = (tmp_path / "job" / "card" / "card.md").read_text(encoding="utf-8")
+    (row,) = [line for line in card.splitlines() if "backlash in addition" in line]
+    assert "= 0.003 mm (3.00 µm)" in row.split("|")[3]
+    assert "= 0 mm (0.00 µm)" in row.split("|")[4]
+    tables = tmp_path / "job" / "tables" / "linuxcnc"
+    back = tmp_path / "back"
+    back.mkdir()
+    (back / "joint_0.comp").write_bytes((tables / "joint_0.comp").read_bytes())
+    keys = (tables / "joint_0.ini").read_text().removeprefix("[JOINT_0]\n")
+    (back / "machine.ini").write_text(ini.replace("BACKLASH=0.003\n", keys))
+    capsys.readouterr()
+    compared = ["compare", str(tmp_path / "job"), "--loaded", str(back), "--json", "-"]
+    assert compwright(compared) == 0
+    document = json.loads(capsys.readouterr().out)
+    assert document["axes"]["X"]["differences"] == 0
+    assert document["findings"] == []

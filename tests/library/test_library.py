@@ -16,7 +16,9 @@ import numpy as np
 import pytest
 
 import compwright as cw
+from circle_machine import Machine, Setup, measured
 from compwright.cli import run
+from compwright.simulation.circular_files import to_circular_csv
 from places import PROJECT
 
 PAGE = PROJECT / "docs" / "tutorials" / "library.md"
@@ -68,7 +70,12 @@ def test_notebook_runs_from_top_to_bottom(tmp_path: Path, monkeypatch: pytest.Mo
     for cell in notebook["cells"]:
         if cell["cell_type"] == "code":
             exec("".join(cell["source"]), names)  # noqa: S102 - our own notebook
-    assert [test["A"] for test in names["after"]] == pytest.approx([9.67, 14.3], abs=0.5)
+    after = [cw.evaluate(test) for test in names["after"]]
+    assert [test["A"] for test in after] == pytest.approx([9.67, 14.3], abs=0.5)
+    *_, last = [cell for cell in notebook["cells"] if cell["cell_type"] == "code"]
+    assert eval(last["source"][-1], names).verdict == "good"  # noqa: S307 - our own notebook
+    lines = [line for cell in notebook["cells"] if "outputs" in cell for line in cell["source"]]
+    assert len(lines) == 15
 
 
 def test_plan_is_that_of_the_command(folder: Path) -> None:
@@ -81,6 +88,67 @@ def test_plan_is_that_of_the_command(folder: Path) -> None:
     assert not (folder / "job").exists()
     with pytest.raises(cw.StorageError):
         plan.write(there)
+
+
+def test_tests_in_memory_are_verified_as_their_files(folder: Path) -> None:
+    results = folder / "by-command"
+    tables = str(results / "tables" / "linuxcnc")
+    machine, after = str(folder / "machine.yaml"), folder / "after"
+    assert run(["simulate", machine, "--out", str(after), "--with-tables", tables]) == 0
+    files = cw.verify(folder / "job.yaml", [after / "x.csv", after / "a.csv"], plan=results)
+    rotary, linear = cw.read(after)
+    memory = cw.verify(folder / "job.yaml", [linear, rotary], plan=results)
+    assert memory.to_dict() == files.to_dict()
+    with pytest.raises(cw.InputError, match="contradicts"):  # before and after are not one test
+        cw.verify(folder / "job.yaml", [linear, folder / "before" / "x.csv"], plan=results)
+    (old, *_) = cw.read(folder / "before" / "x.csv")
+    assert "CW-V" in str(cw.verify(folder / "job.yaml", old, plan=results).to_dict())
+
+
+@pytest.mark.short_estimate
+def test_circles_in_memory_are_verified_as_their_files(tmp_path: Path) -> None:
+    for seed, name in enumerate(("before", "after")):
+        test = measured(Machine(squareness=30.0), Setup(noise=0.1), np.random.default_rng(seed))
+        (tmp_path / f"{name}.csv").write_bytes(to_circular_csv(test))
+    job = tmp_path / "job.yaml"
+    job.write_text(
+        "compwright: 1\ncontroller: {format: linuxcnc}\nstates: {as_found: none}\n"
+        "axes:\n  X: {travel: [0, 800], address: 0, before: []}\n"
+        "  Y: {travel: [0, 800], address: 1, before: []}\n"
+        "circles:\n  - {file: before.csv, name: xy, centre: [400, 400], accept: {D: 30}}\n"
+    )
+    cw.plan(job).write()
+    (circle,) = cw.read(tmp_path / "after.csv")
+    assert repr(circle).startswith("CircularTest('after': plane XY, radius 150 mm, feed ")
+    memory, file = cw.verify(job, circle), cw.verify(job, tmp_path / "after.csv")
+    assert memory.to_dict() == file.to_dict()
+    assert "xy" in memory.to_dict()["circles"]
+
+
+def test_errors_name_the_arguments_of_the_library(folder: Path, tmp_path: Path) -> None:
+    """What is copied from a message has to work where it was printed."""
+    plan = cw.plan(folder / "job.yaml")
+    with pytest.raises(cw.StorageError, match=r"give another folder .`folder`., or `force=True`"):
+        plan.write(folder / "by-command")
+    with pytest.raises(cw.UsageError, match='give `spread="std"` or `spread="range"`'):
+        cw.evaluate(folder / "before" / "x.csv", spread="max")  # type: ignore[arg-type]
+    with pytest.raises(cw.InputError, match='folder of its results with `plan="DIR"`'):
+        cw.verify(folder / "job.yaml", cw.read(folder / "before"), plan=tmp_path)
+    foreign = tmp_path / "table.csv"
+    foreign.write_text("pos;dev\n1;2\n")
+    with pytest.raises(
+        cw.InputError, match=r"`compwright profile .* --out P.yaml`, then `profile="
+    ):
+        cw.read(foreign)
+
+
+def test_tests_print_themselves_in_one_line_with_units(folder: Path) -> None:
+    rotary, linear = cw.read(folder / "before")
+    assert repr(linear) == (
+        "PositioningTest('x': axis X, 25 targets from 20.087 to 1176.76 mm, traverses +5 -5, "
+        "deviations -5.40 to 67.69 µm)"
+    )
+    assert repr(rotary).endswith(" arcsec)")
 
 
 def test_correction_and_error_cancel(folder: Path) -> None:

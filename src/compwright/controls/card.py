@@ -170,7 +170,8 @@ def _rows(
 
     def describe(table: AxisCompensation | None, lost: float) -> dict[str, str]:
         backlash = f"{lost * factor:.2f} {small}"
-        if table is None or table.positions.size == 0:
+        constant = table is not None and table.positions.size == 1 and lost != table.backlash
+        if table is None or table.positions.size == 0 or constant:  # backlash alone
             none = control_text("none")
             return {"points": none, "range": "-", "largest": "-", "backlash": backlash}
         curves = np.concatenate([table.positive, table.negative]) * factor

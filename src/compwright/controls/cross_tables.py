@@ -67,7 +67,7 @@ def write_planned(
         return CrossOutcome(files=tables)
     between = {name for entry in planned for name in (entry.input, entry.output)}
     own = texts_of(control.definition, as_found.files, [])  # read before
-    base = with_new_tables(own, tables, [axes[name].address for name in tabled])
+    base = with_new_tables(control, own, tables, [axes[name].address for name in tabled])
 
     @cache  # the family reads what is compared here
     def read(files: tuple[ControlFile, ...], *, written: bool = False) -> DecodedState:

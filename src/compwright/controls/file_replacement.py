@@ -14,7 +14,7 @@ from compwright.controls.control_files import holds_archive
 from compwright.controls.decoded_state import DecodedState, judged_values
 from compwright.controls.reader_comparison import probe_positions
 from compwright.formats.families.between import merged_files
-from compwright.formats.families.control_texts import all_names
+from compwright.formats.families.control_texts import all_names, under_new_entries
 from compwright.formats.text.diff import compare_files
 from compwright.formats.text.entry_sheet import EntrySheet, is_entry_sheet, read_sheet
 from compwright.foundations.errors import CompwrightError, Fault, UsageError, raise_all
@@ -46,13 +46,20 @@ def changed_neighbours(
 
 
 def with_new_tables(
-    own: Sequence[ControlFile], tables: Sequence[ControlFile], tabled: Collection[str]
+    control: Control,
+    own: Sequence[ControlFile],
+    tables: Sequence[ControlFile],
+    tabled: Collection[str],
 ) -> tuple[ControlFile, ...]:
     """Return the control's own files with new ``tables`` in their place. Entry sheets that these
-    replace are left out.
+    replace are left out, and lines of files that the user changes by hand.
     """
     new = {sheet.axis for file in tables if (sheet := _sheet(file)) is not None} | set(tabled)
     kept = [file for file in own if (sheet := _sheet(file)) is None or sheet.axis not in new]
+    if control.definition.limit("no_patching") is not None:
+        named = {file.name for file in tables}
+        kept = [file for file in kept if file.name not in named]
+        kept = list(under_new_entries(control.definition, kept, tables))
     return merged_files(kept, tables)
 
 

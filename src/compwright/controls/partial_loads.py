@@ -53,7 +53,7 @@ def harmful_parts(
     found = []
     for part in changed:
         try:
-            state = decode(control, with_new_tables(own, [part], addresses), axes)
+            state = decode(control, with_new_tables(control, own, [part], addresses), axes)
         except CompwrightError:
             continue  # the values contradict each other: the effect in the control is unknown
         stated = [

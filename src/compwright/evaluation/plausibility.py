@@ -104,6 +104,8 @@ def certain_fault(test: PositioningTest) -> str:
 
 
 def _smaller(test: PositioningTest) -> str:
+    if _positions_measured(test):
+        return "the measured positions are those of the targets"
     return (
         "the values look 1000 times too small (mm read as µm)"
         if test.kind is AxisKind.LINEAR
@@ -137,6 +139,8 @@ def _other_unit(test: PositioningTest) -> Finding | None:
     """Return a finding if the readings are far more typical in another unit, with the odds; else
     nothing.
     """
+    if _positions_measured(test):  # in another unit they would not be near their targets
+        return None
     factor, finer, coarser = _CONFUSED[test.kind]
     small, large = unit_odds(test, factor), unit_odds(test, 1.0 / factor)
     if max(small, large) < _UNUSUAL:
@@ -153,6 +157,10 @@ def _other_unit(test: PositioningTest) -> Finding | None:
         unit=true,
         read_as=read,
     )
+
+
+def _positions_measured(test: PositioningTest) -> bool:
+    return any(finding.code == "CW-R003" for finding in test.findings)
 
 
 def reversal_above_zero(test: PositioningTest) -> float:

@@ -98,7 +98,7 @@ def job_from_options(
     document = YamlDocument(data=data)
     checked = check(document, "") if further is None else check(document, "", further)
     faults += [replace(fault, place=_option(fault.place, axis)) for fault in checked.faults]
-    faults = [_whole_travel(travel) if fault.place == "--travel" else fault for fault in faults]
+    faults = [whole_travel(travel) if fault.place == "--travel" else fault for fault in faults]
     if faults or checked.section is None:
         raise UsageError(*dict.fromkeys(faults))
     return StatedJob(job_of(checked.section, file=""), data)
@@ -154,7 +154,8 @@ def _number(text: str) -> Any:
     return float(word) if _NUMBER.fullmatch(word) else text
 
 
-def _whole_travel(travel: str) -> Fault:
+def whole_travel(travel: str) -> Fault:
+    """Return the fault of a travel that is not two ends with a colon."""
     return Fault(
         message=(
             "the value of `--travel` must look like 0:800 (machine coordinates, mm or deg, "
@@ -162,7 +163,7 @@ def _whole_travel(travel: str) -> Fault:
         ),
         place="--travel",
         found=repr(travel),
-        hint="give the two ends of the travel, such as `--travel 0:800`",
+        hint="give the two ends with a colon, such as `--travel 0:800` or `--travel=-800:0`",
     )
 
 

@@ -15,6 +15,7 @@ from compwright.evaluation.standards import evaluate as evaluate_positioning
 from compwright.foundations.errors import Fault, UsageError
 from compwright.foundations.session import Session
 from compwright.foundations.units import outside_unit
+from compwright.library.argument_names import in_argument_names
 from compwright.library.results import (
     Comparison,
     DecodedFiles,
@@ -36,6 +37,7 @@ if TYPE_CHECKING:
     MeasuredTest = PositioningTest | CircularTest
 
 
+@in_argument_names
 def read(source: PathName | Any, *, profile: PathName | None = None) -> list[MeasuredTest]:
     """Read the tests of a measurement file, of every file of a folder, or of a pandas table.
 
@@ -51,6 +53,7 @@ def read(source: PathName | Any, *, profile: PathName | None = None) -> list[Mea
     return all_tests(session, Path(source), mapping)
 
 
+@in_argument_names
 def evaluate(
     test: MeasuredTest | PathName,
     standard: str | None = None,
@@ -91,6 +94,7 @@ def evaluate(
     return Evaluation(result_document(result))
 
 
+@in_argument_names
 def estimate(
     tests: PositioningTest | Sequence[PositioningTest],
     *,
@@ -119,7 +123,7 @@ def estimate(
             Fault(
                 message="the tests belong to several axes; give those of one axis",
                 found=", ".join(axes),
-                hint="give `axis=` with one of these",
+                hint='keep one: `[test for test in tests if test.axis == "X"]`',
             )
         )
     mapped = [to_machine(test, PositionMap(sense, offset)) for test in given]
@@ -136,6 +140,7 @@ def estimate(
     return EstimatedError(axes[0], unit, posterior.measured, posterior)
 
 
+@in_argument_names
 def load_job(path: PathName) -> LoadedJob:
     """Read and check a job file. Raises UsageError with every fault of it, InputError where it
     cannot be read.
@@ -146,6 +151,7 @@ def load_job(path: PathName) -> LoadedJob:
     return LoadedJob(file, default_folder(session, file), read_job_file(session, file))
 
 
+@in_argument_names
 def plan(job: LoadedJob | PathName, *, accept_worse: bool = False) -> JobPlan:
     """Work a job through: evaluate, fit the tables, write them into the control's form, read them
     back with a second reader, predict the next test. Nothing is written to the disk.
@@ -163,31 +169,30 @@ def plan(job: LoadedJob | PathName, *, accept_worse: bool = False) -> JobPlan:
     return JobPlan(done.results.prediction, loaded, done.exit_code, done)
 
 
+@in_argument_names
 def verify(
     job: LoadedJob | PathName,
-    after: PathName | Sequence[PathName],
+    after: PathName | MeasuredTest | Sequence[PathName | MeasuredTest],
     *,
     plan: PathName | None = None,
     loaded: PathName | Sequence[PathName] = (),
 ) -> Verification:
     """Judge the tests after loading by the plan. Nothing is written.
 
-    ``after``: measurement files, each a path or ``"TEST=FILE"``; ``plan``: the folder of a run or
-    its ``plan.json``, default: that of the job; ``loaded``: the files read back from the control.
-    Raises UsageError and InputError, also where the plan belongs to another job.
+    ``after``: the tests, or their files, each a path or ``"TEST=FILE"``; ``plan``: the folder of a
+    run or its ``plan.json``, default: that of the job; ``loaded``: the files read back from the
+    control. Raises UsageError and InputError, also where the plan belongs to another job.
     """
     from compwright.workflow.commands.verify import plan_path, verification_of
 
     session = Session()
     given = job if isinstance(job, LoadedJob) else load_job(job)
     file = plan_path(session, None if plan is None else Path(plan), given.out)
-    return Verification(
-        verification_of(
-            session, given.record, list(map(str, _several(after))), file, _paths(loaded)
-        )
-    )
+    tests = [str(one) if isinstance(one, Path) else one for one in _several(after)]
+    return Verification(verification_of(session, given.record, tests, file, _paths(loaded)))
 
 
+@in_argument_names
 def decode(
     files: PathName | Sequence[PathName],
     format: str,  # noqa: A002 - the word of the command line and of the job file
@@ -210,6 +215,7 @@ def decode(
     return DecodedFiles(document, state, kinds.unknown)
 
 
+@in_argument_names
 def compare(plan: PathName, loaded: PathName | Sequence[PathName]) -> Comparison:
     """Compare the control's files, read back after loading, with a plan.
 
@@ -224,6 +230,7 @@ def compare(plan: PathName, loaded: PathName | Sequence[PathName]) -> Comparison
     return Comparison(compare_plan(session, file, _paths(loaded)).document)
 
 
+@in_argument_names
 def simulate(
     machine: PathName, *, tables: PathName | None = None, seed: int = 0
 ) -> list[MeasuredTest]:
@@ -244,8 +251,8 @@ def simulate(
     ]
 
 
-def _several(paths: PathName | Sequence[PathName]) -> list[Any]:
-    return list(paths) if isinstance(paths, list | tuple) else [paths]
+def _several(given: Any) -> list[Any]:
+    return list(given) if isinstance(given, list | tuple) else [given]
 
 
 def _paths(paths: PathName | Sequence[PathName]) -> list[Path]:

@@ -17,6 +17,7 @@ from compwright.foundations.errors import Fault, UsageError
 from compwright.foundations.extras import need
 from compwright.foundations.session import Session
 from compwright.foundations.units import outside_factor, outside_unit
+from compwright.library.argument_names import in_argument_names
 from compwright.records.axis import Direction, FloatArray
 
 if TYPE_CHECKING:  # for names alone: the library starts without the estimation and the formats
@@ -288,6 +289,7 @@ class JobPlan(DocumentResult):
             if name.startswith(folder)
         }
 
+    @in_argument_names
     def write(self, folder: str | Path | None = None, *, force: bool = False) -> list[Path]:
         """Write everything that ``compwright run`` writes, all or nothing; returns the paths.
 

@@ -49,7 +49,7 @@ class CircularRun:
     number: int = 1
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class CircularTest:
     """A circular test in one plane. Lengths in mm, ``feed`` in mm/min along the path, angles in
     deg.
@@ -74,6 +74,16 @@ class CircularTest:
     sources: tuple[Source, ...] = ()
     header: Mapping[str, str] = field(default_factory=dict)
     findings: tuple[Finding, ...] = ()
+
+    def __repr__(self) -> str:
+        """Return the plane, radius, feed, arc, numbers of runs and the range with units."""
+        values = [1000.0 * each for run in self.runs for each in (*run.deviations,)]
+        span = f"{min(values):.2f} to {max(values):.2f} µm" if values else "no reading"
+        return (
+            f"CircularTest({self.name!r}: plane {self.plane}, radius {self.nominal_radius:g} mm, "
+            f"feed {self.feed:g} mm/min, arc {self.arc[1]:g} deg, runs ccw {len(self.of('ccw'))} "
+            f"cw {len(self.of('cw'))}, deviations {span})"
+        )
 
     def of(self, sense: Sense) -> tuple[CircularRun, ...]:
         """Return the runs of one direction in the order of their numbers."""

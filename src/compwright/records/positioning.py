@@ -11,6 +11,7 @@ import numpy as np
 from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.findings import Finding
 from compwright.foundations.provenance import Source
+from compwright.foundations.units import outside_factor, shown_unit
 from compwright.records.axis import AxisKind, Direction, FloatArray, PositionMap
 from compwright.records.conditions import Thermal
 from compwright.records.environment import ReadingTimes
@@ -22,7 +23,7 @@ Cycle = Literal["standard", "step"]
 SAME_READING: Final = 1e-9
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class PositioningTest:
     """The deviations (measured minus target) of one axis, mm or deg by ``kind``.
 
@@ -52,6 +53,19 @@ class PositioningTest:
     times: ReadingTimes | None = None
     thermal: Thermal | None = None
     removed: tuple[FloatArray, FloatArray] | None = None
+
+    def __repr__(self) -> str:
+        """Return the axis, the targets, the numbers of traverses and the range with units."""
+        unit, factor = shown_unit(self.kind.unit), outside_factor(self.kind.unit)
+        known = [each[np.isfinite(each)] for each in (self.positive, self.negative)]
+        values = np.concatenate(known) * factor
+        span = f"{values.min():.2f} to {values.max():.2f} {unit}" if values.size else "no reading"
+        ends = f" from {self.targets[0]:g} to {self.targets[-1]:g}" if self.targets.size else ""
+        return (
+            f"PositioningTest({self.name!r}: axis {self.axis or 'not stated'}, "
+            f"{self.targets.size} targets{ends} {self.kind.unit}, traverses "
+            f"+{self.positive.shape[1]} -{self.negative.shape[1]}, deviations {span})"
+        )
 
     def deviations(self, direction: Direction) -> FloatArray:
         """Return the deviations (m, n) of one approach direction."""

@@ -12,7 +12,7 @@ from functools import lru_cache
 from itertools import takewhile
 
 from compwright.formats.definition.schema import Definition
-from compwright.formats.definition.statements import Occurrence
+from compwright.formats.definition.statements import Occurrence, Token
 from compwright.formats.families.axis_names import axis_names
 from compwright.formats.text.addresses import NAMES, AxisNames, Key, entry_key, quantities_of
 from compwright.formats.text.container import is_container, unpacked
@@ -95,16 +95,25 @@ def _texts_of(
     faults: list[Fault] = []
     packed = unpacked([file for file in files if is_container(file)], faults)
     loose = _listed([file for file in files if not is_container(file)], definition)
-    if not (packed and loose):
-        return (*packed, *loose), tuple(faults)
+    return (*under_new_entries(definition, packed, loose), *loose), tuple(faults)
+
+
+def under_new_entries(
+    definition: Definition, own: Sequence[ControlFile], new: Sequence[ControlFile]
+) -> tuple[ControlFile, ...]:
+    """Return the ``own`` files with blanks in place of the lines whose entries ``new`` files hold.
+
+    Unchanged where a file is unreadable: its reader reports it.
+    """
+    if not (own and new):
+        return tuple(own)
     reader = text_reader(definition)
-    texts = [reader.read(file, []) for file in (*packed, *loose)]
+    texts = [reader.read(file, []) for file in (*own, *new)]
     read = [text for text in texts if text is not None]
-    if len(read) < len(texts):  # unreadable files are reported by their reader
-        return (*packed, *loose), tuple(faults)
-    over = _Over(definition, axis_names(definition, read), read[len(packed) :])
-    blank = [over.blanked(file, text) for file, text in zip(packed, read, strict=False)]
-    return (*blank, *loose), tuple(faults)
+    if len(read) < len(texts):
+        return tuple(own)
+    over = _Over(definition, axis_names(definition, read), read[len(own) :])
+    return tuple(over.blanked(file, text) for file, text in zip(own, read, strict=False))
 
 
 def is_listing(definition: Definition, file: ControlFile) -> bool:
@@ -187,7 +196,7 @@ class _Over:
             (min(token.start for token in tokens), max(token.end for token in tokens))
             for one in text.occurrences
             if self._superseded(one)
-            for tokens in [list(one.tokens.values())]
+            for tokens in [self._own_tokens(one)]
         ]
         lines = [
             (file.content.rfind(b"\n", 0, start) + 1, _end(file.content, end))
@@ -195,6 +204,11 @@ class _Over:
         ]
         changes = [BytesChange(start, end, b" " * (end - start)) for start, end in lines]
         return ControlFile(file.name, apply_changes(file.content, changes))
+
+    def _own_tokens(self, one: Occurrence) -> list[Token]:
+        """Return the tokens of an entry without those of the section that contains it."""
+        within = self.definition.statements[one.statement].within or ""
+        return [token for name, token in one.tokens.items() if f"{{{name}}}" not in within]
 
     def _superseded(self, one: Occurrence) -> bool:
         if not self._counts(one):

@@ -163,7 +163,7 @@ def _written(
         # it stays one: small files lie over it, and are no contradiction
         files = loadable_files(control, files, as_found, [axis for axis, _ in fitted], None).files
     addresses = [axes[name].address for name in tabled]
-    return with_new_tables(as_found.files, files, addresses), wish
+    return with_new_tables(control, as_found.files, files, addresses), wish
 
 
 def _compared(

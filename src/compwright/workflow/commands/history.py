@@ -163,18 +163,34 @@ def _machine(entry: HistoryEntry, tops: Sequence[Path]) -> str:
 
 
 def _in_time(group: Iterable[HistoryEntry]) -> Callable[[HistoryEntry], tuple[object, ...]]:
-    """Sort tests by date. Tests without a date come last, in the order of the folders.
+    """Sort tests by date. A test without a date is next to the dated ones of its folder: before
+    them, or after them where it was taken after loading. Without these it is among the last.
 
-    So do tests of one day, unless each of them says its time.
+    Tests of one day are in the order of the folders, unless each of them says its time.
     """
-    timeless = {entry.day for entry in group if " " not in entry.day}
-    return lambda entry: (
-        entry.day == "",
-        _date(entry) if _date(entry) in timeless else entry.day,
-        _natural(entry.folder),
-        entry.taken == "after",
-        entry.number,
-    )
+    dated: dict[str, list[str]] = {}
+    for entry in group:
+        if entry.day:
+            dated.setdefault(entry.folder, []).append(entry.day)
+
+    def day_of(entry: HistoryEntry) -> str:
+        nearest = max if entry.taken == "after" else min
+        return entry.day or nearest(dated.get(entry.folder, [""])).partition(" ")[0]
+
+    timeless = {day_of(entry) for entry in group if " " not in day_of(entry)}
+
+    def in_time(entry: HistoryEntry) -> tuple[object, ...]:
+        day = day_of(entry)
+        date = day.partition(" ")[0]
+        return (
+            day == "",
+            date if date in timeless else day,
+            _natural(entry.folder),
+            entry.taken == "after",
+            entry.number,
+        )
+
+    return in_time
 
 
 def _date(entry: HistoryEntry) -> str:
@@ -200,8 +216,9 @@ def _notes(series: Sequence[TestSeries]) -> list[str]:
         what = "states" if undated == 1 else "state"
         unclear = f" ({unread} a date that can be read in two ways)" if unread else ""
         found.append(
-            f"{undated} of {len(entries)} tests {what} no date{unclear}: they stand behind the"
-            " others, in the order of their folders"
+            f"{undated} of {len(entries)} tests {what} no date{unclear}: the place is next to the"
+            " dated tests of the same folder, else last, in the order of the folders. To date a"
+            " test, add `# date: 2026-11-30` to its file"
         )
     found += [*_turned_dates(entries), *_names_of_one_number(entries)]
     if simulated:

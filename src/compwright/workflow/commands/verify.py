@@ -28,8 +28,10 @@ from compwright.foundations.findings import Finding
 from compwright.foundations.input_sizes import PLAN
 from compwright.foundations.session import Session
 from compwright.foundations.side_by_side import Each, in_turn
+from compwright.records.circular import CircularTest
 from compwright.records.job import AS_FOUND, Job
 from compwright.records.plan import Plan
+from compwright.records.positioning import PositioningTest
 from compwright.verification.acceptance import OverallVerdict, overall_verdict
 from compwright.verification.proof import (
     changed_limits,
@@ -160,9 +162,13 @@ def verify_job(
 
 
 def verification_of(
-    session: Session, job: Job, after: Sequence[str], plan_file: Path, loaded: Sequence[Path]
+    session: Session,
+    job: Job,
+    after: Sequence[str | PositioningTest | CircularTest],
+    plan_file: Path,
+    loaded: Sequence[Path],
 ) -> dict[str, Any]:
-    """Return the verification document without writing it."""
+    """Return the verification document without writing it. ``after`` may be tests in memory."""
     return _document(*_verified(session, job, after, plan_file, loaded))
 
 
@@ -175,7 +181,7 @@ def _document(found: Verified, verdict: OverallVerdict) -> dict[str, Any]:
 def _verified(
     session: Session,
     job: Job,
-    after: Sequence[str],
+    after: Sequence[str | PositioningTest | CircularTest],
     plan_file: Path,
     loaded: Sequence[Path],
     profile: Path | None = None,
@@ -221,11 +227,14 @@ def _verified(
         job=job,
         plan=plan,
         control=control,
-        specs=others,
+        specs=[spec for spec in others if isinstance(spec, str)],
         tests=tests,
         axes=axes,
         circles=circles,
-        circle_files=circle_files,
+        circle_files={
+            name: [part for part in parts if isinstance(part, Path)]
+            for name, parts in circle_files.items()
+        },
         findings=(*control.findings, *ours, *general),
         read_back=() if read_back is None else read_back.files,
     )

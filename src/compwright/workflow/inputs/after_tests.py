@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -45,25 +45,32 @@ def read_again(
 
 
 def after_tests(
-    session: Session, job: Job, plan: Plan, specs: Sequence[str], profile: Path | None = None
+    session: Session,
+    job: Job,
+    plan: Plan,
+    specs: Sequence[str | PositioningTest],
+    profile: Path | None = None,
 ) -> list[AfterTest]:
     """Read the tests after loading. Several files of one test are joined. Raises with every fault
     at once.
 
-    ``profile``: that of the tests after loading, in the place of the job's.
+    ``specs``: values of ``--after``, or tests in memory; ``profile``: that of the tests after
+    loading, in the place of the job's.
     """
     profiles = _profiles(job) if profile is None else [profile]
     errors: list[CompwrightError] = []
-    wanted: dict[tuple[str, str], list[str]] = {}
+    wanted: dict[tuple[str, str], list[str | PositioningTest]] = {}
     for spec in specs:
         try:
-            key, path = _assign(session, job, spec, profiles)
-            wanted.setdefault(key, []).append(path)
+            key, part = _assign(session, job, spec, profiles)
+            wanted.setdefault(key, []).append(part)
         except CompwrightError as error:
             errors.append(error)
     found = []
-    for (axis, name), paths in wanted.items():
+    for (axis, name), parts in wanted.items():
         entry = job.axes[axis]
+        paths = [part for part in parts if isinstance(part, str)]
+        measured = [part for part in parts if isinstance(part, PositioningTest)]
         request = next(item for item in entry.before if item.name == name)
         try:
             # a path of the command line is used as given, that of the job's profile is relative to
@@ -73,8 +80,8 @@ def after_tests(
             later = _later(request, paths)
             used = profile or of_job
             later = replace(later, profile=str(used) if used else None)
-            test = read_test(session, entry, later, Path())
-            _refuse_files_apart(session, entry, later)
+            test = read_test(session, entry, later, Path(), measured)
+            _refuse_files_apart(session, entry, later, measured)
         except CompwrightError as error:
             errors.append(error)
             continue
@@ -107,12 +114,19 @@ def _later(request: TestRequest, paths: Sequence[str]) -> TestRequest:
     )
 
 
-def _refuse_files_apart(session: Session, entry: AxisJob, request: TestRequest) -> None:
+def _refuse_files_apart(
+    session: Session, entry: AxisJob, request: TestRequest, measured: Sequence[PositioningTest]
+) -> None:
     """Raise an error if the files of one test do not belong together: another state or set-up."""
-    if len(request.files) < 2:
+    if len(request.files) + len(measured) < 2:
         return
+    alone = replace(request, files=())
     parts = [
-        read_test(session, entry, replace(request, files=(file,)), Path()) for file in request.files
+        *(
+            read_test(session, entry, replace(alone, files=(file,)), Path())
+            for file in request.files
+        ),
+        *(read_test(session, entry, alone, Path(), [test]) for test in measured),
     ]
     found = file_disagreement(parts)
     if found is not None:
@@ -197,12 +211,14 @@ def _unfit(plan: Plan, axes: Sequence[str]) -> Iterator[Fault]:
 
 
 def _assign(
-    session: Session, job: Job, spec: str, profiles: Sequence[Path]
-) -> tuple[tuple[str, str], str]:
+    session: Session, job: Job, spec: str | PositioningTest, profiles: Sequence[Path]
+) -> tuple[tuple[str, str], str | PositioningTest]:
     """Return (axis, test name) and the path in an ``--after`` value: ``TEST=FILE``, else by the
-    file's axis.
+    file's axis, or the test itself.
     """
     names = {request.name: axis for axis, entry in job.axes.items() for request in entry.before}
+    if isinstance(spec, PositioningTest):
+        return _first_test(job, _axis_of(job, spec.axis, spec.name, names), spec.name, names), spec
     head, mark, tail = spec.partition("=")
     if not spec or (mark and not tail):
         raise UsageError(
@@ -227,7 +243,14 @@ def _assign(
                 hint=f"write {known} before the `=`",
             )
         )
-    axis = _axis_of_file(session, job, spec, list(names), profiles)
+    axis = _axis_of(job, _axis_in(session, spec, profiles), spec, names)
+    return _first_test(job, axis, spec, names), spec
+
+
+def _first_test(job: Job, axis: str, spec: str, names: Mapping[str, str]) -> tuple[str, str]:
+    """Return the axis and the name of its first test in the job. ``names``: tests and their
+    axes.
+    """
     before = job.axes[axis].before
     if not before:
         raise UsageError(
@@ -239,16 +262,13 @@ def _assign(
                 hint="give a test of an axis that has `before` in the job",
             )
         )
-    return (axis, before[0].name), spec
+    return axis, before[0].name
 
 
-def _axis_of_file(
-    session: Session, job: Job, spec: str, names: Sequence[str], profiles: Sequence[Path]
-) -> str:
-    """Return the axis named in a file, or the only axis of the job. ``names``: of the job's
-    tests.
+def _axis_of(job: Job, measured: str, spec: str, names: Iterable[str]) -> str:
+    """Return the axis ``measured`` that a file names, or the only axis of the job. ``names``: of
+    the job's tests.
     """
-    measured = _axis_in(session, spec, profiles)
     if measured:
         axis = next((name for name in job.axes if name.upper() == measured.upper()), None)
         if axis is None:

@@ -130,11 +130,14 @@ def read_circles(session: Session, job: Job, folder: Path) -> tuple[CircularTest
     return tuple(tests)
 
 
-def read_circle(session: Session, paths: list[Path], name: str) -> CircularTest:
-    """Read the files of one circular test. Raises InputError."""
+def read_circle(session: Session, paths: Sequence[Path | CircularTest], name: str) -> CircularTest:
+    """Read the files of one circular test; a part may be in memory. Raises InputError."""
     errors: list[CompwrightError] = []
     parts = []
     for given in paths:
+        if isinstance(given, CircularTest):
+            parts.append(given)
+            continue
         try:
             files = measurement_files(session, given).files
         except InputError as error:

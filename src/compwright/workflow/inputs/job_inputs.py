@@ -136,16 +136,20 @@ def _without_unnamed(ours: PositioningTest, tests: Sequence[PositioningTest]) ->
 
 
 def read_test(
-    session: Session, entry: AxisJob, request: TestRequest, folder: Path
+    session: Session,
+    entry: AxisJob,
+    request: TestRequest,
+    folder: Path,
+    measured: Sequence[PositioningTest] = (),
 ) -> PositioningTest:
     """Read the files of one test as one record in machine coordinates. Expansion is removed if the
-    job requires it.
+    job requires it. ``measured``: parts of the test that are in memory.
 
     The temperature is that of the environment record, else of the test's own keys, else of its
     files, else of the axis.
     """
     errors: list[CompwrightError] = []
-    parts = []
+    parts = list(measured)
     skipped: tuple[Path, ...] = ()
     profile = (
         load_profile(session, storage.named_from(folder, request.profile))

@@ -28,7 +28,7 @@ from compwright.foundations.key_faults import KeyFault
 from compwright.foundations.session import Session
 from compwright.instruments.drift_csv import read_drift
 from compwright.instruments.environment_csv import joined, read_environment
-from compwright.jobs.command_line import job_from_options
+from compwright.jobs.command_line import job_from_options, whole_travel
 from compwright.jobs.consistency import NONE_WORD
 from compwright.jobs.reading import read_job
 from compwright.records.axis import Axis, AxisKind
@@ -325,6 +325,8 @@ def job_of(
         return JobToRun(
             read_job_file(session, first), first.parent, out or default_folder(session, first)
         )
+    if travel and ":" not in travel:  # two values with a blank: the second one is among the files
+        raise UsageError(whole_travel(travel))
     for text in inputs:
         if not storage.is_folder(Path(text)):
             storage.read_bytes(session, Path(text), MEASUREMENT)

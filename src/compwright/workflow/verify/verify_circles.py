@@ -45,34 +45,38 @@ from compwright.records.axis import Axis
 from compwright.records.circular import CircularResult, CircularTest
 from compwright.records.job import Acknowledged, Job
 from compwright.records.plan import Plan, PlannedCircle
+from compwright.records.positioning import PositioningTest
 from compwright.records.prediction import AcceptDecision
 from compwright.verification.proof import doubt_warnings, doubts_after
 from compwright.workflow.inputs.circles import read_circle
 
 
 def split_after(
-    session: Session, plan: Plan, specs: Sequence[str]
-) -> tuple[list[str], dict[str, list[Path]]]:
+    session: Session, plan: Plan, specs: Sequence[str | PositioningTest | CircularTest]
+) -> tuple[list[str | PositioningTest], dict[str, list[Path | CircularTest]]]:
     """Return the ``--after`` values that are not circular tests, and the files of those that are,
-    by circle.
+    by circle. Each may also be a test in memory.
 
     ``TEST=FILE`` names the circle; else the plane decides, and of several circles of one plane the
     radius. Raises UsageError where the plan holds no such circle, InputError for circular files
     that cannot be read.
     """
-    others: list[str] = []
-    circles: dict[str, list[Path]] = {}
+    others: list[str | PositioningTest] = []
+    circles: dict[str, list[Path | CircularTest]] = {}
     errors: list[CompwrightError] = []
     for spec in specs:
+        if isinstance(spec, PositioningTest):
+            others.append(spec)
+            continue
         try:
             found = _circle(session, plan, spec)
         except CompwrightError as error:
             errors.append(error)
             continue
-        if found is None:
-            others.append(spec)
-        else:
+        if found is not None:
             circles.setdefault(found[0], []).append(found[1])
+        elif isinstance(spec, str):
+            others.append(spec)
     if errors:
         raise max((type(error) for error in errors), key=lambda kind: kind.exit_code)(
             *collect(errors)
@@ -80,7 +84,11 @@ def split_after(
     return others, circles
 
 
-def _circle(session: Session, plan: Plan, spec: str) -> tuple[str, Path] | None:
+def _circle(
+    session: Session, plan: Plan, spec: str | CircularTest
+) -> tuple[str, Path | CircularTest] | None:
+    if isinstance(spec, CircularTest):
+        return _repeated(plan, spec, spec.name), spec
     head, mark, tail = spec.partition("=")
     named = bool(mark and tail) and head in plan.circles
     path = Path(tail if named else spec)
@@ -129,7 +137,7 @@ def verify_circles(
     session: Session,
     job: Job,
     plan: Plan,
-    files: Mapping[str, Sequence[Path]],
+    files: Mapping[str, Sequence[Path | CircularTest]],
     as_found: DecodedState,
     states: Mapping[str, DecodedState],
 ) -> dict[str, VerifiedCircle]:
@@ -142,9 +150,7 @@ def verify_circles(
     verified: dict[str, VerifiedCircle] = {}
     for name, paths in files.items():
         try:
-            test = in_job_names(
-                read_circle(session, list(paths), name), plan.circles[name].test.axes
-            )
+            test = in_job_names(read_circle(session, paths, name), plan.circles[name].test.axes)
             during = active_corrections(states.get(plan.circles[name].measured_in), axes)
             verified[name] = _verified(job, plan, plan.circles[name], test, during, then)
         except InputError as error:

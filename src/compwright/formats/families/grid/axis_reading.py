@@ -9,7 +9,7 @@ from decimal import Decimal
 import numpy as np
 
 from compwright.formats.definition.options import known_kind
-from compwright.formats.definition.schema import Choice
+from compwright.formats.definition.schema import Choice, Measure
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.family import Family
 from compwright.formats.families.grid.axis_values import SAYING, GridAxisValues
@@ -118,6 +118,8 @@ class GridAxisReader:
             period = period_of(self.values, self.axis, self.rows, table)
         if has_table and table is None and scale is not None:
             facts = replace(facts, grid=self._idle_nodes(scale))
+        if constant:
+            facts = replace(facts, stated={**facts.stated, "backlash_in_curves": 2.0 * constant})
         if table is None:
             table = self._constant(constant)
         compensation = AxisCompensation(
@@ -147,6 +149,10 @@ class GridAxisReader:
             number = self.values.single(quantity)
             if number is not None:
                 stated[quantity] = int(number.text)
+        backlash = self.definition.bindings.get("backlash")
+        if isinstance(backlash, Measure) and backlash.sign == "half_each_way":
+            found = self.values.single("backlash")
+            stated |= {} if found is None else {"typed_backlash": found.text}
         return stated
 
     def _facts(self, kind: AxisKind, stated: Mapping[str, Fact], *, enabled: bool) -> AxisFacts:

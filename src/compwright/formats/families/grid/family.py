@@ -136,4 +136,6 @@ class GridFamily(Family):
     def card(self, request: CardRequest) -> AxisCard:
         """See `Family.card`."""
         values = table_values(self.definition, self.scale_of(request.axis), request.table)
+        typed = request.facts.stated.get("typed_backlash")  # not in the table: half each way
+        values |= {} if typed is None else {"backlash": str(typed)}
         return AxisCard(values | named_files(self, request.axis, request.files))

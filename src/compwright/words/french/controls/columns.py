@@ -68,6 +68,14 @@ TEXTS: Final[dict[str, str]] = {
         " l'autre côté : la différence qui reste doit être petite. Une valeur MP710 positive"
         " avance dans le sens du nouveau mouvement."
     ),
+    "Save the .COM and .CMA files and the list of machine parameters again and compare them with"
+    " the plan: `compwright compare JOB_FOLDER --loaded READ_BACK`. What was typed in from a"
+    " sheet: write the values on the display into a copy of the sheet.": (
+        "Sauvegarder de nouveau les fichiers .COM et .CMA et la liste des paramètres machine, et"
+        " les comparer au plan : `compwright compare JOB_FOLDER --loaded READ_BACK`. Ce qui a été"
+        " saisi d'après une feuille : écrire les valeurs de l'affichage dans une copie de la"
+        " feuille."
+    ),
     "Load the saved .COM and .CMA files and set MP710.{bit}, MP720.{bit} and the bit of"
     " MP730 as written down.": (
         "Charger les fichiers .COM et .CMA sauvegardés et régler MP710.{bit}, MP720.{bit} et le"
@@ -126,6 +134,13 @@ TEXTS: Final[dict[str, str]] = {
         " l'autre côté : la différence qui reste doit être petite. Une valeur backLash positive"
         " avance dans le sens du nouveau mouvement. La commande l'ajoute aussi là où seule la"
         " table fait revenir l'axe."
+    ),
+    "Save the .COM and .CMA files again and compare them with the plan: `compwright compare"
+    " JOB_FOLDER --loaded READ_BACK`. What was typed in from a sheet: write the values on the"
+    " display into a copy of the sheet.": (
+        "Sauvegarder de nouveau les fichiers .COM et .CMA, et les comparer au plan : `compwright"
+        " compare JOB_FOLDER --loaded READ_BACK`. Ce qui a été saisi d'après une feuille : écrire"
+        " les valeurs de l'affichage dans une copie de la feuille."
     ),
     "Load the saved .COM and .CMA files and set backLash and linearCompValue of axis"
     " {address} as written down.": (

@@ -42,6 +42,12 @@ TEXTS: Final[dict[str, str]] = {
         " joint.{address}.backlash-filt en unités de la machine : elle montre ce que la"
         " commande doit y ajouter."
     ),
+    "Copy the INI file and the compensation files that it names from the control again and"
+    " compare them with the plan: `compwright compare JOB_FOLDER --loaded READ_BACK`.": (
+        "Copier de nouveau depuis la commande le fichier INI et les fichiers de compensation"
+        " qu'il nomme, et les comparer au plan : `compwright compare JOB_FOLDER --loaded"
+        " READ_BACK`."
+    ),
     "Put the saved INI file back, with each compensation file that it names; restart LinuxCNC and"
     " home.": (
         "Remettre le fichier INI sauvegardé, avec chaque fichier de compensation qu'il nomme ;"

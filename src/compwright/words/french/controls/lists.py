@@ -67,6 +67,13 @@ TEXTS: Final[dict[str, str]] = {
         " (leur tableau est avec l'axe), en arrivant en + et en −. La position affichée ne"
         " montre pas la compensation : utiliser l'instrument."
     ),
+    "Copy the compensation value lists, the axis parameter lists and the start-up list from the"
+    " control again and compare them with the plan: `compwright compare JOB_FOLDER --loaded"
+    " READ_BACK`.": (
+        "Copier de nouveau depuis la commande les listes de valeurs de compensation, les listes"
+        " de paramètres d'axe et la liste de démarrage, et les comparer au plan : `compwright"
+        " compare JOB_FOLDER --loaded READ_BACK`."
+    ),
     "Load the saved lists and restart.": "Charger les listes sauvegardées et redémarrer.",
     "no list of this control can be written with it": (
         "aucune liste de cette commande ne peut être écrite avec elle"

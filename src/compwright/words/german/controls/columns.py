@@ -66,6 +66,13 @@ TEXTS: Final[dict[str, str]] = {
         " Seite zurückkommen: Der Unterschied, der bleibt, muss klein sein. Ein positiver Wert"
         " MP710 führt in der Richtung der neuen Bewegung weiter."
     ),
+    "Save the .COM and .CMA files and the list of machine parameters again and compare them with"
+    " the plan: `compwright compare JOB_FOLDER --loaded READ_BACK`. What was typed in from a"
+    " sheet: write the values on the display into a copy of the sheet.": (
+        "Die .COM- und .CMA-Dateien und die Liste der Maschinenparameter noch einmal sichern und"
+        " mit dem Plan vergleichen: `compwright compare JOB_FOLDER --loaded READ_BACK`. Was aus"
+        " einem Blatt eingegeben wurde: die Werte der Anzeige in eine Kopie des Blatts schreiben."
+    ),
     "Load the saved .COM and .CMA files and set MP710.{bit}, MP720.{bit} and the bit of"
     " MP730 as written down.": (
         "Die gesicherten .COM- und .CMA-Dateien laden und MP710.{bit}, MP720.{bit} und das Bit"
@@ -125,6 +132,13 @@ TEXTS: Final[dict[str, str]] = {
         " Seite zurückkommen: Der Unterschied, der bleibt, muss klein sein. Ein positiver Wert"
         " backLash führt in der Richtung der neuen Bewegung weiter. Die Steuerung addiert ihn"
         " auch dort, wo nur die Tabelle die Achse umkehren lässt."
+    ),
+    "Save the .COM and .CMA files again and compare them with the plan: `compwright compare"
+    " JOB_FOLDER --loaded READ_BACK`. What was typed in from a sheet: write the values on the"
+    " display into a copy of the sheet.": (
+        "Die .COM- und .CMA-Dateien noch einmal sichern und mit dem Plan vergleichen: `compwright"
+        " compare JOB_FOLDER --loaded READ_BACK`. Was aus einem Blatt eingegeben wurde: die Werte"
+        " der Anzeige in eine Kopie des Blatts schreiben."
     ),
     "Load the saved .COM and .CMA files and set backLash and linearCompValue of axis"
     " {address} as written down.": (

@@ -42,6 +42,12 @@ TEXTS: Final[dict[str, str]] = {
         " joint.{address}.backlash-filt in Maschineneinheiten ablesen: Er zeigt, was die"
         " Steuerung dort addieren muss."
     ),
+    "Copy the INI file and the compensation files that it names from the control again and"
+    " compare them with the plan: `compwright compare JOB_FOLDER --loaded READ_BACK`.": (
+        "Die INI-Datei und die Kompensationsdateien, die sie nennt, noch einmal von der Steuerung"
+        " kopieren und mit dem Plan vergleichen: `compwright compare JOB_FOLDER --loaded"
+        " READ_BACK`."
+    ),
     "Put the saved INI file back, with each compensation file that it names; restart LinuxCNC and"
     " home.": (
         "Die gesicherte INI-Datei zurücklegen, mit jeder Kompensationsdatei, die sie nennt;"

@@ -70,6 +70,13 @@ TEXTS: Final[dict[str, str]] = {
         " (ihre Tabelle steht bei der Achse), in + und in − angefahren. Die angezeigte Position"
         " enthält die Kompensation nicht: das Messgerät benutzen."
     ),
+    "Copy the compensation value lists, the axis parameter lists and the start-up list from the"
+    " control again and compare them with the plan: `compwright compare JOB_FOLDER --loaded"
+    " READ_BACK`.": (
+        "Die Kompensationswertlisten, die Achsparameterlisten und die Hochlaufliste noch einmal"
+        " von der Steuerung kopieren und mit dem Plan vergleichen: `compwright compare JOB_FOLDER"
+        " --loaded READ_BACK`."
+    ),
     "Load the saved lists and restart.": "Die gesicherten Listen laden und neu starten.",
     "no list of this control can be written with it": (
         "keine Liste dieser Steuerung kann damit geschrieben werden"

@@ -65,6 +65,13 @@ TEXTS: Final[dict[str, str]] = {
         " другой стороны: оставшаяся разница должна быть малой. Положительное значение MP710"
         " продолжает ход в направлении нового движения."
     ),
+    "Save the .COM and .CMA files and the list of machine parameters again and compare them with"
+    " the plan: `compwright compare JOB_FOLDER --loaded READ_BACK`. What was typed in from a"
+    " sheet: write the values on the display into a copy of the sheet.": (
+        "Снова сохраните файлы .COM и .CMA и список машинных параметров и сравните их с планом:"
+        " `compwright compare JOB_FOLDER --loaded READ_BACK`. Что было введено по листу: запишите"
+        " значения с экрана в копию листа."
+    ),
     "Load the saved .COM and .CMA files and set MP710.{bit}, MP720.{bit} and the bit of"
     " MP730 as written down.": (
         "Загрузите сохранённые файлы .COM и .CMA и задайте MP710.{bit}, MP720.{bit} и бит MP730"
@@ -120,6 +127,13 @@ TEXTS: Final[dict[str, str]] = {
         " другой стороны: оставшаяся разница должна быть малой. Положительное значение backLash"
         " продолжает ход в направлении нового движения. УЧПУ прибавляет его и там, где ось"
         " поворачивает назад только из-за таблицы."
+    ),
+    "Save the .COM and .CMA files again and compare them with the plan: `compwright compare"
+    " JOB_FOLDER --loaded READ_BACK`. What was typed in from a sheet: write the values on the"
+    " display into a copy of the sheet.": (
+        "Снова сохраните файлы .COM и .CMA и сравните их с планом: `compwright compare JOB_FOLDER"
+        " --loaded READ_BACK`. Что было введено по листу: запишите значения с экрана в копию"
+        " листа."
     ),
     "Load the saved .COM and .CMA files and set backLash and linearCompValue of axis"
     " {address} as written down.": (

@@ -42,6 +42,11 @@ TEXTS: Final[dict[str, str]] = {
         " joint.{address}.backlash-filt в единицах станка: он показывает, что УЧПУ должно там"
         " прибавлять."
     ),
+    "Copy the INI file and the compensation files that it names from the control again and"
+    " compare them with the plan: `compwright compare JOB_FOLDER --loaded READ_BACK`.": (
+        "Снова скопируйте с УЧПУ файл INI и файлы компенсации, которые он называет, и сравните их"
+        " с планом: `compwright compare JOB_FOLDER --loaded READ_BACK`."
+    ),
     "Put the saved INI file back, with each compensation file that it names; restart LinuxCNC and"
     " home.": (
         "Верните сохранённый файл INI и каждый файл компенсации, который в нём назван;"

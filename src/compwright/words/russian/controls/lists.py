@@ -66,6 +66,12 @@ TEXTS: Final[dict[str, str]] = {
         " таблица — у оси), с подходом в + и в −. Показываемая позиция не содержит компенсации:"
         " пользуйтесь прибором."
     ),
+    "Copy the compensation value lists, the axis parameter lists and the start-up list from the"
+    " control again and compare them with the plan: `compwright compare JOB_FOLDER --loaded"
+    " READ_BACK`.": (
+        "Снова скопируйте с УЧПУ списки значений компенсации, списки параметров осей и список"
+        " запуска и сравните их с планом: `compwright compare JOB_FOLDER --loaded READ_BACK`."
+    ),
     "Load the saved lists and restart.": "Загрузите сохранённые списки и перезапустите.",
     "no list of this control can be written with it": (
         "с этим не может быть записан ни один список этого УЧПУ"
