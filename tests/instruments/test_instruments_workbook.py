@@ -132,6 +132,17 @@ def test_what_is_refused(rows: Rows, words: str) -> None:
     assert words in refused(workbook({"S": rows}))
 
 
+def test_a_mixed_workbook_is_profiled_by_the_sheet_that_needs_it() -> None:
+    """A cover, a sheet of plain CSV, and one of another program: none hides the other."""
+    foreign = [("Soll [mm]", "Richtung", "Lauf", "Abweichung [µm]"), *READINGS]
+    content = workbook({"Cover": [("Report",)], "X": [LONG, *READINGS], "Y": foreign})
+    proposed = proposed_profile(content, "m.xlsx")
+    assert proposed.notes[0] == "proposed for the sheet Y; X needs none"
+    text = proposed.text.replace("\nsign:", "\nsign: measured minus target")
+    tests = read_tests(content, "m.xlsx", read_profile(text.encode(), "P.yaml"))
+    assert [test.axis for test in tests] == ["X", "Y"]
+
+
 def test_files_that_only_begin_like_one() -> None:
     assert "a damaged archive" in refused(b"PK\x03\x04....")
     stream = io.BytesIO()

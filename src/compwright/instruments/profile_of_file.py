@@ -52,24 +52,23 @@ def proposed_profile(content: bytes, file: str) -> Proposed:
 
 
 def _of_workbook(content: bytes, file: str) -> Proposed:
-    """Return the profile for the first sheet of a workbook that contains a table."""
+    """Return the profile for the first sheet of a workbook with a table that needs one."""
     sheets = sheets_of(content, file)
+    plain = ", ".join(sheet.name for sheet in sheets if is_plain_csv(sheet.lines))
     for sheet in sheets:
-        if is_plain_csv(sheet.lines):
-            raise UsageError(
-                Fault(
-                    message=(
-                        "the file needs no profile: compwright reads its sheet "
-                        f"{sheet.name} directly"
-                    ),
-                    file=file,
-                    hint="give the file without `--profile`",
-                )
-            )
-    for sheet in sheets:
-        if has_table(sheet.lines):
+        if has_table(sheet.lines) and not is_plain_csv(sheet.lines):
             found = _proposed(sheet.lines, "", f"{file}, sheet {sheet.name}")
-            return replace(found, notes=(f"proposed for the sheet {sheet.name}", *found.notes))
+            note = f"proposed for the sheet {sheet.name}"
+            note += f"; {plain} needs none" if plain else ""
+            return replace(found, notes=(note, *found.notes))
+    if plain:
+        raise UsageError(
+            Fault(
+                message=f"the file needs no profile: compwright reads its sheet {plain} directly",
+                file=file,
+                hint="give the file without `--profile`",
+            )
+        )
     raise InputError(
         Fault(
             message="the file contains no sheet with a table of numbers",

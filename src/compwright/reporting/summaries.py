@@ -263,8 +263,13 @@ def decode_tables(document: Mapping[str, Any]) -> list[RenderableType]:
 
 def verification_tables(document: Mapping[str, Any]) -> list[RenderableType]:
     """Return before, predicted and after side by side, the loading verdict, and the total
-    verdict.
+    verdict. What the doubts say, which are printed first, is not repeated.
     """
+    first = [doubt["message"] for doubt in document["doubts"]]
+
+    def is_first(message: str) -> bool:
+        return any(text.endswith(message) for text in first)
+
     shown: list[RenderableType] = []
     for name, axis in document["axes"].items():
         unit = unit_text(axis["unit"])
@@ -285,6 +290,7 @@ def verification_tables(document: Mapping[str, Any]) -> list[RenderableType]:
                 *_decision(axis["accept"].get(parameter)),
             )
         loading = axis["loading"]
+        message = "" if is_first(loading["message"]) else f" {loading['message']}"
         shown += [
             Rule(
                 Text(f"axis {name} · test {axis['test']}", style="bold"),
@@ -293,9 +299,9 @@ def verification_tables(document: Mapping[str, Any]) -> list[RenderableType]:
             ),
             table,
             *(Text(str(line)) for line in rule_lines(axis["accept"], unit, after=True)),
-            Text.assemble("Loading: ", _word(loading["verdict"]), f". {loading['message']}"),
+            Text.assemble("Loading: ", _word(loading["verdict"]), f".{message}"),
             *(Text(f"  look at: {sentence}") for sentence in loading.get("look_at", ())),
-            *finding_lines(axis["findings"]),
+            *finding_lines([one for one in axis["findings"] if not is_first(one["message"])]),
             Text(),
         ]
     return [
