@@ -83,12 +83,11 @@ def quality_page(kept: Record) -> str:
         for row in rows
     ]
     near, far = faults["near"], faults["far"]
-    lost = sorted(KINDS.keys() - {row["kind"] for row in rows})
-    rest = (
-        f" Numbers of {len(rows) - 1} of {len(KINDS)} kinds were kept. Those of the other {whole['axes'] - sum(row['axes'] for row in rows[1:])} axes are in *all* only: {'; '.join(lost)}."
-        if lost
-        else ""
-    )
+    later = tables["unmeasured"]
+    lost = sorted(KINDS.keys() - {row["kind"] for row in rows} - set(later))
+    rest = f" Kinds added since, not measured: {'; '.join(later)}." if later else ""
+    if lost:
+        rest += f" Numbers of {len(rows) - 1} of {len(KINDS) - len(later)} measured kinds were kept. Those of the other {whole['axes'] - sum(row['axes'] for row in rows[1:])} axes are in *all* only: {'; '.join(lost)}."
     return f"""# How good the table is, and how honest the prediction
 
 Made by `make quality` from `docs/quality.json`. Tables: {whole["axes"]} virtual axes, measured {tables["date"]} on commit {tables["commit"]}. Loading faults: {faults["date"]} on commit {faults["commit"]}. What later commits changed is not in these numbers.{rest}
@@ -201,7 +200,12 @@ def main() -> None:
         if file:
             lines = file.read_text(encoding="utf-8").splitlines()
             records = [json.loads(line) for line in lines]
-            found = {"rows": tables_of(records)} if name == "tables" else faults_of(records)
+            measured = {one["kind"] for one in records}
+            found = (
+                {"unmeasured": sorted(KINDS.keys() - measured), "rows": tables_of(records)}
+                if name == "tables"
+                else faults_of(records)
+            )
             asked = subprocess.run(git, check=True, capture_output=True, text=True)  # noqa: S603 - fixed words
             commit = asked.stdout.strip()
             kept[name] = {"date": f"{dt.datetime.now(dt.UTC).date()}", "commit": commit, **found}
