@@ -79,6 +79,7 @@ KINDS = {
     "a number as text": job("not a number", "correct `axes.X.reference`", JOB + "    reference: home\n"),
     "a test without a file": Kind("does not exist", "check the path", "run job.yaml --out r --force", files=({"job.yaml": JOB.replace("x.csv", "y.csv")}, {"job.yaml": JOB})),
     "one number as travel": Kind("look like 0:800", "`--travel 0:800`", SHORT.replace("0:400", "400"), SHORT),
+    "two values as travel": Kind("look like 0:800", "`--travel 0:800`", SHORT.replace("0:400", "-400 0"), SHORT),
     "an option without a value": Kind("look like KEY=VALUE", "one key and its value", SHORT + " --option units", SHORT + " --option units=mm"),
     "an option twice": Kind("is given twice", "remove one", SHORT + " --option units=mm --option units=mm", SHORT + " --option units=mm"),
     "no format": Kind("--format is missing", "add `--format ID`", SHORT.replace("--format linuxcnc", ""), SHORT),

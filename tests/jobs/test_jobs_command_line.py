@@ -107,7 +107,7 @@ def test_values_of_controller_options_stay_text() -> None:
 def test_travel_is_two_numbers_in_order(travel: str) -> None:
     (line,) = faults_of(travel=travel)
     assert without_hint(line).startswith("--travel: the value of `--travel` must look like 0:800 ")
-    assert line.endswith("such as `--travel 0:800`")
+    assert line.endswith("such as `--travel 0:800` or `--travel=-800:0`")
     assert f"; found {travel!r}." in line
 
 
