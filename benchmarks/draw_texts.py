@@ -42,13 +42,17 @@ def error_text(words: dict[str, str]) -> str:
 
 def messages(tree: ast.AST, path: Path) -> Iterator[str]:
     """Yield the sentences, errors and help texts of a module."""
-    for node in ast.walk(tree):
-        if isinstance(node, ast.Dict) and "english" in path.parts:
+    named: dict[str, ast.AST] = {}
+    for node in sorted(ast.walk(tree), key=lambda node: getattr(node, "lineno", 0)):
+        if isinstance(node, ast.Assign):
+            named[ast.unparse(node.targets[0])] = node.value
+        elif isinstance(node, ast.Dict) and "english" in path.parts:
             yield from (text_of(value) for value in node.values)
         elif isinstance(node, ast.Call):
             words = {word.arg or "": text_of(word.value) for word in node.keywords}
             if "hint" in words and node.args and " " in text_of(node.args[0]):
-                words.setdefault("message", text_of(node.args[0]))
+                texts = [text_of(named.get(ast.unparse(one), one)) for one in node.args[:2]]
+                words.setdefault("message", ": ".join(filter(None, texts)))
             if {"message", "hint"} <= set(words) and words["message"] != "{message}":
                 yield error_text(words)
             elif "help" in words and "cli" in path.parts:

@@ -32,7 +32,7 @@ SENTENCES: Final[dict[str, str]] = {
         " spike are therefore not determined"
     ),
     "CW-D005.one": (
-        "axis {name} reverses only once on this arc. Its lost motion is that at the"
+        "axis {name} reverses only once on this arc. Its lost motion is known only at the"
         " {end:choose|positive=positive|negative=negative} end"
     ),
     "CW-D006": "a cyclic error of {axis} was found at a pitch of {pitch:.4g} mm",

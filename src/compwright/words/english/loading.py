@@ -25,7 +25,7 @@ SENTENCES: Final[dict[str, str]] = {
         "it has {targets} {targets:plural|target|targets}, and the standard asks for {fewest}"
         " at least"
     ),
-    "CW-V020.gap": "{gap} of the travel are without a target",
+    "CW-V020.gap": "over {gap} of the travel there is no target",
     "CW-V020.range": "it covers {range}",
     "CW-V021": (
         "Repeated readings scatter by {scatter}, {ratio:3sig} times {less:if|less|more} than in"
@@ -96,7 +96,7 @@ SENTENCES: Final[dict[str, str]] = {
         " the unit that its file states."
     ),
     "CW-V026.two_axes": (
-        "Axis {axis} and axis {other} were given the same measurement. Give each axis its own."
+        "Axis {axis} and axis {other} were given the same measurement. Give each axis its own file."
     ),
     "CW-V026.zeros": (
         "Every reading of the test is the same, so nothing was measured. Measure the axis."

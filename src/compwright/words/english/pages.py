@@ -24,7 +24,7 @@ SENTENCES: Final[dict[str, str]] = {
     "circle.detail": "– {part}",
     "circle.effect": "Effect on the radius",
     "circle.effects": "Effect, peak to peak, in µm; whiskers 95 %",
-    "circle.fit": "fit: path of each run as all causes together explain it",
+    "circle.fit": "fit: path of each run, calculated from all causes of deviation",
     "circle.job": (
         "These lines of a job put into tables and backlash compensation what they can correct. Make"
         " the job with `compwright new --from FILE... --format ID --out job.yaml` from the files of"

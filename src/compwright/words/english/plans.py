@@ -155,7 +155,7 @@ SENTENCES: Final[dict[str, str]] = {
         " during the test: 1 K changes steel by 11 µm/m."
     ),
     "CW-P130.no_circle": (
-        "{axis}: the job asks for the lost motion by circles, but no circle was measured with"
+        "{axis}: the job requests the lost motion from circles, but no circle was measured with"
         " this axis. The value of the laser is used."
     ),
     "CW-P130.no_test": (
@@ -166,7 +166,7 @@ SENTENCES: Final[dict[str, str]] = {
         "apply.backlash_from has no effect: no circle of the job shows the lost motion of an axis."
     ),
     "CW-P130.unknown": (
-        "{axis}: the job asks for the lost motion by circles, but it is not used. Either the"
+        "{axis}: the job requests the lost motion from circles, but it is not used. Either the"
         " circles do not show it, or the positioning test has one direction only."
     ),
     "CW-P131": (
@@ -223,12 +223,13 @@ SENTENCES: Final[dict[str, str]] = {
         " or named where this is impossible"
     ),
     "CW-P142.line": (
-        "The slope of {slope} goes into the control's separate straight line. At the table points"
-        " an error of {left} rms would be left without this line, and {with_line} with it"
+        "The slope of {slope} is corrected by the control's separate linear parameter (a"
+        " straight line). At the table points an error of {left} rms would be left without this"
+        " line, and {with_line} with it"
     ),
     "CW-P142.table": (
         "The slope of {slope} stays in the table. At the table points an error of {left} rms is"
-        " left without a separate straight line, and {with_line} would be left with it"
+        " left without the separate linear parameter, and {with_line} would be left with it"
     ),
     "CW-P143.none": "No second table is written for {period}",
     "CW-P143.period": (

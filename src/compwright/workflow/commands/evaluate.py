@@ -258,7 +258,7 @@ def write_evaluation(
         if path in files:
             raise UsageError(
                 Fault(
-                    message=f"this file is already used for {named[path]}",
+                    message=f"this file name is already used for {named[path]}",
                     file=shown_path(path),
                     place=option,
                     expected="another file",

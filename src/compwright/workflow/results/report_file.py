@@ -62,7 +62,7 @@ def answer_files(
     if json_path in pages:
         raise UsageError(
             Fault(
-                message="this file is already used for --json",
+                message="this file name is already used for --json",
                 file=shown_path(report),
                 place="--report",
                 expected="another file",
