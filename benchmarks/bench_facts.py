@@ -3,7 +3,8 @@ notice.
 
 python benchmarks/bench_facts.py
 
-The tests turn one fact in six (tests/formats/test_siemens_facts.py) or four (test_fanuc_facts.py).
+The tests turn one fact in eighteen (tests/formats/test_siemens_facts.py) or twelve
+(test_fanuc_facts.py).
 Prints the facts that nothing notices; exit 1 where there is one.
 """
 

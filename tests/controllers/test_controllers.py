@@ -538,7 +538,7 @@ class TestNumbers:
     @example("0x 2 3")
     @example("0x.p1 0x1p3 0X1.8P-1")
     @example("1e400 1e-400 0x1p9999")
-    @settings(max_examples=1500, deadline=None)
+    @settings(max_examples=200, deadline=None)
     def test_as_scanf_does(self, text: str) -> None:
         assert self.libc is not None
         found = [ctypes.c_double() for _ in range(3)]
@@ -632,7 +632,7 @@ def mutated(text: str) -> st.SearchStrategy[bytes]:
 
 
 @given(content=st.binary(max_size=400) | mutated(EEC), other=st.binary(max_size=50))
-@settings(max_examples=400, deadline=None)
+@settings(max_examples=100, deadline=None)
 def test_any_bytes_sinumerik(content: bytes, other: bytes) -> None:
     ask_everything("siemens-840d-sl", [ControlFile("a.ini", content)])
     ask_everything(
@@ -654,7 +654,7 @@ INI = (
 @given(
     table=st.binary(max_size=300) | mutated(OBSERVED), ini=st.binary(max_size=200) | mutated(INI)
 )
-@settings(max_examples=400, deadline=None)
+@settings(max_examples=100, deadline=None)
 def test_any_bytes_linuxcnc(table: bytes, ini: bytes) -> None:
     ask_everything("linuxcnc", [ControlFile("joint_0.comp", table)])
     ask_everything(

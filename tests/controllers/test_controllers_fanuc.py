@@ -1121,7 +1121,7 @@ def mutated(text: str) -> st.SearchStrategy[bytes]:
 @example(b"N03620Q1A1P" + b"9" * 5000)
 @example(b"N03624Q1A1P" + b"9" * 400 + b".0")
 @example(b"N" + b"9" * 5000 + b"P1")
-@settings(max_examples=2200, deadline=None)
+@settings(max_examples=200, deadline=None)
 def test_any_bytes(content: bytes) -> None:
     ask_everything([ControlFile("a.txt", content)])
     ask_everything(
@@ -1131,7 +1131,7 @@ def test_any_bytes(content: bytes) -> None:
 
 @given(content=st.binary(max_size=200) | mutated(SHEET))
 @example(SHEET.replace("50.0", "9" * 400).encode())
-@settings(max_examples=800, deadline=None)
+@settings(max_examples=100, deadline=None)
 def test_any_bytes_in_a_sheet(content: bytes) -> None:
     ask_everything([ControlFile("entry_1.csv", content)])
     ask_everything([ControlFile("a.txt", WHOLE.encode()), ControlFile("entry_1.csv", content)])

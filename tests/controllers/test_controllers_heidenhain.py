@@ -1037,7 +1037,7 @@ def cell(value: float | None) -> str:
     step=st.integers(1, 400),
     width=st.integers(8, 14),
 )
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=60, deadline=None)
 def test_brute_force_itnc(
     table: list[list[float | None]], datum: int, step: int, width: int
 ) -> None:
@@ -1067,7 +1067,7 @@ def test_brute_force_itnc(
     second=st.booleans(),
     width=st.integers(9, 14),
 )
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=60, deadline=None)
 def test_brute_force_nck(
     table: list[list[float | None]], starts: list[int], second: bool, width: int
 ) -> None:
@@ -1151,7 +1151,7 @@ MP = "MP710.0 : 0.004\nMP710.5 : 0.004\nMP720.1 : 0.01\nMP730 : %00001\n"
     sheet=mutated(SHEET) | st.binary(max_size=200),
     rule=st.sampled_from(["free", "power_of_two"]),
 )
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=100, deadline=None)
 def test_any_bytes_itnc(table: bytes, cma: bytes, mp: bytes, sheet: bytes, rule: str) -> None:
     whole = {
         "X.COM": COM.encode(),
@@ -1170,7 +1170,7 @@ def test_any_bytes_itnc(table: bytes, cma: bytes, mp: bytes, sheet: bytes, rule:
     cma=mutated(NCK_CMA),
     sheet=mutated(SHEET.replace("MP710", "backLash").replace("MP730,,1,\n", "")),
 )
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=100, deadline=None)
 def test_any_bytes_nck(table: bytes, cma: bytes, sheet: bytes) -> None:
     options = {"backlash_column": "second_curve"}
     ask_everything("heidenhain-nck", {"X.COM": table, "C.CMA": NCK_CMA.encode()}, options=options)

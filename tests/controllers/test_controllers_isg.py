@@ -579,7 +579,7 @@ def ask_everything(content: bytes) -> None:
 
 
 class TestDamage:
-    @settings(max_examples=150, deadline=None)
+    @settings(max_examples=60, deadline=None)
     @given(
         st.sampled_from([LISTED, EVEN, CROSS, TURN, LOST_MOTION]),
         st.lists(

@@ -381,7 +381,7 @@ def ask_everything(content: bytes) -> None:
 
 
 class TestDamage:
-    @settings(max_examples=150, deadline=None)
+    @settings(max_examples=60, deadline=None)
     @given(
         st.sampled_from([WORKED, CROSS, "#1 DEFINE COMP 1.1,#1,#2,10,10\n0 0 0\nI180..187=3\n"]),
         st.lists(

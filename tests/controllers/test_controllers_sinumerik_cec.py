@@ -990,13 +990,13 @@ def damaged(draw: st.DrawFn) -> bytes:
 
 
 @given(content=damaged() | st.binary(max_size=300))
-@settings(max_examples=1500, deadline=None)
+@settings(max_examples=200, deadline=None)
 def test_any_bytes_are_refused_or_a_control(content: bytes) -> None:
     ask_everything(content)
 
 
 @given(content=damaged(), other=damaged())
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=100, deadline=None)
 def test_any_bytes_beside_a_good_file(content: bytes, other: bytes) -> None:
     ask_everything(SHAPE.encode(), content)
     ask_everything(content, other)
@@ -1009,7 +1009,7 @@ NUMBER = st.floats(-1e12, 1e12) | st.sampled_from([0.0, 1.0, -1.0, 2.0, 100.0, 1
     numbers=st.lists(NUMBER, min_size=8, max_size=8),
     whole=st.lists(st.sampled_from(["0", "1", "2", "-1"]), min_size=3, max_size=3),
 )
-@settings(max_examples=500, deadline=None)
+@settings(max_examples=100, deadline=None)
 def test_any_numbers_are_refused_or_a_finite_control(
     numbers: list[float], whole: list[str]
 ) -> None:

@@ -70,7 +70,7 @@ def test_distances_are_orthogonal_not_algebraic() -> None:
     assert abs(radius - 10.0499) > 0.04
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=60, deadline=None)
 @given(
     st.integers(0, 2**32 - 1),
     st.integers(5, 300),

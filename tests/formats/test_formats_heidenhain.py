@@ -1093,7 +1093,7 @@ PIECES = st.one_of(
 
 
 @given(data=st.data())
-@settings(deadline=None, max_examples=400)
+@settings(deadline=None, max_examples=100)
 def test_a_damaged_file_is_refused_or_read(data: st.DataObject) -> None:
     definition, files = data.draw(
         st.sampled_from(

@@ -545,7 +545,7 @@ def test_what_is_written_comes_back_new_or_in_the_own_list(
             assert found == pytest.approx(wanted, abs=1e-9)
 
 
-@settings(max_examples=150, deadline=None, suppress_health_check=list(HealthCheck))
+@settings(max_examples=60, deadline=None, suppress_health_check=list(HealthCheck))
 @given(data=st.data())
 def test_damaged_lists_are_refused_or_read_as_the_judge_reads_them(data: st.DataObject) -> None:
     parts = {"a": SAMPLE, "b": PLAY.replace("lose 50", "lose 0"), "c": SLAVE}

@@ -644,7 +644,7 @@ def cases(draw: st.DrawFn) -> tuple[AxisCompensation, Axis, float]:
 
 
 @given(case=cases())
-@settings(deadline=None, max_examples=150)
+@settings(deadline=None, max_examples=60)
 def test_written_and_read_back_the_same_by_both_readers(
     case: tuple[AxisCompensation, Axis, float],
 ) -> None:
@@ -679,7 +679,7 @@ PIECES = st.sampled_from(
 
 
 @given(pieces=st.lists(PIECES, max_size=25), active=st.sampled_from([None, True, False]))
-@settings(deadline=None, max_examples=400)
+@settings(deadline=None, max_examples=100)
 def test_any_script_is_refused_or_both_readers_agree(
     pieces: list[str], active: bool | None
 ) -> None:

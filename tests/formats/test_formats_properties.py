@@ -78,7 +78,7 @@ def tables(
 
 @pytest.mark.parametrize("name", INDEXED_AND_ROWS)
 @given(data=st.data())
-@settings(deadline=None, max_examples=150)
+@settings(deadline=None, max_examples=60)
 def test_written_and_read_back_the_same(name: str, data: st.DataObject) -> None:
     definition = DEFINITIONS[name]
     compensation, axis, options = data.draw(tables(definition))
@@ -116,7 +116,7 @@ def sample(name: str) -> list[ControlFile]:
 
 @pytest.mark.parametrize("name", INDEXED_AND_ROWS)
 @given(data=st.data())
-@settings(deadline=None, max_examples=400)
+@settings(deadline=None, max_examples=100)
 def test_a_damaged_file_is_refused_or_read_never_worse(name: str, data: st.DataObject) -> None:
     files = sample(name)
     which = data.draw(st.integers(0, len(files) - 1))
@@ -144,7 +144,7 @@ def test_a_damaged_file_is_refused_or_read_never_worse(name: str, data: st.DataO
 
 @pytest.mark.parametrize("name", INDEXED_AND_ROWS)
 @given(data=st.data())
-@settings(deadline=None, max_examples=200)
+@settings(deadline=None, max_examples=60)
 def test_a_lost_or_repeated_line_never_gives_another_table(name: str, data: st.DataObject) -> None:
     """Values by index notice every lost line; rows by position cannot (a row fewer is a table too),
     so only its keys are tried.
@@ -177,7 +177,7 @@ def test_a_lost_or_repeated_line_never_gives_another_table(name: str, data: st.D
 @given(
     content=st.binary(max_size=300), name=st.sampled_from(["a.ini", "joint_0.comp", "X_EEC.INI"])
 )
-@settings(deadline=None, max_examples=300)
+@settings(deadline=None, max_examples=100)
 def test_any_bytes(content: bytes, name: str) -> None:
     for definition in DEFINITIONS.values():
         try:
@@ -187,7 +187,7 @@ def test_any_bytes(content: bytes, name: str) -> None:
 
 
 @given(text=st.text(alphabet="0123456789.-+eE \n\t", max_size=120))
-@settings(deadline=None, max_examples=300)
+@settings(deadline=None, max_examples=100)
 def test_any_rows_of_numbers(text: str) -> None:
     try:
         state = control_format(LINUXCNC, {}).read([ControlFile("joint_0.comp", text.encode())])

@@ -874,13 +874,13 @@ def sag(draw: st.DrawFn) -> str:
 
 
 @given(text=sag(), sign=st.sampled_from(["correction", "error"]))
-@settings(deadline=None, max_examples=150)
+@settings(deadline=None, max_examples=60)
 def test_both_readers_agree_on_any_tables(text: str, sign: str) -> None:
     agreed(files(A__INI=text + "M17\n"), cec_sign=sign)
 
 
 @given(data=st.data())
-@settings(deadline=None, max_examples=300)
+@settings(deadline=None, max_examples=100)
 def test_damaged_tables_are_refused_or_agreed_on(data: st.DataObject) -> None:
     content = (PAIR + RAMP + MD + "M17\n").encode()
     for _ in range(data.draw(st.integers(1, 3))):

@@ -349,7 +349,7 @@ def tables(draw: st.DrawFn) -> AxisCompensation:
 
 
 @given(text=archives(), compensation=tables())
-@settings(deadline=None, max_examples=150)
+@settings(deadline=None, max_examples=60)
 def test_every_other_line_keeps_its_bytes_and_the_table_comes_back(
     text: str, compensation: AxisCompensation
 ) -> None:
@@ -376,7 +376,7 @@ def test_every_other_line_keeps_its_bytes_and_the_table_comes_back(
 
 
 @given(data=st.data(), compensation=tables())
-@settings(deadline=None, max_examples=200)
+@settings(deadline=None, max_examples=60)
 def test_a_damaged_archive_is_refused_or_patched_never_worse(
     data: st.DataObject, compensation: AxisCompensation
 ) -> None:

@@ -707,8 +707,8 @@ DECIDES_NOTHING = {
     r"writing\[0\]\.set: one_curve -> complete": "a pair takes no file with rows of one table",
     r"diameter\.tables": "decides a question of the job",
 }
-#: Every sixth mutant, in so many shares; all of them: benchmarks/bench_facts.py.
-EVERY, SHARES = 6, 8
+#: One mutant in eighteen, in so many shares; all of them: benchmarks/bench_facts.py.
+EVERY, SHARES = 18, 3
 FORMAT = "siemens-840d-sl"
 
 

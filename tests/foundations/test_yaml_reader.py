@@ -179,7 +179,7 @@ def is_plain(value: object) -> bool:
 )
 @example(b"a: !<tag:yaml.org,2002:binary> x")
 @example(b"--- !!omap\n- a: 1")
-@settings(max_examples=400, deadline=None)
+@settings(max_examples=100, deadline=None)
 def test_any_bytes_give_plain_data_or_an_input_error(content: bytes) -> None:
     try:
         data = read_yaml(content, "f.yaml").data
@@ -217,6 +217,6 @@ def quoted(value: Any) -> str:
 
 
 @given(PLAIN)
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=60, deadline=None)
 def test_what_was_written_is_read(value: Any) -> None:
     assert read_yaml(f"[{quoted(value)}]".encode(), "f.yaml").data == [value]

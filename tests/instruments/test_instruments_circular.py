@@ -501,7 +501,7 @@ def read_or_faults(content: bytes) -> CircularTest | InputError:
 SOUND = csv(rows(FULL) + rows(FULL, "cw"), head=HEAD + "# calibrated: yes\n# centre: 1, 2\n")
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=100, deadline=None)
 @given(st.data())
 def test_any_change_of_a_file_is_read_or_refused(data: st.DataObject) -> None:
     content = bytearray(SOUND)
@@ -534,7 +534,7 @@ def test_any_change_of_a_file_is_read_or_refused(data: st.DataObject) -> None:
         assert 0 < test.arc[1] <= 360
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=60, deadline=None)
 @given(st.binary(max_size=300))
 @example(b"\xff\xfe")
 @example(b"<")

@@ -433,7 +433,7 @@ def read_or_faults(content: bytes) -> CircularTest | InputError:
 TREE = document()
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=100, deadline=None)
 @given(st.data())
 def test_any_change_of_a_file_is_read_or_refused(data: st.DataObject) -> None:
     content = bytearray(TREE)

@@ -69,7 +69,7 @@ def checked(content: bytes) -> None:
 
 
 @given(st.data())
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=60, deadline=None)
 def test_one_value_replaced_by_anything(data: st.DataObject) -> None:
     path = data.draw(st.sampled_from(paths_of(DATA)))
     content = yaml.safe_load(EXAMPLE)
@@ -85,7 +85,7 @@ def test_one_value_replaced_by_anything(data: st.DataObject) -> None:
 
 
 @given(st.integers(0, len(EXAMPLE) - 1), st.integers(0, 20), st.text(max_size=10))
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=60, deadline=None)
 def test_text_cut_and_pasted(start: int, length: int, pasted: str) -> None:
     checked((EXAMPLE[:start] + pasted + EXAMPLE[start + length :]).encode("utf-8", "replace"))
 
@@ -109,7 +109,7 @@ def test_bytes(content: bytes) -> None:
         max_size=4,
     ),
 )
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=60, deadline=None)
 def test_options(
     files: list[str], travel: str, axis: str, states: list[str], options: list[str]
 ) -> None:

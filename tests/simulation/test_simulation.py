@@ -498,7 +498,7 @@ def test_what_is_not_yaml_is_unreadable_input() -> None:
         machine("virtual_machine: 1\naxes: [\n")
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=60, deadline=None)
 @given(data=st.data())
 def test_a_damaged_description_is_read_or_refused(data: st.DataObject) -> None:
     text = bytearray(FULL.encode())

@@ -14,7 +14,8 @@ al., Bayesian Data Analysis, 3rd ed. 2013, section 3.2).
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
+from functools import cached_property
 from typing import Final
 
 import numpy as np
@@ -36,6 +37,7 @@ _HARD: Final = 50.0
 #: Largest variance of a cell over its smallest noise up to which the covariance of the cells keeps
 #: six digits of the density.
 _CONDITION: Final = 1e10
+_LOG_TURN: Final = np.log(2.0 * np.pi)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -86,7 +88,7 @@ class CellData:
         return int(np.argsort(level, kind="stable")[self.draws // 2])
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Prior:
     """Normal priors of the model's parameters (h,): ``centre`` and ``width``. A parameter with
     ``free`` False is fixed.
@@ -96,21 +98,31 @@ class Prior:
     width: FloatArray
     free: tuple[bool, ...]
 
+    @cached_property
+    def _free(self) -> NDArray[np.bool_]:
+        return np.array(self.free)
+
+    @cached_property
+    def _widths(self) -> float:
+        """The sum of the logarithms of the widths of the free parameters."""
+        return float(np.sum(np.log(self.width[self._free])))
+
     def log(self, values: FloatArray) -> float:
         """Return the log prior density of the free parameters at ``values`` (h,).
 
         Independent normal priors (Rasmussen and Williams 2006, eq. A.5).
         """
-        free = np.array(self.free)
-        z = ((values - self.centre) / self.width)[free]
-        return float(
-            -0.5 * z @ z - np.sum(np.log(self.width[free])) - 0.5 * z.size * np.log(2.0 * np.pi)
-        ) - _HARD * float(np.sum(self._beyond(values) ** 2))
+        z = ((values - self.centre) / self.width)[self._free]
+        log = float(-0.5 * z @ z - self._widths - 0.5 * z.size * _LOG_TURN)
+        if values.size == PERIODIC:
+            return log
+        return log - _HARD * float(np.sum(self._beyond(values) ** 2))
 
     def gradient(self, values: FloatArray) -> FloatArray:
         """Return the gradient (h,) of the log prior density at ``values`` (h,)."""
         gradient: FloatArray = (self.centre - values) / self.width**2
-        gradient[PERIODIC:] -= 2.0 * _HARD * self._beyond(values) / self.width[PERIODIC:]
+        if values.size > PERIODIC:
+            gradient[PERIODIC:] -= 2.0 * _HARD * self._beyond(values) / self.width[PERIODIC:]
         return gradient
 
     def _beyond(self, values: FloatArray) -> FloatArray:
@@ -154,7 +166,11 @@ class Evidence:
         self.rows = _own_rows(basis, targets, data)
         self.typical = data.typical()
         self.values = data.values[self.typical]
-        self.together = np.nonzero(data.target_index[:, np.newaxis] == data.target_index)
+        self.typical_rows = np.hstack([self.rows, data.columns[self.typical]])
+        self.free = np.array(prior.free)
+        self.inferred = bool(np.any(data.counts > 0))
+        self.others = np.concatenate([data.extra_std, np.ones(data.columns.shape[2])])
+        self.together = np.flatnonzero(data.target_index[:, np.newaxis] == data.target_index)
         self.frequencies, self.reversal_frequencies = basis.frequencies, basis.reversal_frequencies
         waves = [(i, n) for i, some in enumerate(basis.harmonics) for n in some for _ in range(2)]
         self.wave_of = np.array([PERIODIC + index for index, _ in waves], dtype=np.intp)
@@ -172,6 +188,8 @@ class Evidence:
         """Return the columns (c, j) of all weights for the mean readings, under one draw of the
         noise.
         """
+        if draw == self.typical:
+            return self.typical_rows
         return np.hstack([self.rows, self.data.columns[draw]])
 
     def log_variances(self, h: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -224,7 +242,7 @@ class Evidence:
         Log marginal likelihood plus log prior (Rasmussen and Williams 2006, eq. 5.8). The constant
         depends on neither them nor the noise.
         """
-        return self._marginal(h, draw, derivatives=False)[1].log + self.prior.log(h)
+        return self._marginal(h, draw, derivatives=False)[2] + self.prior.log(h)
 
     def with_gradient(self, h: FloatArray) -> tuple[float, FloatArray]:
         """Return the log posterior density and its gradient (h,), with the typical draw of
@@ -233,36 +251,37 @@ class Evidence:
         For V' the derivative of the covariance V of the means, half of y' P V' P y - tr(P V') with
         P the inverse of V (Rasmussen and Williams 2006, eq. 5.9).
         """
-        scaled, marginal = self._marginal(h, None, derivatives=True)
+        scaled, marginal, log = self._marginal(h, None, derivatives=True)
         data = self.data
         gradient = 0.5 * scaled.slopes @ marginal.by_weight[: self.basis.size]
         seen = np.add.reduceat(marginal.residual, data.starts)
-        by_local = 0.5 * float(seen @ seen - np.sum(marginal.by_target))
+        by_local = 0.5 * float(seen @ seen - marginal.by_target.sum())
         gradient[LOCAL] += by_local * 2.0 * scaled.local
-        inferred = data.counts > 0
-        if np.any(inferred):
+        if self.inferred:
+            inferred = data.counts > 0
             square = marginal.residual[inferred] ** 2 - marginal.by_cell[inferred]
             by_noise = 0.5 * float(np.sum(square / data.counts[inferred]))
             by_noise += -0.5 * data.dof / scaled.noise + 0.5 * data.squares / scaled.noise**2
             gradient[NOISE] += by_noise * 2.0 * np.exp(2.0 * h[NOISE])
         gradient += self.prior.gradient(h)
-        value = marginal.log + self.prior.log(h)
-        return value, np.where(self.prior.free, gradient, 0.0)
+        value = log + self.prior.log(h)
+        return value, np.where(self.free, gradient, 0.0)
 
     def _scaled(self, h: FloatArray, draw: int | None) -> _Scaled:
         data = self.data
         index = self.typical if draw is None else draw
         noise, local = self.variances(h)
         logs, slopes = self.log_variances(h)
-        deviations = np.concatenate(
-            [np.exp(0.5 * logs), data.extra_std, np.ones(data.columns.shape[2])]
-        )
+        deviations = np.concatenate([np.exp(0.5 * logs), self.others])
+        precision = data.precision[index]
+        if self.inferred:
+            precision = np.where(data.counts > 0, data.counts / noise, precision)
         return _Scaled(
             noise=noise,
             local=local,
             deviations=deviations,
             slopes=slopes,
-            precision=np.where(data.counts > 0, data.counts / noise, data.precision[index]),
+            precision=precision,
             values=data.values[index],
             rows=self.rows_under(index) * deviations,
             data=data,
@@ -271,17 +290,17 @@ class Evidence:
 
     def _marginal(
         self, h: FloatArray, draw: int | None, *, derivatives: bool
-    ) -> tuple[_Scaled, _Marginal]:
-        """Return the log density of the mean readings, computed by the smaller of two matrices.
-        Very small noise needs the matrix of the weights.
+    ) -> tuple[_Scaled, _Marginal, float]:
+        """Return the log density of the mean readings (and of their scatter, last), computed by the
+        smaller of two matrices. Very small noise needs the matrix of the weights.
         """
         scaled = self._scaled(h, draw)
         cells, weights = scaled.rows.shape
-        largest = max(float(np.max(scaled.deviations)) ** 2, scaled.local)
-        few = cells < weights and largest * cells * np.max(scaled.precision) < _CONDITION
+        largest = max(float(scaled.deviations.max()) ** 2, scaled.local)
+        few = cells < weights and largest * cells * scaled.precision.max() < _CONDITION
         marginal = (_by_cells if few else _by_weights)(scaled, derivatives=derivatives)
         spread = self.data.dof * np.log(scaled.noise) + self.data.squares / scaled.noise
-        return scaled, replace(marginal, log=marginal.log - 0.5 * float(spread))
+        return scaled, marginal, marginal.log - 0.5 * float(spread)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -289,7 +308,7 @@ class _Scaled:
     """The linear model of the mean readings for given parameters.
 
     Variances, precision per cell, values of the cells, and the ``rows`` (c, j) of weights of unit
-    variance; ``together``: which cells share a target, as places in a matrix (c, c).
+    variance; ``together``: which cells share a target, as places in a flat matrix (c * c,).
     """
 
     noise: float
@@ -300,7 +319,7 @@ class _Scaled:
     values: FloatArray
     rows: FloatArray
     data: CellData
-    together: tuple[NDArray[np.intp], ...]
+    together: NDArray[np.intp]
 
     @property
     def total(self) -> FloatArray:
@@ -348,11 +367,11 @@ def _by_cells(scaled: _Scaled, *, derivatives: bool) -> _Marginal:
     """Return the log density, computed from the covariance (c, c) of the mean readings."""
     data, y = scaled.data, scaled.values
     covariance = scaled.rows @ scaled.rows.T
-    covariance[scaled.together] += scaled.local
+    covariance.reshape(-1)[scaled.together] += scaled.local
     covariance.flat[:: y.size + 1] += 1.0 / scaled.precision
     # The covariance is larger than that of the noise alone, its inverse smaller.
     factor, z = factor_and_solve(covariance, y, float(scaled.precision @ y**2))
-    log = -float(np.sum(np.log(np.diag(factor)))) - 0.5 * float(z @ z)
+    log = -float(np.log(factor.diagonal()).sum()) - 0.5 * float(z @ z)
     if not derivatives:
         return _Marginal(log=log, residual=_NONE, by_weight=_NONE, by_target=_NONE, by_cell=_NONE)
     inverse = inverse_triangle(factor)
@@ -361,9 +380,9 @@ def _by_cells(scaled: _Scaled, *, derivatives: bool) -> _Marginal:
     return _Marginal(
         log=log,
         residual=inverse.T @ z,
-        by_weight=(z @ whitened) ** 2 - np.sum(whitened**2, axis=0),
-        by_target=np.sum(seen**2, axis=0),
-        by_cell=np.sum(inverse**2, axis=0),
+        by_weight=(z @ whitened) ** 2 - (whitened**2).sum(axis=0),
+        by_target=(seen**2).sum(axis=0),
+        by_cell=(inverse**2).sum(axis=0),
     )
 
 

@@ -84,7 +84,7 @@ def maximise(evidence: Evidence, start: FloatArray) -> tuple[FloatArray, float]:
     inverse = np.diag(np.where(free, 0.25, 0.0))
     for _ in range(_ITERATIONS):
         step = inverse @ gradient
-        step *= min(1.0, _STEP_LIMIT / max(float(np.max(np.abs(step))), 1e-300))
+        step *= min(1.0, _STEP_LIMIT / max(float(np.abs(step).max()), 1e-300))
         gain = float(step @ gradient)
         if gain < 1e-5:
             break

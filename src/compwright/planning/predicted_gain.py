@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from functools import partial
+from functools import lru_cache, partial
 
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.simulated_repeat_tests import (
@@ -17,9 +17,9 @@ from compwright.planning.simulated_repeat_tests import (
 )
 from compwright.planning.wanted_correction import MeasuredError
 from compwright.prediction.active_corrections import Correction
-from compwright.prediction.fresh_scatter import fresh_scatter
+from compwright.prediction.fresh_scatter import FreshScatter, fresh_scatter
 from compwright.prediction.positioning import fresh_slopes, predict_test
-from compwright.records.axis import Axis, Direction
+from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.prediction import Quantiles, TestPrediction
 from compwright.records.result import PositioningResult
 from compwright.words.sentences import Amount, Sentence, say
@@ -58,15 +58,10 @@ def predict_same_targets(
     targets.
     """
     targets = result.test.targets
-    rng = generator(axis.name, result.test.name, "draws")
-    count = draws_like(result)
-    draws = posterior.draw(targets, count, rng, like.place)
-    runs = [result.test.readings(direction) for direction in Direction]
-    scatter = fresh_scatter(draws.noise, targets, runs[0], runs[1], rng)
-    slopes = fresh_slopes(targets, count, like.slope_std, rng)
+    positive, negative, scatter = _drawn(result, posterior, axis.name, like)
     predicted = predict_test(
-        draws.positive + slopes,
-        draws.negative + slopes,
+        positive,
+        negative,
         scatter,
         change_positive=change(targets, Direction.POSITIVE),
         change_negative=change(targets, Direction.NEGATIVE),
@@ -76,6 +71,21 @@ def predict_same_targets(
     return {
         name: value for name, value in predicted.items() if result.parameters.get(name) is not None
     }
+
+
+@lru_cache(maxsize=1)  # tables are compared one after the other
+def _drawn(
+    result: PositioningResult, posterior: MeasuredError, axis: str, like: RepeatConditions
+) -> tuple[FloatArray, FloatArray, FreshScatter]:
+    """Return random draws (s, m) of the deviation at the targets in + and -, and their scatter."""
+    targets = result.test.targets
+    rng = generator(axis, result.test.name, "draws")
+    count = draws_like(result)
+    draws = posterior.draw(targets, count, rng, like.place)
+    runs = [result.test.readings(direction) for direction in Direction]
+    scatter = fresh_scatter(draws.noise, targets, runs[0], runs[1], rng)
+    slopes = fresh_slopes(targets, count, like.slope_std, rng)
+    return draws.positive + slopes, draws.negative + slopes, scatter
 
 
 def why_not_better(

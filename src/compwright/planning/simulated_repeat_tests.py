@@ -5,6 +5,7 @@ All come from the same draws, so two answers differ only by the requested change
 
 from __future__ import annotations
 
+import functools
 import hashlib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
@@ -199,16 +200,26 @@ def fresh_tests(
     """Return simulated tests of ``axis`` like ``result`` at new random targets. The same names of
     axis and test give the same draws.
     """
+    return _fresh_tests(result, posterior, axis.name, axis.kind, axis.travel, like)
+
+
+@functools.lru_cache(maxsize=1)  # several stages need those of one axis, one after the other
+def _fresh_tests(
+    result: PositioningResult,
+    posterior: MeasuredError,
+    axis: str,
+    kind: AxisKind,
+    travel: tuple[float, float],
+    like: RepeatConditions,
+) -> FreshTests:
     name, m = result.test.name, result.test.targets.size
     count = draws_like(result)
-    rng = generator(axis.name, name, "targets")
+    rng = generator(axis, name, "targets")
     several = min(_SETS, count, max(1, _MOST_TARGETS // m))
-    sets = np.array(
-        [dithered_targets(axis.travel, m, rng, END_MARGIN[axis.kind]) for _ in range(several)]
-    )
+    sets = np.array([dithered_targets(travel, m, rng, END_MARGIN[kind]) for _ in range(several)])
     unique, back = np.unique(sets, return_inverse=True)
     estimate = posterior.summary(unique)
-    rng = generator(axis.name, name, "draws")
+    rng = generator(axis, name, "draws")
     chosen = np.arange(count) * several // count
     draws = posterior.draw(sets[chosen], count, rng, like.place)
     state = rng.bit_generator.state

@@ -39,7 +39,7 @@ LEAST_COVERED = 0.5
 UNDECLARED_SLOPE = 11.5e-6
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class MeasuredError:
     """The error of an axis, estimated from its tests, and the known correction during the first
     test.

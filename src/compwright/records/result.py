@@ -74,7 +74,7 @@ class TargetColumns:
     repeatability: FloatArray
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class PositioningResult:
     """The parameters of a positioning test by their JSON names, mm or deg. None where undefined.
 
