@@ -18,12 +18,11 @@ a decimal point in each ``language`` (that of the page, English by default).
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Mapping, Sequence
-from itertools import groupby
 from typing import Any
 
 from compwright.foundations.utf8 import visible
+from compwright.reporting.card_steps import alike_once, step_content, step_lines
 from compwright.reporting.numbering import numbering_svg, numbering_text
 from compwright.reporting.numbers import (
     MISSING,
@@ -40,7 +39,6 @@ from compwright.reporting.sections import (
     acknowledged,
     assumed,
     doubts,
-    evidence_mark,
     pairs,
     rule_lines,
 )
@@ -49,13 +47,10 @@ from compwright.words.sentences import Language, NumberText, Sentence, in_langua
 _BOX = "[ ]"
 #: Evidence of what a card leaves to the report; what is not confirmed stands above its steps.
 _DEFAULT = "default of the definition"
-_SENTENCE = re.compile(r"(?<=\.)\s+(?=[A-ZÀ-ÞА-Я‹])|\n")
-#: The word before the name of an axis at the beginning of a sentence.
-_AXIS: Mapping[Language, str] = {"en": "Axis", "de": "Achse", "fr": "Axe", "ru": "Ось"}
-#: How sure a step is, in words.
-_EVIDENCE = {"confirmed": say("card.confirmed"), "inferred": say("card.inferred")}
 #: More changes than these are read in changes.csv, not on the card.
 _MOST_CHANGES = 60
+#: Three rows of changes fit next to each other where no entry with its values has more letters.
+_SHORT_CHANGE = 30
 
 
 def card_html(card: Document) -> bytes:
@@ -143,10 +138,10 @@ def _content(card: Document) -> dict[str, Any]:
         "doubts": doubts(card.get("doubts")),
         "acknowledged": acknowledged(card.get("acknowledged")),
         "limits": _limits(card.get("limits") or {}, card.get("circle_limits") or {}),
-        "unconfirmed": _alike_once(
+        "unconfirmed": alike_once(
             [in_language(plain(text), language) for text in card.get("unconfirmed") or []], language
         ),
-        "steps": [_step(step, language) for step in card.get("steps") or []],
+        "steps": [step_content(step, language) for step in card.get("steps") or []],
         "axes": [_axis_content(axis, language) for axis in card.get("axes") or []],
         "changes": changes_content(card.get("changes")),
         "restore": [
@@ -154,7 +149,7 @@ def _content(card: Document) -> dict[str, Any]:
             *(
                 line["text"]
                 for step in card.get("restore_steps") or []
-                for line in _lines(step, language)
+                for line in step_lines(step, language)
             ),
         ],
         "assumed": [
@@ -229,68 +224,15 @@ def changes_content(changes: Document | None) -> dict[str, Any] | None:
         ]
         for row in changes["entries"]
     ]
+    shown = rows[:_MOST_CHANGES]
+    short = all(sum(map(len, row)) < _SHORT_CHANGE for row in shown)
     return {
-        "rows": rows[:_MOST_CHANGES],
-        "more": max(0, len(rows) - _MOST_CHANGES),
+        "rows": shown,
+        "columns": 3 if short else 2,
+        "more": len(rows) - len(shown),
         "count": len(rows),
         "untouched": changes["untouched"],
     }
-
-
-def _step(step: Document, language: Language) -> dict[str, Any]:
-    mark = evidence_mark(step.get("evidence"))
-    return {
-        "title": plain(step.get("title") or ""),
-        "lines": _lines(step, language),
-        "open": mark["open"],
-        "evidence": _EVIDENCE.get(mark["evidence"], mark["evidence"]),
-        "shown": mark["evidence"] not in ("", "confirmed"),
-    }
-
-
-def _lines(step: Document, language: Language) -> list[dict[str, Any]]:
-    """Return the lines of a step with every number filled in.
-
-    As ``text`` and whether they have a box of their own (``tick``): a sentence about what differs
-    by axis stands once for each row, the others once.
-    """
-    text = in_language(plain(step.get("text") or ""), language)
-    heads, rows = step.get("heads") or (), step.get("rows") or ()
-    if not rows:
-        lines = _alike_once([line for line in text.splitlines() if line.strip()], language)
-        return [{"text": line, "tick": len(lines) > 1} for line in lines]
-    ticked = []
-    for named, group in groupby(_SENTENCE.split(text), key=lambda sentence: "‹" in sentence):
-        words = " ".join(group)
-        each = [_filled(words, heads, row, language) for row in rows] if named else [words]
-        ticked += [{"text": line, "tick": named} for line in each]
-    return ticked
-
-
-def _filled(words: str, heads: Sequence[object], row: Sequence[object], language: Language) -> str:
-    """Return a sentence with the values of one table row in place of each ‹head›. The axis comes
-    first.
-    """
-    for head, cell in zip(heads, row, strict=True):
-        words = words.replace(f"‹{plain(head)}›", in_language(cell, language))
-    return words if words.startswith(f"{_AXIS[language]} ") else f"{plain(row[0])}: {words}"
-
-
-def _alike_once(lines: Sequence[str], language: Language) -> list[str]:
-    """Return the lines. Equal lines for several axes become one line with all their names."""
-    groups: dict[str, list[tuple[str, str]]] = {}
-    of_axis = re.compile(rf"(?i:{_AXIS[language]}) (\w+)\b")
-    for line in lines:
-        found = of_axis.match(line)
-        name = found[1] if found else ""
-        form = re.sub(rf"\b{re.escape(name)}\b", "‹›", line) if name else line
-        groups.setdefault(form, []).append((name, line))
-    shown = []
-    for group in groups.values():
-        others = [name for name, _ in group[1:] if name]
-        same = say("card.same_holds", axes=others).text(language)
-        shown.append(f"{group[0][1].rstrip('.')}. {same}" if others else group[0][1])
-    return shown
 
 
 def _axis_content(axis: Document, language: Language) -> dict[str, Any]:

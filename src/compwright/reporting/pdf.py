@@ -269,7 +269,8 @@ def _columns(rows: list[list[dict[str, Any]]], *, narrow: bool) -> list[dict[str
                 if {"pen", "bar"} & set(cell["class"]):
                     shares[place] = _LONG_COLUMN  # room to write or to draw
                 elif {"n", "range"} & set(cell["class"]) and len(text) < _LONG_COLUMN:
-                    letters[place] = max(letters[place], longest)
+                    lines = 2 if cell["tag"] == "th" else 1
+                    letters[place] = max(letters[place], longest, len(text) // lines)
                 else:
                     needed = max(min(len(text), _LONGEST_COLUMN), int(1.4 * longest))
                     shares[place] = max(shares[place], needed)

@@ -137,16 +137,22 @@ def rule_lines(accept: Mapping[str, Any], unit: str, *, after: bool = False) -> 
 
 
 def assumed(facts: Iterable[Document] | None) -> list[dict[str, Any]]:
-    """Return the assumptions as text. Unconfirmed ones are marked and come first."""
-    rows = [
+    """Return the assumptions as text, equal ones in one row. Unconfirmed ones are marked and come
+    first.
+    """
+    rows: dict[tuple[str, str], list[Document]] = {}
+    for fact in facts or ():
+        equal = (str(plain(fact.get("value"))), str(fact.get("evidence")))
+        rows.setdefault(equal, []).append(fact)
+    shown = [
         {
-            "fact": plain(fact.get("fact")),
-            "value": plain(fact.get("value")),
-            **evidence_mark(fact.get("evidence")),
+            "fact": say("given.statements", statements=[plain(one.get("fact")) for one in group]),
+            "value": plain(group[0].get("value")),
+            **evidence_mark(group[0].get("evidence")),
         }
-        for fact in facts or ()
+        for group in rows.values()
     ]
-    return sorted(rows, key=lambda row: not row["open"])
+    return sorted(shown, key=lambda row: not row["open"])
 
 
 def evidence_mark(evidence: object) -> dict[str, Any]:
@@ -211,7 +217,7 @@ def bar(
         "width": None if left is None or right is None else round(max(right - left, 1.0), 1),
         "value": place(shown),
         "limit": place(limit),
-        "label": f"before {number(before)}, now {number(shown)}, limit {number(limit)}",
+        "label": say("chart.bar", before=number(before), now=number(shown), limit=number(limit)),
     }
 
 

@@ -76,6 +76,7 @@ SENTENCES: Final[dict[str, str]] = {
         " are in `changes.csv`.|}"
     ),
     "chart.angle": "Angle in deg",
+    "chart.bar": "Bar: before {before}, now {now}, limit {limit}",
     "chart.correction": "Correction that the control adds to the command",
     "chart.described": (
         "{what:choose|deviations=deviations of axis {name}|reversal=reversal of axis"

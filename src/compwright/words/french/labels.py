@@ -80,6 +80,7 @@ SENTENCES: Final[dict[str, str]] = {
         " `changes.csv`.|}"
     ),
     "chart.angle": "Angle en °",
+    "chart.bar": "Barre : avant {before}, maintenant {now}, limite {limit}",
     "chart.correction": "Correction que la commande ajoute à la consigne",
     "chart.described": (
         "{what:choose|deviations=écarts de l'axe {name}|reversal=réversibilité de l'axe"

@@ -82,6 +82,7 @@ SENTENCES: Final[dict[str, str]] = {
         " `changes.csv`.|}"
     ),
     "chart.angle": "Winkel in °",
+    "chart.bar": "Balken: vorher {before}, jetzt {now}, Grenze {limit}",
     "chart.correction": "Korrektur, die die Steuerung zum Sollwert addiert",
     "chart.described": (
         "{what:choose|deviations=Abweichungen der Achse {name}|reversal=Umkehrspanne der Achse"

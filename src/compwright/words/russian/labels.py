@@ -78,6 +78,7 @@ SENTENCES: Final[dict[str, str]] = {
         " в единицах УЧПУ.{more:if| Остальные изменения ({more}) — в `changes.csv`.|}"
     ),
     "chart.angle": "Угол в °",
+    "chart.bar": "Полоса: до {before}, сейчас {now}, предел {limit}",
     "chart.correction": "Коррекция, которую УЧПУ прибавляет к заданию",
     "chart.described": (
         "{what:choose|deviations=отклонения оси {name}|reversal=зона нечувствительности оси"

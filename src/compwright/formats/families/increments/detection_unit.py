@@ -49,10 +49,16 @@ def detection_unit(own: AxisParameters, kind: AxisKind) -> DetectionUnit | None:
     inch = kind is AxisKind.LINEAR and bool(own.bit(known.INCH, 0))
     least = Decimal(1).scaleb(power) * (Decimal("2.54") if inch else 1)
     ratio, cmr = _command_multiplier(multiplier.whole)
-    evidence = (
-        f"1820 = {multiplier.text} (CMR {cmr}) and {system.number} = {system.text}"
-        f" (least command increment {least.normalize():f}"
-        f" {kind.unit}{', inch machine by 1001#0' if inch else ''})"
+    evidence = control_text(
+        "1820 = {multiplier} (CMR {cmr}) and {system} = {setting} (least command increment {least}"
+        " {unit}{inch})",
+        multiplier=multiplier.text,
+        cmr=cmr,
+        system=str(system.number),
+        setting=system.text,
+        least=f"{least.normalize():f}",
+        unit=kind.unit,
+        inch=control_text(", inch machine by 1001#0") if inch else "",
     )
     return DetectionUnit(float(Fraction(least) / ratio), evidence, multiplier)
 
@@ -125,7 +131,7 @@ def resolved_options(
         values.notes.assume(
             control_text("{label}: detection unit", label=values.label),
             f"{stated.size:g} {kind.unit}",
-            control_text("read: {evidence}", evidence=str(stated.evidence)),
+            control_text("read: {evidence}", evidence=stated.evidence),
         )
     resolved = axis_options(values.definition, taken, axis)
     if stated is not None and given is not None:

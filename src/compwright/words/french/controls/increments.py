@@ -353,6 +353,12 @@ TEXTS: Final[dict[str, str]] = {
     ),
     "smallest interval for its feed": "plus petit intervalle pour son avance",
     "{label}: detection unit": "{label} : unité de détection",
+    "1820 = {multiplier} (CMR {cmr}) and {system} = {setting} (least command increment {least}"
+    " {unit}{inch})": (
+        "1820 = {multiplier} (CMR {cmr}) et {system} = {setting} (plus petit incrément de commande"
+        " {least} {unit}{inch})"
+    ),
+    ", inch machine by 1001#0": ", machine en pouces selon 1001#0",
     "read: {evidence}": "lu : {evidence}",
     "FANUC 0i-A to C, 16i/18i/21i, stored pitch error compensation with backlash (1851)": (
         "FANUC 0i-A à C, 16i/18i/21i, compensation enregistrée du pas avec jeu à l'inversion (1851)"

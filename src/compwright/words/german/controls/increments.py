@@ -360,6 +360,12 @@ TEXTS: Final[dict[str, str]] = {
     ),
     "smallest interval for its feed": "kleinster Punktabstand für ihren Vorschub",
     "{label}: detection unit": "{label}: Erfassungseinheit",
+    "1820 = {multiplier} (CMR {cmr}) and {system} = {setting} (least command increment {least}"
+    " {unit}{inch})": (
+        "1820 = {multiplier} (CMR {cmr}) und {system} = {setting} (kleinstes Befehlsinkrement"
+        " {least} {unit}{inch})"
+    ),
+    ", inch machine by 1001#0": ", Zollmaschine nach 1001#0",
     "read: {evidence}": "gelesen: {evidence}",
     "FANUC 0i-A to C, 16i/18i/21i, stored pitch error compensation with backlash (1851)": (
         "FANUC 0i-A bis C, 16i/18i/21i, gespeicherte Steigungsfehlerkompensation mit"

@@ -337,6 +337,12 @@ TEXTS: Final[dict[str, str]] = {
     ),
     "smallest interval for its feed": "наименьший интервал для её подачи",
     "{label}: detection unit": "{label}: единица измерения",
+    "1820 = {multiplier} (CMR {cmr}) and {system} = {setting} (least command increment {least}"
+    " {unit}{inch})": (
+        "1820 = {multiplier} (CMR {cmr}) и {system} = {setting} (наименьшее приращение команды"
+        " {least} {unit}{inch})"
+    ),
+    ", inch machine by 1001#0": ", дюймовый станок по 1001#0",
     "read: {evidence}": "прочитано: {evidence}",
     "FANUC 0i-A to C, 16i/18i/21i, stored pitch error compensation with backlash (1851)": (
         "FANUC 0i-A до C, 16i/18i/21i, запомненная компенсация погрешности шага с компенсацией"
