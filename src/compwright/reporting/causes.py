@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any, Final
 
-from compwright.reporting.numbers import number
+from compwright.reporting.numbers import decimals_of_unit, number
 from compwright.words.sentences import Sentence, SentenceText, say
 
 #: A cause below this share of all effects, or below this effect (µm; half the last digit shown), is
@@ -18,7 +18,6 @@ LEAST_SHARE: Final = 0.01
 LEAST_EFFECT: Final = 0.005
 
 _UNITS: Final = {"um": "µm", "um/m": "µm/m", "ms": "ms"}
-_DECIMALS: Final = {"um": 2, "um/m": 1, "ms": 3}
 _KINDS: Final = frozenset(
     {
         "squareness", "scale_mismatch", "servo_mismatch", "radius_change", "backlash",
@@ -77,7 +76,7 @@ class CircleCause:
     @property
     def value_text(self) -> Sentence:
         """Return value ± standard error as text, with the decimals of the unit."""
-        decimals = _DECIMALS.get(self.unit, 2)
+        decimals = decimals_of_unit(self.unit)
         return say(
             "label.value_error",
             value=number(self.value, decimals),
@@ -93,7 +92,7 @@ class CircleCause:
         """Return another value of the same quantity as text, with the decimals of the unit. Empty
         for None.
         """
-        return "" if value is None else number(value, _DECIMALS.get(self.unit, 2))
+        return "" if value is None else number(value, decimals_of_unit(self.unit))
 
     @property
     def shown(self) -> bool:

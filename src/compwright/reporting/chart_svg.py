@@ -51,6 +51,8 @@ _STEPS_OF_A_TURN: Final = (1.0, 1.5, 3.0, 4.5, 6.0, 9.0)  # 30, 45 and 90 rather
 _HANDLE: Final = 22.0  # what stands before a name in the legend
 _FREE: Final = 12.0  # behind it
 _RING: Final = 3.6  # radius of a mark
+#: What keeps the name of a mark readable on the curves that it is drawn over.
+_HALO: Final = 'stroke="#fff" stroke-width="2.4" stroke-linejoin="round" paint-order="stroke"'
 _SOFT: Final = "#555555"
 #: Points of a line beyond which it is thinned: two to each point of the picture.
 _MOST_POINTS: Final = 1000
@@ -202,7 +204,7 @@ def _rings(chart: Chart, x: _Scale, y: _Scale) -> Iterator[str]:
         word = ", ".join(dict.fromkeys(names))
         yield _word(
             across + side * (_RING + 2.0), max(up - 2.0, y.last + _TEXT), word, anchor=anchor,
-            size=_TEXT, more=' font-weight="bold"',
+            size=_TEXT, more=f' font-weight="bold" {_HALO}',
         )  # fmt: skip
 
 

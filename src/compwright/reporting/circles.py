@@ -11,7 +11,7 @@ from typing import Any, Final
 from compwright.reporting import paper, sections
 from compwright.reporting.causes import findings_in_words, ranked_causes
 from compwright.reporting.circular_parameters import parameter_words
-from compwright.reporting.numbers import number, plain
+from compwright.reporting.numbers import decimals_of_unit, number, plain
 from compwright.reporting.page import inline_figure
 from compwright.reporting.polar import polar_figure
 from compwright.reporting.sections import Document
@@ -146,12 +146,12 @@ def _table(circle: Document, result: Document | None) -> dict[str, Any]:
     names += [(cause.name, cause.words, cause.unit_text) for cause in causes]
     rows = []
     for name, words, unit in names:
-        band = predicted.get(name) or {}
-        spread = sections.spread_text(band)
-        row: list[str | Sentence] = [words, unit, number(before.get(name))]
-        row += [number(stated[name]["U"]) if name in stated else ""] if stated else []
-        row += [number(band.get("median")), spread]
-        row += [] if after is None else [number(after.get(name))]
+        band, decimals = predicted.get(name) or {}, decimals_of_unit(unit)
+        spread = sections.spread_text(band, decimals)
+        row: list[str | Sentence] = [words, unit, number(before.get(name), decimals)]
+        row += [number(stated[name]["U"], decimals) if name in stated else ""] if stated else []
+        row += [number(band.get("median"), decimals), spread]
+        row += [] if after is None else [number(after.get(name), decimals)]
         rows.append([*row, *_decision(limits.get(name))] if limits else row)
     heads = [
         *sections.heads(say("head.quantity"), say("head.unit"), (say("head.before"), "")),

@@ -13,6 +13,8 @@ MISSING: Final = "—"
 
 #: Decimals of a deviation in µm or arcsec: a tenth of what the standards print.
 DEVIATION_DECIMALS: Final = 2
+#: Decimals of what is not a deviation, on every page: a servo mismatch, a squareness or a scale.
+_DECIMALS: Final = {"ms": 3, "um/m": 1, "µm/m": 1}
 
 _UNITS: Final = {"um": "µm", "um/m": "µm/m", "arcsec": "arcsec", "mm": "mm", "deg": "deg"}
 
@@ -86,6 +88,11 @@ def plain(value: object) -> str:
     if isinstance(value, int):
         return str(value).replace("-", "−")
     return value if isinstance(value, str) else str(value)
+
+
+def decimals_of_unit(unit: str) -> int:
+    """Return the decimals of a quantity in this unit."""
+    return _DECIMALS.get(unit, DEVIATION_DECIMALS)
 
 
 def with_unit(value: object, unit: str) -> Sentence:

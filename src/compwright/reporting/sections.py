@@ -7,12 +7,14 @@ A table of text is ``{"heads": [{"text", "unit", "numeric"}], "rows": [[str]]}``
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, Final
 
 from compwright.foundations.findings import DOUBTS_FIRST, next_step
 from compwright.reporting.edition_terms import edition_symbol, parameter_term
 from compwright.reporting.numbers import (
+    DEVIATION_DECIMALS,
     MISSING,
     PARAMETERS,
     decimals_of,
@@ -23,7 +25,7 @@ from compwright.reporting.numbers import (
     symbol,
     unit_text,
 )
-from compwright.words.sentences import ControlText, Sentence, say
+from compwright.words.sentences import ControlText, Sentence, SentenceText, catalogue, say
 
 Document = Mapping[str, Any]
 Mark = dict[str, Any]
@@ -39,6 +41,8 @@ _SEVERITIES: Final = {
     "warning": {"tone": "open", "text": say("severity.warning")},
     "info": {"tone": "none", "text": say("severity.info")},
 }
+#: Messages that begin with a word, not with a name that a file or a job gives.
+_WORDED: Final = re.compile(r"[a-z]+ |\{label\}")
 _BAR_WIDTH: Final = 200.0
 _COLUMNS: Final = 10  # traverses that fit across a page
 _LINE: Final = 105  # letters that fit across a page, three of them between two columns
@@ -89,11 +93,18 @@ def findings(*groups: Iterable[Document] | None) -> list[dict[str, Any]]:
         severity = str(item.get("severity", "info"))
         rank = ranks.index(severity) if severity in ranks else len(ranks)
         mark = dict(_SEVERITIES.get(severity, _SEVERITIES["info"]))
-        code, message = plain(item.get("code")), plain(item.get("message"))
+        code, message = plain(item.get("code")), _sentence(plain(item.get("message")))
         seen.setdefault(
             (code, message), {"code": code, "message": message, "mark": mark, "rank": rank}
         )
     return sorted(seen.values(), key=lambda entry: int(entry["rank"]))
+
+
+def _sentence(message: str) -> str:
+    """Return a message with a capital at its beginning, unless a name from a file is there."""
+    if isinstance(message, SentenceText) and _WORDED.match(catalogue("en")[message.sentence.name]):
+        return SentenceText(say("card.capital", text=message))
+    return message
 
 
 def doubts(items: Iterable[Document] | None) -> dict[str, Any] | None:
@@ -166,11 +177,12 @@ def evidence_mark(evidence: object) -> dict[str, Any]:
     return {"evidence": text, "open": unconfirmed}
 
 
-def spread_text(quantiles: object) -> str | Sentence:
+def spread_text(quantiles: object, decimals: int = DEVIATION_DECIMALS) -> str | Sentence:
     """Return the 5-95 % range of a predicted parameter as text. Empty without a range."""
     if not isinstance(quantiles, Mapping) or quantiles.get("p05") is None:
         return ""
-    return say("label.range", low=number(quantiles["p05"]), high=number(quantiles.get("p95")))
+    low, high = (number(quantiles.get(key), decimals) for key in ("p05", "p95"))
+    return say("label.range", low=low, high=high)
 
 
 def median_text(quantiles: object) -> str:

@@ -15,8 +15,15 @@ from rich.table import Table
 
 from compwright.foundations.findings import DOUBTS_FIRST, next_step
 from compwright.reporting.limiting import limits_line
-from compwright.reporting.numbers import MISSING, number, plain, symbol, unit_text
-from compwright.reporting.sections import rule_lines
+from compwright.reporting.numbers import (
+    MISSING,
+    decimals_of_unit,
+    number,
+    plain,
+    symbol,
+    unit_text,
+)
+from compwright.reporting.sections import rule_lines, spread_text
 from compwright.reporting.shown import Text
 from compwright.words.sentences import say
 
@@ -173,14 +180,14 @@ def circle_tables(circles: Mapping[str, Any]) -> list[RenderableType]:
             value, band = circle["before"].get(key), (circle.get("predicted") or {}).get(key)
             if value is None:
                 continue
-            cells = (
-                [number(band["median"]), f"{number(band['p05'])} to {number(band['p95'])}"]
-                if band
-                else [MISSING, ""]
-            )
-            measured = [MISSING if after.get(key) is None else number(after[key])] if after else []
+            decimals = decimals_of_unit(unit)
+            spread = spread_text(band, decimals)
+            cells = [number(band["median"], decimals), str(spread)] if band else [MISSING, ""]
+            measured = [number(after.get(key), decimals)] if after else []
             limit = _decision(accept.get(key)) if accept else ()
-            table.add_row(key.replace("_", " "), number(value), *cells, *measured, unit, *limit)
+            table.add_row(
+                key.replace("_", " "), number(value, decimals), *cells, *measured, unit, *limit
+            )
         shown += [
             Rule(Text(f"circle {name}", style="bold"), align="left", characters="─"),
             table,

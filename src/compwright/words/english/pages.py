@@ -45,9 +45,10 @@ SENTENCES: Final[dict[str, str]] = {
         " again is real."
     ),
     "circle.parameter": (
-        "{name:choose|G=Circular deviation, minimum zone|G_lsc=by the least-squares"
-        " circle|F_max=Radial deviation, largest|F_min=Radial deviation,"
-        " smallest|F_max_lsc=largest, least-squares centre|F_min_lsc=smallest, least-squares"
+        "{name:choose|G=Circular deviation, minimum zone|G_lsc=Circular deviation by the"
+        " least-squares circle|F_max=Radial deviation, largest|F_min=Radial deviation,"
+        " smallest|F_max_lsc=Radial deviation, largest, about the least-squares"
+        " centre|F_min_lsc=Radial deviation, smallest, about the least-squares"
         " centre|H=Circular hysteresis|D=Mean radial deviation}"
     ),
     "circle.ranked": "Causes, the largest effect first",

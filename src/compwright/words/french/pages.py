@@ -44,10 +44,11 @@ SENTENCES: Final[dict[str, str]] = {
         " est réelle."
     ),
     "circle.parameter": (
-        "{name:choose|G=Écart circulaire, zone minimale|G_lsc=selon le cercle des moindres"
-        " carrés|F_max=Écart radial, le plus grand|F_min=Écart radial, le plus petit|F_max_lsc=le"
-        " plus grand, centre des moindres carrés|F_min_lsc=le plus petit, centre des moindres"
-        " carrés|H=Hystérésis circulaire|D=Écart radial moyen}"
+        "{name:choose|G=Écart circulaire, zone minimale|G_lsc=Écart circulaire selon le cercle"
+        " des moindres carrés|F_max=Écart radial, le plus grand|F_min=Écart radial, le plus"
+        " petit|F_max_lsc=Écart radial, le plus grand, centre des moindres"
+        " carrés|F_min_lsc=Écart radial, le plus petit, centre des moindres carrés|H=Hystérésis"
+        " circulaire|D=Écart radial moyen}"
     ),
     "circle.ranked": "Causes, le plus grand effet d'abord",
     "circle.run": "{sense} : G {G}, F{centre} {highest} / {lowest} µm",

@@ -47,9 +47,10 @@ SENTENCES: Final[dict[str, str]] = {
         " wiederkehrt, ist wirklich."
     ),
     "circle.parameter": (
-        "{name:choose|G=Kreisformabweichung, kleinste Ringzone|G_lsc=nach dem"
-        " Ausgleichskreis|F_max=Radialabweichung, größte|F_min=Radialabweichung,"
-        " kleinste|F_max_lsc=größte, um den Ausgleichsmittelpunkt|F_min_lsc=kleinste, um den"
+        "{name:choose|G=Kreisformabweichung, kleinste Ringzone|G_lsc=Kreisformabweichung nach"
+        " dem Ausgleichskreis|F_max=Radialabweichung, größte|F_min=Radialabweichung,"
+        " kleinste|F_max_lsc=Radialabweichung, größte, um den"
+        " Ausgleichsmittelpunkt|F_min_lsc=Radialabweichung, kleinste, um den"
         " Ausgleichsmittelpunkt|H=Kreisumkehrspanne|D=Mittlere Radialabweichung}"
     ),
     "circle.ranked": "Ursachen, die größte Wirkung zuerst",
