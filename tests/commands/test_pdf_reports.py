@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import io
+import re
+import shlex
 import sys
 from pathlib import Path
 
@@ -46,6 +48,20 @@ def test_run_and_verify_write_their_pages_as_pdf(folder: Path) -> None:
         assert written == pdf_of_page((folder / "job" / page).read_bytes())
         text = pypdf.PdfReader(io.BytesIO(written)).pages[0].extract_text()
         assert "Report 2026-117" in text
+
+
+def test_the_printed_command_repeats_the_verification(folder: Path) -> None:
+    """What was read back belongs to it: without, a table that was not loaded looks the same."""
+    assert compwright(["run", "job.yaml"]) < 2
+    read_back = "job/tables/siemens-840d-sl"
+    words = ["verify", "job.yaml", "--after", "after.csv", "--loaded", read_back]
+    assert compwright(words) < 2
+    page = folder / "job" / "verification.html"
+    before = page.read_bytes()
+    (command,) = re.findall(r"<code>compwright ([^<]*)</code>", before.decode())
+    assert shlex.split(command) == words
+    assert compwright([*shlex.split(command), "--force"]) < 2
+    assert page.read_bytes() == before
 
 
 def test_the_card_is_next_to_the_report(folder: Path) -> None:

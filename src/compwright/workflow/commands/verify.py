@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
@@ -139,7 +139,8 @@ def verify_job(
     if then is not None:
         document = {**document, "next": then.document}
     evaluated = _evaluated(found.axes, found.circles)
-    files, notes = _files(found.job, found.control, document, *evaluated, after)
+    words = _options(("--after", after), ("--loaded", loaded), ("--profile", (profile,)))
+    files, notes = _files(found.job, found.control, document, *evaluated, words)
     before, after_loading = evaluated
     proof, proven = proven_files(found, document, (out, plan_file.parent), loaded)
     files |= proof
@@ -376,13 +377,24 @@ def _evaluated(
     )
 
 
+def _options(*given: tuple[str, Iterable[object]]) -> list[str]:
+    """Return options of the command line with their values, as words."""
+    return [
+        word
+        for name, values in given
+        for value in values
+        if value is not None
+        for word in (name, str(value))
+    ]
+
+
 def _files(
     job: Job,
     control: Control,
     document: Mapping[str, Any],
     before: Mapping[str, Any],
     after: Mapping[str, Any],
-    specs: Sequence[str],
+    options: Sequence[str],
 ) -> tuple[dict[str, bytes], tuple[str, ...]]:
     files = {VERIFICATION: to_json(document).encode()}
     try:
@@ -392,7 +404,7 @@ def _files(
             job,
             control,
             document["axes"],
-            specs,
+            options,
             verification=document,
             evaluation_before=before,
             evaluation_after=after,

@@ -151,12 +151,12 @@ def verify_view(
     job: Job,
     control: Control,
     axes: Mapping[str, Mapping[str, Any]],
-    after: Sequence[str],
+    options: Sequence[str],
     **documents: Any,
 ) -> dict[str, Any]:
     """Return the data for the report of a verification.
 
-    ``axes`` are those of the verification document, ``after`` the tests as they were given.
+    ``axes`` are those of the verification document, ``options`` the words of the command line.
     """
     return {
         "title": say("report.verification", axes=list(axes)),
@@ -167,6 +167,6 @@ def verify_view(
             for name, axis in axes.items()
         },
         "version": __version__,
-        **_paper(job, ["verify"], [word for spec in after for word in ("--after", spec)]),
+        **_paper(job, ["verify"], options),
         **documents,
     }
