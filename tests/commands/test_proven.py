@@ -113,7 +113,7 @@ def test_a_real_machine_leaves_a_piece_for_the_job_and_one_for_the_definition(
 
 def test_before_anything_is_proven_the_card_names_what_is_not(machine: Path) -> None:
     card = (machine / "job" / "card" / "card.md").read_text(encoding="utf-8")
-    assert "nothing yet on a machine: not the form of the files, not sign" in card
+    assert "Nothing yet on a machine: not the form of the files, not sign" in card
 
 
 LOADED = {

@@ -287,7 +287,7 @@ SENTENCES: Final[dict[str, str]] = {
     "run.axis_table": "Axe {axis} : table",
     "run.bends": "{input} corrige {output}",
     "run.bidirectional": "Une courbe par sens d'approche",
-    "run.card": "Fiche de mise en service (en anglais)",
+    "run.card": "Fiche de mise en service",
     "run.certificate": "Preuve de l'ajustement",
     "run.changes": "Ancien et nouveau",
     "run.check_first": "Indécis : vérifier d'abord ce qui est cité ci-dessus",

@@ -279,7 +279,7 @@ SENTENCES: Final[dict[str, str]] = {
     "run.axis_table": "Achse {axis}: Tabelle",
     "run.bends": "{input} korrigiert {output}",
     "run.bidirectional": "Eine Kurve je Anfahrrichtung",
-    "run.card": "Inbetriebnahmekarte (Englisch)",
+    "run.card": "Inbetriebnahmekarte",
     "run.certificate": "Nachweis der Anpassung",
     "run.changes": "Alt und neu",
     "run.check_first": "Offen: Zuerst prüfen, was oben genannt ist",

@@ -273,7 +273,7 @@ SENTENCES: Final[dict[str, str]] = {
     "run.axis_table": "Ось {axis}: таблица",
     "run.bends": "{input} корректирует {output}",
     "run.bidirectional": "По одной кривой на каждое направление подхода",
-    "run.card": "Карта ввода (на английском языке)",
+    "run.card": "Карта ввода в эксплуатацию",
     "run.certificate": "Подтверждение расчёта",
     "run.changes": "Старое и новое",
     "run.check_first": "Не решено: сначала проверить указанное выше",

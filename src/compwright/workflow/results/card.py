@@ -30,9 +30,9 @@ from compwright.workflow.inputs.job_inputs import JobInputs
 
 SCHEMA = "compwright/card/1"
 _NOTHING_PROVEN = control_text(
-    "nothing yet on a machine: not the form of the files, not sign, size, places and order of the"
+    "Nothing yet on a machine: not the form of the files, not sign, size, places and order of the"
     " values, not the backlash. The first good verification on this one with what was read back"
-    " (compwright verify --loaded) proves what it can, and writes it down in proven/"
+    " (compwright verify --loaded) proves what it can, and writes it down in proven/."
 )
 
 

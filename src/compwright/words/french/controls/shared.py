@@ -106,14 +106,14 @@ TEXTS: Final[dict[str, str]] = {
         " tension ; aucune compensation n'est active avant."
     ),
     "your own {files}, as patched": "vos fichiers {files}, tels que modifiés",
-    "nothing yet on a machine: not the form of the files, not sign, size, places and order"
+    "Nothing yet on a machine: not the form of the files, not sign, size, places and order"
     " of the values, not the backlash. The first good verification on this one with what was"
     " read back (compwright verify --loaded) proves what it can, and writes it down in"
-    " proven/": (
-        "encore rien sur une machine : ni la forme des fichiers, ni signe, taille, places et"
+    " proven/.": (
+        "Encore rien sur une machine : ni la forme des fichiers, ni signe, taille, places et"
         " ordre des valeurs, ni le jeu. La première bonne vérification sur celle-ci avec ce qui"
         " a été relu (compwright verify --loaded) prouve ce qu'elle peut, et le note dans"
-        " proven/"
+        " proven/."
     ),
     "The files of this card belong together: go through all steps in one go. Move no axis"
     " before all files are loaded and active.": (

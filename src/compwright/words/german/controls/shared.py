@@ -105,14 +105,14 @@ TEXTS: Final[dict[str, str]] = {
         " vorher ist keine Kompensation aktiv."
     ),
     "your own {files}, as patched": "Ihre Dateien {files}, wie geändert,",
-    "nothing yet on a machine: not the form of the files, not sign, size, places and order"
+    "Nothing yet on a machine: not the form of the files, not sign, size, places and order"
     " of the values, not the backlash. The first good verification on this one with what was"
     " read back (compwright verify --loaded) proves what it can, and writes it down in"
-    " proven/": (
-        "noch nichts an einer Maschine: nicht die Form der Dateien, nicht Vorzeichen, Größe,"
+    " proven/.": (
+        "Noch nichts an einer Maschine: nicht die Form der Dateien, nicht Vorzeichen, Größe,"
         " Plätze und Reihenfolge der Werte, nicht die Lose. Die erste gute Verifizierung an"
         " dieser mit dem, was zurückgelesen wurde (compwright verify --loaded), beweist, was"
-        " sie kann, und hält es in proven/ fest"
+        " sie kann, und hält es in proven/ fest."
     ),
     "The files of this card belong together: go through all steps in one go. Move no axis"
     " before all files are loaded and active.": (

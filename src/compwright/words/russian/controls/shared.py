@@ -104,13 +104,13 @@ TEXTS: Final[dict[str, str]] = {
         " этого компенсация не действует."
     ),
     "your own {files}, as patched": "ваши файлы {files}, с изменениями",
-    "nothing yet on a machine: not the form of the files, not sign, size, places and order"
+    "Nothing yet on a machine: not the form of the files, not sign, size, places and order"
     " of the values, not the backlash. The first good verification on this one with what was"
     " read back (compwright verify --loaded) proves what it can, and writes it down in"
-    " proven/": (
-        "на станке пока ничего: ни форма файлов, ни знак, величина, места и порядок значений,"
+    " proven/.": (
+        "На станке пока ничего: ни форма файлов, ни знак, величина, места и порядок значений,"
         " ни люфт. Первая успешная проверка на нём с тем, что считано обратно (compwright"
-        " verify --loaded), доказывает, что может, и записывает это в proven/"
+        " verify --loaded), доказывает, что может, и записывает это в proven/."
     ),
     "The files of this card belong together: go through all steps in one go. Move no axis"
     " before all files are loaded and active.": (
