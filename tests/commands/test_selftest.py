@@ -98,6 +98,14 @@ def test_what_cannot_be_evaluated_is_outside(monkeypatch: pytest.MonkeyPatch) ->
     assert all(check["obtained"] is None and check["note"] for check in wrong)
 
 
+def test_an_installation_without_controls_is_seen(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(command, "checked_definitions", lambda *_: iter(()))
+    wrong = [check for check in selftest(Session())["checks"] if not check["good"]]
+    assert [(check["group"], check["note"]) for check in wrong] == [
+        ("controls", "none was found: install compwright again")
+    ]
+
+
 def test_the_command_exits_1_when_any_value_is_off(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, document: dict[str, Any]
 ) -> None:

@@ -159,7 +159,10 @@ def _controls(session: Session) -> Iterator[Check]:
     """Yield the results of both readers for the tables of each control, and whether its sample
     survives writing and reading.
     """
-    for checked in checked_definitions(session, ()):
+    definitions = list(checked_definitions(session, ()))
+    if not definitions:
+        yield _faults("controls", "definitions", 1, "none was found: install compwright again")
+    for checked in definitions:
         group = checked.file if checked.definition is None else checked.definition.id
         try:
             for one in hand_worked(checked):
