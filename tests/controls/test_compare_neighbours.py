@@ -202,3 +202,84 @@ def test_a_neighbour_in_a_list_of_another_name(isg: Path, tmp_path: Path) -> Non
         code, answer = compare(isg, {**loaded, "AXIS2.LIS": text}, tmp_path / str(entries))
         own = [one for one in answer["differences"] if one["unit"] is None]
         assert (code, len(own)) == (entries, entries)
+
+
+@pytest.mark.parametrize(
+    ("gone", "verdict"),
+    [
+        ("kw.ssfk.kw_nr_max 9\n", "undecided"),  # how many points the neighbour has
+        ("kw.ssfk.table[4].setpoint 4000000\n", "different"),  # one of its points
+    ],
+)
+def test_a_list_of_a_neighbour_that_became_unreadable(
+    isg: Path, tmp_path: Path, gone: str, verdict: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    neighbour = (isg / "achskw2.lis").read_text().replace(gone, "")
+    loaded = {**tables(isg, "isg-kernel"), "achskw2.lis": neighbour}
+    code, answer = compare(isg, loaded, tmp_path / "loaded")
+    assert (code, answer["verdict"], answer["axes"]["X"]["verdict"]) == (1, verdict, "loaded")
+    assert "CW-S080" in {one["code"] for one in answer["doubts"]}
+    if verdict == "different":
+        entry = gone.split(maxsplit=1)[0]
+        assert [one["quantity"] for one in answer["differences"]] == [entry]
+        assert answer["differences"][0]["loaded"] is None
+    assert compwright(
+        ["compare", str(isg / "job" / "plan.json"), "--loaded", str(tmp_path / "loaded")]
+    )
+    said = " ".join(capsys.readouterr().out.split())
+    assert said.index("Check first") < said.index("axis X:")
+    assert "Read its files back again, whole" in said
+
+
+def test_a_file_that_was_cut_off(sinumerik: Path, tmp_path: Path) -> None:
+    files = tables(sinumerik, SIEMENS)
+    cut = {**files, "MD.INI": files["MD.INI"].split("$MA_REFP_SET_POS")[0]}
+    code, answer = compare(sinumerik, cut, tmp_path / "loaded")
+    assert (code, answer["verdict"]) == (1, "undecided")
+    assert {one["code"] for one in answer["doubts"]} == {"CW-S002"}
+
+
+@pytest.fixture(scope="module")
+def linuxcnc(tmp_path_factory: pytest.TempPathFactory, measured: Path) -> Path:  # noqa: F811
+    """A plan with a table of X (joint 0); the INI and the tables of both joints are the state."""
+    folder = _copied(tmp_path_factory, measured)
+    joints = "".join(
+        f"[JOINT_{n}]\nTYPE = LINEAR\nMAX_VELOCITY = 50\nMAX_ACCELERATION = 500\nHOME_OFFSET = 0\n"
+        f"COMP_FILE = joint_{n}.comp\nCOMP_FILE_TYPE = 1\n"
+        for n in range(2)
+    )
+    (folder / "m.ini").write_text(
+        f"[KINS]\nKINEMATICS = trivkins coordinates=XY\nJOINTS = 2\n[TRAJ]\nLINEAR_UNITS = mm\n"
+        f"{joints}"
+    )
+    for n in range(2):
+        rows = "".join(f"{x:.1f} 0.00{n + 1} 0.00{n + 1}\n" for x in range(-50, 851, 50))
+        (folder / f"joint_{n}.comp").write_text(rows)
+    states = "[m.ini, joint_0.comp, joint_1.comp]"
+    assert run(folder, "linuxcnc", x="before: [x.csv]", states=states, apply="{}") in (0, 1)
+    return folder
+
+
+@pytest.mark.parametrize(
+    ("file", "gone", "verdict"),
+    [
+        ("", "", "same"),
+        ("joint_1.comp", "800.0 0.002 0.002\n850.0 0.002 0.002\n", "different"),
+        ("m.ini", "COMP_FILE = joint_1.comp\n", "undecided"),
+    ],
+)
+def test_a_neighbour_of_a_linuxcnc(
+    linuxcnc: Path, tmp_path: Path, file: str, gone: str, verdict: str
+) -> None:
+    """The keys of the new table are typed into the INI, and its type may change."""
+    loaded = tables(linuxcnc, "linuxcnc")
+    kind = next(line for line in loaded.pop("joint_0.ini").splitlines() if "TYPE" in line)
+    ini = (linuxcnc / "m.ini").read_text().replace("COMP_FILE_TYPE = 1", kind, 1)
+    back = {"m.ini": ini, "joint_1.comp": (linuxcnc / "joint_1.comp").read_text(), **loaded}
+    if file:
+        assert gone in back[file]
+        back[file] = back[file].replace(gone, "")
+    code, answer = compare(linuxcnc, back, tmp_path / "loaded")
+    assert (code, answer["verdict"]) == (int(verdict != "same"), verdict), answer
+    assert "CW-S080" not in {one["code"] for one in answer["findings"]}
+    assert {one["axis"] for one in answer["differences"]} <= {"1"}

@@ -51,11 +51,14 @@ def read_back_differences(
     names by address.
 
     Files that were not read back are ignored; so is a value that was in no file before, unless its
-    file was.
+    file was. A table of which a part is missing differs.
     """
     whole = differences(control, expected, found)
     known = {entry.file for entry in expected.entries.values()}
+    torn = _partly_read(control, whole, found)
     compensating = [one for one in whole.entries if one.entry.relevant and _compared(one, known)]
+    compensating += torn
+    ignored = [one for one in _not_read(whole) if one not in torn]
     own: dict[str, list[Difference]] = {}
     others: list[Difference] = []
     for one in compensating:
@@ -67,8 +70,8 @@ def read_back_differences(
     others += _corrections(whole, compensating, names)
     return ReadBackDifferences(
         {name: tuple(found) for name, found in own.items()},
-        Others(tuple(others), tuple(_elsewhere(whole)), tuple(_not_read(whole))),
-        tuple(dict.fromkeys((*whole.findings, *_ignored(whole, known)))),
+        Others(tuple(others), tuple(_elsewhere(whole)), tuple(one.entry.name for one in ignored)),
+        tuple(dict.fromkeys((*whole.findings, *_ignored(whole, known, len(ignored))))),
     )
 
 
@@ -131,14 +134,27 @@ def _elsewhere(whole: Differences) -> Iterator[EntryDifference]:
             )
 
 
-def _not_read(whole: Differences) -> Iterator[str]:
-    for one in whole.entries:
-        if one.entry.relevant and one.change.new is None:
-            yield one.entry.name
+def _not_read(whole: Differences) -> list[Placed]:
+    return [one for one in whole.entries if one.entry.relevant and one.change.new is None]
 
 
-def _ignored(whole: Differences, known: set[str]) -> Iterator[Finding]:
-    missing = len(list(_not_read(whole)))
+def _partly_read(control: Control, whole: Differences, found: ComparedSide) -> list[Placed]:
+    """Return the missing values of an axis' tables and lists of which other values were read
+    back.
+    """
+    missing = _not_read(whole)
+    groups = {one.entry.group for one in missing}
+    whereabouts = control.format.listing.value_location
+    there = {
+        (entry.group, axis)
+        for entry in found.entries.values()
+        if entry.relevant and entry.group in groups
+        for axis in whereabouts(control.definition, entry, found.entries, found.state)[0]
+    }
+    return [one for one in missing if any((one.entry.group, axis) in there for axis in one.axes)]
+
+
+def _ignored(whole: Differences, known: set[str], missing: int) -> Iterator[Finding]:
     new = sum(
         one.entry.relevant and one.change.old is None and not _compared(one, known)
         for one in whole.entries

@@ -69,17 +69,20 @@ def compare_document(
     others: Others,
     assumed: Sequence[Assumption],
     findings: Sequence[Finding],
+    doubts: Sequence[Finding],
 ) -> dict[str, Any]:
-    """Return the document: one entry per differing quantity, and the ``verdict`` same or
-    different.
+    """Return the document: one entry per differing quantity, and the ``verdict`` same, different,
+    or undecided where nothing known differs and ``doubts`` are open.
     """
     own = (difference for axis in axes.values() for difference in axis.differences)
     differences = [*own, *others.differences]
     unreadable = any(isinstance(axis.read_back, str) for axis in axes.values())
+    different = bool(differences or unreadable)
     return {
         "schema": SCHEMA,
         "format": format_id,
-        "verdict": "different" if differences or unreadable else "same",
+        "verdict": "different" if different else "undecided" if doubts else "same",
+        "doubts": finding_documents(doubts),
         "axes": {name: _axis(axis) for name, axis in axes.items()},
         "differences": [
             {

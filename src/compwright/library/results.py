@@ -333,7 +333,7 @@ class Comparison(DocumentResult):
 
     @property
     def verdict(self) -> str:
-        """``same`` or ``different``."""
+        """``same``, ``different`` or ``undecided``."""
         return str(self._document["verdict"])
 
 

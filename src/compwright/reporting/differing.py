@@ -10,7 +10,8 @@ from rich.table import Table
 
 from compwright.reporting.numbers import number, plain, unit_text
 from compwright.reporting.shown import Text
-from compwright.reporting.summaries import finding_lines, plain_table
+from compwright.reporting.summaries import doubt_lines, finding_lines, plain_table
+from compwright.words.sentences import say
 
 #: Rows for one axis, and groups of others; the JSON has all of them.
 _MOST_ROWS: Final = 20
@@ -23,10 +24,10 @@ _ABSENT: Final = "not there"
 
 
 def compare_tables(document: Mapping[str, Any]) -> list[RenderableType]:
-    """Return for each axis whether the control has the planned values, then every difference. Other
-    values are counted.
+    """Return the doubts, for each axis whether the control has the planned values, then every
+    difference. Other values are counted.
     """
-    shown: list[RenderableType] = []
+    shown = doubt_lines(document["doubts"], say("doubts.compare"))
     for name, axis in document["axes"].items():
         same = axis["verdict"] == "loaded" and not axis["differences"]
         message = str(axis["message"])

@@ -25,7 +25,7 @@ from compwright.reporting.numbers import (
 )
 from compwright.reporting.sections import rule_lines, spread_text
 from compwright.reporting.shown import Text
-from compwright.words.sentences import say
+from compwright.words.sentences import Sentence, say
 
 _STYLES: Final = {
     "accept": "green",
@@ -44,11 +44,15 @@ _STYLES: Final = {
 _MOST_ROWS: Final = 60
 
 
-def doubt_lines(doubts: Sequence[Mapping[str, str]]) -> list[RenderableType]:
-    """Return the doubts with heading and next step, to be shown first. Empty without doubts."""
+def doubt_lines(
+    doubts: Sequence[Mapping[str, str]], step: Sentence | None = None
+) -> list[RenderableType]:
+    """Return the doubts with heading and next ``step`` (default: of a job), to be shown first.
+    Empty without doubts.
+    """
     if not doubts:
         return []
-    step = next_step(doubt["code"] for doubt in doubts)
+    step = step or next_step(doubt["code"] for doubt in doubts)
     return [
         Rule(Text(str(DOUBTS_FIRST), style="bold yellow"), align="left", characters="━"),
         *finding_lines(doubts),

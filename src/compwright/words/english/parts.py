@@ -18,6 +18,9 @@ SENTENCES: Final[dict[str, str]] = {
         " measurement"
     ),
     "doubts.acknowledged": "Acknowledged in the job: {reason}. {message}",
+    "doubts.compare": (
+        "The control may hold other values. Read its files back again, whole, and repeat compare"
+    ),
     "doubts.first": "Check first: the result depends on it",
     "doubts.step": (
         "Nothing is decided until these doubts are cleared up. Correct the test or the job and"

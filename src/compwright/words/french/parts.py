@@ -18,6 +18,10 @@ SENTENCES: Final[dict[str, str]] = {
         "{input} et {output} : perpendicularité {squareness:+.1f} µm/m d'après la mesure directe"
     ),
     "doubts.acknowledged": "Confirmé dans le dossier de travail : {reason}. {message}",
+    "doubts.compare": (
+        "La commande peut contenir d'autres valeurs. Relire ses fichiers en entier et répéter"
+        " compare"
+    ),
     "doubts.first": "À vérifier d'abord : le résultat en dépend",
     "doubts.step": (
         "Rien n'est décidé tant que ces doutes ne sont pas levés. Corriger l'essai ou le dossier"

@@ -18,6 +18,10 @@ SENTENCES: Final[dict[str, str]] = {
         "{input} und {output}: Rechtwinkligkeit {squareness:+.1f} µm/m nach der direkten Messung"
     ),
     "doubts.acknowledged": "Im Auftrag bestätigt: {reason}. {message}",
+    "doubts.compare": (
+        "Die Steuerung kann andere Werte enthalten. Ihre Dateien noch einmal vollständig auslesen"
+        " und compare wiederholen"
+    ),
     "doubts.first": "Zuerst prüfen: Das Ergebnis hängt davon ab",
     "doubts.step": (
         "Es wird nichts entschieden, bis diese Zweifel geklärt sind. Die Prüfung oder den Auftrag"

@@ -25,6 +25,7 @@ from compwright.documents.compare import ComparedAxis, Difference, compare_docum
 from compwright.documents.plan import read_plan
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
+from compwright.foundations.findings import Finding
 from compwright.foundations.input_sizes import PLAN
 from compwright.foundations.session import Session
 from compwright.foundations.units import outside_factor, outside_unit
@@ -81,6 +82,9 @@ def compare_plan(session: Session, plan_file: Path, loaded: Sequence[Path]) -> C
     }
     back = compared_side(control, given, "read back", files)
     planned_side = compared_side(control, files, "the plan", given)
+    if planned_side.state is None:
+        # a changed key next to the file that it replaces: the other axes are those of the state
+        planned_side = replace(planned_side, state=as_found.state, findings=())
     before = control.format.listing.file_values(control.definition, as_found.files, files)
     partly = partial_load(before, planned_side.entries, back.entries)
     read_back = read_back_differences(control, planned_side, back, names)
@@ -98,8 +102,29 @@ def compare_plan(session: Session, plan_file: Path, loaded: Sequence[Path]) -> C
     own = not_read_back(plan_file, loaded)
     findings = tuple(dict.fromkeys((*control.findings, *own, *of_states, *read_back.findings)))
     assumed = tuple(dict.fromkeys(one for state in states for one in state.assumed))
-    document = compare_document(plan.format, compared, read_back.others, assumed, findings)
+    wanted = () if wish is None else wish.state.findings
+    expected = (*as_found.state.findings, *wanted, *planned_side.findings)
+    doubts = tuple(_doubts(expected, findings, planned_side, back))
+    rest = [finding for finding in findings if finding not in doubts]
+    document = compare_document(plan.format, compared, read_back.others, assumed, rest, doubts)
     return CompareOutcome(0 if document["verdict"] == "same" else 1, document)
+
+
+def _doubts(
+    expected: Sequence[Finding],
+    found: Sequence[Finding],
+    planned: ComparedSide,
+    back: ComparedSide,
+) -> Iterator[Finding]:
+    """Yield the doubts about what was read back: axes that only the plan's files make known, and
+    warnings of a kind that the plan's files do not raise.
+    """
+    lost = back.unread - planned.unread or back.state is None is not planned.state
+    known = {one.code for one in expected} | {"CW-S080", "CW-S085"}
+    for one in found:
+        unread = bool(lost) and one.code == "CW-S080" and one in back.findings
+        if unread or (one.severity != "info" and one.code not in known):
+            yield one
 
 
 def _found(

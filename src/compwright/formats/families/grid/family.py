@@ -26,6 +26,7 @@ from compwright.formats.families.family import Family, Listing, check_tables, wr
 from compwright.formats.families.grid.capacity import GridLimits
 from compwright.formats.families.grid.joints import sure_joints
 from compwright.formats.families.grid.reading import GridReader
+from compwright.formats.families.grid.table_files import base_name
 from compwright.formats.families.grid.table_shapes import shape_of
 from compwright.formats.families.grid.writing import GridWriter
 from compwright.formats.text.file_values import FileValue, by_statements
@@ -44,14 +45,25 @@ _CORRECTING = re.compile(
 
 
 def file_values(
-    definition: Definition, files: Sequence[ControlFile], _: Sequence[ControlFile] = ()
+    definition: Definition, files: Sequence[ControlFile], naming: Sequence[ControlFile] = ()
 ) -> dict[str, FileValue]:
-    """Return every value in the files, by name."""
+    """Return every value in the files, by name. Rows belong to the axis whose table file they are
+    in; ``naming``: further files that may name it.
+    """
+    found = by_statements(definition, files)
+    table_file = definition.bindings.get("table_file")
+    owners = {
+        base_name(entry.text): entry.axis
+        for entry in (*by_statements(definition, naming).values(), *found.values())
+        if table_file is not None and entry.group == table_file.statement
+    }
     return {
         key: replace(
-            entry, relevant=entry.relevant or _CORRECTING.fullmatch(entry.group) is not None
+            entry,
+            axis=entry.axis or owners.get(entry.file, ""),
+            relevant=entry.relevant or _CORRECTING.fullmatch(entry.group) is not None,
         )
-        for key, entry in by_statements(definition, files).items()
+        for key, entry in found.items()
     }
 
 

@@ -119,7 +119,7 @@ class TableFiles:
         named = self.gathered.found("table_file", address, None)
         if not named:
             return []
-        base = _base_name(named[0].text)
+        base = base_name(named[0].text)
         matching = [text for text in self.tables if text.file == base]
         if not matching:
             self.notes.faults.append(
@@ -140,7 +140,7 @@ class TableFiles:
         """Note the table files of the axes under work that no line names."""
         binding = self.definition.bindings.get("table_file")
         named = {
-            _base_name(occurrence.tokens[binding.field].text.strip())
+            base_name(occurrence.tokens[binding.field].text.strip())
             for text in self.texts
             for occurrence in text.occurrences
             if binding is not None and occurrence.statement == binding.statement
@@ -169,7 +169,7 @@ def unused_table_files(definition: Definition, files: Sequence[ControlFile]) -> 
         if text is not None and text.kind != row.text:
             sections = sections or bool(text.sections)
             named |= {
-                _base_name(one.tokens[binding.field].text.strip())
+                base_name(one.tokens[binding.field].text.strip())
                 for one in text.occurrences
                 if one.statement == binding.statement
             }
@@ -246,5 +246,6 @@ def _address_between(definition: Definition, before: str, after: str, file: str)
     return normal_text(definition, match[1])
 
 
-def _base_name(path: str) -> str:
+def base_name(path: str) -> str:
+    """Return the last part of a path of any system."""
     return re.split(r"[/\\]", path)[-1]
