@@ -13,6 +13,9 @@ from xml.etree import ElementTree as ET
 import pytest
 
 from compwright.cli import run as compwright
+from compwright.reporting.numbers import decimals_of_unit
+from compwright.reporting.sections import bar, findings
+from compwright.words.sentences import Language, SentenceText, in_language, say
 from places import PROJECT
 
 AXIS = PROJECT / "src" / "compwright" / "reference_data" / "axis-by-hand.csv"
@@ -153,3 +156,32 @@ def test_the_date_of_a_test_is_that_of_the_language(
     shown = [text_of(cell) for cell in page.iter("dd")]
     assert f"{date} 10:30" in shown
     assert "2026-11-24" in shown
+
+
+def limits_of_travel(label: str) -> dict[str, Any]:
+    values = {"label": label, "outside": 500.0, "unit": "mm", "low": -1000.0, "high": 1.0}
+    return {**values, "parameters": "1320, 1321"}
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_finding_begins_with_a_capital_on_a_page_but_a_name_stays(language: Language) -> None:
+    arc = SentenceText(say("CW-D006", axis="X", pitch=10.0))
+    axis = SentenceText(say("CW-S045", **limits_of_travel("axis 1")))
+    named = SentenceText(say("as_written", text="x.csv is empty"))
+    shown = [
+        in_language(entry["message"], language)
+        for entry in findings([{"code": "CW", "message": one} for one in (arc, axis, named)])
+    ]
+    assert [text[0].isupper() for text in shown] == [True, True, False]
+
+
+def test_a_bar_is_described_in_the_language_of_the_page() -> None:
+    drawn = bar(23.634, {"median": 4.26, "p05": 3.6, "p95": 5.1}, 8.0)
+    assert drawn is not None
+    assert drawn["label"].text("de") == "Balken: vorher 23,63, jetzt 4,26, Grenze 8,00"
+    assert drawn["label"].text("fr").startswith("Barre : avant 23,63")
+
+
+@pytest.mark.parametrize(("unit", "decimals"), [("um", 2), ("um/m", 1), ("µm/m", 1), ("ms", 3)])
+def test_decimals_go_with_the_unit(unit: str, decimals: int) -> None:
+    assert decimals_of_unit(unit) == decimals

@@ -169,7 +169,8 @@ def _rows(
     factor, small = outside_factor(unit), shown_unit(unit)
 
     def describe(table: AxisCompensation | None, lost: float) -> dict[str, str]:
-        backlash = f"{lost * factor:.2f} {small}"
+        amount = say("label.with_unit", value=f"{lost * factor:.2f}", unit=small)
+        backlash = SentenceText(amount)
         constant = table is not None and table.positions.size == 1 and lost != table.backlash
         if table is None or table.positions.size == 0 or constant:  # backlash alone
             none = control_text("none")

@@ -58,12 +58,13 @@ def contributions(
     if test.kind is AxisKind.ROTARY:
         return (_normal("device", budget.device, unit, 1.0), *ends)
     length = float(test.targets[-1] - test.targets[0]) / 1000.0
+    sum_of = say("budget.sum", fixed=budget.device, per_m=budget.device_per_m, length=length)
     device = _normal(
         "device",
         budget.device + budget.device_per_m * length,
         unit,
         1.0,
-        note=f"{budget.device:g} µm + {budget.device_per_m:g} µm/m × {length:g} m",
+        note=SentenceText(sum_of),
     )
     return (
         device,

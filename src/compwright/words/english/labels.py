@@ -47,6 +47,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "budget.setup": "Set-up",
     "budget.steel": "{alpha:g} µm/(m K), steel, is assumed",
+    "budget.sum": "{fixed:g} µm + {per_m:g} µm/m × {length:g} m",
     "budget.temperature_unknown": "the temperature is unknown: not counted",
     "budget.title": "Budget of the measurement uncertainty, over {length}",
     "cause.kind": (

@@ -49,6 +49,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "budget.setup": "Montage de l'instrument",
     "budget.steel": "{alpha:g} µm/(m K), acier, est supposé",
+    "budget.sum": "{fixed:g} µm + {per_m:g} µm/m × {length:g} m",
     "budget.temperature_unknown": "la température est inconnue : non comptée",
     "budget.title": "Bilan de l'incertitude de mesure, sur {length}",
     "cause.kind": (

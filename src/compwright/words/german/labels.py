@@ -49,6 +49,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "budget.setup": "Aufbau des Messgeräts",
     "budget.steel": "{alpha:g} µm/(m K), Stahl, ist angenommen",
+    "budget.sum": "{fixed:g} µm + {per_m:g} µm/m × {length:g} m",
     "budget.temperature_unknown": "die Temperatur ist unbekannt: nicht gezählt",
     "budget.title": "Budget der Messunsicherheit, über {length}",
     "cause.kind": (

@@ -46,6 +46,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "budget.setup": "Установка прибора",
     "budget.steel": "принято {alpha:g} мкм/(м·К), сталь",
+    "budget.sum": "{fixed:g} мкм + {per_m:g} мкм/м × {length:g} м",
     "budget.temperature_unknown": "температура неизвестна: не учтено",
     "budget.title": "Бюджет неопределенности измерений, на длине {length}",
     "cause.kind": (

@@ -20,7 +20,7 @@ from compwright.documents.circular import circular_document
 from compwright.documents.evaluation import result_document
 from compwright.documents.json_text import to_json
 from compwright.evaluation.circular_fit import least_squares_circle
-from compwright.evaluation.standards import evaluate
+from compwright.evaluation.standards import Spread, evaluate
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError
 from compwright.foundations.extras import installed_version
@@ -136,7 +136,9 @@ def _evaluated(content: bytes, file: str, standard: str) -> tuple[Mapping[str, f
             return _fitted(content, standard.removeprefix("set ")), ""
         (test,) = tests_in(content, file, None)
         if isinstance(test, PositioningTest):
-            document = result_document(evaluate(test, standard))
+            name, _, spread = standard.partition(" ")
+            estimated: Spread = "range" if spread else "std"
+            document = result_document(evaluate(test, name, spread=estimated))
             return _given(document["parameters"]), ""
         document = circular_document(diagnose_circle(test, standard))
         causes = {name: one["value"] for name, one in (document["diagnosis"] or {}).items()}
