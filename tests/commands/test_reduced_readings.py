@@ -11,6 +11,8 @@ import pytest
 from compwright.cli import run as compwright
 from loop import Machine, csv_of
 
+pytestmark = pytest.mark.short_estimate
+
 TARGETS = Machine().targets(9)
 
 

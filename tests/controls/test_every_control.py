@@ -208,11 +208,11 @@ def spacing_of(files: list[ControlFile], format_id: str) -> float:
     return float(np.max(np.diff(nodes)))
 
 
-@pytest.mark.parametrize("machine", MACHINES.values(), ids=list(MACHINES))
+@pytest.mark.parametrize("name", [name for name in MACHINES if name != "plain"])
 @pytest.mark.parametrize("format_id", FORMATS + MET_OTHERWISE)
-def test_accuracy_falls_to_the_noise_floor(
-    format_id: str, machine: Machine, tmp_path: Path
-) -> None:
+def test_accuracy_falls_to_the_noise_floor(format_id: str, name: str, tmp_path: Path) -> None:
+    """The plain machine is that of the next test."""
+    machine = MACHINES[name]
     targets = machine.targets()
     before = accuracy(machine.measure(targets, seed=1))
     start = start_of(format_id, tmp_path / "control", machine)

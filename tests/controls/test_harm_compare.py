@@ -15,6 +15,8 @@ from harm_bridges import TABLE, Bridge, IsgBridge, PmacBridge
 from harm_columns import prepare
 from harm_command import command, tables_of
 
+pytestmark = pytest.mark.short_estimate
+
 #: Values that the control adds or subtracts, in the files of both.
 _VALUES = re.compile(r"(?<=\.pos )-?\d+|(?<=\.neg )-?\d+|(?<![\w,=#])-?\d+(?= |$)", re.MULTILINE)
 _PLACES = np.arange(0.0, 600.1, 12.5)

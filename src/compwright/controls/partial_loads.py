@@ -79,7 +79,7 @@ def _worse(work: AxisWork, new: Correction) -> str:
     for active in (work.as_found, new):
         change = difference(active, work.active)
         moved = with_change(first.test, *(change(first.test.targets, side) for side in Direction))
-        values.append(abs(evaluate(moved, first.standard).parameters[name] or 0.0))
+        values.append(abs(evaluate(moved, first.standard, checked=False).parameters[name] or 0.0))
     factor = outside_factor(axis.kind.unit)
     was, becomes = (value * factor for value in values)
     if round(becomes) <= round(was):

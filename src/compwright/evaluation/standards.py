@@ -179,13 +179,14 @@ def evaluate(
     thermal: Thermal | None = None,
     reported: Collection[str] = (),
     other_tests: Sequence[PositioningTest] = (),
+    checked: bool = True,
 ) -> PositioningResult:
     """Evaluate ``test`` (mm or deg) to ``standard``; the result is in mm or deg.
 
     ``spread`` "range" takes s from the range of the readings (1988 and GOST only). ``travel``,
     ``periods`` (mm or deg, machine coordinates) and ``other_tests`` of the axis are used by the
     test checks, ``budget`` and ``thermal`` by the uncertainty; ``reported``: codes of reading
-    checks that the noise estimate reports already (`reading_findings`).
+    checks that the noise estimate reports already (`reading_findings`); ``checked``: with findings.
 
     A parameter is None where the standard does not define it, the approach direction was not
     measured, or a target lacks the two readings that s needs; ``not_applicable`` gives the reason.
@@ -206,14 +207,16 @@ def evaluate(
         if name in chosen.undefined or not np.isfinite(value)
     }
     given = {name: None if name in reasons else float(value) for name, value in values.items()}
-    findings = [*test.findings, *_target_findings(test, columns, chosen, measured)]
-    findings += plausibility_findings(test)
-    findings += plan_findings(test, chosen.id, travel, periods, other_tests)
 
     def compare(other: PositioningTest) -> Sentence | None:
         return _comparison(test, given, other, chosen, spread)
 
-    findings += reading_findings(test, compare, reported)
+    findings: list[Finding] = []
+    if checked:
+        findings += [*test.findings, *_target_findings(test, columns, chosen, measured)]
+        findings += plausibility_findings(test)
+        findings += plan_findings(test, chosen.id, travel, periods, other_tests)
+        findings += reading_findings(test, compare, reported)
     uncertainty = None
     if budget is not None:
         uncertainty, remarks = expanded_uncertainties(

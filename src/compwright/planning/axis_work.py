@@ -354,6 +354,7 @@ def why_no_gain(work: AxisWork, new: Correction) -> Sentence | None:
         evaluate(
             with_change(test, *(change(test.targets, direction) for direction in Direction)),
             first.standard,
+            checked=False,
         )
         for change in changes
     )
