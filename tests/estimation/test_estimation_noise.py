@@ -143,6 +143,17 @@ def test_what_two_days_show_alike_is_expected_again() -> None:
     assert not np.any(fresh((0.0, 0.0), (1.0, 1.0), 3).drift_tilt)
 
 
+@pytest.mark.parametrize("own", [0, 1])
+def test_the_scatter_of_a_third_day_is_about_the_mean_of_both(own: int) -> None:
+    """1 and 4 µm: normal logarithms about an unknown mean have their median in the middle, 2 µm,
+    whichever of the two tests is repeated.
+    """
+    tests = days((0.0, 0.0), (1.0, 4.0))
+    noise = tests[own].taken(np.arange(600) % 96)
+    third = over_days(noise, tests, own, np.random.default_rng(5)).sigma
+    assert np.median(third) == pytest.approx(2.0, rel=0.2)
+
+
 def test_scatter_is_compared_by_how_far_the_errors_reach() -> None:
     """Student's law with 3 degrees of freedom reaches 1.36 of its scale in its central 99 %
     (numerically), the normal law 0.97: days of one reach show no change, whatever their scales.
@@ -332,9 +343,14 @@ def test_one_gross_error_is_an_outlier_and_leaves_the_scale_of_the_others_alone(
 
 def test_heavy_tails_are_found() -> None:
     readings = np.random.default_rng(11).standard_t(3.0, (2, M, N))
-    draws = posterior(readings).draws
+    found = posterior(readings)
+    draws, fresh_draws = found.draws, found.fresh
     assert np.mean(np.isfinite(draws.dof) | (draws.outlier_share > 0.0)) > 0.95
     assert inside(1.0 * UM, draws.sigma, 0.0)
+    # root mean square of t with 3 degrees of freedom between its quantiles 0.005 and 0.995
+    assert np.median(fresh_draws.sigma[:, 0] * fresh_draws.reach) == pytest.approx(
+        1.39 * UM, rel=0.15
+    )
 
 
 @pytest.mark.parametrize(("spread", "excess"), [("two places", -1.7), ("evenly", -1.2)])
