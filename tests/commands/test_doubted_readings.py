@@ -239,4 +239,6 @@ def test_the_odds_of_turned_directions_grow_with_the_reversal() -> None:
         for one in plausibility_findings(as_test({1: lost[-1], -1: lost[1]}))
         if one.code == "CW-T032"
     )
-    assert re.search(r"\+1[23]\.\d+ µm.* 20 to 1 the directions", found.message)
+    assert re.search(
+        r"\+1[23]\.\d+ µm.*The directions .*\(20 times as likely as not", found.message
+    )

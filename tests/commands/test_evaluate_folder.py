@@ -440,7 +440,7 @@ def test_table_and_json_are_written_together_or_not_at_all(
             table_path=tmp_path / "t.csv",
         )
     assert [path.name for path in tmp_path.iterdir()] == ["there.json"]
-    with pytest.raises(UsageError, match=r"--json: this file is already used for --table"):
+    with pytest.raises(UsageError, match=r"--json: this file name is already used for --table"):
         write_evaluation(
             Session(), outcome.document, json_path=tmp_path / "t.csv", table_path=tmp_path / "t.csv"
         )

@@ -510,6 +510,6 @@ def test_an_inverted_table_is_found_and_nothing_is_written(
     assert (code, document["next"]["written"]) == (1, False)
     assert not (hall / "job" / "next").exists()
     said = capsys.readouterr().out
-    assert "No next round: no axis gets a table for the next round" in said
+    assert "No next round: no axis gets a new table" in said
     assert "the verdict is inverted, not loaded" in said
     assert "axis Y: this axis was not measured after loading" in said

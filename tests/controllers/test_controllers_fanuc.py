@@ -819,7 +819,7 @@ class TestText:
 
     def test_idle_points_and_unjudged_functions_are_named(self) -> None:
         box = control(in_style(("N10037", "N10200Q0P3\nN10201Q0P0\nN10037")))
-        assert any("10200 hold values" in note for note in box.notes)
+        assert any("10200 contain values" in note for note in box.notes)
         with pytest.raises(InputError, match="3602: 00000001"):
             control(in_style(("N10037", "N03602Q1P00000001\nN10037")))
         for line, says in (("N10801Q1L1P1", "10801: 1"), ("N13381Q1L1P1", "13381: 1")):

@@ -345,7 +345,8 @@ class TestCross:
         assert control.cross() == ()
         assert any("option cross_values" in note for note in control.notes)
         with pytest.raises(
-            UsageError, match=r"no table by which axis 1 corrects axis 2.*cross_values"
+            UsageError,
+            match=r"no table that corrects axis 2 over the position of axis 1.*cross_values",
         ):
             control.cross_correction("1", "2", np.zeros(1), UP)
         with pytest.raises(UsageError, match="option cross_values"):

@@ -230,7 +230,8 @@ class TestCross:
         assert um(control, [25, 50], UP, "2") == close([-0.5, -1])
         assert control.addresses() == ("2",)
         with pytest.raises(
-            UsageError, match="no table by which motor 2 corrects motor 1; expected 1 and 2"
+            UsageError,
+            match="no table that corrects motor 1 over the position of motor 2; expected 1 and 2",
         ):
             control.cross_correction("2", "1", at, UP)
 

@@ -135,7 +135,7 @@ class TestContainer:
             load(container(longer, member("INITIAL.INI", INITIAL)))
 
     def test_an_archive_that_is_cut_short(self) -> None:
-        with pytest.raises(InputError, match=r"cut short.* LOAD\.MPF.*bytes"):
+        with pytest.raises(InputError, match=r"cut off.* LOAD\.MPF.*bytes"):
             load(WHOLE[:-500])
         with pytest.raises(InputError, match="is damaged"):
             load(WHOLE[:-700])
@@ -146,7 +146,7 @@ class TestContainer:
 
     def test_a_member_of_its_list_that_is_not_there(self) -> None:
         whole = container(member("AX_EEC.INI", EEC), also=ACTIVE + "INITIAL.INI")
-        with pytest.raises(InputError, match=r"cut short: its list names INITIAL\.INI"):
+        with pytest.raises(InputError, match=r"cut off: its list names INITIAL\.INI"):
             load(whole)
 
     def test_the_first_bytes_of_it_are_refused_or_hold_all_that_acts(self) -> None:

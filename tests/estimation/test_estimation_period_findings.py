@@ -34,11 +34,11 @@ def said(
 def test_a_found_period_says_what_to_look_for_and_its_odds() -> None:
     (finding,) = said(AxisPeriod(10.0, 0.97, "found"))
     assert finding.code == "CW-E012"
-    assert "every 10 mm (probability 97 %, odds 32 to 1)" in finding.message
+    assert "every 10 mm (probability 97 %, 32 times as likely as not)" in finding.message
     assert "once in 10 mm: a screw lead of 10 mm" in finding.message
     assert "twice in 20 mm: a screw lead of 20 mm" in finding.message
     (sure,) = said(AxisPeriod(10.0, 0.9947, "found"))
-    assert "odds 190 to 1" in sure.message, "never exponents"
+    assert "190 times as likely as not" in sure.message, "never exponents"
 
 
 @pytest.mark.parametrize(

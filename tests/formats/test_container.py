@@ -111,7 +111,7 @@ def test_texts_that_are_more_than_any_control_has_together_are_refused(
     opened.cache_clear()
     monkeypatch.setattr(text_container, "MOST_CONTROL_TEXTS", 1000)
     texts = [(ACTIVE, f"A{number}.INI", b"$MA_X=0\n" * 50) for number in range(3)]
-    assert "holds 3 texts of 1.2 kB together" in refused(container(texts))
+    assert "contains 3 texts of 1.2 kB together" in refused(container(texts))
     assert len(members(container(texts[:2]))) == 2
     opened.cache_clear()
 

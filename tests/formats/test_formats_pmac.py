@@ -389,7 +389,7 @@ def test_an_endless_axis_has_its_turn_as_length() -> None:
     [
         ({"positive": [1, 1, 1, 1]}, axis(), "at the reference, arriving in \\+, is not 0"),
         ({"negative": [0, 1, 0, 0]}, axis(), "backlash at motor zero.*outside 0 to"),
-        ({"positive": [0.03, 0, 0, 0]}, axis(), "no multiple of 6.25e-05"),
+        ({"positive": [0.03, 0, 0, 0]}, axis(), "not a multiple of 6.25e-05"),
         ({"positive": [0, 0, 524289, 0]}, axis(), "8388624 .*outside -8388607 to 8388607"),
         ({"negative": [400000, 0, 0, 0], "positive": [-400000, 0, 0, 0]}, axis(), "table of back"),
         ({"positions": [-100, 0, 100, 201]}, axis(), "not equally spaced"),

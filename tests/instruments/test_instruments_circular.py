@@ -314,7 +314,7 @@ BAD: list[tuple[bytes, str]] = [
     ),
     (csv(rows(FULL) + "ccw,1,5,\n"), "line 41, column deviation_um is empty"),
     (csv(rows(FULL) + "ccw,1,nan,1\n"), "line 41, column angle_deg is not a finite number"),
-    (csv(rows(FULL) + "ccw,1,800,1\n"), "line 41, column angle_deg is no angle on the circle"),
+    (csv(rows(FULL) + "ccw,1,800,1\n"), "line 41, column angle_deg is not an angle on the circle"),
     (
         csv(rows(FULL) + "ccw,1,20,1\n"),
         "line 41: a sample is given twice; expected each angle once per direction and run",

@@ -161,7 +161,7 @@ def test_a_file_that_was_cut() -> None:
     assert "3 of 24 readings are missing" in told(cut)["CW-R006"]
     halved = read(whole[: whole.index("   3     6 ")])
     messages = [finding.message for finding in halved.findings if finding.code == "CW-R053"]
-    assert any("has 4 runs, but it holds 3" in message for message in messages)
+    assert any("has 4 runs, but it contains 3" in message for message in messages)
     assert any("EOF:: is missing" in message for message in messages)
 
 

@@ -482,7 +482,7 @@ def test_fault_at_the_top_names_its_place(text: str, place: str, words: str) -> 
         ("iso230-2:1988", "E", "not defined"),
         ("iso230-2:1988", "B", "not defined"),
         ("iso230-2:1988", "E_positiv", "expected 'R_positive', the nearest"),  # not E_positive
-        ("vdi3441", "A", "no parameter of vdi3441"),
+        ("vdi3441", "A", "not a parameter of vdi3441"),
     ],
 )
 def test_limits_follow_the_standard(standard: str, parameter: str, words: str) -> None:

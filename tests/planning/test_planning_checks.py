@@ -138,7 +138,10 @@ def test_which_one_counts_is_said() -> None:
         checks = checks_of({"X": work_of(LAGS)}, apply=apply)
         (finding,) = checks.findings([circle])
         assert f"value of the {word} is used" in finding.message
-        assert "+5.0 ± 0.0 µm by the laser, and +9.0 ± 1.0 µm by circle" in finding.message
+        assert (
+            "+5.0 ± 0.0 µm according to the laser, and +9.0 ± 1.0 µm according to circle"
+            in finding.message
+        )
 
 
 @pytest.mark.parametrize(("value", "told"), [(15.9, True), (16.1, False), (24.1, True)])

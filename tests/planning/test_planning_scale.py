@@ -67,7 +67,10 @@ def test_a_scale_at_a_low_feed_is_taken_away_about_the_reference() -> None:
     """50 µm/m too long: 1000 mm are 50 µm too far, so the table draws them back."""
     found = scaled(circle_of({"scale_error_second": (50.0, 2.0)}, feed=150.0))
     assert found.finding.code == "CW-P120"
-    assert "scale +50.0 ± 4.0 µm/m by circle at a low feed" in found.finding.message
+    assert (
+        "scale +50.0 ± 4.0 µm/m according to circular test circle at a low feed"
+        in found.finding.message
+    )
     assert slope_of(found) == pytest.approx(-50.0 * PPM, abs=0.2 * PPM)
     assert found.planned is not None
     assert found.planned.fitted is not None
@@ -152,8 +155,9 @@ def test_the_mismatch_with_an_axis_under_the_laser_gives_the_other(
     laser = work_of(KnownAxis(lambda x: 10e-6 * x, lambda x: 10e-6 * x))
     circle = circle_of({"scale_mismatch": (cause, 0.2)}, axes)
     found = scaled(circle, works={"X": laser})
-    assert "scale +30.0 ± 2.0 µm/m by the scale mismatch of circle and the laser on X" in (
-        found.finding.message
+    assert (
+        "scale +30.0 ± 2.0 µm/m according to the scale of axis X by laser, and the scale difference of the two axes in circular test circle"
+        in (found.finding.message)
     )
     assert slope_of(found) == pytest.approx(-30.0 * PPM, abs=0.2 * PPM)
 
@@ -189,7 +193,10 @@ def test_circles_at_low_feeds_are_weighted() -> None:
         circle_of({"scale_error_second": (40.0, 1.0)}, feed=150.0, name="a"),
         circle_of({"scale_error_first": (50.0, 2.0)}, ("Y", "Z"), feed=150.0, name="b"),
     )
-    assert "scale +42.0 ± 1.8 µm/m by a at a low feed; b at a low feed" in found.finding.message
+    assert (
+        "scale +42.0 ± 1.8 µm/m according to circular test a at a low feed; circular test b at a low feed"
+        in found.finding.message
+    )
 
 
 def test_a_laser_on_the_axis_wins() -> None:

@@ -81,7 +81,9 @@ def test_rows_say_who_tells_a_period_and_only_what_counts_is_marked() -> None:
         ("4", "6 %", "found in the readings"),
     ]
     assert [mark["text"] for mark in block["odds"]["found"]] == ["10", "20"]
-    assert list(map(str, block["alike"])) == ["These targets cannot tell apart: 50, 12.5 mm."]
+    assert list(map(str, block["alike"])) == [
+        "At these targets the following periods cannot be distinguished: 50, 12.5 mm."
+    ]
     assert periods_block({"periods": [], "period_search": None}, "um") is None
 
 
@@ -92,6 +94,6 @@ def test_the_report_shows_them() -> None:
     part = page[page.index("periods of the error") :].partition("<h3>")[0]
     text = " ".join(re.sub("<[^>]*>", " ", part).split())
     assert "10 97 % found in the readings" in text
-    assert "cannot tell apart: 50, 12.5 mm" in text
+    assert "cannot be distinguished: 50, 12.5 mm" in text
     assert "<polyline" in part
     assert page.count("periods of the error") == 1

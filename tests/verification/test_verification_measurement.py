@@ -99,7 +99,7 @@ def test_the_scatter_of_the_first_test_under_another_error_is_a_copy(sign: float
         (np.arange(0, 11, 2), "it has 6 targets"),
         (np.arange(2, 11), "it covers 200 mm to 1000 mm"),
         (np.arange(0, 9), "it covers 0 mm to 800 mm"),
-        (np.r_[0:4, 7:11], "400 mm of the travel are without a target"),
+        (np.r_[0:4, 7:11], "over 400 mm of the travel there is no target"),
         (np.r_[0:2, 10:11], "it has 3 targets, and the standard asks for 5 at least"),
     ],
 )

@@ -1,4 +1,4 @@
-"""Entries of stand-still tests and lost-motion tables in the JSON of ``evaluate``."""
+"""Entries of drift tests and lost-motion tables in the JSON of ``evaluate``."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from compwright.records.drift import DriftTest, LostMotionTest
 def stand_still_document(
     drift: DriftTest, E_VE: float, findings: Iterable[Finding]
 ) -> dict[str, Any]:
-    """Return the entry of a stand-still test: the range ``E_VE`` (µm or arcsec) over its whole
+    """Return the entry of a drift test: the range ``E_VE`` (µm or arcsec) over its whole
     duration, and the readings.
     """
     unit = drift.kind.unit

@@ -1,9 +1,9 @@
-"""The two plain CSV forms with two columns and one row per reading: stand-still tests and lost
+"""The two plain CSV forms with two columns and one row per reading: drift tests and lost
 motion.
 
 In any order. Comment keys are kept as for other tests, and other columns are ignored.
 
-Stand-still test: ``time_min`` and ``deviation_um`` (linear axes) or ``deviation_arcsec`` (rotary
+Drift test: ``time_min`` and ``deviation_um`` (linear axes) or ``deviation_arcsec`` (rotary
 axes). Lost motion: ``distance_mm`` or ``speed_mm_min`` of the move, and ``lost_motion_um``.
 """
 
@@ -37,7 +37,7 @@ _FEWEST: Final = 3
 
 
 def is_drift(text: Sequence[str]) -> bool:
-    """Return whether the lines of a file are a stand-still test."""
+    """Return whether the lines of a file are a drift test."""
     return any(line.lower().lstrip('"').startswith(TIME) for line in text)
 
 
@@ -53,7 +53,7 @@ def is_two_columns(text: Sequence[str]) -> bool:
 
 
 def read_drift(content: bytes, file: str, kind: AxisKind | None = None) -> DriftTest:
-    """Return the stand-still test in a file. Raises InputError with every fault at once.
+    """Return the drift test in a file. Raises InputError with every fault at once.
 
     Of axes of a kind; None: of the kind that its columns say. Faults: no such columns, cells that
     are no numbers, a time given twice, fewer than three readings.

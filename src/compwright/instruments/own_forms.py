@@ -128,7 +128,7 @@ def read_target_data_file(text: Sequence[str], faults: FaultList) -> Parsed:
 
 def spans_of_plain_csv(text: Sequence[str]) -> Iterator[Spans]:
     """Yield the meaning of the parts of each line of a plain CSV file (positioning, circular,
-    stand-still).
+    drift).
     """
     delimiter = ""
     meanings: list[Meaning] = []

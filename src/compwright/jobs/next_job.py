@@ -38,7 +38,7 @@ class NextAxis:
 class NextRound:
     """The changes for the next round.
 
-    ``paths``: the copies of profiles, stand-still tests and the logo, by their paths in the last
+    ``paths``: the copies of profiles, drift tests and the logo, by their paths in the last
     job; ``squareness``: the planes that are corrected again.
     """
 
@@ -186,7 +186,7 @@ def environment_files(section: Any) -> list[str]:
 
 
 def _uncertainty(section: Mapping[str, Any], paths: Mapping[str, str]) -> dict[str, Any]:
-    """Return the declared uncertainty with the paths of the copied stand-still tests."""
+    """Return the declared uncertainty with the paths of the copied drift tests."""
     found = dict(section)
     if isinstance(found.get("rotary"), dict):
         found["rotary"] = _uncertainty(found["rotary"], paths)

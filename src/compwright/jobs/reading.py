@@ -358,7 +358,7 @@ def _circular_budget(section: JobSection) -> CircularBudget | None:
 
 
 def _range(variation: float | DriftSection) -> float:
-    """Return a range of the environmental variation. 0 until its stand-still test is read."""
+    """Return a range of the environmental variation. 0 until its drift test is read."""
     return 0.0 if isinstance(variation, DriftSection) else variation
 
 

@@ -361,13 +361,13 @@ class DeviceSection(JobMapping):
 
 
 class DriftSection(JobMapping):
-    """The file of a stand-still test, and the duration of a positioning test, min."""
+    """The file of a drift test, and the duration of a positioning test, min."""
 
     file: Text
     duration_min: Positive | None = None
 
 
-#: A range, or the stand-still test that shows it.
+#: A range, or the drift test that shows it.
 Variation = Annotated[
     Annotated[NotNegative, Tag("number")]
     | Annotated[DriftSection, BeforeValidator(drift_file), Tag("drift")],
@@ -377,7 +377,7 @@ Variation = Annotated[
 
 class RotaryUncertaintySection(JobMapping):
     """The contributors of rotary axes, arcsec: certificate of the instrument, set-up, drift of a
-    stand-still test.
+    drift test.
     """
 
     U: NotNegative = 0.0
@@ -412,7 +412,7 @@ class UncertaintySection(JobMapping):
     """Set-up, over the travel of the test. Unit: µm."""
     E_VE: Variation = 0.0
     """Environmental variation: the range of the readings of an axis at rest over the time of a
-    positioning test, or the file of such a stand-still test, see below. Unit: µm.
+    positioning test, or the file of such a drift test, see below. Unit: µm.
     """
     rotary: RotaryUncertaintySection | None = None
     """`{U, setup, E_VE}` of rotary axes; without it no uncertainty of a rotary axis is stated, and

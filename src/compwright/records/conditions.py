@@ -46,7 +46,7 @@ class UncertaintyBudget:
     (rotary: arcsec), µm/m, K, µm/(m K).
 
     Two are ranges as in the annex: ``misalignment_mm``, the lateral range of the beam over the
-    measured length, and ``E_VE``, the drift of a stand-still test as long as the run.
+    measured length, and ``E_VE``, the drift of a drift test as long as the run.
     """
 
     device: float = 0.0

@@ -1,4 +1,4 @@
-"""Stand-still tests (readings over time without motion) and lost motion over distance or speed."""
+"""Drift tests (readings over time without motion) and lost motion over distance or speed."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ class LostMotionTest:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DriftRequest:
-    """The file of a stand-still test, and the duration (min) of a positioning test of the job.
+    """The file of a drift test, and the duration (min) of a positioning test of the job.
     None: not given.
     """
 

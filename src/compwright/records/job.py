@@ -167,7 +167,7 @@ class Job:
 
     ``active``: by state, whether compensation was active in it if its files switch it off or do not
     state it; absent: not answered. ``options`` are the controller's; an axis' own are in
-    ``axis.options`` and override them. ``drifts``: stand-still tests by the kind of axis, from
+    ``axis.options`` and override them. ``drifts``: drift tests by the kind of axis, from
     which E_VE comes; ``environment``: a record of air and material; ``sources``: files from which
     the job's own values are. ``findings``: about the job itself, such as keys without effect.
     """

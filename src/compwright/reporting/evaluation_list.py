@@ -264,7 +264,7 @@ def _findings(findings: Sequence[Mapping[str, Any]], folder: str) -> _ListColumn
 
 
 def _tests(count: int, kind: str) -> str:
-    word = {"environment": "stand-still", "lost_motion": "lost motion"}.get(kind, kind)
+    word = {"environment": "drift", "lost_motion": "lost motion"}.get(kind, kind)
     return f"{count} {word} test{'s' * (count != 1)}"
 
 

@@ -225,17 +225,15 @@ SENTENCES: Final[dict[str, str]] = {
     "next.differs": "what was read back differs from the plan: {why}{quantity:if| ({quantity})}",
     "next.doubted": "the test of this axis after loading is in doubt ({code}: {message})",
     "next.gained": (
-        "a table for the next round is written. It is expected to change {parameter} at"
-        " unmeasured targets from {now:.2f} to {then:.2f} {unit}"
+        "a new table is written. It is expected to change {parameter} at unmeasured targets"
+        " from {now:.2f} to {then:.2f} {unit}"
     ),
-    "next.kept": (
-        "{why}. The axis keeps what is in the control, and gets no table for the next round"
-    ),
+    "next.kept": ("{why}. The axis keeps what is in the control, and gets no new table"),
     "next.load": (
-        "a table for the next round was written for {axes}{between:if|{axes:if|, }squareness}."
-        " Load all files of next/tables, measure again, and verify that round"
+        "a new table was written for {axes}{between:if|{axes:if|, }squareness}. Load all files"
+        " of next/tables, measure again, and verify that round"
     ),
-    "next.no_axis": "no axis gets a table for the next round",
+    "next.no_axis": "no axis gets a new table",
     "next.no_table": (
         "the plan contains no table for this axis, so none was loaded. The axis keeps what is in"
         " the control"
@@ -255,16 +253,17 @@ SENTENCES: Final[dict[str, str]] = {
         " first, then run a new job"
     ),
     "next.squareness_alone": (
-        "no axis gets a table for the next round, and squareness alone gets no next round."
-        " {measured:if|Measure an axis that has a table after loading too, and give its test with"
-        " --after in addition to the circles|To correct the remaining squareness, run a new job:"
-        " with the files that were read back as as_found, and with the circles after loading}"
+        "no axis gets a new table, and squareness alone gets no next round."
+        " {measured:if|Measure an axis that has a table after loading too, and give its test"
+        " with --after in addition to the circles|To correct the remaining squareness, run a new"
+        " job: with the files that were read back as as_found, and with the circles after"
+        " loading}"
     ),
     "next.stop": (
-        "stop here: another correction round for {axes} would gain too little: its effect would"
-        " be too small to show in a test"
+        "stop here: the gain of another correction round for {axes} would be too small to show"
+        " in a test"
     ),
-    "next.stop_axis": "{stop:if|stop here|no table for the next round}: {why}",
+    "next.stop_axis": "{stop:if|stop here|no new table}: {why}",
     "next.verdict": (
         "the verdict is {verdict:choose|not_active=not"
         " active|inverted=inverted|scaled=scaled|shifted=shifted|mirrored=mirrored|wrong_axis=wrong"
@@ -272,5 +271,5 @@ SENTENCES: Final[dict[str, str]] = {
         " direction|partial=partial|thermal=thermal|undecided=undecided|={name}}{of:if| ({of})},"
         " not loaded"
     ),
-    "next.written": "a table for the next round is written",
+    "next.written": "a new table is written",
 }

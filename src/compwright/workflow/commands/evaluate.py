@@ -286,7 +286,7 @@ _WITH_PAGES: Final = ("positioning", "circular")
 def _with_pages(document: Mapping[str, Any]) -> Mapping[str, Any]:
     """Return the document with only those tests that have a page and a figure.
 
-    A stand-still test and lost motion over distance or speed have neither.
+    A drift test and lost motion over distance or speed have neither.
     """
     tests = [result for result in document["results"] if result["kind"] in _WITH_PAGES]
     if document["results"] and not tests:

@@ -110,7 +110,7 @@ class FilesEvaluator:
         )
 
     def _two_columns(self, given: FileToEvaluate) -> Callable[[FileToEvaluate], Entry] | None:
-        """Return the evaluation function for a stand-still test or a table of lost motion. None: it
+        """Return the evaluation function for a drift test or a table of lost motion. None: it
         is neither.
         """
         from compwright.instruments.drift_csv import is_drift, is_lost_motion

@@ -45,7 +45,7 @@ _ANY_TRAVEL = "0:1"
 
 
 def read_job_file(session: Session, path: Path, plan: Path | None = None) -> Job:
-    """Read a job file, with the stand-still tests, environment record and logo that it names.
+    """Read a job file, with the drift tests, environment record and logo that it names.
 
     ``plan``: the plan of an earlier run, whose copy of the user's own definition is used. Raises
     InputError when one of them cannot be read, UsageError with every fault of the job.
@@ -72,7 +72,7 @@ def _with_logo(session: Session, job: Job, folder: Path) -> Job:
 
 
 def _with_drifts(session: Session, job: Job, folder: Path) -> Job:
-    """Return the job with the range E_VE (environmental variation) from its stand-still tests."""
+    """Return the job with the range E_VE (environmental variation) from its drift tests."""
     errors: list[CompwrightError] = []
     for kind, request in job.drifts.items():
         file = storage.named_from(folder, request.file)
