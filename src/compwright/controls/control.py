@@ -223,7 +223,13 @@ def _definition(
     if not origin.carried:
         found = definition_named(session, name, origin.folder)
         return found, () if found.id == name or is_path(name) else (
-            Finding.of("CW-S062", "info", name=name, definition=found.id, title=found.title),
+            Finding.of(
+                "CW-S062",
+                "info",
+                name=name,
+                definition=found.id,
+                title=ControlText(found.title, {}),
+            ),
         )
     carried = carried_definition(session, origin.carried)
     if name == carried.id:

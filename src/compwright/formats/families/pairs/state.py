@@ -45,6 +45,7 @@ from compwright.foundations.errors import Fault
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.correction import AxisCompensation, ControlFile, CrossCompensation
 from compwright.records.facts import PairTables
+from compwright.words.sentences import control_text
 
 
 class PairsReader(GridReader):
@@ -188,7 +189,10 @@ class PairsReader(GridReader):
         cross = cross_tables(self.cec, self._kind)
         if self.sign_known or not cross:
             return cross
-        pairs = dict.fromkeys(f"{entry.output} over {entry.input}" for entry in cross)
+        pairs = dict.fromkeys(
+            control_text("{output} over {input}", output=entry.output, input=entry.input)
+            for entry in cross
+        )
         self.notes.find("CW-S051", "warning", pairs=pairs)
         return ()
 

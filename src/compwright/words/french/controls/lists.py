@@ -90,6 +90,7 @@ TEXTS: Final[dict[str, str]] = {
         " devraient rester ; aucune page ne le dit. Les décalages d'origine de {output} bougent"
         " avec {input} : les palper de nouveau."
     ),
+    "{output} over {input}": "{output} sur {input}",
     "{output} over {input}: check the sign": "{output} sur {input} : vérifier le signe",
     "{output} over {input}: load": "{output} sur {input} : charger",
     "No page says in which direction a value of kw.crosscomp moves axis {output};"

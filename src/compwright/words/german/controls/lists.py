@@ -93,6 +93,7 @@ TEXTS: Final[dict[str, str]] = {
         " bleiben; keine Seite sagt es. Nullpunktverschiebungen von {output} wandern mit"
         " {input}: neu antasten."
     ),
+    "{output} over {input}": "{output} über {input}",
     "{output} over {input}: check the sign": "{output} über {input}: Vorzeichen prüfen",
     "{output} over {input}: load": "{output} über {input}: laden",
     "No page says in which direction a value of kw.crosscomp moves axis {output};"

@@ -88,6 +88,7 @@ TEXTS: Final[dict[str, str]] = {
         " одна страница этого не говорит. Смещения нуля {output} сдвигаются вместе с {input}:"
         " измерьте их щупом заново."
     ),
+    "{output} over {input}": "{output} по {input}",
     "{output} over {input}: check the sign": "{output} по {input}: проверить знак",
     "{output} over {input}: load": "{output} по {input}: загрузить",
     "No page says in which direction a value of kw.crosscomp moves axis {output};"
