@@ -18,6 +18,8 @@ from compwright.cli import run as compwright
 from compwright.planning.mirror_image import chance_of_mirror
 from loop import Floats, Machine, csv_of
 
+pytestmark = pytest.mark.short_estimate
+
 MACHINE = Machine()
 TARGETS = MACHINE.targets(count=25)
 Readings = dict[int, Floats]
