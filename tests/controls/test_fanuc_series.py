@@ -87,8 +87,11 @@ def test_an_increment_beyond_the_series_is_refused(format_id: str) -> None:
         if value <= most:
             control.read(files, [LINEAR])
             continue
-        with pytest.raises(InputError, match="cannot store"):
+        with pytest.raises(InputError, match="cannot store") as refused:
             control.read(files, [LINEAR])
+        larger = "set the option `increment_limit` to `127`" in str(refused.value)
+        assert larger == (most == 7)
+        assert ("export its pitch data again" in str(refused.value)) == (most == 127)
 
 
 @pytest.mark.parametrize("format_id", ["fanuc-0i-d", "fanuc-0i-f"])

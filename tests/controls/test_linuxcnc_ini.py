@@ -279,7 +279,7 @@ def test_an_axis_is_not_the_joint_of_another_axis(
     shutil.rmtree(tmp_path / "job")
     assert run(tmp_path, 'B: {address: "4", kind: rotary, ', TABLE_OF_TWO, "deg") == 3
     said = capsys.readouterr().err
-    assert "another axis letter" in said
+    assert "has another letter" in said
     assert "XYZBC: joint 4 is C" in said
     assert not (tmp_path / "job").exists()
 

@@ -333,3 +333,47 @@ def test_macros_that_name_variables_of_no_concern_are_read_over() -> None:
     assert read(text).axes["1"].positions.size
     with pytest.raises(InputError, match="line 13"):
         read(f"{text}OFF=0\n")
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "step"),
+    [
+        ("DEFINE COMP 4,200000", "DEFINE COMP 4,LEN", "DEFINE COMP 4,200000"),
+        ("DEFINE COMP 4,200000", "DEFINE COMP 4,(2*LEN/2)", "DEFINE COMP 4,200000"),
+        ("I186=48", "I(100+86)=48", "I186=48"),
+        ("I186=48", "I(MOTOR+86)=48", "I186=48"),
+        ("\n80\n", "\nFIRST\n", "80"),
+    ],
+)
+def test_what_is_not_read_is_written_out_for_the_user(old: str, new: str, step: str) -> None:
+    """The step, followed, makes the script that the macros and expressions mean."""
+    head = "#define LEN 200000\n#define MOTOR 100\n#define FIRST 80\n"
+    plain = head + "#1 DEFINE COMP 4,200000\n80\n160\n240\n0\nI51=1\nI185=32\nI186=48\n"
+    control = open_control(Session(), "pmac", {"counts_per_unit": 1000})
+
+    def read(text: str) -> ControlState:
+        return decode(control, [ControlFile("a.pmc", text.encode())], address="1").state
+
+    with pytest.raises(InputError) as refused:
+        read(plain.replace(old, new))
+    hints = [fault.hint for fault in refused.value.faults]
+    assert hints[:1] == [
+        f"write `{step}` in this line of a copy of the script, if it was sent like this"
+    ]
+    sent = plain.removeprefix(head)
+    mended = head + sent.replace(old, new).replace(new.strip(), step)
+    assert np.array_equal(
+        read(mended).axes["1"].at(np.array([50.0]), UP),
+        read(plain).axes["1"].at(np.array([50.0]), UP),
+    )
+
+
+def test_numbers_next_to_each_other_are_no_expression() -> None:
+    script = "#1 DEFINE COMP 4,200000\nE1 -80 -160 0\n#define E1 5\n"
+    with pytest.raises(InputError) as refused:
+        decode(
+            open_control(Session(), "pmac", {"counts_per_unit": 1000}),
+            [ControlFile("a.pmc", ("#define E1 5\n" + script).encode())],
+            address="1",
+        )
+    assert "`5 -80 -160 0`" in str(refused.value.faults[0].hint)

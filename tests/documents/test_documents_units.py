@@ -76,7 +76,9 @@ def test_what_is_decoded_and_compared(kind: AxisKind, factor: float, unit: str) 
         "unit": unit,
     }
     back = ReadBack(0.0125, 320.5, Direction.NEGATIVE, "scaled", "twice")
-    document = compare_document("id", {"X": ComparedAxis("AX1", kind, back, ())}, Others(), (), ())
+    document = compare_document(
+        "id", {"X": ComparedAxis("AX1", kind, back, ())}, Others(), (), (), ()
+    )
     assert document["axes"]["X"]["largest_difference"] == pytest.approx(0.0125 * factor)
     assert (document["axes"]["X"]["at"], document["axes"]["X"]["unit"]) == (320.5, unit)
 

@@ -82,6 +82,14 @@ def test_the_same_machine_in_other_numbers(md: str, eec: str) -> None:
         read(md, eec, replace(X, travel=(1000.0, 1500.0)))
 
 
+@pytest.mark.parametrize("word", ["metric", "Metric"])
+def test_one_unit_in_upper_and_lower_case_is_no_contradiction(word: str) -> None:
+    lower = EEC.replace("METRIC", word)
+    assert np.array_equal(read(MD, lower).axes["AX1"].positive, read(MD, EEC).axes["AX1"].positive)
+    with pytest.raises(InputError, match="one place says inch"):
+        read(MD.replace("METRIC", word), inch(EEC))
+
+
 def test_files_that_contradict_themselves_are_refused_for_every_axis() -> None:
     for md in (MD.replace(*TO_INCH), inch(MD).replace("INCH", "METRIC")):
         for axis in (X, A):

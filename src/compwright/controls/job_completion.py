@@ -4,6 +4,7 @@ files.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
@@ -26,9 +27,9 @@ from compwright.words.sentences import control_text
 #: Two places are one within this, mm or deg.
 _SAME_PLACE = 1e-6
 _TURN = 360.0
-#: Letters of axes: an axis of the job that bears another name says nothing of the control's own
-#: letters.
-_LETTERS = "XYZABCUVW"
+#: Names of axes as controls and jobs write them. An axis of the job with a name of another kind
+#: says nothing of the control's own letters.
+_AXIS_NAME = re.compile(r"[XYZABCUVW][0-9]{0,2}")
 
 
 def named_axes(
@@ -109,8 +110,8 @@ def _number_question(control: Control, axis: Axis, by_name: Mapping[str, tuple[s
         expected=f"the number, or the file with {quantity} among the control's files",
         found=f"files that number {names}" if names else "only the letter",
         hint=(
-            f"set `axis_number` of the axis, or add the file with {quantity} to the control's"
-            " files (`states` or `--state`)"
+            "look the number up in the control, then add it to the axis, such as `address: 1`, or "
+            f"add the file with {quantity} to the control's files (`states` or `--state`)"
         ),
     )
 
@@ -276,22 +277,23 @@ def _with_systems_in_use(job: Job, state: ControlState) -> Job:
 
 
 def other_joints(axis: Axis, facts: AxisFacts, state: str) -> Iterator[Fault]:
-    """Yield a finding where the files of a state drive an axis by another or a second joint."""
-    letters, letter = facts.letters, facts.name
-    if not letters:
-        return
+    """Yield a fault where the files of a state give an axis another letter, or a second joint."""
+    letters, letter, own = facts.letters, facts.name or "", axis.name.upper()
     place, stated = f"axes.{axis.name}", f"{letters}: joint {axis.address} is {letter}"
-    if len(axis.name) == 1 and axis.name.upper() in _LETTERS and axis.name.upper() != letter:
+    if not letters:
+        stated = f"{letter} ({facts.name_evidence} of {axis.address})"
+    lettered = all(map(_AXIS_NAME.fullmatch, (letter, own)))
+    if lettered and letter[0] != own[0]:
         yield Fault(
-            message=(
-                "the joint named in `address` has another axis letter in the control's files "
-                f"(`states: {state}`)"
-            ),
+            message="the axis at `address` has another letter in the control's files "
+            f"(`states: {state}`)",
             place=f"{place}.address",
-            expected=f"a joint of {axis.name}",
+            expected=f"the axis {axis.name} of the control",
             found=stated,
-            hint=f"set `address` to a joint of {axis.name}",
+            hint=f"set `address` to that of {axis.name}; if {letter} was measured, name the axis "
+            f"{letter} in the job and in `# axis:` of its measurement files",
         )
+    if not letters or (lettered and letter[0] != own[0]):
         return
     others = [
         str(index)

@@ -51,11 +51,11 @@ def read_back_differences(
     names by address.
 
     Files that were not read back are ignored; so is a value that was in no file before, unless its
-    file was. A table of which a part is missing differs.
+    file was. A neighbour's table of which a part is missing differs.
     """
     whole = differences(control, expected, found)
     known = {entry.file for entry in expected.entries.values()}
-    torn = _partly_read(control, whole, found)
+    torn = [one for one in _partly_read(control, whole, found) if not names.keys() & set(one.axes)]
     compensating = [one for one in whole.entries if one.entry.relevant and _compared(one, known)]
     compensating += torn
     ignored = [one for one in _not_read(whole) if one not in torn]

@@ -47,11 +47,12 @@ class PairFacts:
 class AxisFacts:
     """Facts about one axis in a control's files. None or empty: the files do not state them.
 
-    ``name``: its name there; ``machine_name``: the machine's own name of it, used in the names of
-    new files. ``letters``: the axes of all joints, one letter each. ``limits``: the software limits
-    or, of an endless axis, its ``turn``, mm or deg. ``encoder_system``: the measuring system whose
-    table was read. ``enabled``: its table is active. ``other_functions``: its other active
-    functions, in words. ``endless``: the turn of an axis without ends, deg. ``reference``: machine
+    ``name``: its name there, by the parameter ``name_evidence``; ``machine_name``: the machine's
+    own name of it, used in the names of new files. ``letters``: the axes of all joints, one letter
+    each. ``limits``: the software limits or, of an endless axis, its ``turn``, mm or deg.
+    ``encoder_system``: the measuring system whose table was read. ``enabled``: its table is active.
+    ``other_functions``: its other active functions, in words. ``endless``: the turn of an axis
+    without ends, deg. ``reference``: machine
     coordinate of the reference position, mm or deg, approached in ``reference_return``.
     ``diameter``: positions are programmed in diameter. ``unit_evidence``: the source of its
     detection unit. ``synchronised``, ``leading``: the addresses of the other axes of its gantry, by
@@ -67,6 +68,7 @@ class AxisFacts:
     """
 
     name: str | None = None
+    name_evidence: str = ""
     machine_name: str = ""
     letters: str = ""
     kind: AxisKind | None = None

@@ -55,11 +55,11 @@ class Values:
         chosen = [group[0] if rule == "first" else group[-1] for group in by_file.values()]
         first = chosen[0]
         for rival in places if rule == "same" else chosen:
-            if not same_value(rival.text, first.text):
+            if not self._same(quantity, rival.text, first.text):
                 message = f"{self.name(quantity)} contradicts {first.where}"
                 self.notes.refuse(self.label, message, rival, expected=first.text, hint=KEEP_ONE)
                 return None
-        if not quiet and any(not same_value(place.text, first.text) for place in places):
+        if not quiet and any(not self._same(quantity, one.text, first.text) for one in places):
             self.notes.findings.append(
                 Finding.of(
                     "CW-S003",
@@ -72,6 +72,13 @@ class Values:
                 )
             )
         return first
+
+    def _same(self, quantity: str, one: str, other: str) -> bool:
+        """Return whether two texts of a quantity mean the same: numbers, or words of a choice."""
+        binding = self.definition.bindings[quantity]
+        if isinstance(binding, Choice) and (word := self.known_word(binding, one)) is not None:
+            return word == self.known_word(binding, other)
+        return same_value(one, other)
 
     def word(self, quantity: str, found: FoundValue | None) -> str | None:
         """Return the meaning of a choice. None if it is in no file.

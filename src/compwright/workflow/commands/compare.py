@@ -4,7 +4,7 @@ difference.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -89,7 +89,9 @@ def compare_plan(session: Session, plan_file: Path, loaded: Sequence[Path]) -> C
     partly = partial_load(before, planned_side.entries, back.entries)
     read_back = read_back_differences(control, planned_side, back, names)
     differs = read_back.own or read_back.others.differences
-    if refused is not None and not (differs and _speak_of(control, back, axes)):
+    if refused is not None and not (
+        differs and {axis.address for axis in axes} <= _axes_in(control, back)
+    ):
         raise refused
     compared = {
         entry.axis.name: _compared(
@@ -104,26 +106,30 @@ def compare_plan(session: Session, plan_file: Path, loaded: Sequence[Path]) -> C
     assumed = tuple(dict.fromkeys(one for state in states for one in state.assumed))
     wanted = () if wish is None else wish.state.findings
     expected = (*as_found.state.findings, *wanted, *planned_side.findings)
-    doubts = tuple(_doubts(expected, findings, planned_side, back))
+    foreign = _axes_in(control, back) - {*names, *names.values()}
+    unread = _unread(planned_side, back) if foreign else ()
+    doubts = (*unread, *_new_doubts(findings, {finding.code for finding in expected}))
     rest = [finding for finding in findings if finding not in doubts]
     document = compare_document(plan.format, compared, read_back.others, assumed, rest, doubts)
     return CompareOutcome(0 if document["verdict"] == "same" else 1, document)
 
 
-def _doubts(
-    expected: Sequence[Finding],
-    found: Sequence[Finding],
-    planned: ComparedSide,
-    back: ComparedSide,
-) -> Iterator[Finding]:
-    """Yield the doubts about what was read back: axes that only the plan's files make known, and
-    warnings of a kind that the plan's files do not raise.
-    """
+#: No doubts of a job, but of a control that was read back: a table that no axis names any more,
+#: and files that only one reader understands.
+_NEW_IN_CONTROL = frozenset({"CW-S012", "CW-S081"})
+
+
+def _unread(planned: ComparedSide, back: ComparedSide) -> tuple[Finding, ...]:
+    """Return why axes cannot be read back that the plan's files make known."""
     lost = back.unread - planned.unread or back.state is None is not planned.state
-    known = {one.code for one in expected} | {"CW-S080", "CW-S085"}
+    return tuple(one for one in back.findings if one.code == "CW-S080") if lost else ()
+
+
+def _new_doubts(found: Sequence[Finding], known: Collection[str]) -> Iterator[Finding]:
+    """Yield the doubts that only what was read back raises. ``known``: codes of the plan's."""
     for one in found:
-        unread = bool(lost) and one.code == "CW-S080" and one in back.findings
-        if unread or (one.severity != "info" and one.code not in known):
+        new_in_control = one.code in _NEW_IN_CONTROL and one.severity != "info"
+        if (one.is_doubt or new_in_control) and one.code not in known:
             yield one
 
 
@@ -157,16 +163,15 @@ def _found_alone(
         return error
 
 
-def _speak_of(control: Control, back: ComparedSide, axes: Sequence[Axis]) -> bool:
-    """Return whether the files that were read back contain data of every axis."""
+def _axes_in(control: Control, side: ComparedSide) -> set[str]:
+    """Return the addresses of which files contain data."""
     whereabouts = control.format.listing.value_location
-    named = {
+    return {
         address
-        for entry in back.entries.values()
+        for entry in side.entries.values()
         if entry.relevant
-        for address in whereabouts(control.definition, entry, back.entries, back.state)[0]
+        for address in whereabouts(control.definition, entry, side.entries, side.state)[0]
     }
-    return all(axis.address in named for axis in axes)
 
 
 def _written(

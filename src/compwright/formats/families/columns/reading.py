@@ -18,7 +18,7 @@ import numpy as np
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.columns.axis_reading import ColumnAxisReader
 from compwright.formats.families.columns.source_files import find_sources
-from compwright.formats.families.columns.sources import PARAMETERS, AxisNumbers
+from compwright.formats.families.columns.sources import LETTERS, PARAMETERS, AxisNumbers
 from compwright.formats.families.columns.table import POSITION, SECOND
 from compwright.formats.families.columns.values import TableValues
 from compwright.formats.families.coupled_axes import (
@@ -97,6 +97,7 @@ def read_columns(
     couplings = tuple(couplings_of(files, sources.numbers, wanted, named))
     check_couplings(couplings, known, notes)
     mentioned = sources.mentioned()
+    raise_all(UsageError, list(_number_faults(axes, mentioned)))
     for axis in axes:
         if axis.gantry is None:
             continue
@@ -109,6 +110,38 @@ def read_columns(
     values = TableValues(control, sources, known, notes)
     state = _ColumnStateReader(values, files, wanted, activity).read()
     return replace(state, facts=_paired(state.facts, couplings))
+
+
+def _number_faults(axes: Sequence[Axis], mentioned: Sequence[str]) -> Iterator[Fault]:
+    """Yield a fault for each axis whose number is that of another axis of the job, and for each
+    whose ``axis_number`` leaves a number in the files (``mentioned``) without an axis.
+    """
+    free = [int(name) for name in mentioned if name.isdigit() and int(name) <= len(LETTERS)]
+    numbered = [axis for axis in axes if axis.axis_number is not None]
+    numbers = [axis.axis_number for axis in numbered]
+    for index, axis in enumerate(numbered):
+        place, found = f"axes.{axis.name}.axis_number", str(axis.axis_number)
+        for other in numbered[:index]:
+            if other.axis_number == axis.axis_number:
+                yield Fault(
+                    message=f"axes {other.name} and {axis.name} have the same axis number",
+                    place=place,
+                    found=found,
+                    hint="give each axis the number that the control's list of axes shows",
+                )
+        letter = axis.address.strip().upper()
+        usual = [*LETTERS].index(letter) + 1 if letter in [*LETTERS] else 0
+        other_letter = dict(enumerate(LETTERS, start=1)).get(axis.axis_number or 0, "U")
+        if usual in free and axis.axis_number not in numbers[:index]:
+            yield Fault(
+                message=f"the files use axis number {usual}, and the job gives it to no axis",
+                place=place,
+                expected=f"{usual} (without other answers X is 1, Y 2, .. C 6)",
+                found=found,
+                hint=f"remove `axis_number: {found}` if the control's list of axes shows "
+                f"{letter} as number {usual}; else add `address: {other_letter}` to "
+                f"{axis.name}, with the letter that the control gives to number {found}",
+            )
 
 
 def _paired(facts: Mapping[str, AxisFacts], couplings: Sequence[Coupling]) -> dict[str, AxisFacts]:

@@ -65,8 +65,11 @@ class AxisNumbers:
         return f"AX{number}" if assumed and letter in "ABC" and letter not in known else letter
 
     def number(self, address: str) -> int | None:
-        """Return the number of an axis, from 1; None if unknown."""
-        return next((number for number, known in self.by_number.items() if known == address), None)
+        """Return the number of an axis, from 1, also of one that goes by its number; None if
+        unknown.
+        """
+        own = int(address) if address.isdigit() else None
+        return next((number for number, known in self.by_number.items() if known == address), own)
 
 
 @dataclass(frozen=True, slots=True)

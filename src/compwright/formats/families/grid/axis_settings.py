@@ -51,6 +51,7 @@ class AxisSettingsReader:
         return replace(
             own,
             name=name,
+            name_evidence="MD10000 $MN_AXCONF_MACHAX_NAME_TAB",
             machine_name="" if machine_name == self.address else machine_name,
             limits=limits,
             turn=turn,

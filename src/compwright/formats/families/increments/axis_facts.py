@@ -63,6 +63,7 @@ def facts_of(values: IncrementAxisValues) -> AxisFacts:
         limits = (limits[0] / 2, limits[1] / 2)
     return AxisFacts(
         name=name_of(values),
+        name_evidence="1020",
         kind=None if rotary is None else AxisKind(rotary),
         limits=limits,
         limits_evidence=_HALVED if halved else "",

@@ -37,6 +37,7 @@ from compwright.records.options import REFERENCE, REFERENCE_RETURN
 from compwright.words.sentences import control_text, unconfirmed
 
 _NO_POINTS = np.empty(0)
+LIMIT = "increment_limit"
 
 
 @dataclass(frozen=True, slots=True)
@@ -230,13 +231,17 @@ class IncrementReader:
                     row,
                     expected=f"-{limit} .. {limit}",
                     found=str(count),
-                    hint=(
-                        "if the control accepts it, set the option `increment_limit` to `127`;"
-                        f" else {CORRECT_VALUE}"
-                    ),
+                    hint=f"{self._way_on(abs(count))}; else {CORRECT_VALUE}",
                 )
                 return None
         return np.array(counts, dtype=np.float64)
+
+    def _way_on(self, size: int) -> str:
+        """Return what to do about an increment of this size before it is corrected."""
+        fitting = [one for one in self.values.definition.options[LIMIT].choices if int(one) >= size]
+        if fitting:
+            return f"if the control accepts it, set the option `{LIMIT}` to `{fitting[0]}`"
+        return "if the control shows another value there, export its pitch data again"
 
     def _offset(self, sections: IncrementSections, kind: AxisKind) -> float:
         """Return parameter 3627, mm or deg: the correction at the reference when it is approached
@@ -321,7 +326,7 @@ def totals(counts: FloatArray, sections: IncrementSections) -> FloatArray:
 
 def increment_limit(options: Mapping[str, object]) -> int:
     """Return the largest increment of the control."""
-    return int(str(options["increment_limit"]))
+    return int(str(options[LIMIT]))
 
 
 def number_list(numbers: list[int]) -> str:

@@ -217,6 +217,7 @@ class ListStateReader:
         name = reader.one("axis_name")
         self.facts[address] = AxisFacts(
             name=None if name is None else name.text,
+            name_evidence=reader.lists.name("axis_name"),
             kind=reader.stated_kind,
             enabled=own.active,
             grid=own.idle,

@@ -18,6 +18,7 @@ from compwright.formats.families.coupled_axes import (
 )
 from compwright.formats.families.wrapped.preprocessor import DIRECTIVE, expanded, whole_value
 from compwright.records.correction import ControlFile
+from compwright.records.facts import AxisFacts
 
 _ASSIGNED = re.compile(
     r"&[ \t]*(?P<system>[0-9]+)|#[ \t]*(?P<motor>[0-9]{1,2})[ \t]*->[ \t]*"
@@ -70,6 +71,16 @@ def axis_scales(
             if len(terms) == 1 and abs(_factor(terms[0][0])) != 1.0:
                 found.setdefault(motor, []).append((_factor(terms[0][0]), statement))
     return found
+
+
+def axis_letters(files: Sequence[ControlFile]) -> Mapping[int, AxisFacts]:
+    """Return the letter of the axis that each motor drives alone."""
+    return {
+        motor: AxisFacts(name=terms[0][1], name_evidence=statement.words)
+        for motor, definitions in _definitions(_without_macros(files)).items()
+        for _, statement in definitions
+        if len(terms := _terms(statement)) == 1
+    }
 
 
 def _without_macros(files: Sequence[ControlFile]) -> list[ControlFile]:

@@ -26,6 +26,8 @@ _TERM = re.compile(
     re.IGNORECASE,
 )
 _TOKEN = re.compile(r"[ \t]*(\$[0-9A-F]+|[0-9]+(?:\.[0-9]*)?|\.[0-9]+|[-+*/%&|^()])", re.IGNORECASE)
+_BRACKETS = re.compile(r"\([^()\r\n]*\)")
+_SUM = re.compile(r"(?<![\w.$#])[0-9]+(?:[-+*/][0-9]+)+(?![\w.])")
 #: Operators that bind more tightly stand later.
 _LEVELS = ("|^", "&", "+-", "*/%")
 #: Macros in macros; deeper ones lead in a circle.
@@ -161,6 +163,23 @@ def expanded(text: str, macros: Mapping[str, str]) -> str:
             break
         text = found
     return text
+
+
+def in_numbers(text: str, macros: Mapping[str, str]) -> str:
+    """Return a text with its macros expanded and its expressions worked out, where they can be."""
+    text = expanded(text, macros)
+    for form in (_BRACKETS, _SUM):
+        for _ in range(_DEPTH):
+            found = form.sub(lambda one: _number(one[0]), text)
+            if found == text:
+                break
+            text = found
+    return text
+
+
+def _number(text: str) -> str:
+    value = whole_value(text, {})
+    return text if value is None else str(value)
 
 
 def expression_end(text: str, place: int) -> int:

@@ -31,7 +31,7 @@ from compwright.formats.families.wrapped.counts import (
     turned_about,
     wrong_counts,
 )
-from compwright.formats.families.wrapped.coupling import axis_scales, couplings_of
+from compwright.formats.families.wrapped.coupling import axis_letters, axis_scales, couplings_of
 from compwright.formats.families.wrapped.script import read_script
 from compwright.formats.text.addresses import normal_address, normal_text
 from compwright.formats.text.notes import Notes
@@ -68,8 +68,7 @@ class WrappedStateReader:
         self.notes = Notes()
         self.files = files
         self.axes: dict[str, Axis | None] = {}
-        for axis in axes:
-            self.axes[normal_address(definition, axis)[0]] = axis
+        self.axes.update((normal_address(definition, axis)[0], axis) for axis in axes)
         self.wanted = list(self.axes)
         self.leading = {address: axis for address, axis in self.axes.items() if axis is not None}
         for axis in axes:
@@ -82,7 +81,7 @@ class WrappedStateReader:
             text = text_reader(definition).read(file, self.notes.faults)
             self.notes.findings.extend(text.findings if text is not None else ())
         raise_all(InputError, self.notes.faults)  # no text at all
-        self.scales = axis_scales(files)
+        self.scales, self.letters = axis_scales(files), axis_letters(files)
         self.script = read_script(definition, files)
         self.notes.faults.extend(self.script.faults)
         self.notes.faults.extend(order_dependent_values(self.script))
@@ -263,7 +262,8 @@ class WrappedStateReader:
                 self._by_actual(table)
         rate = self.script.setting("take_up_rate", motor)
         stated = {} if rate is None else {"take_up_rate": number_of(rate)}
-        facts = AxisFacts(enabled=on, grid=self._idle_nodes(motor, both), stated=stated)
+        named, idle = self.letters.get(motor, AxisFacts()), self._idle_nodes(motor, both)
+        facts = replace(named, enabled=on, grid=idle, stated=stated)
         grids: dict[tuple[int, int], tuple[FloatArray, FloatArray]] = {}
         if (on and any(any(table.numbers) for table in both)) or (lost and constant):
             try:

@@ -28,6 +28,7 @@ from compwright.formats.families.wrapped.preprocessor import (
     Conditions,
     expanded,
     expression_end,
+    in_numbers,
     in_two_branches,
     whole_value,
 )
@@ -205,7 +206,13 @@ class _ScriptReader:
         return Word(self.text[start:end], self.file, self.number, line, start, end)
 
     def _fault(self, word: Word, message: str, expected: str, found: str | None = None) -> None:
-        self.script.faults.append(word.fault(message, expected=expected, found=found))
+        fault = word.fault(message, expected=expected, found=found)
+        plain = in_numbers(word.text, self.conditions.macros).rstrip()
+        known = plain != word.text.rstrip() and not self.conditions.undecided(word.text)
+        if known and _COMMAND.match(plain) is not None:
+            hint = f"write `{plain}` in this line of a copy of the script, if it was sent like this"
+            fault = replace(fault, hint=hint)
+        self.script.faults.append(fault)
 
     def _unknown(self, place: int) -> int:
         end = re.compile(r"[\r\n]|$").search(self.text, place)
@@ -274,6 +281,8 @@ class _ScriptReader:
         table = self._table(kind, word, match["arguments"], match.start("arguments"))
         if table is None:
             self._fault(word, "the definition cannot be read", _FORMS[kind], match["arguments"])
+            plain = in_numbers(match["arguments"], self.conditions.macros)
+            self.open = self._table(kind, word, plain, match.start("arguments"))
             return
         self.script.commands.append((f"DEFINE {kind}", self.motor, word))
         self.script.tables[kind, self.motor] = table
