@@ -41,6 +41,8 @@ lint: $(VENV)/.test
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
+	$(BIN)/python docs/example_code.py $(VENV)/examples
+	$(BIN)/mypy $(VENV)/examples/notebook.py $(VENV)/examples/page.py examples
 
 $(VENV)/.site: pyproject.toml $(VENV)/.report
 	$(BIN)/python -m pip install --quiet --editable '.[site]'

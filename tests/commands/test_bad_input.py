@@ -535,7 +535,12 @@ def test_a_reader_that_hangs_up(folder: Path) -> None:
 
 @pytest.mark.parametrize(
     "content",
-    [b"@@MMCIBN.002\n\xfc\x00", b"%\nN10000Q0P1\nN10001Q0P-1\n", b"$AA_ENC_COMP[0,0,AX1]=0\n"],
+    [
+        b"@@MMCIBN.002\n\xfc\x00",
+        b"%\nN10000Q0P1\nN10001Q0P-1\n",
+        b"%(CNCID=01234567)\nN00001Q1A1P0A2P-1\n",
+        b"$AA_ENC_COMP[0,0,AX1]=0\n",
+    ],
 )
 def test_a_file_of_the_control_is_no_measurement(
     content: bytes, tmp_path: Path, capsys: pytest.CaptureFixture[str]
@@ -543,3 +548,13 @@ def test_a_file_of_the_control_is_no_measurement(
     (tmp_path / "backup").write_bytes(content)
     assert compwright(["evaluate", str(tmp_path / "backup")]) == 3
     assert "a file of a control (compwright decode)" in capsys.readouterr().err
+
+
+def test_one_fault_of_every_axis_is_one_line(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Four axes lack their detection unit: the answer is one option."""
+    backup = PROJECT / "examples" / "fanuc-backup" / "control"
+    assert compwright(["decode", str(backup), "--format", "fanuc-30i"]) == 2
+    (line,) = capsys.readouterr().err.splitlines()
+    assert line.endswith("without a job give `--option detection_unit=VALUE`")

@@ -218,9 +218,9 @@ def test_what_was_read_is_not_overwritten_under_another_name(
     name: str, folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     other = OTHER_NAMES[name](folder)
-    assert "is an input of this command" in refused(
-        folder, capsys, "evaluate", "x.csv", "--json", other
-    )
+    answer = refused(folder, capsys, "evaluate", "x.csv", "--json", other)
+    assert "is an input of this command" in answer
+    assert "`--force` to replace it" not in answer
 
 
 def test_an_earlier_answer_is_replaced_where_it_is_named(folder: Path) -> None:

@@ -19,7 +19,7 @@ SWITCHES = ControlFile("MD.INI", b"N41300 $SN_CEC_TABLE_ENABLE[9]=1\nM17\n")
 @pytest.mark.parametrize(
     ("row", "called"),
     [
-        (b"$AN_CEC[9,0]=0.001\n", "AX1_CEC.INI, then your own NC_CEC.INI, as patched"),
+        (b"$AN_CEC[9,0]=0.001\n", "AX1_CEC.INI, then your own patched NC_CEC.INI"),
         (b"$AN_CEC[2,0]=0.001\n", "AX1_CEC.INI"),
         (b"$AN_CEC[99,0]=0.001\n", "AX1_CEC.INI"),
     ],

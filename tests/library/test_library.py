@@ -115,6 +115,8 @@ def test_circles_in_memory_are_verified_as_their_files(tmp_path: Path) -> None:
     cw.plan(job).write()
     (circle,) = cw.read(tmp_path / "after.csv")
     assert repr(circle).startswith("CircularTest('after': plane XY, radius 150 mm, feed ")
+    with pytest.raises(cw.UsageError, match="give positioning tests"):
+        cw.estimate(circle)
     memory, file = cw.verify(job, circle), cw.verify(job, tmp_path / "after.csv")
     assert memory.to_dict() == file.to_dict()
     assert "xy" in memory.to_dict()["circles"]
@@ -149,13 +151,7 @@ def test_tests_print_themselves_in_one_line_with_units(folder: Path) -> None:
 def test_correction_and_error_cancel(folder: Path) -> None:
     """Physics: what the control adds is minus the estimated error, up to the datum."""
     where = np.linspace(50.0, 1150.0, 23)
-    error = cw.estimate(
-        [
-            test
-            for test in cw.read(folder / "before" / "x.csv")
-            if isinstance(test, cw.PositioningTest)
-        ]
-    )
+    error = cw.estimate(cw.read(folder / "before" / "x.csv"))
     correction = cw.decode(folder / "by-command" / "tables" / "linuxcnc", "linuxcnc")["0"]
     left = np.concatenate(
         [
@@ -168,7 +164,6 @@ def test_correction_and_error_cancel(folder: Path) -> None:
 
 def test_reversed_instrument_swaps_approaches_and_sign(folder: Path) -> None:
     (test,) = cw.read(folder / "before" / "x.csv")
-    assert isinstance(test, cw.PositioningTest)
     plain, turned = cw.estimate(test), cw.estimate(test, sense=-1, offset=1200.0)
     assert turned.mean(1200.0 - 300.0, "-") == pytest.approx(-plain.mean(300.0, "+"), abs=0.2)
 
@@ -182,7 +177,7 @@ def test_two_threads_do_not_disturb_each_other(folder: Path) -> None:
 
 def test_wrong_input_is_one_error_with_every_fault(tmp_path: Path) -> None:
     with pytest.raises(cw.UsageError, match="axes"):
-        cw.estimate(cw.simulate(EXAMPLE / "machine.yaml"))  # type: ignore[arg-type]
+        cw.estimate(cw.simulate(EXAMPLE / "machine.yaml"))
     with pytest.raises(cw.UsageError, match="more than one test"):
         cw.evaluate(EXAMPLE / "before")
     (tmp_path / "one.csv").write_text("a,b\n1,2\n")

@@ -240,7 +240,11 @@ def profile(
 @click.argument("machine", metavar="MACHINE.yaml", type=PATH, help="The virtual machine.")
 @click.option("--out", required=True, type=PATH, help="Folder for the measurement files.")
 @click.option(
-    "--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Seed of the noise."
+    "--seed",
+    type=click.IntRange(min=0),
+    metavar="N",
+    default=0,
+    help="Seed of the noise; default: 0.",
 )
 @click.option(
     "--with-tables",

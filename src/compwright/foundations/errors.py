@@ -88,7 +88,7 @@ class CompwrightError(Exception):
     exit_code: ClassVar[int] = 70
 
     def __init__(self, *faults: Fault) -> None:
-        self.faults: tuple[Fault, ...] = faults
+        self.faults: tuple[Fault, ...] = tuple(dict.fromkeys(faults))
         super().__init__("\n".join(self.lines()))
 
     def lines(self) -> list[str]:

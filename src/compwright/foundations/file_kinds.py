@@ -32,7 +32,7 @@ _TEST: Final = re.compile(
 )
 #: A file of a control: an archive, numbered parameters, values of variables.
 _CONTROL: Final = re.compile(
-    rb"\A(@@[A-Z]{3}|%\s*N\d{4,5}(Q\d)?[AP])|^\$[A-Z]{2}_\w+\[", re.MULTILINE
+    rb"\A(@@[A-Z]{3}|%(\([^)\n]*\))?\s*N\d{4,5}(Q\d)?[AP])|^\$[A-Z]{2}_\w+\[", re.MULTILINE
 )
 _PAGE: Final = re.compile(rb"^\s*<(!doctype html|html)\b", re.IGNORECASE)
 _MARKED: Final = {

@@ -96,7 +96,7 @@ def evaluate(
 
 @in_argument_names
 def estimate(
-    tests: PositioningTest | Sequence[PositioningTest],
+    tests: MeasuredTest | Sequence[MeasuredTest],
     *,
     travel: tuple[float, float] | None = None,
     screw_pitch: Sequence[float] = (),
@@ -109,14 +109,22 @@ def estimate(
     ``screw_pitch``: known periods of the error, mm or deg. Tests in the instrument's coordinates
     are mapped: machine = sense * instrument + offset; ``sense`` -1 also swaps the approaches and
     the sign. The compensation that was active during the tests is part of the error. Raises
-    UsageError without a test, for tests of several axes and an empty travel, InputError for
-    readings at fewer than two targets.
+    UsageError without a test, for circles, tests of several axes and an empty travel, InputError
+    for readings at fewer than two targets.
     """
     from compwright.estimation.axis import estimate_axis
     from compwright.estimation.noise import infer_noise
     from compwright.estimation.observed_test import ObservedTest
 
-    given = [tests] if isinstance(tests, PositioningTest) else list(tests)
+    measured = _several(tests)
+    given = [test for test in measured if isinstance(test, PositioningTest)]
+    if len(given) < len(measured):
+        raise UsageError(
+            Fault(
+                message="a circular test shows no error of an axis by position",
+                hint="give positioning tests; `evaluate(test).diagnosis` has the circle's causes",
+            )
+        )
     axes = sorted({test.axis for test in given})
     if len(axes) > 1:
         raise UsageError(

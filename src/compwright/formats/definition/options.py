@@ -168,7 +168,8 @@ def axis_options(
                     found="nothing" if value is None else str(value),
                     hint=(
                         f"add `{rule.name}` to the axis in the job, or the file of the control "
-                        "that contains it to the control's files (`states` or `--state`)"
+                        "that contains it to the control's files (`states` or `--state`); without "
+                        f"a job give `--option {rule.name}=VALUE`"
                     ),
                 )
             )

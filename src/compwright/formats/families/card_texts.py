@@ -143,7 +143,7 @@ def named_files(
     ]
     fresh = numbered_files(definition, replace(axis, address=address))
     own = ", ".join(name for name in written if name not in _new_names(control, axis))
-    patched = control_text("your own {files}, as patched", files=own) if own else ""
+    patched = control_text("your own patched {files}", files=own) if own else ""
     if not any(name in written for name in named[0].values()):
         return {key: patched for key, name in fresh.items() if name not in written and own}
     return {

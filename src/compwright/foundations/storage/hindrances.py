@@ -27,8 +27,11 @@ def refuse_overwriting(
     faults = dict.fromkeys(
         fault for path, content in targets.items() for fault in _hindrances(session, path, content)
     )
+    named = {fault.file for fault in faults}
     existing = [
-        path for path in targets if not force and path not in completed and is_existing_file(path)
+        path
+        for path in targets
+        if not (force or path in completed or str(path) in named) and is_existing_file(path)
     ]
     faults |= dict.fromkeys(_twice(targets))
     if existing:

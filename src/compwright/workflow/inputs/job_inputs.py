@@ -230,7 +230,10 @@ def _check_axis(axis: Axis, test: PositioningTest) -> None:
                 message=f"the file is a test of axis {test.axis}, not of {axis.name}",
                 file=file,
                 place="key axis",
-                hint=f"give it to axis {test.axis}, or correct `# axis:` in the file",
+                hint=(
+                    f"give it to axis {test.axis}, or rename axis {axis.name} of the job to "
+                    f"{test.axis} and keep its `address`, or correct `# axis:` in the file"
+                ),
             )
         )
     raise_all(InputError, faults)

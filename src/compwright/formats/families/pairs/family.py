@@ -275,7 +275,7 @@ class PairsFamily(GridFamily):
             if with_rows:
                 also = ", ".join(loading_order(self.definition, with_rows))
                 names["file_3"] = control_text(
-                    "{file}, then your own {files}, as patched", file=fresh["file_3"], files=also
+                    "{file}, then your own patched {files}", file=fresh["file_3"], files=also
                 )
         return names
 

@@ -225,7 +225,7 @@ TEXTS: Final[dict[str, str]] = {
         " l'archive, et recommencer le calcul."
     ),
     "the tables {tables}": "les tables {tables}",
-    "{file}, then your own {files}, as patched": (
+    "{file}, then your own patched {files}": (
         "{file}, puis vos fichiers {files}, tels que modifiés"
     ),
     "tables {tables}": "les tables {tables}",

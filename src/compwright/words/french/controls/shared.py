@@ -105,7 +105,7 @@ TEXTS: Final[dict[str, str]] = {
         "Règle à marques codées : faire passer l'axe sur deux marques après la remise sous"
         " tension ; aucune compensation n'est active avant."
     ),
-    "your own {files}, as patched": "vos fichiers {files}, tels que modifiés",
+    "your own patched {files}": "vos fichiers {files}, tels que modifiés",
     "Nothing yet on a machine: not the form of the files, not sign, size, places and order"
     " of the values, not the backlash. The first good verification on this one with what was"
     " read back (compwright verify --loaded) proves what it can, and writes it down in"

@@ -227,9 +227,7 @@ TEXTS: Final[dict[str, str]] = {
         " ausgeben und noch einmal ausführen."
     ),
     "the tables {tables}": "die Tabellen {tables}",
-    "{file}, then your own {files}, as patched": (
-        "{file}, dann Ihre Dateien {files}, wie geändert,"
-    ),
+    "{file}, then your own patched {files}": ("{file}, dann Ihre Dateien {files}, wie geändert,"),
     "tables {tables}": "Tabellen {tables}",
     "{points} points are needed for {which}: each has room for {room}, none are reserved.": (
         "{points} Punkte werden für {which} gebraucht: Jede hat Platz für {room}, keine werden"

@@ -104,7 +104,7 @@ TEXTS: Final[dict[str, str]] = {
         "Abstandscodierter Maßstab: die Achse nach dem Einschalten über zwei Marken fahren;"
         " vorher ist keine Kompensation aktiv."
     ),
-    "your own {files}, as patched": "Ihre Dateien {files}, wie geändert,",
+    "your own patched {files}": "Ihre Dateien {files}, wie geändert,",
     "Nothing yet on a machine: not the form of the files, not sign, size, places and order"
     " of the values, not the backlash. The first good verification on this one with what was"
     " read back (compwright verify --loaded) proves what it can, and writes it down in"

@@ -217,7 +217,7 @@ TEXTS: Final[dict[str, str]] = {
         " одно отличается, ничего не загружайте: выведите архив снова и выполните расчёт снова."
     ),
     "the tables {tables}": "таблиц {tables}",
-    "{file}, then your own {files}, as patched": "{file}, затем ваши файлы {files}, с изменениями",
+    "{file}, then your own patched {files}": "{file}, затем ваши файлы {files}, с изменениями",
     "tables {tables}": "таблиц {tables}",
     "{points} points are needed for {which}: each has room for {room}, none are reserved.": (
         "Для {which} нужно точек: {points}; в каждой есть место для {room}, резервировать не нужно."

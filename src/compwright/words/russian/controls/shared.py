@@ -103,7 +103,7 @@ TEXTS: Final[dict[str, str]] = {
         "Линейка с кодированными метками: проведите ось через две метки после включения; до"
         " этого компенсация не действует."
     ),
-    "your own {files}, as patched": "ваши файлы {files}, с изменениями",
+    "your own patched {files}": "ваши файлы {files}, с изменениями",
     "Nothing yet on a machine: not the form of the files, not sign, size, places and order"
     " of the values, not the backlash. The first good verification on this one with what was"
     " read back (compwright verify --loaded) proves what it can, and writes it down in"
