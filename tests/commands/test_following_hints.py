@@ -79,6 +79,8 @@ KINDS = {
     "a number as text": job("not a number", "correct `axes.X.reference`", JOB + "    reference: home\n"),
     "a test without a file": Kind("does not exist", "check the path", "run job.yaml --out r --force", files=({"job.yaml": JOB.replace("x.csv", "y.csv")}, {"job.yaml": JOB})),
     "one number as travel": Kind("look like 0:800", "`--travel 0:800`", SHORT.replace("0:400", "400"), SHORT),
+    "a slip in the name of an option": Kind("the nearest known name", "`--option address=0`", SHORT.replace("address", "adress"), SHORT),
+    "a tab in YAML": job("not valid YAML", "replace each tab", JOB.replace("  X:", "\tX:"), JOB),
     "two values as travel": Kind("look like 0:800", "`--travel 0:800`", SHORT.replace("0:400", "-400 0"), SHORT),
     "an option without a value": Kind("look like KEY=VALUE", "one key and its value", SHORT + " --option units", SHORT + " --option units=mm"),
     "an option twice": Kind("is given twice", "remove one", SHORT + " --option units=mm --option units=mm", SHORT + " --option units=mm"),

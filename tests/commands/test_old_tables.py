@@ -194,3 +194,6 @@ def test_an_old_backlash_is_on_the_card_and_no_contradiction_of_the_new_ini(
     document = json.loads(capsys.readouterr().out)
     assert document["axes"]["X"]["differences"] == 0
     assert document["findings"] == []
+    again = ["export", str(tmp_path / "job"), "--format", "linuxcnc", "--out", str(tmp_path / "a")]
+    assert compwright(again) == 0  # the folder of the run, as its help says
+    assert (tmp_path / "a" / "joint_0.comp").read_bytes() == (back / "joint_0.comp").read_bytes()

@@ -103,9 +103,11 @@ def export(
 ) -> int:
     """Write the tables of a plan again, for its control or another."""
     from compwright.workflow.commands.export import export_plan
+    from compwright.workflow.commands.verify import plan_path
 
+    file = plan_path(invocation.session, plan, plan)
     outcome = export_plan(
-        invocation.session, plan, format_id, pairs(options), states, out, force=force
+        invocation.session, file, format_id, pairs(options), states, out, force=force
     )
     for entry in outcome.assumed:
         tell(f"assumed: {entry.fact} = {entry.value} ({entry.evidence})")

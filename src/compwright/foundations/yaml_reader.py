@@ -205,12 +205,15 @@ def read_yaml_with_faults(content: bytes, file: str) -> tuple[YamlDocument, tupl
         data = reader.value(node, ())
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark
+        tab = "'\\t'" in str(error.problem)
         raise InputError(
             Fault(
                 message=f"the text is not valid YAML ({error.problem or error.context})",
                 file=file,
                 place=f"line {mark.line + 1}, column {mark.column + 1}" if mark else "",
-                hint="correct this line; text with special characters needs quotes",
+                hint="replace each tab of the file by blanks"
+                if tab
+                else "correct this line; text with special characters needs quotes",
             )
         ) from error
     except yaml.YAMLError as error:

@@ -10,7 +10,8 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from difflib import get_close_matches
+from typing import Any, Final
 
 from compwright.foundations.errors import Fault, UsageError
 from compwright.foundations.yaml_reader import YamlDocument
@@ -30,6 +31,8 @@ _AXIS_KEYS: dict[str, tuple[tuple[str, ...], bool]] = {
     "spacing": (("table", "spacing"), True),
     "mode": (("table", "mode"), False),
 }
+#: Likeness from which another name is a slip of the keyboard: a letter more or less.
+_TYPING: Final = 0.9
 _OPTIONS = "controller.options."
 #: The key of ``--option`` that states whether compensation was active, where the files of
 #: ``--state`` switch it off or do not state it.
@@ -129,6 +132,15 @@ def _sorted_options(
                     place=f"--option {key}",
                     expected="each key once",
                     hint="remove one of the two",
+                )
+            )
+        elif key not in _AXIS_KEYS and (near := get_close_matches(key, _AXIS_KEYS, 1, _TYPING)):
+            faults.append(
+                Fault(
+                    message=f"the option `{key}` is unknown",
+                    place="--option",
+                    expected=f"'{near[0]}', the nearest known name",
+                    hint=f"give `--option {near[0]}={value}`",
                 )
             )
         elif key in _AXIS_KEYS:

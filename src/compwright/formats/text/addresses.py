@@ -37,7 +37,7 @@ def normal_text(definition: Definition, address: str) -> str:
                 found=repr(address)[:40],
                 hint=(
                     "set `address` of the axis in the job as the control names the axis, or "
-                    "give `--option address=...`"
+                    "give `--option address=...` (`decode`: `--axis ...`)"
                 ),
             )
         )
