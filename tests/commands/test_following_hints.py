@@ -99,7 +99,7 @@ KINDS = {
     "results to decode": Kind("is a folder of results", "give job/tables/linuxcnc", "decode job --format linuxcnc", "decode job/tables/linuxcnc --format linuxcnc"),
     "a job as a plan": Kind("is a job file", "plan.json in the results", "compare job.yaml --loaded job/tables/linuxcnc", "compare job/plan.json --loaded job/tables/linuxcnc"),
     "a job to evaluate": Kind("is a job file", "that the instrument wrote", "evaluate job.yaml", "evaluate x.csv"),
-    "no state to export": Kind("state of the control", "--state none", "export job/plan.json --format siemens-840d-sl --out e --force", "export job/plan.json --format siemens-840d-sl --state none --out e --force"),
+    "no state to export": Kind("existing compensation", "--state none", "export job/plan.json --format siemens-840d-sl --out e --force", "export job/plan.json --format siemens-840d-sl --state none --out e --force"),
     "no plan": Kind("there is no plan", "`--plan DIR`", "verify job.yaml --after x.csv --plan nowhere --out v", "verify job.yaml --after x.csv --plan job --out v --force"),
     "no such test": Kind("is not a test of the job", "before the `=`", "verify job.yaml --after z=x.csv --out v", "verify job.yaml --after x=x.csv --out v --force"),
     "a folder without results": Kind("contains no results", "that `compwright run`", "history empty", "history job"),
