@@ -124,7 +124,7 @@ class Control:
 
     @property
     def findings(self) -> tuple[Finding, ...]:
-        """Findings about results for this control, such as a missing second reader."""
+        """Findings about results for this control, such as a missing independent second reader."""
         if self.definition.judged == "independent":
             return self.notes
         judged = Finding.of(

@@ -52,7 +52,7 @@ if TYPE_CHECKING:
 @dataclass(frozen=True, slots=True)
 class DecodedState:
     """A set of control files as decoded by both readers. Without files no compensation is active
-    and there is no judge.
+    and there is no virtual control.
     """
 
     files: tuple[ControlFile, ...]
@@ -63,8 +63,8 @@ class DecodedState:
 def judged_values(
     state: DecodedState, address: str, positions: FloatArray, direction: Direction
 ) -> FloatArray:
-    """Return the second reader's correction at ``positions`` (mm or deg). Zero for an axis that is
-    not in the files.
+    """Return the independent second reader's correction at ``positions`` (mm or deg). Zero for an
+    axis that is not in the files.
     """
     if state.judge is None or not judge_knows_axis(state.judge, address):
         return np.zeros(np.shape(positions))
@@ -72,5 +72,7 @@ def judged_values(
 
 
 def judge_knows_axis(judge: VirtualControl | SingleReader, address: str) -> bool:
-    """Return whether the second reader finds an axis in the files, in upper or lower case."""
+    """Return whether the independent second reader finds an axis in the files, in upper or lower
+    case.
+    """
     return address.casefold() in {known.casefold() for known in judge.addresses()}

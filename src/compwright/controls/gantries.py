@@ -146,7 +146,8 @@ def with_partners(
 
 
 def check_partners(axes: Sequence[tuple[Axis, FittedTable]], loaded: DecodedState) -> None:
-    """Raise CompwrightError if the second reader finds a wrong table on the slave axis of a gantry.
+    """Raise CompwrightError if the independent second reader finds a wrong table on the slave axis
+    of a gantry.
 
     A fault of our own; ``axes``: as `with_partners` returns them.
     """

@@ -1,5 +1,5 @@
-"""Corrections of the axes of a job and between them, by the second, independent reader (the
-judge).
+"""Corrections of the axes of a job and between them, by the second, independent reader (the virtual
+control).
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from compwright.records.correction import CrossCompensation
 
 
 def judged_correction(decoded: DecodedState | None, axis: Axis) -> Correction:
-    """Return the correction of an axis by the second reader. Zero without files."""
+    """Return the correction of an axis by the independent second reader. Zero without files."""
     return no_correction if decoded is None else partial(judged_values, decoded, axis.address)
 
 
@@ -44,8 +44,8 @@ def applied_correction(decoded: DecodedState | None, axis: Axis) -> Correction:
 
 
 def active_corrections(decoded: DecodedState | None, axes: Mapping[str, Axis]) -> ActiveCorrections:
-    """Return the second reader's corrections of a job's axes and between them in a state. Empty if
-    the state is unknown.
+    """Return the independent second reader's corrections of a job's axes and between them in a
+    state. Empty if the state is unknown.
     """
     if decoded is None or decoded.judge is None:
         return NO_CORRECTIONS
@@ -70,8 +70,8 @@ def _across(decoded: DecodedState, pair: tuple[str, str]) -> Correction:
 def judged_cross(
     decoded: DecodedState, at: FloatArray | None = None
 ) -> tuple[CrossCompensation, ...]:
-    """Return the corrections between axes by the second reader, by address: at the nodes or at
-    positions (k,).
+    """Return the corrections between axes by the independent second reader, by address: at the
+    nodes or at positions (k,).
 
     Each pair of axes once, with the sum of all its active tables.
     """

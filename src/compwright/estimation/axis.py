@@ -218,8 +218,8 @@ class AxisPosterior:
         values: FloatArray,
         rng: np.random.Generator,
     ) -> FloatArray:
-        """Return random draws (count, m) of the part of the error that differs freely from target
-        to target.
+        """Return random draws (count, m) of the part of the error that differs without any pattern
+        from target to target.
 
         The weights ``values`` (count, j) are given: a normal mean with normal prior and known
         variance (Gelman et al. 2013, section 2.5).

@@ -46,7 +46,7 @@ def _separation(
     effects: Mapping[str, CircularEffect],
     correlation: FloatArray,
 ) -> Iterator[Finding]:
-    """Report which causes the test cannot tell apart: one direction, an arc, a missing reversal
+    """Report which causes the test cannot distinguish: one direction, an arc, a missing reversal
     point.
     """
     samples, names = solution.problem.samples, solution.problem.names

@@ -229,7 +229,9 @@ def _reasons(
 
 
 def _further_runs(ordered: Mapping[Sense, list[ActualPath]]) -> list[Finding]:
-    """CW-C001: several runs in a direction; the first counts, with G of the others."""
+    """Yield the finding CW-C001: several runs in a direction; the first counts, with G of the
+    others.
+    """
     others = []
     for sense, runs in ordered.items():
         for path in runs[1:]:

@@ -84,8 +84,8 @@ def _um(value: float) -> Amount:
 
 
 def _directions(test: CircularTest) -> list[Finding]:
-    """CW-C002: one direction only; H and the bidirectional parameters need two in succession
-    (clause 5).
+    """Yield the finding CW-C002: one direction only; H and the bidirectional parameters need two in
+    succession (clause 5).
     """
     measured = [sense for sense in ("ccw", "cw") if any(run.sense == sense for run in test.runs)]
     if len(measured) == 2:
@@ -94,8 +94,8 @@ def _directions(test: CircularTest) -> list[Finding]:
 
 
 def _calibration(test: CircularTest) -> list[Finding]:
-    """CW-C003: the length of the bar is not calibrated; names the parameters that need it (clause
-    4.5, 3.4 note 3).
+    """Yield the finding CW-C003: the length of the bar is not calibrated; names the parameters that
+    need it (clause 4.5, 3.4 note 3).
     """
     if test.calibrated:
         return []
@@ -103,7 +103,7 @@ def _calibration(test: CircularTest) -> list[Finding]:
 
 
 def _feed(test: CircularTest) -> list[Finding]:
-    """CW-C006: the feed cannot be in mm/min."""
+    """Yield the finding CW-C006: the feed cannot be in mm/min."""
     if np.isfinite(test.feed) and test.feed > 0.0:
         seconds = 60.0 * 2.0 * np.pi * test.nominal_radius / test.feed
         if _CIRCLE_SECONDS[0] <= seconds <= _CIRCLE_SECONDS[1]:
@@ -121,8 +121,8 @@ def _feed(test: CircularTest) -> list[Finding]:
 
 
 def _unequal(test: CircularTest) -> list[Finding]:
-    """CW-C008: the two runs differ in length, and the longer one counts more in the common
-    circle.
+    """Yield the finding CW-C008: the two runs differ in length, and the longer one counts more in
+    the common circle.
     """
     counts = (
         [test.of("ccw")[0].angles.size, test.of("cw")[0].angles.size]
@@ -135,8 +135,8 @@ def _unequal(test: CircularTest) -> list[Finding]:
 
 
 def _offset(test: CircularTest, centres: Mapping[str, Point], *, F_given: bool) -> list[Finding]:
-    """CW-C010: F on an arc contains the set-up offset (3.5 a, note 6). CW-C011: an offset for which
-    the kind of angle matters.
+    """Yield the finding CW-C010: F on an arc contains the set-up offset (3.5 a, note 6). CW-C011:
+    an offset for which the kind of angle matters.
     """
     x, y = centres["common"] if "common" in centres else next(iter(centres.values()))
     offset = float(np.hypot(x, y))
@@ -150,7 +150,9 @@ def _offset(test: CircularTest, centres: Mapping[str, Point], *, F_given: bool) 
 
 
 def _sampling(path: ActualPath) -> list[Finding]:
-    """CW-C004: samples too far apart to catch the spikes that clause 5 wants counted."""
+    """Yield the finding CW-C004: samples too far apart to catch the spikes that clause 5 wants
+    counted.
+    """
     interval = float(np.ptp(path.run.angles)) / (path.run.angles.size - 1)
     if interval <= _COARSE:
         return []
@@ -158,7 +160,7 @@ def _sampling(path: ActualPath) -> list[Finding]:
 
 
 def _holes(test: CircularTest, path: ActualPath) -> list[Finding]:
-    """CW-C005: part of the arc was not measured."""
+    """Yield the finding CW-C005: part of the arc was not measured."""
     angles = np.sort(path.run.angles)
     usual = float(np.median(np.diff(angles)))
     limit = max(_HOLE * usual, _COARSE)
@@ -185,8 +187,8 @@ def _holes(test: CircularTest, path: ActualPath) -> list[Finding]:
 
 
 def _duplicates(path: ActualPath) -> list[Finding]:
-    """CW-C009: several samples at one angle (the two ends of a full circle are not the same
-    sample).
+    """Yield the finding CW-C009: several samples at one angle (the two ends of a full circle are
+    not the same sample).
     """
     repeated = int(np.count_nonzero(np.diff(np.sort(path.run.angles)) <= SAME_ANGLE))
     if repeated == 0:
@@ -195,7 +197,9 @@ def _duplicates(path: ActualPath) -> list[Finding]:
 
 
 def _beyond(test: CircularTest, path: ActualPath) -> list[Finding]:
-    """CW-C007: samples outside the arc; starting and stopping arcs were not removed."""
+    """Yield the finding CW-C007: samples outside the arc; starting and stopping arcs were not
+    removed.
+    """
     covered = float(np.ptp(path.run.angles))
     if covered <= test.arc[1] + SAME_ANGLE:
         return []
@@ -203,8 +207,8 @@ def _beyond(test: CircularTest, path: ActualPath) -> list[Finding]:
 
 
 def _closing(test: CircularTest, path: ActualPath, centre: Point) -> list[Finding]:
-    """CW-C012: the ends of a full circle do not meet: drift, slip, or readings from the starting
-    arc.
+    """Yield the finding CW-C012: the ends of a full circle do not meet: drift, slip, or readings
+    from the starting arc.
     """
     ends = np.mod(path.run.angles[[0, -1]] + 45.0, 90.0) - 45.0
     if not test.full_circle or np.any(np.abs(ends) < _NEAR_AXIS):
@@ -224,7 +228,9 @@ def _scatter(radial: FloatArray) -> float:
 
 
 def _zeros(path: ActualPath) -> list[Finding]:
-    """CW-C013: several successive samples are exactly zero, so they were not measured."""
+    """Yield the finding CW-C013: several successive samples are exactly zero, so they were not
+    measured.
+    """
     if np.any(path.run.deviations):
         return []
     return [Finding.of("CW-C013", "warning", run=_named(path))]

@@ -73,8 +73,8 @@ def _is_long(test: PositioningTest, travel: tuple[float, float] | None) -> bool:
 
 
 def _runs(test: PositioningTest) -> list[Finding]:
-    """CW-T001: fewer than five approaches per direction; one approach is for axes over 2 000 mm or
-    360° only.
+    """Yield the finding CW-T001: fewer than five approaches per direction; one approach is for axes
+    over 2 000 mm or 360° only.
     """
     counts = {d: int(test.readings(d).max(initial=0.0)) for d in Direction}
     measured = {d: n for d, n in counts.items() if n}
@@ -98,8 +98,8 @@ def _runs(test: PositioningTest) -> list[Finding]:
 
 
 def _linear_targets(test: PositioningTest) -> list[Finding]:
-    """CW-T002: fewer than five targets per metre or five in all (4.3.2). Long axes with n = 1 have
-    another interval.
+    """Yield the finding CW-T002: fewer than five targets per metre or five in all (4.3.2). Long
+    axes with n = 1 have another interval.
     """
     length = _length(test)
     if length > LONG[test.kind] and approaches(test) == 1:
@@ -115,8 +115,8 @@ def _linear_targets(test: PositioningTest) -> list[Finding]:
 
 
 def _rotary_targets(test: PositioningTest, standard: str) -> list[Finding]:
-    """CW-T002 and CW-T004: number of targets and principal positions of rotary axes (1988: 4.3.4;
-    later: 4.3.4, table 1).
+    """Yield the finding CW-T002 and CW-T004: number of targets and principal positions of rotary
+    axes (1988: 4.3.4; later: 4.3.4, table 1).
     """
     length, number = _length(test), test.targets.size
     missing = [p for p in _PRINCIPAL if _within(test, p) and not _has(test.targets, p)]
@@ -161,8 +161,8 @@ def _long_axis(
     travel: tuple[float, float] | None,
     other_tests: Sequence[PositioningTest],
 ) -> list[Finding]:
-    """CW-T005: axes over 2 000 mm or 360° need two tests. One has n = 1 over the whole length,
-    the other n = 5 over 2 000 mm or 360°.
+    """Yield the finding CW-T005: axes over 2 000 mm or 360° need two tests. One has n = 1 over the
+    whole length, the other n = 5 over 2 000 mm or 360°.
 
     No finding where the second test is among ``other_tests``.
     """
@@ -187,8 +187,8 @@ def _is_single(test: PositioningTest) -> bool:
 
 
 def _long_interval(test: PositioningTest, standard: str) -> list[Finding]:
-    """CW-T006: targets at most 250 mm apart (4.3.3). Rotary axes: at most 45° (1997, GOST) or
-    eight targets per turn (2006, 2014), up to 1 800°.
+    """Yield the finding CW-T006: targets at most 250 mm apart (4.3.3). Rotary axes: at most 45°
+    (1997, GOST) or eight targets per turn (2006, 2014), up to 1 800°.
     """
     length, number = _length(test), test.targets.size
     if test.kind is AxisKind.LINEAR:
@@ -210,8 +210,8 @@ def _long_interval(test: PositioningTest, standard: str) -> list[Finding]:
 
 
 def _travel_covered(test: PositioningTest, travel: tuple[float, float] | None) -> list[Finding]:
-    """CW-T007: targets outside the travel, or an end of the travel without a target for more than
-    one mean interval.
+    """Yield the finding CW-T007: targets outside the travel, or an end of the travel without a
+    target for more than one mean interval.
 
     An axis of a full turn may be counted from anywhere.
     """
@@ -245,8 +245,8 @@ def _travel_covered(test: PositioningTest, travel: tuple[float, float] | None) -
 
 
 def _spacing(test: PositioningTest, periods: Sequence[float]) -> list[Finding]:
-    """CW-T008: equally spaced targets, or targets that hide a known period because of their spacing
-    (4.2).
+    """Yield the finding CW-T008: equally spaced targets, or targets that hide a known period
+    because of their spacing (4.2).
     """
     if test.targets.size < 3:
         return []

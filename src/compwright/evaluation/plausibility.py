@@ -176,7 +176,9 @@ def reversal_above_zero(test: PositioningTest) -> float:
 
 
 def _turned(test: PositioningTest) -> list[Finding]:
-    """CW-T032: the mean reversal value is above zero, so directions or sign may be reversed."""
+    """Yield the finding CW-T032: the mean reversal value is above zero, so directions or sign may
+    be reversed.
+    """
     mean = reversal_above_zero(test)
     if not mean:
         return []
@@ -193,7 +195,9 @@ def _turned(test: PositioningTest) -> list[Finding]:
 
 
 def _inches(test: PositioningTest) -> list[Finding]:
-    """CW-T033: the targets may be inches: converted from inches they are whole millimetres."""
+    """Yield the finding CW-T033: the targets may be inches: converted from inches they are whole
+    millimetres.
+    """
     if test.kind is not AxisKind.LINEAR or test.targets.size < 5:
         return []
     as_inches = test.targets * _INCH
@@ -209,7 +213,7 @@ def _inches(test: PositioningTest) -> list[Finding]:
 
 
 def _few(test: PositioningTest) -> list[Finding]:
-    """CW-T035: fewer targets than any edition requires (4.3.2, 4.3.4)."""
+    """Yield the finding CW-T035: fewer targets than any edition requires (4.3.2, 4.3.4)."""
     count, fewest = test.targets.size, FEWEST_TARGETS[test.kind]
     if count >= fewest:
         return []

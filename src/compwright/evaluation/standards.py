@@ -436,8 +436,8 @@ def _target_findings(
     standard: Standard,
     measured: np.ndarray[tuple[int, ...], np.dtype[np.bool_]],
 ) -> list[Finding]:
-    """CW-T015: targets without any reading; CW-T016: targets without s, with the parameters over
-    the other targets.
+    """Yield the finding CW-T015: targets without any reading; CW-T016: targets without s, with the
+    parameters over the other targets.
     """
     findings = []
     if not np.all(measured):

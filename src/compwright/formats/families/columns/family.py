@@ -86,11 +86,11 @@ class ColumnsFamily(Family):
         address: str | None = None,
         activity: Activity = Activity(),  # noqa: B008 - frozen
     ) -> ControlState:
-        """See `Family.read`."""
+        """Implement `Family.read`."""
         return read_columns(self, files, axes, address=address, activity=activity)
 
     def capacity(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
-        """See `Family.capacity`."""
+        """Implement `Family.capacity`."""
         del one_curve
         return columns_capacity(self, axis)
 
@@ -100,7 +100,7 @@ class ColumnsFamily(Family):
         axes: Sequence[Axis],
         files: Sequence[ControlFile] = (),
     ) -> tuple[ControlFile, ...]:
-        """See `Family.write`."""
+        """Implement `Family.write`."""
         bound = in_patched_files(self, compensations, axes, files)
         tables, faults = check_tables(
             bound,
@@ -112,7 +112,7 @@ class ColumnsFamily(Family):
         return write_columns(bound, tables, files)
 
     def card(self, request: CardRequest) -> AxisCard:
-        """See `Family.card`."""
+        """Implement `Family.card`."""
         axis, table = request.axis, request.table
         values = table_values(self.definition, self.scale_of(axis), table)
         files = named_files(self, axis, request.files)

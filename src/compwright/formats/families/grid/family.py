@@ -108,11 +108,11 @@ class GridFamily(Family):
         address: str | None = None,
         activity: Activity = Activity(),  # noqa: B008 - frozen
     ) -> ControlState:
-        """See `Family.read`."""
+        """Implement `Family.read`."""
         return self.reader(self, files, axes, address, activity).read()
 
     def capacity(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
-        """See `Family.capacity`."""
+        """Implement `Family.capacity`."""
         del one_curve
         return GridLimits(self, axis).capacity()
 
@@ -136,7 +136,7 @@ class GridFamily(Family):
         axes: Sequence[Axis],
         files: Sequence[ControlFile] = (),
     ) -> tuple[ControlFile, ...]:
-        """See `Family.write`."""
+        """Implement `Family.write`."""
         tables, faults = check_tables(self, compensations, axes, self._own_limits)
         whole = writable_tables(tables)
         written = self.writer(self, files, [address for address, _, _ in whole]).written(
@@ -146,7 +146,7 @@ class GridFamily(Family):
         return written
 
     def card(self, request: CardRequest) -> AxisCard:
-        """See `Family.card`."""
+        """Implement `Family.card`."""
         values = table_values(self.definition, self.scale_of(request.axis), request.table)
         typed = request.facts.stated.get("typed_backlash")  # not in the table: half each way
         values |= {} if typed is None else {"backlash": str(typed)}

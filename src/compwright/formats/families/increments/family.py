@@ -120,7 +120,7 @@ class IncrementsFamily(Family):
         yield from points_question(axis, {**self.options, **axis.options}.get("points_from"))
 
     def capacity(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
-        """See `Family.capacity`."""
+        """Implement `Family.capacity`."""
         del one_curve
         return IncrementLimits(self, axis).capacity()
 
@@ -130,13 +130,13 @@ class IncrementsFamily(Family):
         axes: Sequence[Axis],
         files: Sequence[ControlFile] = (),
     ) -> tuple[ControlFile, ...]:
-        """See `Family.write`."""
+        """Implement `Family.write`."""
         tables, faults = check_tables(self, compensations, axes)
         raise_all(CapacityError, faults)
         return write_increments(self, writable_tables(tables), files)
 
     def card(self, request: CardRequest) -> AxisCard:
-        """See `Family.card`."""
+        """Implement `Family.card`."""
         axis, table, facts = request.axis, request.table, request.facts
         values = increment_values(self, axis, table, facts) | sign_check(table, request.check_at)
         files = named_files(self, axis, request.files)

@@ -84,7 +84,7 @@ class ListsFamily(Family):
         address: str | None = None,
         activity: Activity = Activity(),  # noqa: B008 - frozen
     ) -> ControlState:
-        """See `Family.read`."""
+        """Implement `Family.read`."""
         return ListStateReader(self, axes, address, activity).read(files)
 
     def unit_of(self, axis: Axis) -> str:
@@ -154,7 +154,7 @@ class ListsFamily(Family):
         axes: Sequence[Axis],
         files: Sequence[ControlFile] = (),
     ) -> tuple[ControlFile, ...]:
-        """See `Family.write`."""
+        """Implement `Family.write`."""
         bound = in_patched_files(self, compensations, axes, files)
         tables, faults = check_tables(bound, compensations, axes, _own_limits)
         whole = writable_tables(tables)
@@ -165,7 +165,7 @@ class ListsFamily(Family):
         return writer.files_of([address for address, _, _ in whole])
 
     def card(self, request: CardRequest) -> AxisCard:
-        """See `Family.card`."""
+        """Implement `Family.card`."""
         axis, positions = request.axis, request.table.positions
         counts = str(request.facts.stated.get("table_form", "tenths"))
         count = float(self.scale_of(axis).factor("node_position"))
