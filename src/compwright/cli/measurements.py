@@ -179,8 +179,8 @@ def _tell_notes(names: Sequence[str], what: str) -> None:
 
 
 def _tell_errors(entries: Sequence[Mapping[str, str]], *, one_each: bool) -> None:
-    """Print the errors of files. Of many files (``one_each``): the first error each, and the number
-    of others.
+    """Print the errors of measurement files. With ``one_each``: only the first error of each file,
+    and the number of the others.
     """
     lines: dict[str, list[str]] = {}
     for place, entry in enumerate(entries):
@@ -264,7 +264,7 @@ def simulate(
     tables: Path | None,
     force: bool,  # noqa: FBT001 - a flag of the command line
 ) -> int:
-    """Measure a virtual machine."""
+    """Measure the axes and circles of a virtual machine, and write the measurement files."""
     from compwright.workflow.commands.simulate import load_machine, simulate_files
 
     written = simulate_files(

@@ -27,7 +27,9 @@ _STANDARD_ID = re.compile(r"(iso[0-9-]+|gost[0-9]+):[0-9]{4}|vdi[0-9]+")
 
 @dataclass(frozen=True, slots=True)
 class Invocation:
-    """The data of one call of the command line for its command. ``crew``: the parallel workers."""
+    """One call of the command line, with the data that its command needs. ``crew``: the parallel
+    workers.
+    """
 
     session: Session
     crew: Crew

@@ -1,4 +1,4 @@
-"""Places in a file, as used by faults."""
+"""Places in a file (file and line) that faults name."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class OfLine:
         return ""
 
     def fault(self, message: str, *, expected: str = "", found: str = "") -> Fault:
-        """Return a fault at this line."""
+        """Return a fault with the file and line of this value."""
         return Fault(
             message=message,
             file=self.file,

@@ -109,12 +109,12 @@ class Control:
 
     @property
     def options(self) -> Mapping[str, object]:
-        """Every option with its value."""
+        """All options of the control, by name, with the value in use."""
         return self.format.options
 
     @property
     def given(self) -> Mapping[str, object]:
-        """The options that the user gave."""
+        """The options that the user gave, by name; options with default values are left out."""
         return self.format.given
 
     @property

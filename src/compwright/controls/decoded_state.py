@@ -1,5 +1,5 @@
-"""A set of control files as decoded by both readers. A second process can use it without loading
-the readers.
+"""The correction that two independent readers decode from control files. A second process can use
+it without loading the readers.
 
 A control of one's own has no judge: the values that its one reader found are used in its place.
 """
@@ -22,7 +22,7 @@ class SingleReader:
     state: ControlState
 
     def addresses(self) -> tuple[str, ...]:
-        """Return the axes in the files."""
+        """Return the addresses of the axes in the control's files."""
         return tuple(self.state.axes)
 
     def correction(self, address: str, positions: FloatArray, direction: Direction) -> FloatArray:

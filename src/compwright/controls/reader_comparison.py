@@ -28,7 +28,9 @@ LEFT_OUT = frozenset({"CW-S011", "CW-S050", "CW-S051"})
 
 
 def disagreements(state: ControlState, judge: VirtualControl) -> list[Fault]:
-    """Return where the independent second reader reads a different table than ``state`` contains."""
+    """Return where the independent second reader reads a different table than ``state``
+    contains.
+    """
     faults = []
     unseen = sorted(
         address for address in state.axes if not judge_knows_axis(judge, address)

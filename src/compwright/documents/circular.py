@@ -234,7 +234,7 @@ def _run(run: CircularRun) -> dict[str, Any]:
 
 
 def _numbers(values: FloatArray) -> list[float | None]:
-    """Return `_number` of each value."""
+    """Return a list of numbers for JSON; None for each that is not finite."""
     if not np.all(np.isfinite(values)):
         return [_number(value) for value in values.tolist()]
     return [round(value, _DIGITS) + 0.0 for value in values.tolist()]

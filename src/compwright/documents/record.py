@@ -50,7 +50,7 @@ def run_record(
     measured_in: Mapping[str, str],
     errors: Errors,
 ) -> dict[str, Any]:
-    """Return the record of a run.
+    """Return the record of a run (``record.json``): inputs, software, decisions and results.
 
     ``about``: software, machine, control and rules; ``files``: all that it writes; ``measured_in``,
     ``errors``: as `measured_test` takes them.

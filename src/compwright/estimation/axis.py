@@ -342,8 +342,8 @@ def estimate_axis(
 
 
 def _cycle_draws(draw_index: NDArray[np.intp], each: int) -> NDArray[np.intp]:
-    """Return which of the ``each`` members of a draw each of the (count,) entries uses. Equal
-    entries of ``draw_index`` take the members in turn.
+    """Return the member to use for each entry of ``draw_index`` (count,), which numbers draws. Each
+    draw has ``each`` members; entries with the same draw use them in turn.
     """
     order = np.argsort(draw_index, kind="stable")
     ordered = draw_index[order]

@@ -61,7 +61,7 @@ class Basis:
 
     @property
     def size(self) -> int:
-        """The total number of functions."""
+        """The total number of functions of position in the model."""
         return self.mean_size + (2 + self.reversal_sines if self.bidirectional else 0)
 
     @property

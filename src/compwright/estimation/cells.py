@@ -79,7 +79,7 @@ class Cells:
         return line + 0.5 * self.reversal, line - 0.5 * self.reversal
 
     def target_index(self, positions: FloatArray) -> NDArray[np.intp]:
-        """Return the index of the target at each position (k,), -1 where there is no target."""
+        """Return the index of the target at each position (k,); -1 where no target lies."""
         right = np.clip(np.searchsorted(self.targets, positions), 0, self.targets.size - 1)
         left = np.maximum(right - 1, 0)
         nearest = np.where(

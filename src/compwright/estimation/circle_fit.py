@@ -287,8 +287,8 @@ def _reversals(
 
 
 def _lasting(samples: CircleSamples, axis: str) -> list[int]:
-    """Return for each reversal point of an axis, positive and negative, how many directions enter
-    the arc so soon after it that its spike may last into the arc: the path begins before the arc.
+    """Return, for each reversal point, how many directions enter the arc shortly after it. There a
+    spike of the reversal may still last when the arc begins.
     """
     if samples.arc[1] >= 2.0 * np.pi - 1e-9:
         return [0, 0]

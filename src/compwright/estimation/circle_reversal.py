@@ -123,7 +123,7 @@ class SpikeShapes:
         return np.array(rare + found, dtype=np.intp)
 
     def active(self) -> IndexArray:
-        """Return all columns in the model."""
+        """Return all columns (causes of deviation) that are in the model."""
         return np.concatenate([self.always, self.chosen()])
 
     def options(self, reversal: int, slot: int) -> IndexArray:

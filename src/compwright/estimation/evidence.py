@@ -305,7 +305,7 @@ class Evidence:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Scaled:
-    """The linear model of the mean readings for given parameters.
+    """The linear model of the mean readings under given parameters. Its weights have unit variance.
 
     Variances, precision per cell, values of the cells, and the ``rows`` (c, j) of weights of unit
     variance; ``together``: which cells share a target, as places in a flat matrix (c * c,).
@@ -421,7 +421,8 @@ def _by_weights(scaled: _Scaled, *, derivatives: bool) -> _Marginal:
 
 
 def _normal(scaled: _Scaled, weighted: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return the normal equations of the weights: precision matrix (j, j) and right side (j,).
+    """Return the normal equations of the functions' weights: precision matrix (j, j), right side
+    (j,).
 
     Weights of unit variance; ``weighted``: the rows times the inverse of noise + local part.
     """

@@ -169,8 +169,8 @@ class _Design:
         return best
 
     def _information(self, gram: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return how well a test separates each period from each other period and from none (...,
-        p, p + 1).
+        """Return the evidence (..., p, p + 1) of a test for each period against each other period,
+        and against no period.
 
         ``gram`` (..., 2 p, 2 p) about each period (cosine, both, sine).
         """

@@ -74,7 +74,7 @@ class Periods:
     def with_periods(
         self, periods: tuple[float, ...], harmonics: tuple[tuple[int, ...], ...]
     ) -> Periods:
-        """Return these periods together with further ones."""
+        """Return known or possible periods: these, and the ``others``."""
         return Periods((*self.periods, *periods), (*self.harmonics, *harmonics))
 
 

@@ -38,7 +38,7 @@ class CellReadings:
 
     @property
     def runs(self) -> int:
-        """Number of runs."""
+        """The number of runs per direction."""
         return int(self.values.shape[1])
 
     @property

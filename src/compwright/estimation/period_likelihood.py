@@ -228,7 +228,7 @@ class PeriodLikelihood:
         return found
 
     def everything(self) -> NodeChoice:
-        """Return all grid points and amplitudes."""
+        """Return all combinations of grid point and amplitude."""
         return NodeChoice(
             tuple((number, np.arange(node.log.size)) for number, node in enumerate(self.nodes)),
             np.arange(AMPLITUDES.size),

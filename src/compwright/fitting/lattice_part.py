@@ -97,7 +97,7 @@ class Variants:
     bound: FloatArray
 
     def take(self, chosen: IntArray | slice) -> Variants:
-        """Return the cases with these indices."""
+        """Return the cases of the optimisation with these indices."""
         return Variants(
             self.count[chosen], self.distance[chosen], self.shift[chosen], self.bound[chosen]
         )

@@ -47,7 +47,7 @@ class Deviations:
 
     @property
     def tests(self) -> int:
-        """The number of tests."""
+        """The number of simulated tests."""
         return int(np.max(self.test)) + 1
 
     def of(self, chosen: IntArray) -> Deviations:
@@ -72,7 +72,7 @@ class Deviations:
 
 
 def product(one: SparseMatrix, other: SparseMatrix) -> SparseMatrix:
-    """Return the matrix product."""
+    """Return the product of two sparse matrices."""
     found = (by_columns(one) @ by_columns(other)).tocoo()
     return from_entries(
         found.shape,

@@ -144,7 +144,7 @@ class UnknownsLayout:
 
     @property
     def size(self) -> int:
-        """The number of unknowns."""
+        """The number of unknowns of the optimisation."""
         if self.shape == "bidirectional":
             return 2 * self.nodes.size
         return self.nodes.size + (0 if self.reversal == "none" else 1)

@@ -88,7 +88,7 @@ class SparseMatrix:
         )
 
     def times(self, factor: float) -> SparseMatrix:
-        """Return the matrix multiplied by ``factor``."""
+        """Return the sparse matrix multiplied by the number ``factor``."""
         return SparseMatrix(
             shape=self.shape, row=self.row, column=self.column, value=factor * self.value
         )

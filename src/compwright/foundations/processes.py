@@ -163,7 +163,7 @@ class _Shared(Generic[T, R]):
                 return
 
     def close(self) -> None:
-        """Start no further items."""
+        """Start no further work. Items that were begun are still completed."""
         with self._taking:
             self._last = self._first
 

@@ -115,7 +115,7 @@ def _joined(one: CircularTest, other: CircularTest) -> CircularTest:
 
 
 def _bare(name: str) -> str:
-    """Return the name without the words ccw and cw."""
+    """Return a file name without the words ``ccw`` and ``cw``."""
     return _SENSE_IN_NAME.sub("", name).strip("-_. ")
 
 

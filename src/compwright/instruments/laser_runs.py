@@ -163,7 +163,7 @@ def _readings(
 
 
 def place(line: int | np.int64) -> str:
-    """Return the place of a line for a fault."""
+    """Return the place of a line as faults name it: ``line 12``."""
     return f"line {line}"
 
 

@@ -1,4 +1,4 @@
-"""Findings that several readers share."""
+"""Findings about readings that the readers of several file formats share."""
 
 from __future__ import annotations
 

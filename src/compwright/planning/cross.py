@@ -53,7 +53,7 @@ class Squareness:
 
     @property
     def words(self) -> Sentence:
-        """The value as text for people."""
+        """The value with its unit as text for messages."""
         error = SIGNIFICANT * self.std_error * _PPM
         return say("value_with_error", value=self.value * _PPM, error=error, unit="µm/m")
 

@@ -80,7 +80,7 @@ class MeasuredError:
 
     @property
     def findings(self) -> tuple[Finding, ...]:
-        """The findings of the estimation."""
+        """The findings of the estimation, about noise, periods and jumps."""
         return self.own.findings
 
     def summary(self, positions: FloatArray) -> ErrorEstimate:

@@ -44,7 +44,7 @@ class ControlFile:
 
     @property
     def raw(self) -> bytes:
-        """The bytes of the whole file."""
+        """The bytes of the whole control file."""
         return self.leader + self.content + self.trailer
 
 

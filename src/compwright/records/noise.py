@@ -71,7 +71,7 @@ class NoiseDraws:
 
     @property
     def count(self) -> int:
-        """The number of draws."""
+        """The number of random draws of the noise."""
         return len(self.sigma)
 
     def taken(self, index: IndexArray | slice) -> NoiseDraws:

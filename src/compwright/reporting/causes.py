@@ -85,7 +85,7 @@ class CircleCause:
 
     @property
     def unit_text(self) -> str:
-        """Return the printed unit."""
+        """Return the unit of the cause as it is printed."""
         return _UNITS.get(self.unit, self.unit)
 
     def text(self, value: float | None) -> str:

@@ -112,7 +112,7 @@ class Chart:
     marks: list[ChartMark] = field(default_factory=list)
 
     def named(self) -> Iterator[Band | ChartCurve]:
-        """Yield the entries of the legend."""
+        """Yield the entries of the chart's legend."""
         parts: list[Band | ChartCurve] = [*self.bands, *self.curves]
         yield from (part for part in parts if part.label)
 

@@ -90,7 +90,7 @@ def machine_job(machine: Mapping[str, Any], results: Sequence[Mapping[str, Any]]
 
 
 def job_lines(causes: Sequence[str], result: Mapping[str, Any]) -> list[str]:
-    """Return job lines for one circle and its ``causes``."""
+    """Return the lines of a job that correct the ``causes`` of one circular test."""
     planes = {"".join(sorted(result["axes"]))} if "squareness" in causes else set()
     lost = bool({"backlash_first", "backlash_second"} & set(causes))
     return _job([result], planes, lost=lost, scale="scale_mismatch" in causes)

@@ -51,7 +51,7 @@ class ParameterRow:
 
     @property
     def signed(self) -> bool:
-        """Whether the values have a sign."""
+        """Whether the values can be negative, so that a sign is printed."""
         return self.keys[0][:1] == "F" or self.letter == "D"
 
 

@@ -130,7 +130,7 @@ def numbering_svg(numbering: Mapping[str, Any], language: Language = "en") -> st
 
 
 def _cells(numbering: Mapping[str, Any]) -> list[_SectionCell]:
-    """Return the sections that are drawn."""
+    """Return the table sections that the drawing shows."""
     sections: Sequence[Mapping[str, Any]] = numbering["sections"]
     names: dict[int, list[str]] = {}
     for mark in numbering["marks"]:

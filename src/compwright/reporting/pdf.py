@@ -221,7 +221,7 @@ def _left_out(element: ET.Element) -> bool:
 
 
 def _unbroken(child: Any) -> Any:
-    """Return a node whose words stay on one line."""
+    """Return a text element whose words stay on one line of the PDF."""
     if isinstance(child, str):
         return child.replace(" ", "\u00a0")
     return {**child, "children": list(map(_unbroken, child["children"]))}

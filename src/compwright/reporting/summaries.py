@@ -372,7 +372,7 @@ def next_lines(then: Mapping[str, Any] | None) -> list[RenderableType]:
 
 
 def plain_table() -> Table:
-    """Return an empty table without frames."""
+    """Return an empty table without frames, for the terminal."""
     return Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="bold")
 
 

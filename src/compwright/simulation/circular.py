@@ -111,7 +111,7 @@ class CirclePlan:
 
     @property
     def _turn(self) -> float:
-        """The time of one turn, s."""
+        """The time of one full circle, s."""
         return 2.0 * math.pi * self.radius / (self.feed / 60.0)
 
 

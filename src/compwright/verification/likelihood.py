@@ -120,7 +120,7 @@ class AfterMeans:
 
     @property
     def count(self) -> int:
-        """The number of mean readings."""
+        """The number of measured means (target and direction) in the test after loading."""
         return int(np.sum(np.isfinite(self.plain)))
 
     @property

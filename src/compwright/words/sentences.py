@@ -122,7 +122,7 @@ class Amount:
         return self.text("en")
 
     def text(self, language: Language) -> str:
-        """Return number and unit as text."""
+        """Return number and unit as text, with the decimal mark of the language."""
         unit = in_language(self.unit, language)
         between = "" if unit in _CLOSE else " "
         return f"{number_text(self.value, self.form, language)}{between}{unit}".rstrip()
@@ -164,7 +164,7 @@ class SentenceText(str):
         return written
 
     def __reduce__(self) -> tuple[type[SentenceText], tuple[Sentence]]:
-        """Return how to copy the text."""
+        """Return how to copy the text: from its template and values."""
         return SentenceText, (self.sentence,)
 
     def text(self, language: Language) -> str:

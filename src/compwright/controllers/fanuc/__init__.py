@@ -1,1 +1,1 @@
-"""The virtual control of this maker."""
+"""The FANUC virtual control: what a FANUC does with given files."""

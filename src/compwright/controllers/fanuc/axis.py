@@ -37,7 +37,7 @@ class AxisLoader:
         self.request = request
 
     def note(self, axis: int, text: str) -> None:
-        """Add a note about an axis."""
+        """Add a note about an axis to the notes of the control."""
         self.memory.notes.append(f"axis {axis}: {text}")
 
     def under_work(self, axis: int) -> bool:

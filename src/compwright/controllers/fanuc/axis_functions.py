@@ -1,4 +1,4 @@
-"""The compensation of one FANUC axis: totals of the pitch data, backlash, second (cyclic) table.
+"""The compensation of one FANUC axis: pitch data as totals, backlash, second (cyclic) table.
 
 Contradictions in the files become faults of the memory; open points become notes or assumptions.
 Sources: ``control``, ``additional_functions``.

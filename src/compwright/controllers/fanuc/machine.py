@@ -85,7 +85,7 @@ class MachineEntry:
         return self.is_bits and self.text[-1 - bit] == "1"
 
     def fault(self, message: str, expected: str) -> Fault:
-        """Return a fault at the place of this value."""
+        """Return a fault with the file and line of this parameter value."""
         return Fault(
             message=message,
             file=self.file,

@@ -267,7 +267,7 @@ class Memory:
             )
 
     def _keep_points(self, records: list[PointRecord]) -> None:
-        """Store pitch data.
+        """Store the pitch data of one file.
 
         Records without Q in a file with parameters count only where no others do and they fill a
         whole range.

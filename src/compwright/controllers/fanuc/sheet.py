@@ -125,7 +125,7 @@ class _Sheet:
             )
 
     def row(self, cells: tuple[str, ...], number: int) -> None:
-        """Read the header or one row."""
+        """Read one line of the sheet: the header row, or a row with a value."""
         if not self.headed:
             self.headed = True
             if tuple(cell.casefold() for cell in cells) != _HEADER:

@@ -158,7 +158,7 @@ class _TapeReader:
         self.above = False
 
     def take(self, raw: str, number: int) -> None:
-        """Read one line."""
+        """Read one line of the parameter or pitch data file."""
         self.lines = number
         line = _COMMENT.sub(" ", raw).strip()
         if line.startswith("%"):

@@ -1,1 +1,1 @@
-"""The virtual control of this maker."""
+"""The HEIDENHAIN virtual control: what a HEIDENHAIN does with given files."""

@@ -51,7 +51,7 @@ class CellGrid:
     places: tuple[LinePlace, ...]
 
     def column(self, name: str) -> list[str | None]:
-        """Return the cells of one column."""
+        """Return the cells of the column with this name, one per row."""
         index = self.names.index(name)
         return [row[index] for row in self.rows]
 

@@ -46,7 +46,7 @@ class Loader:
 
     @property
     def faults(self) -> list[Fault]:
-        """The faults of the files."""
+        """The faults found in the control's files."""
         return self.given.faults
 
     def axes(self) -> dict[str, HeidenhainAxis]:

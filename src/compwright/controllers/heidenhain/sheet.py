@@ -98,7 +98,7 @@ class _SheetLines:
         self.faults: list[Fault] = []
 
     def read(self, line: str, place: LinePlace) -> None:
-        """Read one line without surrounding blanks."""
+        """Read one line of the sheet, given without leading and trailing blanks."""
         if line.startswith("#"):
             self._comment(line[1:], place)
         elif _squeezed(line) == HEADER:

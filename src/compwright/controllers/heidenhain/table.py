@@ -118,7 +118,7 @@ def read_text(file: ControlFile, generation: Generation) -> Content:
 def _read_outside(
     lines: list[tuple[LinePlace, str]], generation: Generation, found: Content, *, strict: bool
 ) -> None:
-    """Read the parameters outside of tables.
+    """Read the machine parameters in the lines outside of tables.
 
     Any other text is a fault in a file with tables, else a note.
     """

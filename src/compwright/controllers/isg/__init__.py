@@ -1,1 +1,1 @@
-"""The virtual control of this maker."""
+"""The ISG virtual control: what an ISG kernel does with given files."""

@@ -111,7 +111,7 @@ class AxisLists:
         return None if value is None else int(value)
 
     def fault(self, statement: ListStatement, message: str, expected: str) -> None:
-        """Add a fault at a statement."""
+        """Add a fault with the file and line of a statement."""
         self.faults.append(statement.fault(message, expected=expected))
 
     def missing(self, name: str, why: str) -> None:

@@ -1,1 +1,1 @@
-"""The virtual control of this maker."""
+"""The LinuxCNC virtual control: what LinuxCNC does with given files."""

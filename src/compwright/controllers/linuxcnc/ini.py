@@ -39,7 +39,7 @@ class IniValue:
     line: IniLine
 
     def fault(self, message: str, *, expected: str = "", found: str = "") -> Fault:
-        """Return a fault at this place."""
+        """Return a fault with the file and line of this entry."""
         return Fault(
             message=message,
             file=self.line.file,

@@ -1,1 +1,1 @@
-"""The virtual control of this maker."""
+"""The PMAC virtual control: what a PMAC does with given files."""

@@ -104,7 +104,9 @@ def looked_up(table: CardTable, position: FloatArray) -> FloatArray:
 
 
 class Judged:
-    """Reads the active compensation of each motor. It collects assumptions and faults by motor."""
+    """Reads the active compensation of each PMAC motor. It collects assumptions and faults by
+    motor.
+    """
 
     def __init__(self, card: Card, request: Request, assumed: list[Assumption]) -> None:
         self.card = card

@@ -140,7 +140,7 @@ class Preprocessor:
 
 
 def without_remarks(line: str) -> str:
-    """Return a line without its remark."""
+    """Return a line of a script without its remark (comment)."""
     return re.split(r";|//", line, maxsplit=1)[0]
 
 

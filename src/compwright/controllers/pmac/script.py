@@ -127,7 +127,7 @@ class Card:
     faults: list[Fault] = field(default_factory=list)
 
     def holds(self, kind: str) -> bool:
-        """Return whether a buffer or a table of a kind exists."""
+        """Return whether a buffer or a table of this kind exists on the card."""
         return kind in self.buffers or any(one == kind for one, _ in self.tables)
 
 

@@ -1,1 +1,1 @@
-"""The virtual control of this maker."""
+"""The SINUMERIK virtual control: what a SINUMERIK does with given files."""

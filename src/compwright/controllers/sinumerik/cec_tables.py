@@ -76,7 +76,7 @@ class CecTableLoader:
                 self.by_table[entry.number].append(entry)
 
     def tables(self) -> dict[int, SagTable]:
-        """Return the tables by index, ascending."""
+        """Return the CEC tables, ascending by table index."""
         found: dict[int, SagTable] = {}
         empty: list[int] = []
         factor_entries: dict[int, VariableAssignment] = {}

@@ -119,7 +119,7 @@ class ProgramBlock:
         self.branches[line] = self.branch if self.doubts else -1
 
     def statement(self, code: str, line: int, whole: str) -> None:
-        """Record a line without compensation data.
+        """Record a program line that contains no compensation data.
 
         Strings emptied, no comment; ``whole``: as written.
         """
@@ -251,7 +251,7 @@ def _names_programs(words: Sequence[str]) -> bool:
 
 
 def _calculates(words: list[str]) -> bool:
-    """Return whether words are one expression without side effects."""
+    """Return whether the words of a program line form one expression without side effects."""
     before = "("
     for word in words:
         value = _VALUE.fullmatch(word) is not None and word not in _WORD_JOINTS

@@ -84,7 +84,7 @@ def question_of(words: Words) -> Question | None:
 
 
 def _question_of(words: Words) -> Question | None:
-    """Return the condition in these words.
+    """Return the condition that these words of a program line form.
 
     None if its value may change without an assignment: a variable of the control, a field, a
     function.

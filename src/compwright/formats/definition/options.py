@@ -34,7 +34,7 @@ class Required(dict[str, _T]):
         self._section, self._file = section, file
 
     def __missing__(self, name: str) -> _T:
-        """Raise InputError for a missing entry."""
+        """Raise InputError that names the entry which the definition lacks."""
         raise InputError(
             Fault(
                 message=f"the section {self._section} of the definition lacks the entry {name}, "

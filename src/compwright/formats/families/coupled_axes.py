@@ -179,7 +179,7 @@ class CouplingParameter:
         unlike: str = "",
         drive: bool = False,
     ) -> Coupling:
-        """Return the coupling by this parameter."""
+        """Return the coupling of the axis ``follows`` to the axes ``leads`` by this parameter."""
         return Coupling(
             leads=leads,
             follows=follows,

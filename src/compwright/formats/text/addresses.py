@@ -108,7 +108,7 @@ class AxisNames:
         return not self.places or name in self.places or self._is_place(name)
 
     def forms(self, address: str) -> set[str]:
-        """Return every name of an axis."""
+        """Return all names by which the files may call an axis."""
         one = self.address(address)
         return {
             address,
@@ -195,5 +195,5 @@ def value_of(occurrence: Occurrence) -> str:
 
 
 def quantities_of(definition: Definition, statement: str) -> list[str]:
-    """Return the quantities that a statement holds."""
+    """Return the quantities that a statement of the files contains."""
     return [name for name, binding in definition.bindings.items() if binding.statement == statement]

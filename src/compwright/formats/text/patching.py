@@ -80,7 +80,7 @@ class Patches:
         self._inserted: dict[int, list[BytesChange]] = {}
 
     def replace(self, number: int, *changes: BytesChange) -> None:
-        """Replace some bytes by others."""
+        """Replace some bytes of the file by others."""
         replaced = self._replaced.setdefault(number, {})
         replaced.update({(change.start, change.end): change for change in changes})
 
@@ -95,7 +95,7 @@ class Patches:
         return token.text if change is None else change.content.decode("latin-1")
 
     def line(self, number: int, place: int) -> BytesPlace:
-        """Return the line that contains the byte ``place``."""
+        """Return the line of the file that contains the byte with index ``place``."""
         content = self.files[number].content
         before = [
             found + len(end) for end in self._ends if (found := content.rfind(end, 0, place)) >= 0
@@ -136,7 +136,7 @@ class Patches:
                 self.insert(number, line.next, text + end if found else end + text)
 
     def cut_line(self, number: int, place: int) -> None:
-        """Remove the line that contains the byte ``place``."""
+        """Remove the line of the file that contains the byte with index ``place``."""
         line = self.line(number, place)
         self.replace(number, BytesChange(line.start, line.next, b""))
 

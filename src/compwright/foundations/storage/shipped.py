@@ -1,4 +1,4 @@
-"""The files that ship with compwright."""
+"""The data files that are shipped with compwright."""
 
 from __future__ import annotations
 

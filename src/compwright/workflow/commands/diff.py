@@ -31,7 +31,7 @@ def diff_files(
     format_id: str,
     options: dict[str, object],
 ) -> DiffOutcome:
-    """Compare two backups of one machine.
+    """Compare two backups of one machine, and return their differences.
 
     Raises UsageError for an unknown format or option, InputError for files that cannot be read.
     """

@@ -88,7 +88,7 @@ def _writable(character: str) -> bool:
 
 
 def _folder(*names: str) -> str:
-    """Return names as nested folders."""
+    """Return relative file names as nested folders."""
     plain = (re.sub(r"[^\w+-]", "_", name) or "_" for name in names)
     return "/".join(plain)
 

@@ -265,7 +265,7 @@ def _active(found: Verified, files: Sequence[ControlFile], axes: Sequence[str]) 
 
 
 def _squareness(found: Verified, measured: Collection[str], axes: Collection[str]) -> Iterator[str]:
-    """Yield the planes whose squareness may be corrected further.
+    """Yield the planes whose squareness may be corrected again in the next round.
 
     Measured again, with no axis whose table is in doubt, and where something was corrected before,
     as it was expected.
@@ -322,7 +322,7 @@ def _updated_axis(finished: Finished, name: str) -> UpdatedAxis:
 
 
 def _gained(limits: LimitingCauses | None, axis: Axis) -> str:
-    """Return the expected gain of a further table."""
+    """Return the sentence about the expected gain of the new table."""
     if limits is None:
         return SentenceText(say("next.written"))
     factor, unit = outside_factor(axis.kind.unit), shown_unit(axis.kind.unit)

@@ -74,7 +74,7 @@ RULES = ShapeRules(
 
 
 class ColumnsFamily(Family):
-    """Columns in the user's own tables."""
+    """The family of controls whose tables are columns in files of the user (HEIDENHAIN .COM)."""
 
     listing = Listing(file_values=file_values, value_location=value_location)
 

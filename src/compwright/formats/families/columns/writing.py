@@ -94,7 +94,7 @@ def _refuse_unknown_backlash(
 
 
 class _OwnTables(Patches):
-    """Collects the changes to the user's own files."""
+    """Collects the changes to the tables in the user's own files."""
 
     def __init__(
         self, control: Family, axes: Mapping[str, Axis], own: Sequence[ControlFile]

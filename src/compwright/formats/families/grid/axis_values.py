@@ -26,7 +26,7 @@ class GridAxisValues(Values):
     system: str | None
 
     def places(self, quantity: str) -> list[FoundValue]:
-        """Return every place of a quantity in the files."""
+        """Return every file and line that states a quantity of the axis."""
         return self.gathered.found(quantity, self.address, self.system)
 
     def single(self, quantity: str, *, quiet: bool = True) -> FoundValue | None:

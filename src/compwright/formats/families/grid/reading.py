@@ -173,7 +173,7 @@ class GridReader:
         return False
 
     def cross(self) -> tuple[CrossCompensation, ...]:
-        """Return the corrections between axes."""
+        """Return the corrections between axes that the control's files contain."""
         return ()
 
     def staying(self, compensation: AxisCompensation) -> tuple[AxisCompensation, ...]:

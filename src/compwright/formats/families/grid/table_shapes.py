@@ -244,7 +244,7 @@ def _alike(source: TableSource, values: Mapping[int, FoundValue], inside: int) -
 
 
 def _complete(source: TableSource, values: Mapping[int, FoundValue], grid: _Grid) -> bool:
-    """Return whether there is a value for each node.
+    """Return whether every table point has a value.
 
     Values after the end are memory that the control does not use, such as an older, longer table
     (SINUMERIK FB2 09/2009, 6FC5397-1BP20-0BA0, p362 and p370: values greater than k are ignored).

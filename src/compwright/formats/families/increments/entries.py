@@ -160,7 +160,7 @@ def free_numbers_question(definition: Definition) -> Fault:
 
 
 class _WholeNumbers:
-    """One axis' table as whole numbers.
+    """The table of one axis, rounded to the whole numbers that the control stores.
 
     ``rapid``: the facts of the axis from which it takes the difference between both backlashes.
     """
@@ -449,7 +449,7 @@ class _WholeNumbers:
 
 
 def magnifications(definition: Definition, facts: IncrementFacts) -> tuple[int, ...]:
-    """Return the possible magnifications, ascending.
+    """Return the magnifications (parameter 3623) that are possible, ascending.
 
     Only the existing one if another function depends on the table: it is not known whether the
     magnification counts for it.

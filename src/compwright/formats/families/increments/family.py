@@ -109,7 +109,8 @@ class IncrementsFamily(Family):
         return StateReader(self, files, axes, address).read()
 
     def questions(self, axis: Axis, *, files: bool, given: Collection[str] = ()) -> Iterator[Fault]:
-        """Return the missing answers; arguments as those of `Family.questions`.
+        """Return the questions that the files leave open. The arguments are those of
+        `Family.questions`.
 
         Also the first free point number, which one axis gives for all, and the position from which
         points are counted.

@@ -27,7 +27,7 @@ class NumberPlace:
 
     @property
     def ranges(self) -> tuple[range, ...]:
-        """All point numbers in use."""
+        """The ranges of point numbers that the axis uses: one, or a second one for travel towards -."""
         own = range(self.first, self.last + 1)
         if self.negative_first is None:
             return (own,)

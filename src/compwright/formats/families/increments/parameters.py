@@ -125,7 +125,7 @@ class ParameterValue:
 
     @property
     def nonzero(self) -> bool:
-        """Whether the value is not zero."""
+        """Whether the parameter's value is not zero."""
         return bool(self.text.strip("-0."))
 
     @property
@@ -154,7 +154,7 @@ class ParameterValue:
         return self.is_bits and self.text[7 - bit] == "1"
 
     def fault(self, message: str, expected: str = "") -> Fault:
-        """Return a fault at this line."""
+        """Return a fault with the file and line of this parameter."""
         return Fault(
             message=message,
             file=self.file,

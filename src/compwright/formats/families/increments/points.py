@@ -84,7 +84,7 @@ def point_number(row: FoundValue) -> int:
 def points_by_number(
     definition: Definition, gathered: Gathered, files: Sequence[ControlFile], notes: Notes
 ) -> dict[int, FoundValue]:
-    """Return the point records by number.
+    """Return the pitch data points, by point number.
 
     Repetitions of a number must agree, and the control must have the number.
     """

@@ -80,7 +80,7 @@ def _homeless(definition: Definition, left: Entries) -> Iterator[Fault]:
 
 
 class _OwnFiles(Patches):
-    """Collects the changes to the user's own files."""
+    """Collects the changes to parameters and points in the user's own files."""
 
     def __init__(self, definition: Definition, files: Sequence[ControlFile]) -> None:
         super().__init__(definition.dialect, files)

@@ -55,7 +55,7 @@ class ListsByAxis:
     missing: dict[str, FoundValue] = field(default_factory=dict)
 
     def places(self, address: str, statement: str) -> Sequence[FoundValue]:
-        """Return every place of a statement for an axis."""
+        """Return every file and line in which an axis list contains a statement."""
         return self.statements.get(address, {}).get(statement, ())
 
     def name(self, statement: str) -> str:
@@ -253,7 +253,7 @@ def _low(text: ReadText) -> str:
 
 
 def _value(occurrence: Occurrence) -> str:
-    """Return the value of a statement."""
+    """Return the value of a statement in an axis list."""
     tokens = occurrence.tokens
     return tokens["value" if "value" in tokens else "axis"].text
 

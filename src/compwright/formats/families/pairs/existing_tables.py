@@ -65,7 +65,7 @@ class ExistingTables:
         return address if self.own is None else self.own.gathered.spelled(address)
 
     def places_of(self, index: int, quantity: str) -> Sequence[FoundValue]:
-        """Return the places of a quantity of one table."""
+        """Return the files and lines that state a quantity of one cross-axis table."""
         return self.places.get(index, {}).get(quantity, ())
 
     def unnamed(self, index: int, quantity: str) -> list[FoundValue]:
@@ -117,7 +117,7 @@ class ExistingTables:
         return any(places and same_value(places[-1].text, "0") for places in ends)
 
     def table_places(self, index: int) -> TablePlaces:
-        """Return the places of a table."""
+        """Return the files and lines of one cross-axis table."""
         places = self.places.get(index, {})
         singles = {name: places[name] for name in DATA if name in places and name != "cross_value"}
         unnamed = [found for name in BETWEEN for found in self.unnamed(index, name)]

@@ -44,7 +44,7 @@ def as_table(definition: Definition) -> Definition:
 
 
 def places_of(gathered: Gathered) -> dict[int, dict[str, list[FoundValue]]]:
-    """Return every place by table index and quantity."""
+    """Return every file and line by table index and quantity."""
     found: dict[int, dict[str, list[FoundValue]]] = {}
     for quantity, places in gathered.singles.get((None, None), {}).items():
         for place in places:

@@ -53,7 +53,7 @@ class Found:
 
     @property
     def ways(self) -> ProgramRuns:
-        """The possible runs through the program."""
+        """The possible runs through the program, each as the lines that it executes."""
         return self.program.ways(self.loaders)
 
     @property

@@ -240,7 +240,7 @@ class CecReader(SingleValues):
 
 
 class _CrossTableReader(TableLines):
-    """Reads one cross-axis table."""
+    """Reads one cross-axis table (CEC) from its assignments."""
 
     @property
     def damaged(self) -> bool:

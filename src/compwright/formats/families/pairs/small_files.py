@@ -194,7 +194,7 @@ class SmallFiles:
     def _multiplied_by(
         self, tables: Mapping[str, Sequence[Key]], others: Sequence[str], written: Sequence[str]
     ) -> list[str]:
-        """Return the further tables that multiply the tables ``others``."""
+        """Return the tables by which the control multiplies the tables ``others``."""
         numbers = (
             int(value_of(self.new.entries[key])) - 1
             for table in others

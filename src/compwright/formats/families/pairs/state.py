@@ -110,7 +110,7 @@ class PairsReader(GridReader):
         return list(dict.fromkeys((*super().named(), *self.cec.own_axes())))
 
     def couplings(self) -> Sequence[Coupling]:
-        """Return the couplings of axes."""
+        """Return which axes move together (gantry, synchronised axes), by the control's files."""
         texts = texts_of(self.definition, self.files, [])
         return couplings_of(texts, self.gathered.axis, list(self.wanted))
 

@@ -296,7 +296,7 @@ class PairsWriter(GridWriter):
         self.cec = CecWriter(control, self.own)
 
     def axis(self, work: AxisToWrite) -> list[ControlFile]:
-        """Write one axis, as `GridWriter.axis` does."""
+        """Write the table and backlash of one axis, as `GridWriter.axis` does."""
         self.cec.tables.allowed = allowed_tables(self.definition, work.options)
         if not holds_two_curves(work.options, work.compensation):
             return super().axis(work)

@@ -40,11 +40,11 @@ class Word:
 
     @property
     def found(self) -> FoundValue:
-        """The piece in the form used for notes."""
+        """The entry with file and line, in the form that notes need."""
         return FoundValue(self.text, Occurrence("script", self.file, self.line, {}), self.number)
 
     def fault(self, message: str, *, expected: str = "", found: str | None = None) -> Fault:
-        """Return a fault at this place."""
+        """Return a fault with the file and line of this entry."""
         text = self.text if found is None else found
         return Fault(
             message=message,
@@ -156,7 +156,7 @@ class Buffers:
         self.motors: dict[str, set[int]] = {}
 
     def define(self, name: str, motor: int = 0) -> None:
-        """Add a buffer."""
+        """Add a buffer (memory that a script reserves) to the card."""
         self.motors.setdefault(long_name(name), set()).add(motor)
 
     def delete(self, name: str, motor: int) -> None:

@@ -87,7 +87,7 @@ class WrappedStateReader:
         self.notes.faults.extend(order_dependent_values(self.script))
 
     def read(self) -> ControlState:
-        """Return the state of the control."""
+        """Return the existing compensation in the control's files."""
         raise_all(InputError, self.notes.faults)
         self._ask_about_blocks()
         self._check_tables()

@@ -50,7 +50,7 @@ class MotorTable:
 
     @property
     def takes_up(self) -> bool:
-        """Whether there is backlash."""
+        """Whether the motor has backlash compensation."""
         return self.varies or self.constant != 0
 
 
