@@ -104,7 +104,7 @@ def errors(lines: Iterable[str]) -> int:
 
 
 def tell(line: str) -> None:
-    """Print a line on standard error. If that is closed or full, the exit code must be enough."""
+    """Print a line on standard error. Nothing is raised if standard error is closed or full."""
     try:
         click.echo(visible_lines(line), err=True)
     except OSError:

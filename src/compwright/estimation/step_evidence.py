@@ -163,8 +163,8 @@ class StepEvidence:
     def _swept(
         self, members: tuple[int, ...], products: FloatArray
     ) -> tuple[FloatArray, FloatArray]:
-        """Return the log weights of all sizes and lengths for a set, and the remaining
-        ``products``.
+        """Return the log evidence of the steps ``members`` for all their possible sizes and
+        lengths, and the ``products`` that they leave unexplained.
         """
         weights, left = self.plain, products
         for one in members:

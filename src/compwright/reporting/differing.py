@@ -154,7 +154,7 @@ def entry_tables(entries: Sequence[Mapping[str, Any]]) -> list[RenderableType]:
 
 
 def other_tables(groups: Sequence[Mapping[str, Any]]) -> list[RenderableType]:
-    """Return tables of the differing values that belong to no axis of the plan, counted by parameter.
+    """Return tables of the differing values outside the plan's axes, counted by parameter.
 
     What is not known to compensate; parameters that only one side has as one number where they are
     many.

@@ -212,7 +212,7 @@ class _KindReader:
         self.seen_sections: list[str] = []
 
     def _passed_over(self, code: str) -> bool:
-        """Return whether a line has no meaning here."""
+        """Return whether a line does not concern compensation, so that it is skipped."""
         if self.concerning is None or self.concerning.search(code) is not None:
             return False
         return all(matcher.match(code) is None for matcher in self.wordless)

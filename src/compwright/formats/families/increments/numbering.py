@@ -27,7 +27,7 @@ class NumberPlace:
 
     @property
     def ranges(self) -> tuple[range, ...]:
-        """The ranges of point numbers that the axis uses: one, or a second one for travel towards -."""
+        """The one or two ranges of point numbers of the axis; the second for travel towards -."""
         own = range(self.first, self.last + 1)
         if self.negative_first is None:
             return (own,)

@@ -121,8 +121,8 @@ class PairsReader(GridReader):
         }
 
     def elsewhere(self, address: str) -> bool:
-        """Return whether further tables correct an axis. Without their sign the correction is
-        unknown.
+        """Return whether CEC tables correct an axis by its own position. Without their sign the
+        correction is unknown.
         """
         active = self.cec.active((address, address))
         if active and not self.sign_known:

@@ -496,8 +496,9 @@ def _add(
     *,
     both: bool,
 ) -> None:
-    """Add a table to the others on its grid: in the counting direction (``both``) and against
-    it.
+    """Add the correction of a table to that of other tables with the same points.
+
+    It is added for both directions (``both``), or only against the counting direction.
     """
     none = (np.zeros(table.needed + 1), np.zeros(table.needed + 1))
     ahead, back = grids.get((table.needed, table.counts), none)
