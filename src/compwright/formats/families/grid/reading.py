@@ -168,7 +168,7 @@ class GridReader:
         return tuple(joined_joints(self.files)) if _JOINTS in self.definition.statements else ()
 
     def elsewhere(self, address: str) -> bool:
-        """Return whether tables of another kind correct an axis, so that it needs none in its grid."""
+        """Return whether other tables correct an axis, so that it needs none in its grid."""
         del address
         return False
 
