@@ -190,14 +190,21 @@ class Circle:
                     found[point].append(float(inside[np.argmax(np.abs(inside))]))
         return {point: float(np.mean(each)) if each else np.nan for point, each in found.items()}
 
-    def bound(self) -> dict[str, float]:
+    def bound(self, *, known: bool = True) -> dict[str, float]:
         """Return the least standard error (Cramér, Rao) of every cause for this noise and all
         unknowns of the machine; very large where the arc does not show a cause.
+
+        ``known``: it is known which of the `RARE` causes the machine has, the friction after its
+        reversals, how it passes its lost motion, and the bandwidth of the instrument. Else these
+        are unknowns too, of the sizes that `circle` draws (van Trees, Detection, Estimation, and
+        Modulation Theory I, 1968, section 2.4).
         """
+        open_ = {} if known else {n: size for n, size in self._sizes().items() if n in RARE}
         names = [
             name
             for name, value in self.values.items()
-            if (name not in RARE or value) and (name not in SHAPES or self.values[SHAPES[name]])
+            if (name not in RARE or value or name in open_)
+            and (name not in SHAPES or self.values[SHAPES[name]])
         ]
         rows = []
         for sense in self.senses:
@@ -207,6 +214,8 @@ class Circle:
                 step = _step(name, self.values[name])
                 moved = replace(self, values={**self.values, name: self.values[name] + step})
                 columns.append((moved.readings(sense) - here) / step)
+            if not known:
+                columns += list(self._other_instruments(sense))
             columns.append(np.full(here.shape, 1e-3))  # length of the bar
             jacobian = np.column_stack(columns)
             white = jacobian.copy()
@@ -215,9 +224,47 @@ class Circle:
             rows.append(white)
         noise = 1e-3 * np.hypot(self.noise, 1e3 * RESOLUTION / np.sqrt(12.0))
         design = np.vstack(rows) / noise
+        if not known:
+            priors = np.zeros(design.shape[1])
+            priors[len(names) : -1] = 1.0
+            for name, size in open_.items():
+                priors[names.index(name)] = 1.0 / size
+            design = np.vstack([design, np.diag(priors)])
         if self.calibrated:
             design = design[:, :-1]
         return self._derived(names, design)
+
+    def _sizes(self) -> dict[str, float]:
+        """Return the standard deviations of the causes that a machine may have without showing it,
+        where it has them.
+        """
+        turns = {f"turn_{p}": 0.17 * abs(self.values[f"reversal_spike_{p}"]) for p in POINTS}
+        every = {"spiral": 1.5, "offset_change_first": 1.0, "offset_change_second": 1.0, **turns}
+        return {name: size for name, size in every.items() if size > 0.0}
+
+    def _other_instruments(self, sense: str) -> Iterator[Array]:
+        """Yield how the readings change, each by one standard deviation, with another friction at
+        each reversal point, another way to pass the lost motion, and a slower instrument.
+        """
+        here = self.readings(sense)
+        after = {point: self._after(point, sense) for point in POINTS}
+        for friction in {"creep", "peak", "stand"} - {self.friction}:
+            change = replace(self, friction=friction).readings(sense) - here
+            yield from (np.where(mine, change, 0.0) / 2.0 for mine in after.values())
+        change = replace(self, play=not self.play).readings(sense) - here
+        yield from (np.where(mine, change, 0.0) / 2.0 for mine in after.values())
+        step = np.radians(self.extent / self.samples) / self.omega
+        own = 1.0 / (2.0 * np.pi * self.bandwidth) if self.bandwidth else 0.0
+        slow = own + max(0.003, 0.3 * step)
+        yield replace(self, bandwidth=1.0 / (2.0 * np.pi * slow)).readings(sense) - here
+
+    def _after(self, point: str, sense: str) -> NDArray[np.bool_]:
+        """Return whether a sample is on the quarter of the path after a reversal point."""
+        axis, end = point.split("_at_")
+        start = 90.0 * (axis == "second") + 180.0 * (end == "negative")
+        since = TURNS[sense] * (self.angles(sense) - start)
+        found: NDArray[np.bool_] = since % 360.0 < 90.0
+        return found
 
     def _derived(self, names: list[str], design: Array) -> dict[str, float]:
         unit: Array = np.maximum(np.linalg.norm(design, axis=0), 1e-12)

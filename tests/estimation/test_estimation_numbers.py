@@ -34,6 +34,7 @@ from compwright.estimation.circle_model import (
 )
 from compwright.estimation.circle_noise import angle_grid
 from compwright.estimation.circle_report import shrink_uncertainty
+from compwright.estimation.circle_reversal import of_the_spike
 from compwright.estimation.hyperparameters import _log_student, draw_hyperparameters
 from compwright.estimation.posterior_peaks import find_peaks
 
@@ -107,6 +108,16 @@ def test_a_spike_is_that_of_the_exact_machine(axis: str, sense: float) -> None:
     exact = distance(machine, Setup(), of.theta, sense) - R
     spike = sum(radial(of, part.x, part.y) for part in parts)
     assert 5.0 * spike == pytest.approx(exact, abs=1e-6)
+
+
+def test_an_axis_that_stands_still_passes_its_lost_motion_or_overcomes_its_friction() -> None:
+    """Friction holds the axis until the command has moved 3 µm, arc²/2R = 0.95 mm on R = 150; from
+    there the spike decays over 1 mm: 3 exp(0.95) = 7.75 µm at the reversal, from which the take-up
+    takes 7.75 off. Lost motion of 3 µm that is passed gradually takes 3 off.
+    """
+    taken, spike, lost = np.array([[-7.75], [-3.0], [2.0]]), np.array([[7.75], [1.0], [0.0]]), 3.0
+    kept = of_the_spike(taken, spike, np.full((3, 1), lost))
+    assert kept.ravel().tolist() == [-7.75, 0.0, 2.0]
 
 
 def test_a_rising_spike_has_its_peak_of_one_at_its_length() -> None:

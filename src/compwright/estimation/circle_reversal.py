@@ -415,6 +415,18 @@ def _least_error(
     return float(np.sqrt(np.mean(1.0 / (weight + _HIDDEN**-2.0))))
 
 
+def of_the_spike(taken: FloatArray, spike: FloatArray, lost: FloatArray) -> FloatArray:
+    """Return how much of a gradual take-up ``taken`` (d, s), um, belongs to the spike.
+
+    Inward it is an axis that stands still: until it has passed its lost motion (the size is that of
+    the ``lost`` motion, which then is not a step), or until its drive overcomes the friction (the
+    size is that of the ``spike`` at the reversal, whose edge then rises with the command). The
+    nearer of the two.
+    """
+    friction = np.abs(taken + spike) < np.abs(taken + lost)
+    return np.where((taken > 0.0) | friction, taken, 0.0)
+
+
 class _Recorder:
     """Collects the drawn spikes of one reversal point."""
 
@@ -448,7 +460,7 @@ class _Recorder:
                 size = size + of[columns[1]][:, np.newaxis] * self.senses
             self.curve[:, place] += np.mean(size, axis=0)
             if slot >= _DECAYS:
-                size = np.maximum(size, 0.0)  # inward it belongs to the lost motion
+                size = of_the_spike(size, curve[:, :, 0], of[self.lost][:, np.newaxis])
             else:
                 sizes[place] = size
             curve += size[:, :, np.newaxis] * self.shapes[place]

@@ -121,12 +121,17 @@ def _refuse_other_files(content: bytes, file: str) -> None:
 
 def _lines(text: str, file: str) -> list[str]:
     if not text.strip("\ufeff \t\r\n"):
+        typed = file.lower().endswith((".csv", ".txt"))
         raise InputError(
             Fault(
                 message="the file is empty",
                 file=file,
-                expected="a header row and readings",
-                hint="add a header row and the readings",
+                expected="a header row and readings" if typed else "the readings of an instrument",
+                hint=(
+                    "add a header row and the readings"
+                    if typed
+                    else "copy the file from the instrument again"
+                ),
             )
         )
     control = _CONTROL.search(text)

@@ -9,6 +9,7 @@ from typing import Any, Final
 
 from compwright.reporting import paper, sections
 from compwright.reporting.axis_figures import residual_figure
+from compwright.reporting.cause_pictures import cause_pictures
 from compwright.reporting.causes import (
     CircleCause,
     full_cause_words,
@@ -44,6 +45,7 @@ def circle_page(result: Document, index: int, job: Sequence[str] | None = None) 
         "residual_words": say("circle.unexplained", rms=number(result.get("residual"))),
         "parameters": _parameters(result),
         "causes": _causes(causes) if causes else None,
+        "pictures": cause_pictures(causes),
         "comparison": say("circle.comparison") if _any_printed(causes) else "",
         "steps": steps_for(causes, axes),
         "job": (

@@ -35,10 +35,7 @@ def steps_for(causes: Sequence[CircleCause], axes: Sequence[str]) -> list[Senten
     causes are missing.
     """
     shown = [cause for cause in causes if cause.shown]
-    significant = [cause for cause in shown if cause.significant]
-    significant = significant[:_MOST] + [
-        cause for cause in significant[_MOST:] if cause.share >= _LARGE
-    ]
+    significant = significant_causes(causes)
     last = shown.index(significant[-1]) if significant else _MOST
     open_causes = [
         say("circle.cause_share", cause=cause.words, share=100.0 * cause.share)
@@ -53,6 +50,12 @@ def steps_for(causes: Sequence[CircleCause], axes: Sequence[str]) -> list[Senten
         ),
         *([say("circle.open_causes", causes=open_causes)] if open_causes else []),
     ]
+
+
+def significant_causes(causes: Sequence[CircleCause]) -> list[CircleCause]:
+    """Return the largest significant causes."""
+    found = [cause for cause in causes if cause.shown and cause.significant]
+    return found[:_MOST] + [cause for cause in found[_MOST:] if cause.share >= _LARGE]
 
 
 def next_step(cause: str, axes: Sequence[str]) -> Sentence | None:

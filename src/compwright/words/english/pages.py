@@ -51,6 +51,10 @@ SENTENCES: Final[dict[str, str]] = {
         " centre|F_min_lsc=Radial deviation, smallest, about the least-squares"
         " centre|H=Circular hysteresis|D=Mean radial deviation}"
     ),
+    "circle.pictures": (
+        "What these causes look like alone, much exaggerated: counter-clockwise thick,"
+        " clockwise thin."
+    ),
     "circle.ranked": "Causes, the largest effect first",
     "circle.run": "{sense}: G {G}, F{centre} {highest} / {lowest} µm",
     "circle.sense": "{sense:choose|ccw=ccw|cw=cw|both=both}",

@@ -50,6 +50,10 @@ SENTENCES: Final[dict[str, str]] = {
         " carrés|F_min_lsc=Écart radial, le plus petit, centre des moindres carrés|H=Hystérésis"
         " circulaire|D=Écart radial moyen}"
     ),
+    "circle.pictures": (
+        "Aspect de chaque cause seule, très exagéré : sens antihoraire en trait épais, sens"
+        " horaire en trait fin."
+    ),
     "circle.ranked": "Causes, le plus grand effet d'abord",
     "circle.run": "{sense} : G {G}, F{centre} {highest} / {lowest} µm",
     "circle.sense": "{sense:choose|ccw=↺|cw=↻|both=les deux}",

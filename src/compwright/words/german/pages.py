@@ -53,6 +53,10 @@ SENTENCES: Final[dict[str, str]] = {
         " Ausgleichsmittelpunkt|F_min_lsc=Radialabweichung, kleinste, um den"
         " Ausgleichsmittelpunkt|H=Kreisumkehrspanne|D=Mittlere Radialabweichung}"
     ),
+    "circle.pictures": (
+        "So sehen diese Ursachen allein aus, stark übertrieben: gegen den Uhrzeigersinn"
+        " dick, im Uhrzeigersinn dünn."
+    ),
     "circle.ranked": "Ursachen, die größte Wirkung zuerst",
     "circle.run": "{sense}: G {G}, F{centre} {highest} / {lowest} µm",
     "circle.sense": "{sense:choose|ccw=↺|cw=↻|both=beide}",
