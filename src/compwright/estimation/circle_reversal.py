@@ -166,7 +166,8 @@ def choose_shapes(weighted: WeightedProblem, shapes: SpikeShapes) -> None:
     """Change the spike shapes one at a time until no change makes the fit more probable."""
     marginal = weighted.without(shapes.always)
     every = {place: _Options(marginal, shapes, *place) for place in shapes.slots()}
-    changes, compared = 0, dict.fromkeys((*every, *shapes.rare), -1)
+    places: list[tuple[int, int] | str] = [*every, *shapes.rare]
+    changes, compared = 0, dict.fromkeys(places, -1)
     for _ in range(_CLIMBS):
         start = changes
         for place, last in compared.items():
