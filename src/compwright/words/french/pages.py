@@ -54,10 +54,6 @@ SENTENCES: Final[dict[str, str]] = {
         "Aspect de chaque cause seule, très exagéré : sens antihoraire en trait épais, sens"
         " horaire en trait fin."
     ),
-    "circle.pictures": (
-        "Aspect de chaque cause seule, très exagéré : sens antihoraire en trait épais, sens"
-        " horaire en trait fin."
-    ),
     "circle.ranked": "Causes, le plus grand effet d'abord",
     "circle.run": "{sense} : G {G}, F{centre} {highest} / {lowest} µm",
     "circle.sense": "{sense:choose|ccw=↺|cw=↻|both=les deux}",
