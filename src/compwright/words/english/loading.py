@@ -13,6 +13,10 @@ SENTENCES: Final[dict[str, str]] = {
         "Axis {axis}: the table that was read back from the control differs from the plan by up"
         " to {difference:.2f} {unit}. Run compwright compare to see where."
     ),
+    "CW-V012": (
+        "Axis {axis}: an exchange of its table with that of {others:join| or } would not be seen in"
+        " this test. To exclude it, read the control's files back and give them with `--loaded`."
+    ),
     "CW-V020": (
         "The test after loading covers less than the first test: {gaps:join|; }. Measure"
         " {targets} targets from {range}, as before."

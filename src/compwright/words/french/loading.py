@@ -11,6 +11,11 @@ SENTENCES: Final[dict[str, str]] = {
         "Axe {axis} : la table relue de la commande diffère du plan de {difference:.2f} {unit} au"
         " plus. compwright compare montre où."
     ),
+    "CW-V012": (
+        "Axe {axis} : un échange de sa table avec celle de {others:join| ou } ne se verrait pas"
+        " dans cet essai. Pour l'exclure, relire les fichiers de la commande et les donner avec"
+        " `--loaded`."
+    ),
     "CW-V020": (
         "L'essai après chargement couvre moins que le premier : {gaps:join|; }. Mesurer {targets}"
         " points visés de {range}, comme avant."

@@ -91,6 +91,7 @@ def verified_axis(
         if fault is None
         else LoadingVerdict(verdict="measurement", of=fault.of, margin=0.0, sentence=fault.sentence)
     )
+    exchange = () if as_planned else _exchange(axis.name, loading, others)
     given = read_back.state.findings if read_back is not None and not ours else ()
     files = tuple(each for each in given if each.is_doubt and not each.axes)
     accept, findings, acknowledged = _judged(job, axis, before, result, loading, fault, files)
@@ -105,7 +106,7 @@ def verified_axis(
         accept=accept,
         acknowledged=acknowledged,
         guard=guard_bands(job, planned, place, before, posterior, change) if guarded else None,
-        findings=(*loading.findings, *_named(loading), *findings, *compared),
+        findings=(*loading.findings, *_named(loading), *exchange, *findings, *compared),
     )
 
 
@@ -245,6 +246,15 @@ def _named(loading: LoadingVerdict) -> tuple[Finding, ...]:
         if loading.verdict == "measurement"
         else ()
     )
+
+
+def _exchange(
+    axis: str, loading: LoadingVerdict, others: Mapping[str, PlannedAxis]
+) -> tuple[Finding, ...]:
+    """Return the finding that the test could not show an exchange of tables (CW-V012)."""
+    hidden = loading.verdict == "loaded" and "wrong_axis" in {*loading.near, *loading.equivalent}
+    names = [name for name, other in others.items() if other.fitted is not None]
+    return (Finding.of("CW-V012", "warning", axis=axis, others=names),) if hidden else ()
 
 
 def _compare_loaded(
