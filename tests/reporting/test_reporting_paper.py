@@ -33,6 +33,8 @@ from compwright.records.axis import AxisKind
 from compwright.records.conditions import Thermal, UncertaintyBudget
 from compwright.records.job import Job, Logo, ReportHead
 from compwright.records.positioning import PositioningTest
+from compwright.reporting.axis_figures import result_figure
+from compwright.reporting.charts import result_chart
 from compwright.reporting.circles import circle_blocks
 from compwright.reporting.evaluation_report import evaluation_report
 from compwright.reporting.page import css_string
@@ -199,6 +201,17 @@ def test_extremes_are_those_that_the_standard_prints() -> None:
     for row, one in zip(rows, every, strict=True):
         assert number_in(row[3]) == one["position"]
         assert number_in(row[4]) == pytest.approx(one["value"], abs=0.005)
+
+
+@needs_shared
+def test_rings_r_are_as_far_apart_as_the_largest_r() -> None:
+    """ISO 230-2:1997, table 2: R is the largest R_i, from the lowest to the highest mean ± 2 s."""
+    document = result_document(evaluate(table_2(), "iso230-2:1997"))
+    high, low = (mark for mark in result_chart(document).marks if mark.text == "R")
+    assert high.x == low.x == document["at"]["R"]
+    assert high.y - low.y == pytest.approx(document["parameters"]["R"])
+    described = result_figure(document, "X").svg("de").split("aria-label=")[1]
+    assert described.startswith('"Abweichungen der Achse X, Ringe an den Extremwerten')
 
 
 @needs_shared

@@ -36,7 +36,7 @@ def result_figure(result: Document, axis: str) -> Drawing:
     """
     chart = result_chart(result)
     chart.title, chart.right = title_of(result), parameter_line(result)
-    return _drawing([chart], _HEIGHT, "deviations", axis)
+    return _drawing([chart], _HEIGHT, "marked" if chart.marks else "deviations", axis)
 
 
 def reversal_figure(result: Document, axis: str) -> Drawing:

@@ -188,6 +188,10 @@ def result_chart(result: Document) -> Chart:
         for name, ends in (result.get("extremes") or {}).items()
         for end in ends
     ]
+    at = (result.get("at") or {}).get("R")  # R_i reaches from the lowest to the highest mean ± k s
+    if at in positions and chart.bands:
+        ends = [limit[positions.index(at)] for b in chart.bands for limit in (b.low, b.high)]
+        chart.marks += [ChartMark(at, end, symbol("R")) for end in (max(ends), min(ends))]
     chart.name_axes(result.get("unit"))
     return chart
 
@@ -247,10 +251,8 @@ def expected_chart(predicted: Document, coverage: float) -> Chart:
         means = numbers(predicted.get(look.key))
         if not _any_known(means):
             continue
-        positions, label = (
-            numbers(predicted["positions"]),
-            say("chart.spread", coverage=coverage, sign=look.sign),
-        )
+        positions = numbers(predicted["positions"])
+        label = say("chart.spread", coverage=coverage, sign=look.sign)
         _add_band(chart, positions, means, [spread] * len(means), look, label)
         chart.curves.append(
             _means(positions, means, look, say("chart.expected", sign=look.sign), face="#ffffff")

@@ -80,7 +80,9 @@ SENTENCES: Final[dict[str, str]] = {
     "chart.bar": "Bar: before {before}, now {now}, limit {limit}",
     "chart.correction": "Correction that the control adds to the command",
     "chart.described": (
-        "{what:choose|deviations=deviations of axis {name}|reversal=reversal of axis"
+        "{what:choose|deviations=deviations of axis {name}"
+        "|marked=deviations of axis {name}, rings at the extremes of the parameters"
+        "|reversal=reversal of axis"
         " {name}|residual=residual of circular test {name}|correction=correction of axis"
         " {name}|comparison=axis {name}, deviations side by side|estimate=estimated error of axis"
         " {name}|circle=circular test {name}}"

@@ -84,7 +84,9 @@ SENTENCES: Final[dict[str, str]] = {
     "chart.bar": "Barre : avant {before}, maintenant {now}, limite {limit}",
     "chart.correction": "Correction que la commande ajoute à la consigne",
     "chart.described": (
-        "{what:choose|deviations=écarts de l'axe {name}|reversal=réversibilité de l'axe"
+        "{what:choose|deviations=écarts de l'axe {name}"
+        "|marked=écarts de l'axe {name}, cercles aux extremums des paramètres"
+        "|reversal=réversibilité de l'axe"
         " {name}|residual=résidu de l'essai circulaire {name}|correction=correction de l'axe"
         " {name}|comparison=axe {name}, écarts côte à côte|estimate=erreur estimée de l'axe"
         " {name}|circle=essai circulaire {name}}"

@@ -86,7 +86,9 @@ SENTENCES: Final[dict[str, str]] = {
     "chart.bar": "Balken: vorher {before}, jetzt {now}, Grenze {limit}",
     "chart.correction": "Korrektur, die die Steuerung zum Sollwert addiert",
     "chart.described": (
-        "{what:choose|deviations=Abweichungen der Achse {name}|reversal=Umkehrspanne der Achse"
+        "{what:choose|deviations=Abweichungen der Achse {name}"
+        "|marked=Abweichungen der Achse {name}, Ringe an den Extremwerten der Kenngrößen"
+        "|reversal=Umkehrspanne der Achse"
         " {name}|residual=Rest der Kreisformprüfung {name}|correction=Korrektur der Achse"
         " {name}|comparison=Achse {name}, Abweichungen nebeneinander|estimate=geschätzter Fehler"
         " der Achse {name}|circle=Kreisformprüfung {name}}"

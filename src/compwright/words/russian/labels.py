@@ -82,7 +82,9 @@ SENTENCES: Final[dict[str, str]] = {
     "chart.bar": "Полоса: до {before}, сейчас {now}, предел {limit}",
     "chart.correction": "Коррекция, которую УЧПУ прибавляет к заданию",
     "chart.described": (
-        "{what:choose|deviations=отклонения оси {name}|reversal=зона нечувствительности оси"
+        "{what:choose|deviations=отклонения оси {name}"
+        "|marked=отклонения оси {name}, кольца у крайних значений параметров"
+        "|reversal=зона нечувствительности оси"
         " {name}|residual=остаток круговой проверки {name}|correction=коррекция оси"
         " {name}|comparison=ось {name}, отклонения рядом|estimate=оценка погрешности оси"
         " {name}|circle=круговая проверка {name}}"
