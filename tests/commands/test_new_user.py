@@ -91,7 +91,7 @@ def test_the_run_says_what_it_took_for_granted(first_day: tuple[Path, str, str])
     """Sign, direction and unit in three readings, what nobody said, and what was not read."""
     folder, _, said = first_day
     assert "CW-R060" in said
-    assert "Read by the profile" in said
+    assert "(by the profile" in said
     readings = _READING.findall(said)
     assert len(readings) >= 3
     for run, way, target, side, size, how in readings:

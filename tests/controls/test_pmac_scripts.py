@@ -58,7 +58,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_the_card_says_in_which_order_the_scripts_are_sent(folder: Path) -> None:
     card = (folder / "job" / "card" / "card.md").read_text()
-    assert "in this order: your own variables.pmc, tables.pmc" in card
+    assert "in this order: your own patched variables.pmc, tables.pmc" in card
 
 
 def test_a_folder_whose_order_decides_what_acts_is_refused(

@@ -329,8 +329,8 @@ def test_parameters_have_to_agree() -> None:
 
 
 def test_the_job_counts_axes_its_own_way() -> None:
-    axis = replace(axis_of("Z"), axis_number=1)
-    state = itnc(file("Z.COM", COM.replace("X  ", "Z  ")), axes=(axis,))
+    axes = tuple(replace(axis_of(name), axis_number=n) for name, n in (("Z", 1), ("X", 3)))
+    state = itnc(file("Z.COM", COM.replace("X  ", "Z  ")), axes=axes)
     assert um(state, "Z", -384) == pytest.approx(1.2, abs=NM)
 
 

@@ -920,7 +920,7 @@ def test_a_difference_between_the_readers_is_found(monkeypatch: pytest.MonkeyPat
     for wrong, says in (
         (a_micrometre_off, "do not agree"),
         (none, "do not agree"),
-        (another, "different tables"),
+        (another, "different cross-axis tables"),
     ):
         monkeypatch.setattr("compwright.formats.families.pairs.state.cross_tables", wrong)
         with pytest.raises(CompwrightError, match=says):

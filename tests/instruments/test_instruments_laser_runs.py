@@ -141,7 +141,7 @@ def test_the_sign_may_be_said() -> None:
 
 @pytest.mark.parametrize(
     ("kind", "words"),
-    [("rts", "holds straightness, not positions"), ("rtz", "a type that is not known")],
+    [("rts", "contains straightness, not positions"), ("rtz", "a type that is not known")],
 )
 def test_other_types(kind: str, words: str) -> None:
     assert words in refused(laser_file(TARGETS, READINGS, file_type=kind))

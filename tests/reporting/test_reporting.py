@@ -457,7 +457,7 @@ def test_the_state_that_was_taken_is_told() -> None:
         return text(tree(run_report(view)))
 
     assert "None: nothing was active in the control" in section("none")
-    assert "As in CNC-PARA.TXT, PITCH.TXT; the table is the total" in section(
+    assert "As in CNC-PARA.TXT, PITCH.TXT; the new table is the total" in section(
         ["CNC-PARA.TXT", "PITCH.TXT"]
     )
     assert section(None).count("Not given. Without it no table is written") == 2  # axes X and C

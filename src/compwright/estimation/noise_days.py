@@ -9,7 +9,7 @@ differ from day to day:
 A drift repeats in one case of two: the same motion brings the same heat; hall, oil and set-up
 differ. That is a judgement, from no document. A scatter repeats in seven of ten. Three axes in
 public logs were measured again in the same way (github.com/anderssandstrom: vacuum tank after five
-weeks, target x the next day, slit 11359 six times): ratios of 1.24, 1.10 and up to 1.3, where
+weeks, target x the next day, a slit six times): ratios of 1.24, 1.10 and up to 1.3, where
 chance alone makes 1.17, 1.19 and 1.27 in one case of three. A flat prior on the share of such axes
 leaves 0.72; with the target at another motor current, which halved its scatter, 0.46.
 

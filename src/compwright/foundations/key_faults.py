@@ -117,12 +117,12 @@ def shown(value: Any) -> str:
     return text if len(text) <= _LONGEST_SHOWN else f"{text[: _LONGEST_SHOWN - 3]}..."
 
 
-def nearest(word: str, known: Iterable[str]) -> str | None:
+def nearest(word: str, known: Iterable[str], similarity: float = 0.6) -> str | None:
     """Return the known name that is most similar to a word, in upper or lower case. None where no
-    name is similar.
+    name has the ``similarity`` (0 to 1, 1: the same letters).
     """
     lowered = {name.lower(): name for name in known}
-    near = difflib.get_close_matches(word.lower(), list(lowered), n=1)
+    near = difflib.get_close_matches(word.lower(), list(lowered), 1, similarity)
     return lowered[near[0]] if near else None
 
 

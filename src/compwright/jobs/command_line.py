@@ -10,10 +10,10 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from difflib import get_close_matches
 from typing import Any, Final
 
 from compwright.foundations.errors import Fault, UsageError
+from compwright.foundations.key_faults import nearest
 from compwright.foundations.yaml_reader import YamlDocument
 from compwright.jobs.reading import Further, check, job_of
 from compwright.records.job import AS_FOUND, Job
@@ -134,13 +134,13 @@ def _sorted_options(
                     hint="remove one of the two",
                 )
             )
-        elif key not in _AXIS_KEYS and (near := get_close_matches(key, _AXIS_KEYS, 1, _TYPING)):
+        elif key not in _AXIS_KEYS and (near := nearest(key, _AXIS_KEYS, _TYPING)):
             faults.append(
                 Fault(
                     message=f"the option `{key}` is unknown",
                     place="--option",
-                    expected=f"'{near[0]}', the nearest known name",
-                    hint=f"give `--option {near[0]}={value}`",
+                    expected=f"'{near}', the nearest known name",
+                    hint=f"give `--option {near}={value}`",
                 )
             )
         elif key in _AXIS_KEYS:
