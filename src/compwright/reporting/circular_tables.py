@@ -110,7 +110,7 @@ def _centre(result: Mapping[str, Any]) -> str:
 def _parameters(result: Mapping[str, Any]) -> Table:
     values = result["parameters"]
     table = _table()
-    table.add_column("Parameter, µm", no_wrap=True)
+    table.add_column("Parameter, µm")
     table.add_column("", no_wrap=True)
     for heading in ("ccw", "cw", "both"):
         table.add_column(heading, justify="right", no_wrap=True)
@@ -168,7 +168,7 @@ def _causes(result: Mapping[str, Any]) -> list[RenderableType]:
         return [Text(f"No causes: {result['not_applicable'].get('diagnosis', 'not diagnosed')}")]
     printed = any(item.printed is not None for cause in causes for item in (cause, *cause.parts))
     table = _table()
-    table.add_column("Cause, effect in µm", no_wrap=True)
+    table.add_column("Cause, effect in µm")
     for heading in (
         "value ± std.",
         "",
