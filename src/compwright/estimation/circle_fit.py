@@ -488,7 +488,7 @@ def fitted_path(problem: CircleProblem, active: IndexArray, values: FloatArray) 
     count = len(problem.names)
     path: FloatArray = problem.slopes @ every[:count]
     shape = len(problem.reversals), problem.mixture.shape[1]
-    signs = 1.0, problem.samples.sense
+    signs: tuple[float | FloatArray, ...] = (1.0, problem.samples.sense)
     for sign, sizes in zip(signs, every[count:].reshape(-1, *shape), strict=False):
         if sizes.any():
             path = path + sign * problem.spike_curve(sizes)

@@ -360,7 +360,7 @@ def _spike(
         "rise": time * float(np.median(spike.rise)) if likely else None,
         "raw_peak": raw_peak(solution, axis, end, None if index is None else (1.0, -1.0)[index]),
     }
-    here = [each is spike for each in solution.draws.spikes]
+    here = [float(each is spike) for each in solution.draws.spikes]
     sizes = np.outer(here, np.mean(spike.curve[pick], axis=0))
     return _ReportedCause(
         name=f"reversal_spike_{axis}_at_{end}{suffix}",

@@ -49,7 +49,7 @@ def _since(angle: float, direction: float) -> float:
 
 def cause_pictures(causes: Sequence[CircleCause]) -> dict[str, Any] | None:
     """Return the pictures of the causes that get a next step, as lines of points."""
-    pictures = []
+    pictures: list[dict[str, Any]] = []
     for cause in significant_causes(causes):
         kind, second = cause.name.removesuffix("_first"), cause.name.endswith("_second")
         kind = kind.removesuffix("_second")
