@@ -320,11 +320,11 @@ def test_a_fault_of_our_own_is_named_and_the_rest_evaluated(
 
     monkeypatch.setattr(evaluated, "evaluate", failing)
     code = run(["evaluate", str(folder / "t04.csv"), str(folder / "t05.csv")])
-    said = capsys.readouterr()
+    text = capsys.readouterr()
     assert code == 70
-    assert "t04.csv" in said.out
-    assert "t05.csv: an internal error of compwright: ZeroDivisionError: by nothing" in said.err
-    assert "Please report" in said.err
+    assert "t04.csv" in text.out
+    assert "t05.csv: an internal error of compwright: ZeroDivisionError: by nothing" in text.err
+    assert "Please report" in text.err
 
 
 @dataclass

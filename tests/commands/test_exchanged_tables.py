@@ -70,9 +70,9 @@ def test_an_exchange_that_no_test_shows_is_named(tmp_path: Path) -> None:
     assert code == 0
     assert found.keys() == {"X", "Y"}
     for name, other in (("X", "Y"), ("Y", "X")):
-        (said,) = found[name]
-        assert f"table with that of {other} would not be seen" in said
-        assert "--loaded" in said
+        (text,) = found[name]
+        assert f"table with that of {other} would not be seen" in text
+        assert "--loaded" in text
 
 
 def test_the_files_read_back_exclude_it(tmp_path: Path) -> None:

@@ -89,10 +89,10 @@ def test_the_profile_reads_three_cells_in_words(first_day: tuple[Path, str, str]
 
 def test_the_run_says_what_it_took_for_granted(first_day: tuple[Path, str, str]) -> None:
     """Sign, direction and unit in three readings, what nobody said, and what was not read."""
-    folder, _, said = first_day
-    assert "CW-R060" in said
-    assert "(by the profile" in said
-    readings = _READING.findall(said)
+    folder, _, text = first_day
+    assert "CW-R060" in text
+    assert "(by the profile" in text
+    readings = _READING.findall(text)
     assert len(readings) >= 3
     for run, way, target, side, size, how in readings:
         up = way == "aufwärts"
@@ -100,9 +100,9 @@ def test_the_run_says_what_it_took_for_granted(first_day: tuple[Path, str, str])
         assert (side, abs(float(size))) == ("below" if up else "above", round(abs(value), 1))
         assert how == ("too far" if (value > 0) == up else "short")
     for fact in ("axis X: kind", "axis X: reference ", "axis X: reference_return", "test: motion"):
-        assert fact in said
-    assert "CW-R059" in said
-    assert "'Mittelwert; 1,5;" in said
+        assert fact in text
+    assert "CW-R059" in text
+    assert "'Mittelwert; 1,5;" in text
     report = (folder / OUT / "report.html").read_text(encoding="utf-8")
     assert "CW-R060" in report
     assert "CW-R059" in report

@@ -509,7 +509,7 @@ def test_an_inverted_table_is_found_and_nothing_is_written(
     code, document = update(hall / "job.yaml", [after], hall / "control")
     assert (code, document["next"]["written"]) == (1, False)
     assert not (hall / "job" / "next").exists()
-    said = capsys.readouterr().out
-    assert "No next round: no axis gets a new table" in said
-    assert "the verdict is inverted, not loaded" in said
-    assert "axis Y: this axis was not measured after loading" in said
+    text = capsys.readouterr().out
+    assert "No next round: no axis gets a new table" in text
+    assert "the verdict is inverted, not loaded" in text
+    assert "axis Y: this axis was not measured after loading" in text

@@ -56,10 +56,10 @@ def test_another_letter_is_refused_and_both_ways_on_work(
 ) -> None:
     *_, other, own, named = CONTROLS[control]
     assert run(tmp_path, control, other) == 3
-    said = " ".join(capsys.readouterr().err.split())
-    assert "axes.X.address" in said
-    assert named in said
-    assert "name the axis U" in said
+    text = " ".join(capsys.readouterr().err.split())
+    assert "axes.X.address" in text
+    assert named in text
+    assert "name the axis U" in text
     assert run(tmp_path, control, other, "U") == 0
     assert run(tmp_path, control, own) == 0
 

@@ -226,9 +226,9 @@ def test_a_list_of_a_neighbour_that_became_unreadable(
     assert compwright(
         ["compare", str(isg / "job" / "plan.json"), "--loaded", str(tmp_path / "loaded")]
     )
-    said = " ".join(capsys.readouterr().out.split())
-    assert said.index("Check first") < said.index("axis X:")
-    assert "Read its files back again, whole" in said
+    text = " ".join(capsys.readouterr().out.split())
+    assert text.index("Check first") < text.index("axis X:")
+    assert "Read its files back again, whole" in text
 
 
 def test_a_file_that_was_cut_off(sinumerik: Path, tmp_path: Path) -> None:

@@ -53,10 +53,10 @@ def test_a_number_that_the_job_takes_from_its_axis_is_asked_about_and_both_ways_
 ) -> None:
     tables = {1: "X", 2: "Y"}
     assert run(tmp_path, "axis_number: 2, ", tables) == 2
-    said = " ".join(capsys.readouterr().err.split())
-    assert "axes.X.axis_number: the files use axis number 1, and the job gives it to no" in said
-    assert "remove `axis_number: 2`" in said
-    assert "`address: Y`" in said
+    text = " ".join(capsys.readouterr().err.split())
+    assert "axes.X.axis_number: the files use axis number 1, and the job gives it to no" in text
+    assert "remove `axis_number: 2`" in text
+    assert "`address: Y`" in text
     assert run(tmp_path, "", tables) == 0
     assert changed(tmp_path, tables) == ["X"]
     assert run(tmp_path, "axis_number: 2, address: Y, ", tables) == 0

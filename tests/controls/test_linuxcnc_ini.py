@@ -278,9 +278,9 @@ def test_an_axis_is_not_the_joint_of_another_axis(
     assert (tmp_path / "job" / "tables" / "linuxcnc" / "joint_3.comp").exists()
     shutil.rmtree(tmp_path / "job")
     assert run(tmp_path, 'B: {address: "4", kind: rotary, ', TABLE_OF_TWO, "deg") == 3
-    said = capsys.readouterr().err
-    assert "has another letter" in said
-    assert "XYZBC: joint 4 is C" in said
+    text = capsys.readouterr().err
+    assert "has another letter" in text
+    assert "XYZBC: joint 4 is C" in text
     assert not (tmp_path / "job").exists()
 
 
