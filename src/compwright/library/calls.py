@@ -162,7 +162,7 @@ def load_job(path: PathName) -> LoadedJob:
 @in_argument_names
 def plan(job: LoadedJob | PathName, *, accept_worse: bool = False) -> JobPlan:
     """Work a job through: evaluate, fit the tables, write them into the control's form, read them
-    back with a independent second reader, predict the next test. Nothing is written to the disk.
+    back with an independent second reader, predict the next test. Nothing is written to the disk.
 
     ``accept_worse``: make a table even where it would not improve the axis. Raises UsageError,
     InputError and CapacityError.

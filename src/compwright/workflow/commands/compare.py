@@ -121,7 +121,8 @@ _NEW_IN_CONTROL = frozenset({"CW-S012", "CW-S081"})
 
 def _unread(planned: ComparedSide, back: ComparedSide) -> tuple[Finding, ...]:
     """Return why axes cannot be read back that the plan's files make known."""
-    lost = back.unread - planned.unread or back.state is None is not planned.state
+    all_lost = back.state is None and planned.state is not None
+    lost = all_lost or back.unread - planned.unread
     return tuple(one for one in back.findings if one.code == "CW-S080") if lost else ()
 
 
