@@ -34,7 +34,7 @@ demo: $(VENV)/.report  ## the whole loop on a virtual machine, into demo/
 	@echo 'To type compwright in this shell: source $(VENV)/bin/activate'
 
 test: $(VENV)/.test  ## all tests, or with ROOM=fitting those of a room; the last line says what was skipped and why
-	@echo $(if $(ROOM),'The tests of $(ROOM).','All tests: about 12 minutes on two cores. One room alone: make test ROOM=fitting.')
+	@echo $(if $(ROOM),'The tests of $(ROOM).','All tests: about 20 minutes on two cores. One room alone: make test ROOM=fitting.')
 	$(BIN)/python -m pytest -n auto --dist worksteal -p no:cacheprovider $(if $(ROOM),tests/$(ROOM))
 
 lint: $(VENV)/.test

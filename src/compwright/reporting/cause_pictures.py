@@ -13,10 +13,10 @@ from typing import Any, Final
 from compwright.reporting.causes import CircleCause
 from compwright.reporting.circle_steps import significant_causes
 
-_SIZE: Final = 116  # of one picture, in units of the drawing
+_SIZE: Final = 140  # of one picture, in units of the drawing: room for the longest name
 _WORDS: Final = 26  # height of the words below it
 _RADIUS, _AMPLITUDE, _STEP = 38.0, 11.0, 2
-_IN_ROW: Final = 6
+_IN_ROW: Final = 5
 _SPIKE: Final = 0.12  # rad
 #: Kind -> radial deviation from angle (rad), direction (+1 ccw) and travelled share of the run; of
 #: the first axis where there are two.
