@@ -1,6 +1,6 @@
 """Choose the nodes of a table: as few as the error needs, at most as many as the control allows.
 
-What straight lines between nodes lose is computed, not estimated (`grid_losses`).
+The interpolation error between the nodes is computed, not estimated (`grid_losses`).
 """
 
 from __future__ import annotations
@@ -136,10 +136,10 @@ def _with_most_points(pool: list[GridCandidate], others: list[GridCandidate]) ->
 def _reaching_out(
     span: Span, anchor: int, capacity: Capacity, most: int
 ) -> Iterator[GridCandidate]:
-    """Yield grids of round steps through ``anchor`` that extend beyond the travel where the job
-    names no end.
+    """Yield grids of round steps with a node at ``anchor`` that extend beyond the travel.
 
-    With free spacing, an end that the job fixed cuts the last section short.
+    Only at ends that the job leaves open. At an end named in the job, free spacing makes the last
+    section shorter.
     """
     length = span.high - span.low
     for step in allowed_steps(sorted(listed_steps(capacity)) or round_steps(2 * length), capacity):
@@ -193,14 +193,13 @@ def _first_good(
 def _least_left(
     candidates: list[GridCandidate], wanted: WantedCorrection, capacity: Capacity, lattice: Lattice
 ) -> FloatArray:
-    """Return the grid with the smallest expected error, for the case that no grid is good enough.
+    """Return the grid with the smallest expected error, where no grid is good enough.
 
-    Finer spacings need smaller increments, and a coarser magnification where these do not suffice.
-    Of grids that are almost as good the coarsest is taken.
-
-    Rounding leaves step / sqrt(12) rms at a node (Bennett, Bell System Technical Journal 27, 1948)
-    and, because the mean of (1 - s)² + s² over a section is 2/3, about step / sqrt(18) between
-    straight lines; increments that are too small leave about what they lack.
+    A finer spacing needs smaller increments, and a coarser magnification where these are too small.
+    Among grids of almost equal error the coarsest is taken. Rounding leaves step / sqrt(12) rms at
+    a node (Bennett, Bell System Technical Journal 27, 1948) and about step / sqrt(18) between
+    nodes, because the mean of (1 - s)² + s² over a section is 2/3. Increments that are too small
+    leave about the part that they cannot reach.
     """
     scored = []
     for candidate in candidates:

@@ -27,15 +27,15 @@ WHOLE: Final = 1e-6
 
 
 def certificate(problem: QuadraticProblem, x: FloatArray, y: FloatArray) -> dict[str, float]:
-    """Return by how much a solution ``x`` (n,) with multipliers ``y`` (c,) violates each optimality
-    condition, mm or deg.
+    """Return by how much a solution violates each optimality condition, mm or deg.
 
-    The conditions are those of Karush, Kuhn and Tucker (Boyd and Vandenberghe 2004, section 5.5.3).
+    ``x`` (n,): solution; ``y`` (c,): multipliers of the limits. Conditions of Karush, Kuhn and
+    Tucker (Boyd and Vandenberghe 2004, section 5.5.3).
 
-    ``primal``: the worst violated limit. ``stationarity``: the gradient against the stiffness of
-    each unknown, that is how far a value would move. ``dual``: a multiplier of the wrong sign on a
-    limit that has only one side, likewise. ``complementarity``: the largest distance from a limit
-    that pushes, where only limits in touch may push.
+    ``primal``: the largest violation of a limit. ``stationarity``: the gradient of each unknown
+    divided by its stiffness (diagonal of P), which is a length. ``dual``: the largest multiplier
+    with the sign of a limit that does not exist, as a length. ``complementarity``: the largest
+    distance from a limit whose multiplier is not zero.
     """
     stiffness = np.maximum(np.abs(problem.P.diagonal()), 1e-300)
     gradient = problem.P @ x + problem.q + problem.A.transposed_times(y)
@@ -63,7 +63,7 @@ def rounded_proof(proof: Mapping[str, float]) -> dict[str, float]:
 
 
 def _in_lengths(problem: QuadraticProblem, y: FloatArray, stiffness: FloatArray) -> FloatArray:
-    """Return multipliers as shifts of the unknowns that they cause (c,), mm or deg."""
+    """Return each multiplier (c,) as the change of an unknown that it would cause, mm or deg."""
     if not y.size:
         return y
     return problem.A.largest_in_rows(stiffness) * y
@@ -103,14 +103,16 @@ def lattice_certificate(
     magnification: int,
     claimed: tuple[float, float],
 ) -> dict[str, float]:
-    """Return the certificate of a table of whole increments. ``claimed``: mean square, and its
-    lower bound without whole numbers.
+    """Return the certificate of a table of whole increments.
 
-    ``primal``: the worst violated limit, mm or deg. ``objective``, ``lower_bound``: roots of the
-    mean squares, the first computed from the table, exactly (`quadrature`: Gauss, two points).
-    ``recomputed``: by how much it differs from the claim. Raises CapacityError where a limit is
-    broken, the mean square is another, or it lies below its lower bound (weak duality; Boyd and
-    Vandenberghe 2004, section 5.2.2); TypeError for a control without a lattice.
+    ``claimed``: its mean square, and the lower bound of the mean square over real numbers, mm² or
+    deg². Keys: ``primal``, the largest violation of a limit; ``objective`` and ``lower_bound``, the
+    square roots of both mean squares; ``recomputed``, the difference between the claimed objective
+    and the one computed here from the table (exact: `quadrature`, two Gauss points); all mm or deg.
+
+    Raises CapacityError where a limit is violated, the claimed mean square is wrong or it is
+    smaller than its lower bound (weak duality: Boyd and Vandenberghe 2004, section 5.2.2);
+    TypeError for a control without whole increments.
     """
     lattice = capacity.lattice
     if lattice is None:

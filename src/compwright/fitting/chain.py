@@ -34,13 +34,13 @@ _SAFE: Final = 1e-9
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CurveChain:
-    """The node values of one curve in the fit, as arrays (m,). The module docstring explains the
-    symbols.
+    """The node values of one curve and their objective; m nodes count. Symbols: module docstring.
 
-    ``kept``: which of the ``size`` nodes these are: those within the travel and those with a
-    condition. ``span`` (m-1,): sections between neighbours. ``off`` (m-1,): coupling. ``fixed``:
-    values that are zero. ``closed``: the last value equals the first. ``inverse``: diagonal of the
-    inverse of H; ``share``: H - share * diag(H) is positive semidefinite.
+    ``kept``: indices of the m counted among the ``size`` nodes of the table: nodes within the
+    travel, and nodes with a limit. ``span`` (m-1,): number of sections between neighbours.
+    ``diagonal`` (m,) and ``off`` (m-1,): diagonal and off-diagonal of H. ``fixed`` (m,): value is
+    zero. ``closed``: the last value equals the first. ``inverse`` (m,): diagonal of H^-1;
+    ``share``: H - share * diag(H) is positive semidefinite.
     """
 
     size: int
@@ -94,8 +94,9 @@ class CurveChain:
         )
 
     def expanded(self, totals: IntArray) -> IntArray:
-        """Return whole totals (size,) at all nodes. Nodes outside the travel get even steps or the
-        end values.
+        """Return the whole totals (size,) at all nodes of the table from those at the m nodes.
+
+        Nodes in between get equal steps, nodes beyond the ends the end values.
         """
         full = np.empty(self.size, dtype=np.int64)
         full[: self.kept[0]], full[self.kept[-1] :] = totals[0], totals[-1]
@@ -131,14 +132,12 @@ def build_chain(
     kept: tuple[int, ...],
     closed: bool,
 ) -> CurveChain:
-    """Return the equations of a curve with ``size`` nodes whose mean square is half the sum over
+    """Return the objective of a curve with ``size`` nodes: half the sum of the squares in
     ``wishes``.
 
-    These are the normal equations of hat functions, which couple neighbours alone (de Boor 1978,
-    chapter III).
-
-    ``fixed``: nodes at which the value is zero; ``kept``: further nodes that have limits of their
-    own.
+    Normal equations of hat functions, which couple only neighbouring nodes (de Boor 1978, chapter
+    III). ``fixed``: nodes with the value zero; ``kept``: nodes outside the travel that count
+    because they have limits.
     """
     diagonal, off, linear, coupling = (
         np.zeros(size),
@@ -189,8 +188,9 @@ def build_chain(
 
 
 def _solved(chain: CurveChain, wishes: tuple[ChainTarget, ...]) -> CurveChain:
-    """Return the chain with its optimum. ``chain`` still has the linear terms in the fields of
-    optimum and constant.
+    """Return the chain with its optimum.
+
+    On input, the fields of the optimum and its constant hold the linear terms of the objective.
     """
     linear, pull = chain.optimum, chain.constant
     constant = 0.0
@@ -283,8 +283,8 @@ class LimitMultipliers:
     close: float = 0.0
 
     def force(self, chain: CurveChain) -> FloatArray:
-        """Return the derivative A'y (m,) of the multipliers' term by the node values. Zero for a
-        fixed value.
+        """Return A'y (m,): the derivative of the term of the limits by the node values; zero if
+        fixed.
         """
         force = self.bound.copy()
         force[1:] += self.climb
@@ -310,12 +310,12 @@ class LimitMultipliers:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Relaxation:
-    """A lower bound of the objective over all real values within the limits, for each value c of
-    the constant (dual function). Source: Boyd and Vandenberghe 2004, section 5.1.2.
+    """A lower bound of the objective over real values, as a function of the constant c.
 
-    L(v, c) = f + y'(Av - limits) <= f has its minimum ``base - tilt (c - c0) + curve (c - c0)^2 /
-    2`` at v = ``centre - (c - c0) follow``, and f >= that minimum + (v - centre)'H(v - centre)/2
-    for every v within the limits.
+    Dual function (Boyd and Vandenberghe 2004, section 5.1.2): the Lagrange function L(v, c) = f +
+    y'(Av - limits) <= f has its minimum over v, ``base - tilt (c - c0) + curve (c - c0)^2 / 2``, at
+    v = ``centre - (c - c0) follow``. For every v within the limits, f >= that minimum + (v -
+    minimum point)'H(v - minimum point)/2.
     """
 
     base: float

@@ -19,10 +19,11 @@ from compwright.records.estimate import WantedCorrection
 def with_datum(
     wanted: WantedCorrection, layout: UnknownsLayout, capacity: Capacity
 ) -> tuple[WantedCorrection, tuple[Finding, ...]]:
-    """Return ``wanted`` (totals, mm or deg) shifted so that the best table is zero at the
-    reference, and the findings about the reference.
+    """Return ``wanted`` (totals, mm or deg) shifted so that its best table is zero at the
+    reference.
 
-    The closest table of ``layout`` is then zero in the zero state.
+    Also returns the findings about the reference. The best table of ``layout`` is zero in the zero
+    state.
     """
     zeroed, place, findings = zero_in_the_zero_state(wanted, layout.nodes, capacity)
     if layout.shape == "single":
@@ -33,13 +34,11 @@ def with_datum(
 def zero_in_the_zero_state(
     wanted: WantedCorrection, nodes: FloatArray, capacity: Capacity
 ) -> tuple[WantedCorrection, float, tuple[Finding, ...]]:
-    """Return ``wanted`` shifted so that a table on ``nodes`` is zero where the control requires
+    """Return ``wanted`` shifted so that a table on ``nodes`` is zero in the control's zero state.
+
+    Also returns the position that is zero (mm or deg) and the findings about the reference. Where
+    the reference lies outside the table and the control keeps the end value there, the end node is
     zero.
-
-    Also that position, and the findings about the reference.
-
-    Where the reference lies outside the table and the control holds its end value there, it is the
-    end node that must be zero.
     """
     place = wanted.reference
     findings: tuple[Finding, ...] = ()
@@ -58,15 +57,12 @@ def _shifted(wanted: WantedCorrection, shift: float) -> WantedCorrection:
 def _offset_from_mean(
     wanted: WantedCorrection, place: float, layout: UnknownsLayout, capacity: Capacity
 ) -> float:
-    """Return the difference (mm or deg) at ``place`` between the wanted correction and its fit with
-    one constant reversal value.
+    """Return the wanted correction at ``place`` minus its least-squares fit there, mm or deg.
 
-    In the return direction.
-
-    The best curve follows the mean of both directions, half of the one reversal value away from it
-    (least squares: Draper and Smith, Applied Regression Analysis, 3rd ed. 1998, chapter 1). If the
-    curve were fixed to the wanted value at the reference instead, it would bend on both sides of
-    it, by half of the difference between the reversal there and that value.
+    In the return direction. The fit has one reversal value for the whole travel: its curve is the
+    mean of both directions plus or minus half of that value (least squares: Draper and Smith,
+    Applied Regression Analysis, 3rd ed. 1998, chapter 1). A curve that is forced to the wanted
+    value at the reference instead would bend on both sides of it.
     """
     home = wanted.reference_return
     reversal = wanted.total(home) - wanted.total(home.opposite)

@@ -1,10 +1,9 @@
 """Find the best whole numbers for the node values of a curve by dynamic programming.
 
-Whole totals within given windows: the cheapest way along a chain, several lanes at once.
-
-A lane is one way to put the lattice (a reversal value, a shift, a value at which an endless curve
-begins). Everything is counted in steps of the lattice. Bellman, Dynamic Programming (1957); the way
-back from stored decisions as in Viterbi's algorithm (Forney, Proceedings of the IEEE 61, 1973).
+Each node value is a whole number of steps within a given window. Several cases ("lanes") are solved
+at once; a lane is one reversal value, shift, or start value of a closed curve. All values are in
+steps of the lattice. Bellman, Dynamic Programming (1957); the decisions are stored and traced back
+as in Viterbi's algorithm (Forney, Proceedings of the IEEE 61, 1973).
 """
 
 from __future__ import annotations
@@ -20,8 +19,9 @@ from compwright.records.axis import FloatArray
 def reachable_windows(
     chain: CurveChain, limits: ChainLimits, low: FloatArray, high: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the windows ``low`` to ``high`` (n, m), in steps, without values that the neighbouring
-    nodes cannot reach.
+    """Return the windows, in steps, without values that the neighbours' increments cannot reach.
+
+    ``low``, ``high`` (n, m): smallest and largest value of each node for each of n lanes.
     """
     along = np.append(0.0, np.cumsum(chain.span.astype(np.float64)))
     down, up = limits.increments[0] * along, limits.increments[1] * along
@@ -56,14 +56,12 @@ def closed_lanes(
 def cheapest_totals(
     chain: CurveChain, limits: ChainLimits, targets: FloatArray, low: IntArray, high: IntArray
 ) -> tuple[FloatArray, IntArray]:
-    """Return the smallest objective (n,) over whole totals T in the windows (n, m), and these
-    totals (n, m).
+    """Return the smallest objective (n,) over whole node values T (n, m) in the windows, and those
+    T.
 
-    (T - target)'H(T - target)/2.
-
-    Forward over the nodes: the least cost of arriving at each total of the node (Bellman 1957).
-    Backward: the totals that gave it (Forney 1973). All lanes share the widest window at each node;
-    outside its own a lane's cost is infinite.
+    Objective: (T - target)'H(T - target)/2. Forward over the nodes: the smallest cost for each
+    value of the node (Bellman 1957). Backward: the values that gave it (Forney 1973). All lanes use
+    the widest window of each node; outside its own window the cost of a lane is infinite.
     """
     first, last = np.min(low, axis=0), np.max(high, axis=0)
     costs = np.empty((targets.shape[0], 0))
@@ -105,12 +103,11 @@ def _arrive(
     here: FloatArray,
     targets: FloatArray,
 ) -> tuple[FloatArray, IntArray]:
-    """Return the smallest cost for each total of ``node`` (n, w), and the increment that leads to
-    it (n, w).
+    """Return the smallest cost (n, w) for each value of ``node``, and the increments that give it.
 
-    ``window``: first total before, first total here, their number. With the deviation e here and
-    the increment d, that before is e + target here - target before - d, so that the coupling's cost
-    is linear in d.
+    ``window``: first value at the node before, first value here, their number w. With e the
+    deviation from the target here and d the increment, the deviation at the node before is e +
+    target here - target before - d: the coupling term is linear in d.
     """
     before, now, count = window
     span = int(chain.span[node - 1])

@@ -11,11 +11,10 @@ from compwright.records.estimate import WantedCorrection
 
 
 def over_one_period(wanted: WantedCorrection, period: float) -> WantedCorrection:
-    """Return ``wanted`` over one ``period`` (mm or deg) from its reference, with the same value at
-    both ends.
+    """Return ``wanted`` over one ``period`` (mm or deg) from its reference, with equal end values.
 
-    Several turns are averaged, position by position, each turn alike: a mean of equally good
-    values, no model; what none covers is bridged by a straight line.
+    Several turns are averaged with equal weights at each position. Positions that no turn covers
+    are bridged by a straight line.
     """
     begin = wanted.reference
     inside = begin + np.mod(wanted.positions - begin, period)

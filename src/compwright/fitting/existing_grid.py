@@ -1,7 +1,7 @@
 """The existing grid of the control: whether a new table can use exactly its nodes.
 
-Other functions of a control may depend on these nodes and their numbers. Where the nodes stay, such
-functions do the same before and after, and cancel.
+Other functions of a control may depend on these nodes and their numbers. If the nodes stay, the
+effect of these functions does not change.
 """
 
 from __future__ import annotations
@@ -28,12 +28,11 @@ _SAME: Final = 1e-6
 def existing_nodes(
     wanted: WantedCorrection, capacity: Capacity, request: TableRequest
 ) -> FloatArray | None:
-    """Return the nodes (k,) of the existing grid in the control, mm or deg. A repeating grid begins
-    at the reference.
+    """Return the nodes (k,) of the existing grid, mm or deg; None to choose another grid.
 
-    None where there is no grid, or where the job wants another one. An end that the job names cuts
-    the grid short, or extends it at its own interval. Raises CapacityError where the grid cannot be
-    used, with the reason.
+    A repeating grid begins at the reference. None where there is no grid, or the job requires
+    another one. An end in the job shortens the grid, or extends it at its own interval. Raises
+    CapacityError, with the reason, where the grid cannot be used.
     """
     if not (request.keeps and capacity.there):
         return None

@@ -62,21 +62,19 @@ def fit_table(
     address: str,
     costs: bool = True,
 ) -> FittedTable:
-    """Return the table that approximates ``wanted`` (totals, mm or deg) best under the control's
-    limits.
+    """Return the best table for ``wanted`` (totals, mm or deg) under the control's limits.
 
-    Goal ``expected``: least mean square of held minus wanted over the travel and both directions,
-    which is the expected squared deviation but for a constant that no table changes (Rasmussen and
-    Williams 2006, section 2.4). Goals ``A``, ``E``, ``M``: least mean of that parameter over the
-    tests in ``wanted.scenarios`` (ISO 230-2:1997, 2.20, 2.21, 2.23), without them least range of
-    the wanted correction. The correction is zero in the zero state.
+    Goal ``expected``: least mean square of table minus wanted correction over the travel and both
+    directions. This is the expected squared deviation plus a constant that no table changes
+    (Rasmussen and Williams 2006, section 2.4). Goals ``A``, ``E``, ``M``: least mean of that
+    parameter over the tests in ``wanted.scenarios`` (ISO 230-2:1997, 2.20, 2.21, 2.23); without
+    them, least range of the wanted correction.
 
-    A single slope is fitted by ``expected`` whatever the goal; so are whole increments where
-    rounding removes the gain of the goal. Both give a finding. ``costs``: whether to compute what
-    each limit costs, which takes as long as the table itself.
-
-    Raises CapacityError where the control cannot hold the requested table or no certified solution
-    was found.
+    The correction is zero in the zero state. A single slope is always fitted with goal
+    ``expected``; so are whole increments where rounding cancels the gain of the goal. A finding
+    reports both. ``costs``: compute what each limit costs, which doubles the time. Raises
+    CapacityError where the control cannot hold the requested table or no certified solution was
+    found.
     """
     _refuse(capacity, request)
     if capacity.line is not None:
@@ -195,8 +193,7 @@ def _whole_goal(
 ) -> FittedTable:
     """Return the whole-increment table that is closest to the best table for the ``goal``.
 
-    Only if simulated tests show that it is better for this goal than the ``usual`` table; else that
-    one.
+    Returns the ``usual`` table if simulated tests do not show the other to be better for this goal.
     """
     scenarios = wanted.scenarios
     if scenarios is None or capacity.lattice is None:
@@ -252,9 +249,10 @@ class _Fit:
         return _Best(solution.x, solution.certificate, free=not pushed)
 
     def best(self, goal: Goal, wanted: WantedCorrection, usual: _Best) -> _Best:
-        """Return the best table for the ``goal``. ``usual``: the table of least expected square.
+        """Return the best table for the ``goal``.
 
-        ``wanted``: the wanted correction with what the grid cannot hold.
+        ``usual``: the table of least mean square. ``wanted``: the wanted correction, including
+        short periods that the nodes cannot follow.
         """
         if goal == "expected":
             return usual
@@ -267,8 +265,9 @@ class _Fit:
     def unlimited(
         self, *, shape: Shape | None = None, reversal: Literal["free"] | None = None
     ) -> float:
-        """Return the remaining rms error without limits of value. Another shape or reversal value
-        can be given.
+        """Return the rms error (mm or deg) that the best table without limits leaves.
+
+        ``shape``, ``reversal``: another kind of table or of reversal value.
         """
         layout = replace(
             self.layout, shape=shape or self.layout.shape, reversal=reversal or self.layout.reversal
@@ -342,12 +341,10 @@ def _as_unknowns(table: AxisCompensation, layout: UnknownsLayout) -> FloatArray:
 def _limits(
     fit: _Fit, usual: _Best, best: _Best, table: AxisCompensation, grid: HeldGrid
 ) -> tuple[Limit, ...]:
-    """Return the cost of each limit of the control: the rms error (mm or deg) that it adds.
+    """Return the rms error (mm or deg) that each limit of the control adds over the travel.
 
-    Over the travel and both directions; ``usual``: the table of least expected square.
-
-    Costs add as squares: each is the root of the difference of two mean squares, with and without
-    the limit.
+    ``usual``: the table of least mean square. Each is the root of the difference of two mean
+    squares, with and without the limit, so that they add as squares.
     """
     capacity, layout = fit.capacity, fit.layout
     costs: list[tuple[str, float]] = [("spacing too wide for the period", grid.left_out)]

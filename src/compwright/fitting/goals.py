@@ -1,12 +1,12 @@
-"""Fit tables for the goals A, E or M: the table that makes this parameter of simulated tests small.
+"""Fit a table for goal A, E or M (ISO 230-2): least mean of the parameter over simulated tests.
 
-A parameter is a range, largest minus smallest. Of one curve, the estimate's mean, its least range
-is a Chebyshev approximation (Boyd and Vandenberghe, Convex Optimization, 2004, section 6.1.1), but
-it follows what the test happened to show: in sample it promises more than a fresh test gives. So
-the mean of the parameter over fresh tests that may come is made small, a linear program over
-scenarios (sample average approximation: Shapiro, Dentcheva and Ruszczynski, Lectures on
-Stochastic Programming, 2nd ed. 2014, chapter 5), and how far to go from the least expected square
-towards it is decided by other scenarios.
+Each parameter is a range (largest minus smallest value). The range of the mean error curve alone
+could be minimised too (Chebyshev approximation: Boyd and Vandenberghe, Convex Optimization, 2004,
+section 6.1.1). Such a table follows the noise of the test, so a new test shows a larger range.
+Instead, a linear program minimises the mean range over simulated new tests (sample average
+approximation: Shapiro, Dentcheva and Ruszczynski, Lectures on Stochastic Programming, 2nd ed. 2014,
+chapter 5). Other simulated tests decide how far the table moves from the least mean square towards
+this solution.
 """
 
 from __future__ import annotations
@@ -50,12 +50,13 @@ def optimise_goal(
     limits: QuadraticProblem,
     start: FloatArray,
 ) -> tuple[FloatArray, dict[str, float]]:
-    """Return the table values whose simulated tests have the smallest mean ``goal``, and the
+    """Return the table values (n,) with the least mean ``goal`` over simulated tests, and
     certificate.
 
-    ``start``: those of the least expected square, under the same ``limits``; what is between both
-    keeps them too, because they are convex. Without scenarios in ``wanted`` its own curve is the
-    only test: the least range of the mean. Raises CapacityError where no solution is certified.
+    ``start`` (n,): the table values of least mean square under the same ``limits``. The result lies
+    on the straight line from ``start`` to the optimum of the linear program; all points of it keep
+    the limits, which are convex. Without ``wanted.scenarios`` the range of the mean error curve is
+    minimised. Raises CapacityError where no solution is certified.
     """
     if wanted.scenarios is None:
         deviations = _of_the_mean(goal, wanted, layout, capacity)
@@ -90,10 +91,10 @@ def _halves(scenarios: Scenarios) -> tuple[IntArray, IntArray]:
 
 
 def _smooth_changes(layout: UnknownsLayout) -> SparseMatrix:
-    """Return the matrix (unknowns, changes) of piecewise linear changes between a few nodes.
+    """Return a matrix (n, j) that turns changes at j nodes into changes of all n table values.
 
-    A node that no target of the scenarios lies near could move freely, and one that a target lies
-    near enough to see could be pulled far to move that target a little: both are luck.
+    Straight lines between these nodes. Changes of single nodes are not allowed: no simulated target
+    may be near a node, or one so near that a large change of the node hardly moves it.
     """
     nodes = layout.nodes
     k = nodes.size
@@ -119,7 +120,7 @@ def _smooth_changes(layout: UnknownsLayout) -> SparseMatrix:
 def _of_changes(
     limits: QuadraticProblem, start: FloatArray, bends_by: SparseMatrix
 ) -> QuadraticProblem:
-    """Return the optimisation problem for changes c of the table values ``start`` + B c."""
+    """Return the problem for the changes c (j,) of the table values, which are ``start`` + B c."""
     held = limits.A @ start
     return QuadraticProblem(
         P=product(bends_by.transposed, product(limits.P, bends_by)),
@@ -134,7 +135,10 @@ def _of_changes(
 def mean_over(
     goal: Range, table: AxisCompensation, wanted: WantedCorrection, scenarios: Scenarios
 ) -> float:
-    """Return the mean ``goal`` over the held-out tests with a ``table``, mm or deg."""
+    """Return the mean of parameter ``goal`` over the simulated tests with a ``table``, mm or deg.
+
+    Only the tests that the optimisation did not use.
+    """
     where = scenarios.positions
     nothing = np.zeros(where.size)
     tests = np.repeat(np.arange(scenarios.count), where.size // scenarios.count)
@@ -155,8 +159,9 @@ def mean_over(
 def as_wanted(
     x: FloatArray, layout: UnknownsLayout, capacity: Capacity, wanted: WantedCorrection
 ) -> WantedCorrection:
-    """Return the table values ``x`` as a wanted correction. A table of whole numbers is then fitted
-    to it.
+    """Return the correction of the table values ``x`` (n,) as a wanted correction.
+
+    A table of whole increments is then fitted to it.
     """
     nodes, where = layout.nodes, wanted.positions
     inside = nodes[(nodes > where[0]) & (nodes < where[-1])]
@@ -175,9 +180,7 @@ def as_wanted(
 def _measured(
     scenarios: Scenarios,
 ) -> list[tuple[Direction, FloatArray, FloatArray]]:
-    """Return the measured directions, with the differences from the estimate and k s of each
-    simulated test.
-    """
+    """Return each measured direction with its deviations from the estimated error, and k s."""
     both = (
         (Direction.POSITIVE, scenarios.positive, scenarios.half_positive),
         (Direction.NEGATIVE, scenarios.negative, scenarios.half_negative),
@@ -230,8 +233,9 @@ def _of_scenarios(
 def _of_the_mean(
     goal: Range, wanted: WantedCorrection, layout: UnknownsLayout, capacity: Capacity
 ) -> Deviations:
-    """Return the wanted curve as one test, at its positions and at the nodes. Where the control's
-    value jumps, both sides count.
+    """Return the mean error curve as one simulated test, at its positions and at the nodes.
+
+    A step of the control's correction counts with the values on both sides.
     """
     nodes, where, rule = layout.nodes, wanted.positions, capacity.interpolation
     inside = nodes[(nodes >= where[0]) & (nodes <= where[-1])]
@@ -257,7 +261,7 @@ def _of_the_mean(
 
 
 def _together(parts: Sequence[Deviations], size: int, *, middle: bool) -> Deviations:
-    """Return the deviations of all directions, or their mean with ``middle``."""
+    """Return the deviations of both directions, or with ``middle`` their mean."""
     first, last = parts[0], parts[-1]
     if middle and len(parts) > 1:
         return Deviations(

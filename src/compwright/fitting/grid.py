@@ -26,10 +26,10 @@ from compwright.records.fitted import TableRequest
 
 
 def choose_grid(wanted: WantedCorrection, capacity: Capacity, request: TableRequest) -> HeldGrid:
-    """Return the nodes for a table. The existing nodes stay if the job allows it.
+    """Return the nodes for a table; the existing nodes stay if the job allows it.
 
-    Raises CapacityError where the control cannot hold the asked grid (which limit, what would fit),
-    or where the one that is there cannot serve; UsageError where start does not lie below end.
+    Raises CapacityError where the control cannot hold the requested grid (with the limit and what
+    would fit) or the existing grid cannot be used; UsageError where start is not below end.
     """
     spacing = request.named_spacing
     if spacing is not None and not spacing > 0.0:
@@ -88,9 +88,7 @@ def possible_grids(
 
 
 def _given_nodes(nodes: FloatArray, request: TableRequest, unit: str) -> FloatArray:
-    """Return the nodes of the control's own table. The job may name the same nodes, but no
-    others.
-    """
+    """Return the nodes that the control's own table fixes; the job may only name the same nodes."""
     step = float(np.max(np.diff(nodes)))
     requested = (
         ("start", request.start, float(nodes[0])),

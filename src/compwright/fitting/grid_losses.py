@@ -1,7 +1,7 @@
-"""The error of a grid between its nodes, and whether the control's increments can follow on it.
+"""The interpolation error of a grid, and whether the control's increments are large enough for it.
 
-Computed, not estimated (de Boor, A Practical Guide to Splines, 1978, chapter III, has its order:
-spacing squared times curvature).
+Computed, not estimated. The error grows with the square of the spacing times the curvature (de
+Boor, A Practical Guide to Splines, 1978, chapter III).
 """
 
 from __future__ import annotations
@@ -47,8 +47,9 @@ def _climbs(nodes: FloatArray, wanted: WantedCorrection, capacity: Capacity) -> 
 
 
 def magnification_needed(nodes: FloatArray, wanted: WantedCorrection, lattice: Lattice) -> float:
-    """Return the magnification at which the increments can follow the wanted correction (not a
-    whole number).
+    """Return the smallest magnification at which the increments reach every change between nodes.
+
+    A real number, not rounded up to a whole one.
     """
     least, largest = (limit * lattice.unit for limit in lattice.increments)
     steps = np.concatenate(
@@ -62,9 +63,9 @@ def magnification_needed(nodes: FloatArray, wanted: WantedCorrection, lattice: L
 
 
 def grid_loss(nodes: FloatArray, wanted: WantedCorrection, interpolation: Interpolation) -> float:
-    """Return the rms error between the nodes, over the travel and both directions, mm or deg.
+    """Return the rms interpolation error between the nodes, over travel and directions, mm or deg.
 
-    Lost is wanted minus its interpolation at the nodes (de Boor 1978, chapter III).
+    It is the wanted correction minus its interpolation at the nodes (de Boor 1978, chapter III).
     """
     where = wanted.positions
     rows = rows_at(where, nodes, below="hold", above="hold", interpolation=interpolation)

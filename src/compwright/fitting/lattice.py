@@ -1,8 +1,8 @@
-"""Find the best table of whole increments by branch and bound over all magnifications.
+"""Find the best table of whole increments over all magnifications by branch and bound.
 
-The unknowns are whole totals T[i] (magnification * unit each) with increments and values within the
-control's limits. Leaving out what cannot be better: Land and Doig, Econometrica 28 (1960). How the
-curves of a table are solved at one magnification: `lattice_part`.
+The unknowns are whole totals T[i], in units of magnification times unit, with increments and values
+within the control's limits. Magnifications whose lower bound exceeds the best table found so far
+are skipped (Land and Doig, Econometrica 28, 1960). Solution at one magnification: `lattice_part`.
 """
 
 from __future__ import annotations
@@ -104,10 +104,10 @@ def best_totals(
 def relaxed_bound(
     parts: tuple[LatticePart, ...], *, unit: float, increments: tuple[int, int], magnification: int
 ) -> float:
-    """Return a lower bound of the mean square under the limits, without whole numbers, mm² or deg².
+    """Return a lower bound of the mean square under the limits over real numbers, mm² or deg².
 
-    It is the least value but for OSQP's accuracy (weak duality; Boyd and Vandenberghe, Convex
-    Optimization, 2004, section 5.2.2).
+    It lies below the minimum only by the accuracy of OSQP (weak duality; Boyd and Vandenberghe,
+    Convex Optimization, 2004, section 5.2.2).
     """
     return _LatticeSearch(parts, unit, increments).without_whole_numbers(magnification)
 
@@ -119,8 +119,9 @@ def _tolerance(objective: float, unit: float) -> float:
 def _worth_a_look(
     magnification: int, bound: float, ceiling: float, best: LatticeSolution | None, unit: float
 ) -> bool:
-    """Return whether a magnification may give a better table than the best one so far. A larger one
-    must be better by more than the tolerance.
+    """Return whether a magnification may give a better table than the best one so far.
+
+    A larger one must be better by more than `EQUAL`.
     """
     if best is None or magnification < best.magnification:
         return bound <= ceiling
@@ -138,8 +139,9 @@ def _better(new: LatticeSolution, best: LatticeSolution | None, unit: float) -> 
 
 @dataclass(frozen=True, slots=True)
 class _Relaxed:
-    """The best lower bound of one curve from so many ``pushes``, and its smallest value ``least``
-    over all reversal values.
+    """The best lower bound of one curve from the first ``pushes`` sets of multipliers.
+
+    ``least``: its smallest value over all reversal values.
     """
 
     relaxation: Relaxation
@@ -149,7 +151,9 @@ class _Relaxed:
 
 @dataclass(frozen=True, slots=True)
 class _Whole:
-    """The smallest bound with whole numbers within ``room``, from a ``relaxation``."""
+    """The smallest lower bound over whole numbers that does not exceed ``room``, for a
+    ``relaxation``.
+    """
 
     bound: float
     room: float
@@ -157,9 +161,9 @@ class _Whole:
 
 
 class _LatticeSearch:
-    """Bounds and solutions of all curves of a table.
+    """Lower bounds and solutions of all curves of a table.
 
-    ``pushes`` grow as magnifications are looked at; each serves all magnifications.
+    ``pushes``: the multipliers found so far; each set gives a lower bound at every magnification.
     """
 
     def __init__(
@@ -240,10 +244,10 @@ class _LatticeSearch:
         return total
 
     def _whole(self, index: int, magnification: int, room: float) -> float:
-        """Return the smallest bound of one curve with whole numbers, if it is at most ``room``,
-        else infinity.
+        """Return the smallest lower bound of one curve over whole numbers; infinity if above
+        ``room``.
 
-        Known from a larger room it is known for a smaller one.
+        A result for a larger ``room`` is used again for a smaller one.
         """
         part, relaxed = self.parts[index], self.relaxed(index, magnification)
         relaxation = relaxed.relaxation

@@ -1,21 +1,18 @@
-"""Fit one curve of whole increments: a lower bound of its error, and the exact optimum.
+"""Fit one curve of whole increments: a lower bound of its mean square, and the exact optimum.
 
-The optimum comes from dynamic programming within windows that are proved wide enough.
+The optimum comes from dynamic programming (Bellman, Dynamic Programming, 1957) within windows that
+are proved wide enough (Fincke and Pohst, Mathematics of Computation 44, 1985).
 
-Dynamic programming: Bellman, Dynamic Programming (1957). Windows from a bound of the quadratic
-form: Fincke and Pohst, Mathematics of Computation 44 (1985).
+Why the windows contain the optimum: a `Relaxation` with minimum g at x gives f(v) >= g + (v -
+x)'H(v - x)/2 for every v within the limits. Let U be the mean square of a known table within the
+limits. A better v has (v - x)'H(v - x) <= 2 (U - g). By Cauchy and Schwarz (v[i] - x[i])^2 <=
+(H^-1)[i, i] (v - x)'H(v - x). Node i is therefore searched within sqrt(2 (U - g) (H^-1)[i, i]) of
+x[i], and only where its neighbours' windows reach. The known table lies in every window. A large U
+or a low g makes the windows wider, never wrong; at most they extend to the control's limits.
 
-Why nothing better lies outside the windows. A `Relaxation` says f(v) >= g + (v - x)'H(v - x)/2 for
-every v within the limits. With any solution of value U at hand, a better one has (v - x)'H(v - x)
-<= 2 (U - g), and by Cauchy and Schwarz (v[i] - x[i])^2 <= (H^-1)[i, i] (v - x)'H(v - x). So node i
-need only be searched within sqrt(2 (U - g) (H^-1)[i, i]) of x[i], and where the neighbours' windows
-reach. The value U is that of a solution which keeps all limits; it lies in every window. A poor U
-or a poor bound makes windows wide, never wrong; where the bound says nothing they end at the
-control's own limits.
-
-What need not be searched. H - share * diag(H) is positive semidefinite, so that f(v) >= g + share *
+Which cases are skipped: H - share * diag(H) is positive semidefinite, so that f(v) >= g + share *
 sum(H[i, i] (distance from x[i] to the lattice)^2) / 2. A magnification, a reversal value or a shift
-of the second table whose bound lies above U is left out.
+of the second table whose lower bound exceeds U is left out.
 """
 
 from __future__ import annotations
@@ -46,10 +43,10 @@ _LANES: Final = 16
 class LatticePart:
     """One curve of a table of whole increments.
 
-    ``constant``: the reversal value is ``sign * step * B`` with whole B between the limits: (sign *
-    step, least, largest); None: there is none. ``anchor``: index in the chain of the reference;
-    ``offsets``: least and largest value there in units, of a second table; None: the value there is
-    zero. ``magnified``: the offset counts in magnified units.
+    ``constant``: (sign * step, least, largest): the reversal value is sign * step * B with a whole
+    number B between the limits; None: no reversal value. ``anchor``: index of the reference node.
+    ``offsets``: smallest and largest value there, in units, of a second table; None: the value
+    there is zero. ``magnified``: the offset is in magnified units.
     """
 
     chain: CurveChain
@@ -87,8 +84,9 @@ class LatticePart:
 
 @dataclass(frozen=True, slots=True)
 class Variants:
-    """Cases to try for one curve: reversal value ``count`` (n,), its distance from the optimum, the
-    shift, a lower bound.
+    """Cases to try for one curve, arrays (n,).
+
+    ``count``: whole reversal value; its distance from the optimum; the shift; a lower bound.
     """
 
     count: IntArray
@@ -186,10 +184,10 @@ def whole_bounds(
     shifts: FloatArray,
     counts: IntArray,
 ) -> tuple[FloatArray, FloatArray]:
-    """Return whole reversal values, as distances from the optimum, with their lower bounds.
+    """Return how far whole reversal values (n,) are from the optimum, and lower bounds for them.
 
-    The distances (n,) of the ``counts`` (n,) are from the optimum; the bounds (shifts * n,) are
-    with whole numbers: all of the first shift, then of the next.
+    ``counts`` (n,): the whole values. Bounds (shifts * n,): over whole numbers, all of the first
+    shift, then of the next.
     """
     step = part.constant[0] if part.constant else 0.0
     distance = counts.astype(np.float64) * step - part.chain.constant
@@ -207,7 +205,7 @@ def with_slack(room: float) -> float:
 
 
 def _whole(chain: CurveChain, centres: FloatArray, shift: float, step: float) -> FloatArray:
-    """Return a lower bound (n,) of the extra error by whole numbers; see the module docstring."""
+    """Return a lower bound (n,) of the mean square that whole numbers add (module docstring)."""
     counted = (centres - shift) / step
     distance = np.where(chain.fixed, 0.0, (counted - np.round(counted)) * step)
     cost: FloatArray = 0.5 * chain.share * (distance**2 @ chain.diagonal)

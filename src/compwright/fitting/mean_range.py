@@ -1,7 +1,7 @@
-"""Minimise the mean range of simulated tests by a linear program. The result is certified here.
+"""Minimise the mean range of simulated tests by a linear program, and certify the result.
 
-cvxpy (Diamond and Boyd, J. Machine Learning Research 17, 2016). A solver that was cut off or calls
-its result inaccurate has failed.
+Solved with cvxpy (Diamond and Boyd, J. Machine Learning Research 17, 2016). A solver that stopped
+early or reports its result as inaccurate has failed.
 """
 
 from __future__ import annotations
@@ -34,10 +34,10 @@ CERTIFIED_RANGE: Final = 1e-6
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Deviations:
-    """The deviations of simulated tests with the table ``x``: D x + ``base`` (r,), mm or deg.
+    """The deviations of simulated tests with the table values x: D x + ``base`` (r,), mm or deg.
 
-    Each has ``half`` (r,) about it; rows of one test have the same number in ``test`` (r,), from 0
-    on.
+    ``half`` (r,): half width of the band about each (k s for goal A, else 0). Rows of one test have
+    the same number in ``test`` (r,), which counts from 0.
     """
 
     D: SparseMatrix
@@ -85,14 +85,13 @@ def product(one: SparseMatrix, other: SparseMatrix) -> SparseMatrix:
 def solve_ranges(
     shown: Deviations, limits: QuadraticProblem, *, slack: float
 ) -> tuple[FloatArray, dict[str, float]]:
-    """Return the table values whose simulated tests have the smallest mean range under ``limits``,
-    and the certificate. Raises CapacityError where none is certified. Source: Boyd and Vandenberghe
-    2004, section 6.1.1.
+    """Return the table values with the smallest mean range under ``limits``, and the certificate.
 
-    Among all unknowns within ``slack`` (mm or deg) of the least, those of least mean square are
-    taken; where the solver gives up on these, those of the least range, under the same certificate.
-    Its ``gap`` is the distance to a lower bound that holds whatever the solver did (weak duality;
-    Boyd and Vandenberghe 2004, section 5.2.2).
+    Among all values within ``slack`` (mm or deg) of the smallest mean range, those of least mean
+    square are returned; where the solver fails there, those of the smallest range. Both have the
+    same certificate: its ``gap`` is the distance to a lower bound that holds whatever the solver
+    did (weak duality; Boyd and Vandenberghe 2004, section 5.2.2). Source: section 6.1.1. Raises
+    CapacityError where no solution is certified.
     """
     n = limits.q.size
     size = max(float(np.max(np.abs(shown.base))), 10.0 * slack)
@@ -130,7 +129,7 @@ def _linear_program(
 ) -> tuple[FloatArray, SparseMatrix, FloatArray]:
     """Return the arrays c, G, h of the linear program: minimise c'z subject to Gz <= h.
 
-    z = (x, tops, bottoms) in units of ``size``.
+    z: table values, then the largest and the smallest deviation of each test, in units of ``size``.
     """
     n, tests, rows = limits.q.size, shown.tests, shown.D.shape[0]
     wide = (rows, n + 2 * tests)

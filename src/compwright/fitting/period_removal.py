@@ -45,10 +45,9 @@ def without_periods(
 
 @functools.lru_cache(maxsize=4)
 def _periodic_part(positions: bytes, values: bytes, periods: Sequence[float]) -> FloatArray | None:
-    """Return the harmonics of ``periods`` in ``values`` at ``positions`` (g,). None where the
-    positions show none.
+    """Return the part of ``values`` (g,) at ``positions`` (g,) that is harmonics of ``periods``.
 
-    Arguments are bytes, because many grids ask for the same result.
+    None where the positions show no period. Arguments are bytes, so that results can be cached.
     """
     where, middle = np.frombuffer(positions), np.frombuffer(values)
     waves = _waves(where, periods)

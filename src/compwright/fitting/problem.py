@@ -173,10 +173,10 @@ class UnknownsLayout:
 class QuadraticProblem:
     """A quadratic problem: minimise x'Px/2 + q'x + constant subject to lower <= Ax <= upper.
 
-    Boyd and Vandenberghe 2004, section 4.4; x (n,), P (n, n), A (c, n); mm or deg.
-
-    The objective is the mean square of (held - wanted) over the travel and both directions.
-    Rows of A with ``lower`` equal to ``upper`` are equalities: the zero state, the closed period.
+    Boyd and Vandenberghe 2004, section 4.4; x (n,), P (n, n), A (c, n); mm or deg. The objective is
+    the mean square of table minus wanted correction over the travel and both directions. Rows of A
+    with ``lower`` equal to ``upper`` are equalities: the zero state, and equal ends of an endless
+    axis.
     """
 
     P: SparseMatrix

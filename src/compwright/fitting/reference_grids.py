@@ -18,12 +18,11 @@ from compwright.records.fitted import TableRequest
 def reference_grids(
     wanted: WantedCorrection, capacity: Capacity, request: TableRequest, most: int
 ) -> list[GridCandidate]:
-    """Return the grids that the control accepts, coarsest first. Only one if the job names the
-    spacing.
+    """Return the grids that the control accepts, coarsest first; one if the job names the spacing.
 
-    Where the job leaves an end open the grid reaches over the travel by less than one spacing. The
-    reference is always a node: the control counts from there. Raises CapacityError, all faults at
-    once, where the job's start, end or spacing do not fit, saying what would.
+    The reference is always a node, because the control counts from there. At an end that the job
+    leaves open the grid extends beyond the travel by less than one spacing. Raises CapacityError
+    with all faults where start, end or spacing in the job do not fit, and with values that fit.
     """
     if capacity.period is not None:
         return _endless_grids(capacity.period, wanted, capacity, request, most)

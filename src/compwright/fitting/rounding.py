@@ -26,8 +26,8 @@ def round_curve(
 ) -> FloatArray:
     """Return ``values`` (k,) rounded to whole multiples of ``quantum`` and kept within the range.
 
-    Totals are rounded, not increments: rounding increments one by one drifts. Limits are whole
-    quanta already, so that rounding cannot break them but by arithmetic dust.
+    Totals are rounded, because rounding errors of increments would add up. Limits are whole
+    multiples of ``quantum``, so that rounding cannot violate them.
     """
     low, high = np.ceil(value_range[0] / quantum - 1e-6), np.floor(value_range[1] / quantum + 1e-6)
     counts = np.clip(to_quanta(values, quantum), low, high)

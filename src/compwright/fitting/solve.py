@@ -1,8 +1,6 @@
-"""Solve the quadratic problem with OSQP, and refine the solution to machine accuracy.
+"""Solve the quadratic problem with OSQP; an active-set method then refines it to machine accuracy.
 
-By its active set.
-
-A solver that was cut off or calls its result inaccurate has failed. OSQP: Stellato et al.,
+A solver that stopped early or reports its result as inaccurate has failed. OSQP: Stellato et al.,
 Mathematical Programming Computation 12 (2020).
 """
 
@@ -46,9 +44,10 @@ class SolvedUnknowns:
 
 
 def solve_quadratic(problem: QuadraticProblem) -> SolvedUnknowns:
-    """Return the certified optimum. Raises CapacityError where there is none or the certificate
-    fails. Source: Conditions of Karush, Kuhn and Tucker: Boyd and Vandenberghe, Convex
-    Optimization, 2004, section 5.5.3.
+    """Return the certified optimum of a quadratic problem.
+
+    Raises CapacityError where there is none or the certificate fails. Optimality conditions: Boyd
+    and Vandenberghe, Convex Optimization, 2004, section 5.5.3.
     """
     limited = (problem.lower < problem.upper) & (
         np.isfinite(problem.lower) | np.isfinite(problem.upper)
@@ -92,10 +91,10 @@ def no_solution(message: str, found: str) -> CapacityError:
 
 
 def _osqp_multipliers(problem: QuadraticProblem) -> FloatArray:
-    """Return the multipliers of the limits from OSQP. They show which limits are reached.
+    """Return the multipliers (c,) of the limits from OSQP; they show which limits are reached.
 
-    Scaled to a wanted correction of size 1 and a stiffness of size 1, so that OSQP's absolute
-    tolerances mean something.
+    The wanted correction and the stiffness are scaled to size 1, because OSQP's tolerances are
+    absolute.
     """
     import osqp
 
@@ -122,11 +121,11 @@ def _osqp_multipliers(problem: QuadraticProblem) -> FloatArray:
 
 
 def _active_set(problem: QuadraticProblem, y: FloatArray) -> tuple[BoolArray, FloatArray]:
-    """Return which limits are reached (c,) and at which bound, by Newton steps from the multipliers
-    ``y``.
+    """Return which limits the solution reaches (c,) and the value of each reached limit (c,).
 
-    The limits in touch are taken as equations; one that pulls is let go, one that is broken is
-    taken in (Hintermüller, Ito and Kunisch, SIAM J. Optim. 13, 2002).
+    Newton steps from the multipliers ``y`` (c,): reached limits become equations. A limit whose
+    multiplier has the wrong sign is released, a violated limit is added (Hintermüller, Ito and
+    Kunisch, SIAM J. Optim. 13, 2002).
     """
     equal = problem.lower == problem.upper
     stiffness = float(np.mean(problem.P.diagonal()))
@@ -146,14 +145,13 @@ def _active_set(problem: QuadraticProblem, y: FloatArray) -> tuple[BoolArray, Fl
 
 
 def _least_distance_set(problem: QuadraticProblem) -> tuple[BoolArray, FloatArray]:
-    """Return the reached limits (c,) and their bounds by an active-set method that cannot run in
-    circles.
+    """Return the reached limits (c,) and their values by an active-set method that always
+    terminates.
 
-    Limits are whole quanta, so that several often meet in one point (both curves of a constant
-    reversal at an end of the range); which of them push is then not unique, and Newton's steps
-    may go in circles. As a least-distance problem solved by non-negative least squares the set
-    grows one independent limit at a time (Lawson and Hanson, Solving Least Squares Problems, 1974,
-    chapter 23, algorithms NNLS and LDP).
+    Limits are whole resolution steps, so several are often reached at one point. The multipliers
+    are then not unique, and the Newton steps of `_active_set` may repeat. A least-distance problem,
+    solved by non-negative least squares, adds one independent limit at a time (Lawson and Hanson,
+    Solving Least Squares Problems, 1974, chapter 23, algorithms NNLS and LDP).
     """
     from scipy.optimize import nnls
 
@@ -206,14 +204,13 @@ def _with_equations(
 
 
 def _factored(matrix: SparseMatrix) -> Callable[[FloatArray], FloatArray]:
-    """Return a function that solves ``matrix`` x = right for a problem with equations.
+    """Return a function that solves ``matrix`` x = right, for a problem with equality conditions.
 
-    A small number is subtracted on the diagonal of the equations. Such a matrix is quasi-definite
-    and has triangular factors in any order, without exchanging rows (Vanderbei, SIAM J. Optim. 5,
-    1995). Nodes and their limits are ordered next to each other, which leaves a narrow band
-    (Cuthill and McKee, Proc. 24th National Conference ACM, 1969). The constant between the
-    directions, which couples with nearly all, comes last: the work is proportional to the number of
-    nodes.
+    A small number is subtracted on the diagonal of the equations. The matrix is then quasi-definite
+    and has triangular factors in any order, without row exchanges (Vanderbei, SIAM J. Optim. 5,
+    1995). Nodes and their limits are neighbours in the order, which keeps the band narrow (Cuthill
+    and McKee, Proc. 24th National Conference ACM, 1969). The constant between the directions comes
+    last, because it is coupled with nearly all nodes.
     """
     from scipy.sparse.csgraph import reverse_cuthill_mckee
     from scipy.sparse.linalg import splu
@@ -236,10 +233,10 @@ def _factored(matrix: SparseMatrix) -> Callable[[FloatArray], FloatArray]:
 
 def least_squares(matrix: SparseMatrix, weights: FloatArray, values: FloatArray) -> FloatArray:
     """Return the unknowns (n,) that minimise the sum of ``weights`` times (``matrix`` x -
-    ``values``)^2.
+    ``values``)².
 
-    By the normal equations (Golub and Van Loan, Matrix Computations, 4th ed. 2013, section 5.3);
-    neighbours are equal where nothing else decides.
+    By the normal equations (Golub and Van Loan, Matrix Computations, 4th ed. 2013, section 5.3).
+    Unknowns that the values do not determine become equal to their neighbours.
     """
     from scipy.sparse.linalg import splu
 
@@ -251,7 +248,7 @@ def least_squares(matrix: SparseMatrix, weights: FloatArray, values: FloatArray)
 
 
 def by_columns(matrix: SparseMatrix) -> Any:
-    """Return the matrix as solvers take it: a `scipy.sparse.csc_matrix`."""
+    """Return the matrix as a `scipy.sparse.csc_matrix`, the form that the solvers require."""
     from scipy.sparse import csc_matrix
 
     return csc_matrix((matrix.value, (matrix.row, matrix.column)), shape=matrix.shape)

@@ -97,7 +97,7 @@ def _refuse_grid(request: TableRequest, capacity: Capacity) -> None:
 class _FittedLine:
     """The straight-line fit: the mean square of datum + slope * x + reversal - wanted.
 
-    The datum is free: it moves the zero of the axis, not its errors.
+    The datum is free: it moves the zero of the axis and does not change its errors.
     """
 
     def __init__(self, wanted: WantedCorrection) -> None:
@@ -137,10 +137,8 @@ class _FittedLine:
     def best(self, quantum: float, capacity: Capacity) -> tuple[float, float]:
         """Return the best slope and backlash as whole multiples of their resolution.
 
-        Each is the nearest to its optimum within its range.
-
-        With a free datum the mean square is the sum of a parabola of the slope and one of the
-        reversal, so that this is exact.
+        Each is the multiple nearest to its optimum within its range. This is exact, because with a
+        free datum the mean square is a parabola of the slope plus a parabola of the reversal.
         """
         low, high = (
             np.ceil(capacity.value_range[0] / quantum - _HAIR),

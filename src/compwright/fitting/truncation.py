@@ -1,6 +1,6 @@
 """Detect wanted corrections that are far too large for the control.
 
-Its value range or increments then cut off more than the noise of a reading.
+Far too large: its value range or increments cut off more than the noise of a reading.
 """
 
 from __future__ import annotations
@@ -30,10 +30,10 @@ _HELP = {
 def truncation_faults(
     fitted: FittedTable, wanted: WantedCorrection, capacity: Capacity
 ) -> Iterator[Fault]:
-    """Yield a fault for each limit that cuts off more than a quantum and more than the noise of
-    one reading (rms over the travel).
+    """Yield a fault for each limit that cuts off a significant part of the wanted correction.
 
-    A smaller loss is a limit that costs accuracy, and the table is the best under it.
+    Significant: its rms over the travel exceeds a resolution step and the noise of one reading.
+    With a smaller loss the table is the best one under that limit.
     """
     factor, unit = outside_factor(wanted.kind.unit), shown_unit(wanted.kind.unit)
     least = max(capacity.quantum if capacity.line is None else 0.0, wanted.noise)

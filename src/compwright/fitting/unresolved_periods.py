@@ -1,9 +1,8 @@
 """The part of the wanted correction that a grid can hold.
 
-Of a sine, nodes hold the part that least squares leave them: all but 25 % of its rms at three nodes
-per period, 63 % a little above two; at just two 12 to 98 %, by the phase. Fewer than two follow it
-no more, they trace a longer wave instead (Shannon, Proceedings of the IRE 37, 1949, section II),
-which adds to the range of what is left.
+Least squares with three nodes per period leave 25 % of a sine's rms, a little above two nodes 63 %,
+with two nodes 12 to 98 % depending on the phase. Fewer than two nodes per period show a longer wave
+instead (Shannon, Proceedings of the IRE 37, 1949, section II), which increases the remaining error.
 """
 
 from __future__ import annotations
@@ -32,11 +31,12 @@ _FOLLOW: Final = 2.0
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class HeldGrid:
-    """A grid with the correction to fit on it. ``nodes`` (k,) mm or deg; ``wanted``: the correction
-    with only the holdable part of short periods.
+    """A grid with the correction to fit on it.
 
-    ``left_out``: rms of the rest. ``points_loss``: rms that more points would save, 0 where the
-    number of points is no limit. ``kept``: the nodes are those of the grid that is in the control.
+    ``nodes`` (k,) mm or deg. ``wanted``: the correction with only the part of short periods that
+    the nodes can follow; ``left_out``: rms of the other part. ``points_loss``: rms that more points
+    would remove, 0 where their number is not the limit. ``kept``: the nodes are the control's
+    existing grid.
     """
 
     nodes: FloatArray
@@ -134,11 +134,10 @@ def held_grid(
     loss: float = 0.0,
     finest: FloatArray | None = None,
 ) -> HeldGrid:
-    """Return the grid with the part of short periods that it can hold, and a finding about the
-    rest.
+    """Return the grid with the short periods that it can follow, and a finding about the rest.
 
-    ``loss``: rms that more points would save. ``finest``: the finest nodes that the control allows,
-    where these were chosen among them.
+    ``loss``: rms that more points would remove. ``finest``: the finest nodes that the control
+    allows, if the nodes were chosen among them.
     """
     lost = unresolved_periods(nodes, wanted.periods)
     if not lost:

@@ -48,7 +48,10 @@ GOAL_LEFT: Final = "CW-F010"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class WholeIncrementFit:
-    """One fit of whole increments: ``aim`` (totals, zero in the zero state) on ``nodes``."""
+    """The data of one fit of whole increments: wanted correction ``aim`` at ``nodes``.
+
+    ``aim``: totals, zero in the zero state, mm or deg.
+    """
 
     aim: WantedCorrection
     nodes: FloatArray
@@ -163,11 +166,11 @@ def fit_whole_increments(
     *,
     address: str,
 ) -> tuple[AxisCompensation, dict[str, float], tuple[Limit, ...], tuple[Finding, ...]]:
-    """Return the table, its certificate, the cost of each limit (rms, mm or deg) and the finding
-    about the magnification.
+    """Return the table, its certificate, the cost of each limit and the magnification's finding.
 
-    ``aim``: totals, zero in the zero state. The table is the exact optimum of the mean square over
-    the travel and both directions. Raises CapacityError where the limits allow no table at all.
+    Costs are rms, mm or deg. ``aim``: wanted totals, zero in the zero state. The table is the exact
+    optimum of the mean square over the travel and both directions. Raises CapacityError where the
+    limits allow no table at all.
     """
     points, weights = quadrature(aim.positions, grid.nodes, capacity.interpolation)
     rows = rows_at(
@@ -315,10 +318,10 @@ def _magnification_finding(
 
 
 def goal_finding(goal: Goal, why: Literal["slope", "increments", "no_gain"]) -> tuple[Finding, ...]:
-    """Return the finding that a goal other than the expected square is not followed, with the
-    reason.
+    """Return the finding that the table was fitted by the mean square instead of the goal.
 
-    The control has one ``slope``, whole ``increments``, or rounding leaves ``no_gain``.
+    Reasons: the control has one ``slope``, it has whole ``increments``, or rounding leaves
+    ``no_gain``.
     """
     if goal == "expected":
         return ()
