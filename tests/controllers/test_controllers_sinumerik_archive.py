@@ -190,7 +190,9 @@ M17
             load(WHOLE, "$AA_ENC_COMP_MAX[1,AX1]=100\n")
 
     def test_a_switch_in_a_small_file_is_the_last_word(self) -> None:
-        assert at(load("$MA_ENC_COMP_ENABLE[1,AX1]=FALSE\n", WHOLE), "X1", [-200], UP) == [0.0]
+        for off in ("FALSE", "0.0", "0EX0", "'H0'", "'b0'"):
+            control = load(f"$MA_ENC_COMP_ENABLE[1,AX1]={off}\n", WHOLE)
+            assert at(control, "X1", [-200], UP) == [0.0]
 
 
 class TestInch:
@@ -203,7 +205,17 @@ class TestInch:
         assert at(control, "X1", [-508], DOWN) == [-0.0254 - 0.1016]
         assert control.nodes("X1").tolist() == pytest.approx([-508, -254, 0], abs=1e-9)
 
-    @pytest.mark.parametrize("line", ["N10240 $MN_SCALING_SYSTEM_IS_METRIC=0", "INCH", "inch"])
+    @pytest.mark.parametrize(
+        "line",
+        [
+            *(
+                f"N10240 $MN_SCALING_SYSTEM_IS_METRIC={no}"
+                for no in ("0", "FALSE", "0.0", "-0", "0EX0", "'H0'", "'b00'")
+            ),
+            "INCH",
+            "inch",
+        ],
+    )
     def test_machine_data_or_a_line_says_it(self, line: str) -> None:
         control = load(line + self.TABLE.replace("INCH", ""))
         assert at(control, "AX1", [-508], UP) == [-0.0254]
@@ -214,8 +226,10 @@ class TestInch:
         assert at(load(text, options={"units": "mm"}), "AX1", [-20], UP) == [-0.001]
 
     def test_a_rotary_axis_stays_in_degrees(self) -> None:
-        turning = INITIAL.replace("METRIC", "INCH").replace("ROT_AX[AX1]=0", "ROT_AX[AX1]=TRUE")
-        assert at(load(self.TABLE, turning), "X1", [-20], DOWN) == [-0.001 - 0.004]
+        for yes in ("TRUE", "1.0", "'H1'", "'B1'"):
+            turning = INITIAL.replace("METRIC", "INCH")
+            turning = turning.replace("ROT_AX[AX1]=0", f"ROT_AX[AX1]={yes}")
+            assert at(load(self.TABLE, turning), "X1", [-20], DOWN) == [-0.001 - 0.004]
         told = load(self.TABLE, kinds={"AX1": AxisKind.ROTARY})
         assert at(told, "AX1", [-20], UP) == [-0.001]
 

@@ -167,10 +167,13 @@ def forms(definition: Definition) -> None:
         lambda text: text.replace("\n", "\r\n"),
         lambda text: re.sub(r"^(\$MA.*)$", r"N32450 \1 '0a1b", text, flags=re.MULTILINE),
         lambda text: text.replace("\n", "\n\n").replace("M17", ";$PATH=/_N\nM17"),
-        lambda text: (
-            text.replace("ENABLE[0,AX1]=1", "ENABLE[0,AX1]=TRUE")
-            .replace("MODULO[0,AX5]=1", "MODULO[0,AX5]=TRUE")
-            .replace("MODULO[6]=1", "MODULO[6]=TRUE")
+        *(
+            lambda text, one=one: (
+                text.replace("ENABLE[0,AX1]=1", f"ENABLE[0,AX1]={one}")
+                .replace("MODULO[0,AX5]=1", f"MODULO[0,AX5]={one}")
+                .replace("MODULO[6]=1", f"MODULO[6]={one}")
+            )
+            for one in ("TRUE", "1.0", "+1", "01", "1.0EX0", "10EX-1", "'H1'", "'h01'", "'B001'")
         ),
     )
     for shape in shapes:

@@ -16,7 +16,7 @@ from functools import lru_cache
 
 from compwright.controllers.places import OfLine
 from compwright.controllers.sinumerik.flow import ProgramBlock, is_given
-from compwright.controllers.sinumerik.units import UnitLines
+from compwright.controllers.sinumerik.units import UnitLines, truth
 from compwright.foundations.errors import Fault
 from compwright.records.correction import ControlFile
 
@@ -93,11 +93,10 @@ _KEPT = 64
 #: Variables whose value is an axis.
 _NAMING = frozenset({"AN_CEC_INPUT_AXIS", "AN_CEC_OUTPUT_AXIS"})
 
-#: Variables that are on or off, which programs write as TRUE and FALSE too.
+#: Variables that are on or off, which programs write as TRUE and FALSE and to base 16 and 2 too.
 SWITCHES = frozenset(
     name for name in READ if name.endswith(("_ENABLE", "_IS_MODULO", "_METRIC", "_ROT_AX"))
 )
-_TRUTH = {"TRUE": 1.0, "FALSE": 0.0}
 
 #: Neighbours of the above that do not change a correction at standstill.
 PASSED_OVER = frozenset({"MA_BACKLASH_MODE", "MA_BACKLASH_DYN_MAX_VELO", "MA_CEC_MAX_VELO"})
@@ -119,6 +118,7 @@ _ASSIGNMENT = re.compile(
         \s*\[(?P<indices>[^\[\]]*)\]
         (?P<sign_of_assignment>\s*=\s*|\s+)
         (?:(?P<value>[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:EX[+-]?[0-9]{1,3})?)
+          |(?P<based>'[HB][0-9A-F]{1,32}')
           |\(\s*(?P<axis>[A-Z_][A-Z0-9_]*)?\s*\)
           |(?P<bare_axis>[A-Z_][A-Z0-9_]*))
         (?:\s+'[0-9A-F]{4})?                             # line checksum, MD11230
@@ -326,7 +326,7 @@ def _read_fact(code: str, file: str, number: int, found: ProgramContent) -> None
     name = "" if match is None else match["name"].upper()
     if match is None or name not in FACTS or "=" not in match["sign_of_assignment"]:
         return
-    word = _TRUTH.get((match["bare_axis"] or "").upper())
+    word = truth(match["based"] or match["bare_axis"] or "") if name in SWITCHES else None
     index = _indices(READ[name], match["indices"])
     if index is None or (match["value"] is None and word is None):
         return
@@ -407,7 +407,7 @@ def _read_assignment(
                 "one of " + ", ".join("$" + known for known in READ),
             )
         return
-    word = _TRUTH.get((match["bare_axis"] or "").upper()) if name in SWITCHES else None
+    word = truth(match["based"] or match["bare_axis"] or "") if name in SWITCHES else None
     if word is None and (match["value"] is None) != (name in _NAMING):
         wrong(
             "the line cannot be read",

@@ -15,7 +15,7 @@ from dataclasses import dataclass, field
 
 _UNITS = re.compile(
     r"""\s*(?:N\d+\s*)?
-        (?:\$MN_SCALING_SYSTEM_IS_METRIC\s*=\s*(?P<metric>[01]|TRUE|FALSE)
+        (?:\$MN_SCALING_SYSTEM_IS_METRIC\s*=\s*(?P<metric>[^\s;]+)
           |(?P<word>METRIC|INCH)
           |\$MN_SCALING_VALUE_INCH\s*=\s*(?P<inch>[0-9.]{1,20})
           |\$MN_SCALING_USER_DEF_MASK\s*=\s*'H(?P<mask>[0-9A-F]{1,8})'
@@ -23,7 +23,9 @@ _UNITS = re.compile(
         (?:\s+'[0-9A-F]{4})?\s*""",
     re.VERBOSE | re.IGNORECASE,
 )
-_YES = frozenset({"METRIC", "1", "TRUE"})
+_TRUTH = {"METRIC": 1.0, "INCH": 0.0, "TRUE": 1.0, "FALSE": 0.0}
+_BASED = re.compile(r"'(?:H(?P<hex>[0-9A-F]{1,8})|B(?P<binary>[01]{1,32}))'")
+_REAL = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:E[+-]?[0-9]{1,2})?", re.ASCII)
 
 
 @dataclass(slots=True)
@@ -44,14 +46,29 @@ class UnitLines:
         match = _UNITS.fullmatch(code)
         if match is None:
             return
-        if match["word"] or match["metric"]:
-            self.metric.append((number, (match["word"] or match["metric"]).upper() in _YES))
+        if word := match["word"] or match["metric"]:
+            if (value := truth(word)) in (0.0, 1.0):
+                self.metric.append((number, value == 1.0))
         elif match["mask"]:
             self.own.append((number, int(match["mask"], 16)))
         elif match["inch"]:
             self.inch.append((number, _decimal(match["inch"])))
         else:
             self.factors.append((number, (int(match["bit"]), _decimal(match["factor"]))))
+
+
+def truth(text: str) -> float | None:
+    """Return the number of a literal: ``1``, ``1.0``, ``TRUE``, ``'H1'``, ``'B1'``. None for other
+    text.
+
+    Programming manual Job Planning 07/2010, 6FC5398-2BP40-0BA0, pages 54 and 73: INT and REAL
+    become BOOL, 0 is FALSE.
+    """
+    word = text.upper()
+    if based := _BASED.fullmatch(word):
+        return float(int(based["hex"], 16) if based["hex"] else int(based["binary"], 2))
+    word = word.replace("EX", "E")
+    return float(word) if _REAL.fullmatch(word) else _TRUTH.get(word)
 
 
 def _decimal(text: str) -> float:

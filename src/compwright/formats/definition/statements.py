@@ -30,7 +30,8 @@ _FIELD_PATTERNS: Mapping[FieldType, str] = {
     "label": r"[^\[\]\r\n]+",
     "word": r"[^ \t\r\n]+",
     "text": r"[^\r\n]*[^\r\n \t]",
-    "truth": r"[0-9]{1,9}|TRUE|FALSE",
+    "truth": r"[+-]?(?:[0-9]{1,9}(?:\.[0-9]{0,9})?|\.[0-9]{1,9})(?:EX[+-]?[0-9]{1,2})?|TRUE|FALSE"
+    r"|'H[0-9A-F]{1,8}'|'B[01]{1,32}'",
     "system_word": r"METRIC|INCH",
 }
 _REST = {"none": r"[ \t]*", "after_blank": r"(?:[ \t][^\r\n]*)?", "anything": r"[^\r\n]*"}
@@ -172,8 +173,16 @@ def field_matches(kind: FieldType, text: str) -> bool:
 
 
 def plain_number(kind: FieldType, text: str) -> str:
-    """Return the number in a field with its power of ten (``1.5EX-2``) evaluated."""
-    if kind != "decimal_ex" or "EX" not in text.upper():
+    """Return the number in a field with its power of ten (``1.5EX-2``) evaluated.
+
+    TRUE and FALSE are 1 and 0; ``'H1'`` and ``'B1'`` are numbers of base 16 and 2.
+    """
+    if kind == "truth" and text[0] not in "+-.0123456789":
+        word = text.upper()
+        if word in ("TRUE", "FALSE"):
+            return str(int(word == "TRUE"))
+        return str(int(word[2:-1], 16 if word[1] == "H" else 2))
+    if kind not in ("decimal_ex", "truth") or "EX" not in text.upper():
         return text
     return format(Decimal(text.upper().replace("EX", "E")), "f")
 

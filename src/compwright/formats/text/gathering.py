@@ -116,7 +116,7 @@ def gather(
                     result.rows.setdefault(key, []).append(row)
                 continue
             for binding in by_statement.get(occurrence.statement, ()):
-                found = FoundValue(_text(definition, binding, occurrence), occurrence, text.number)
+                found = FoundValue(occurrence.tokens[binding.field].text, occurrence, text.number)
                 if binding.quantity == "machine_axis":
                     result.naming.add(text.number)
                 result.singles.setdefault(key, {}).setdefault(binding.quantity, []).append(found)
@@ -133,14 +133,6 @@ def _key(gathered: Gathered, occurrence: Occurrence) -> Key:
         if form not in forms:
             forms.append(form)
     return address, None if system is None else str(int(system.text))
-
-
-def _text(definition: Definition, binding: Binding, occurrence: Occurrence) -> str:
-    """Return a value as written. A truth value in words becomes its number."""
-    text = occurrence.tokens[binding.field].text
-    if definition.statements[occurrence.statement].fields.get(binding.field) == "truth":
-        return _TRUTH.get(text.upper(), text)
-    return text
 
 
 def first_set(places: Sequence[FoundValue]) -> list[FoundValue]:
