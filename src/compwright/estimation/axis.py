@@ -5,18 +5,18 @@ Model (units mm or deg, deviation = measured minus target, d = +1 or -1 the appr
     y(x, d) = f(x) + d r(x) / 2 + l(x) + datum and slope of the test + noise
     f = offset + slope x + smooth part (Matérn 5/2) + harmonics 1 and 2 of each known period
     r = constant + slope and smooth part of one common scale (the reversal, mean(+) - mean(-))
-    f also steps between two targets where the means clearly show a jump (`jumps`)
-    l = local part: repeats at the same target, independent from target to target (what neither of
-    the others describes)
 
-Offset, slope and constant reversal are left to the data. All variances and lengths have weak priors
-and are drawn from their posterior, each together with a draw of the noise that the repeated
-readings tell (`noise_of`); where there are none, with that of a normal noise. Models (periods,
-reversal constant or varying) count by their evidence.
+f also has a step between two targets where the means clearly show a jump (`jumps`). l is the local
+part: it repeats at the same target and is independent from target to target (all that f and r do
+not describe).
 
-Rasmussen and Williams, Gaussian Processes for Machine Learning (2006): regression in weights,
-section 2.1.2; free offset and slope, section 2.7; sums of covariances, section 4.2.4; choice
-between models, section 5.2.
+Offset, slope and constant reversal have flat priors. All variances and lengths have weak priors and
+are drawn from their posterior, each together with a draw of the noise that the repeated readings
+show (`noise_of`). Without repeated readings, the noise is normal and estimated with the error.
+Models (periods, reversal constant or varying) are averaged by their evidence. Rasmussen and
+Williams, Gaussian Processes for Machine Learning (2006): regression in weights, section 2.1.2; free
+offset and slope, section 2.7; sums of covariances, section 4.2.4; choice between models, section
+5.2.
 """
 
 from __future__ import annotations
@@ -68,13 +68,13 @@ class Draws:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class AxisPosterior:
-    """The probability distribution of the error of an axis after its tests, mm or deg, machine
-    coordinates.
+    """Probability distribution of the error of an axis after its tests, machine coordinates, mm or
+    deg.
 
-    ``parts``: the models that count, all draws equally likely. ``noise``: standard deviation of one
-    reading of the first test with ``noise_dof`` degrees of freedom. ``reversal_log_odds``: natural
-    logarithm of the evidence for a reversal that varies with position over a constant one (0: one
-    direction measured). ``periods``: those that are known and those that the ``search`` found.
+    ``parts``: the models of the mixture, all draws equally likely. ``noise``: standard deviation of
+    one reading of the first test, with ``noise_dof`` degrees of freedom. ``reversal_log_odds``:
+    natural logarithm of the odds of a reversal that varies with position against a constant one (0:
+    one direction measured). ``periods``: the known periods and those found by the ``search``.
     """
 
     kind: AxisKind
@@ -96,14 +96,13 @@ class AxisPosterior:
         return _hidden_in(self)
 
     def summary(self, positions: FloatArray) -> ErrorEstimate:
-        """Return mean and standard deviation of the deviation at ``positions`` (g,) strictly
-        ascending, mm or deg.
+        """Return mean and standard deviation (g,) of the deviation in both directions, mm or deg.
 
-        Mean and variance of the mixture: mean of the variances plus variance of the means (Gelman
-        et al., Bayesian Data Analysis, 3rd ed. 2013, section 1.8). The mean is the part for a
-        table. It leaves out the local part, and periods that are less probable than not: a wave of
-        a wrong length increases the error as often as it reduces it. The standard deviation, about
-        this mean, includes both.
+        ``positions`` (g,): strictly ascending, mm or deg. Variance of the mixture: mean of the
+        variances plus variance of the means (Gelman et al., Bayesian Data Analysis, 3rd ed. 2013,
+        section 1.8). The mean is meant for a table: it leaves out the local part and all periods
+        with a probability below one half, because a wave of a wrong length increases the error as
+        often as it reduces it. The standard deviation, about this mean, includes both.
         """
         where = np.asarray(positions, dtype=np.float64)
         scale = self.cells.data.scale
@@ -133,7 +132,7 @@ class AxisPosterior:
 
     @property
     def _held(self) -> NDArray[np.bool_]:
-        """Return which draws (n,) contain at most the median number of periods."""
+        """Return a mask (n,) of the draws with at most the median number of periods."""
         periods = np.repeat(
             [len(part.basis.periods) for part in self.parts],
             [part.draws.size for part in self.parts],
@@ -166,15 +165,12 @@ class AxisPosterior:
     def draw(
         self, positions: FloatArray, count: int, rng: np.random.Generator, test: int = 0
     ) -> Draws:
-        """Return ``count`` random draws of the error at ``positions`` in both directions, mm or
-        deg.
+        """Return ``count`` random draws of the error in both directions, mm or deg.
 
-        ``positions``: (k,), or (count, k) with places of their own. A draw is mean + root z of the
-        weights, z standard normal (Rasmussen and Williams 2006, appendix A.2). The noise is that of
-        the ``test`` (its place among those of the estimate).
-
-        At the targets of the tests the local part is what the readings say; anywhere else it is
-        drawn afresh.
+        ``positions``: (k,), or (count, k) for different positions in each draw. Draw = mean + root
+        z, with standard normal z for the weights (Rasmussen and Williams 2006, appendix A.2). The
+        noise is that of the test with index ``test`` in the estimate. At the targets of the tests
+        the local part follows the readings; at other positions it is drawn from its prior.
         """
         where = np.asarray(positions, dtype=np.float64)
         unique, back = np.unique(where, return_inverse=True)
@@ -218,11 +214,10 @@ class AxisPosterior:
         values: FloatArray,
         rng: np.random.Generator,
     ) -> FloatArray:
-        """Return random draws (count, m) of the part of the error that differs without any pattern
-        from target to target.
+        """Return random draws (count, m) of the local part: independent from target to target.
 
-        The weights ``values`` (count, j) are given: a normal mean with normal prior and known
-        variance (Gelman et al. 2013, section 2.5).
+        ``values`` (count, j): given weights of the functions. A normal mean with normal prior and
+        known variance (Gelman et al. 2013, section 2.5).
         """
         data = self.cells.data
         known = data.precision[weights.draw]
@@ -354,8 +349,8 @@ def _cycle_draws(draw_index: NDArray[np.intp], each: int) -> NDArray[np.intp]:
 
 
 def _nine_digits(value: float) -> float:
-    """Return a size rounded to nine significant digits. The size may be far smaller than the
-    resolution of instruments.
+    """Return ``value`` rounded to nine significant digits; it may be below any instrument's
+    resolution.
     """
     return float(f"{value:.8e}")
 

@@ -28,14 +28,14 @@ HARMONICS = (1, 2)
 class Basis:
     """The functions of position whose weighted sum is the error of an axis.
 
-    Columns: offset, slope, sines, then per period cosine and sine of each harmonic; then the
-    reversal's offset, slope, sines.
+    Columns: offset, slope, sines, then cosine and sine of each harmonic of each period; then
+    offset, slope and sines of the reversal. ``centre`` and ``half`` (mm or deg) give the normalised
+    position u = (x - centre) / half. The first block describes the mean of both directions, the
+    second the reversal (positive minus negative); half of it is added in +, half subtracted in -.
 
-    ``centre`` and ``half`` (mm or deg) give the normalised position u = (x - centre) / half. The
-    first block describes the mean of both directions, the second the reversal (positive minus
-    negative), of which each direction carries half. With a ``turn`` (the travel per turn of an
-    endless axis) every column repeats with it: no slope (its column is zero), and instead of the
-    sines cosine and sine of the turn's harmonics, whose variances follow the same spectral density.
+    With a ``turn`` (the travel per turn of an endless axis) every column repeats after it: the
+    slope column is zero, and the sines are replaced by cosine and sine of the harmonics of the
+    turn, whose variances follow the same spectral density.
     """
 
     centre: float
@@ -198,13 +198,13 @@ _WINDOW = 200_000
 
 def alias_wavelength(targets: FloatArray, wavelength: float) -> float | None:
     """Return the wavelength of the slower wave that has the same values at the targets, mm or deg.
-    inf: a constant; None: the targets show the wave itself.
 
-    Targets a mean interval d apart show waves longer than 2 d as what they are. A shorter one folds
-    where for some frequency g within 1 / (2 d) the mean of exp(2 pi i (1 / wavelength - g) x) over
-    the targets has a size above `ALIASED`: at equal intervals always, at those of ISO 230-2 with
-    their random part hardly ever. That mean is the spectral window of the targets (Deeming,
-    Astrophysics and Space Science 36, 1975).
+    inf: a constant; None: no slower wave has these values. With a mean interval d between targets,
+    waves longer than 2 d have no such alias. A shorter wave has one where, for some frequency g
+    within 1 / (2 d), the absolute mean of exp(2 pi i (1 / wavelength - g) x) over the targets
+    exceeds `ALIASED`: always with equal intervals, hardly ever with the random part of ISO 230-2.
+    That mean is the spectral window of the targets (Deeming, Astrophysics and Space Science 36,
+    1975).
     """
     return _alias_wavelength(targets.tobytes(), wavelength)
 
@@ -244,13 +244,12 @@ def _window(frequencies: FloatArray, targets: FloatArray) -> FloatArray:
 
 
 def hidden_share(targets: FloatArray, period: float) -> float:
-    """Return the share of a wave of this ``period`` that the targets cannot show. 0: they show all
-    of it; 1: they show nothing.
+    """Return the share (0 to 1) of a wave of this ``period`` that the targets cannot show.
 
-    Offset and slope are taken from cosine and sine at the targets (orthogonal projection; Björck,
-    Numerical Methods for Least Squares Problems, 1996, chapter 1); what is left of the worse phase,
-    against what well spread targets would leave, sqrt(m / 2), is the share that is seen.
-    ``targets`` (m,) and ``period`` in mm or deg.
+    0: they show all of it; 1: nothing. Offset and slope are removed from cosine and sine at the
+    ``targets`` (m,), mm or deg (orthogonal projection; Björck, Numerical Methods for Least Squares
+    Problems, 1996, chapter 1). The visible share is the norm of the remainder at the worst phase,
+    divided by sqrt(m / 2), which evenly spread targets would leave.
     """
     middle = targets - np.mean(targets)
     span = max(float(np.ptp(targets)), 1e-300)

@@ -43,14 +43,14 @@ _SEED: Final = 202  # by it the noise of one test is paired with that of another
 class Cells:
     """The targets (m,) of an axis with their mean readings, and first estimates of the scatter.
 
-    ``data``: the readings minus ``offset + slope x + d reversal/2``. ``spread`` and ``roughness``
-    are in units of ``data.scale``: noise of one reading as guessed, scatter about the straight
-    line. ``noises``: by test, the noise of a fresh one like it, as much of it for each draw of
-    ``data``, in their order; ``other_noise``: the draws of the first whose noise is known, None for
-    none. ``slopes``: by test, the column of its own slope in ``data.extra``, None for none.
-    ``jumps``: steps of the error, taken out with the line. ``repeated``: there are readings of one
-    cell in one test. ``rough_reversal``: standard deviation, mm or deg, by which half the reversal
-    differs from target to target.
+    ``data``: the readings minus ``offset + slope x + d reversal/2`` and minus the ``jumps``, in
+    units of ``data.scale``. ``spread``, ``roughness``: first estimates of the standard deviation of
+    one reading and of the scatter about the straight line, in the same unit. ``noises``: by test,
+    the noise of a new test, one value for each draw of ``data``. ``other_noise``: noise draws of
+    the first test that has any; None for none. ``slopes``: by test, the column of its own slope in
+    ``data.extra``; None for none. ``repeated``: some target has several readings in one direction
+    of one test. ``rough_reversal``: standard deviation, mm or deg, of half the reversal from target
+    to target.
     """
 
     targets: FloatArray
@@ -140,7 +140,7 @@ def build_cells(
 
 
 def _fresh_noise(noise: NoisePosterior, order: NDArray[np.intp]) -> NoiseDraws:
-    """Return the noise of new tests, one value for each of the draws ``order`` (n,)."""
+    """Return the noise of a new test for each of the draws ``order`` (n,)."""
     each = noise.fresh.count // noise.draws.count
     return noise.fresh.taken((order[:, np.newaxis] * each + np.arange(each)).ravel())
 
@@ -251,11 +251,11 @@ def _reversals(part: ObservedCells) -> FloatArray:
 
 
 def _rough_reversal(part: ObservedCells) -> float:
-    """Return the variance of irregular changes of the reversal error per mean, mm² or deg².
+    """Return the variance of irregular changes of the reversal error, mm² or deg² per mean reading.
 
-    Differences from target to target that noise does not explain (median of the second differences;
-    Gasser, Sroka and Jennen-Steinmetz, Biometrika 73, 1986) would make the smooth reversal of the
-    estimate swing between the targets.
+    Only the part that noise does not explain, from the median of the second differences (Gasser,
+    Sroka and Jennen-Steinmetz, Biometrika 73, 1986). Without it the smooth reversal of the estimate
+    would oscillate between the targets.
     """
     second = np.diff(_reversals(part), 2)
     if part.inferred or second.size < _LEAST_DIFFERENCES:
@@ -280,10 +280,10 @@ class _Sizes:
 
 
 def _sizes(parts: Sequence[ObservedCells], left: Sequence[FloatArray], least: float) -> _Sizes:
-    """Return the standard deviations by cause. ``left``: the means of the targets minus the
-    straight line.
+    """Return the standard deviations of the readings by cause.
 
-    ``least``: noise that every instrument has, mm or deg.
+    ``left``: the mean readings minus the straight line. ``least``: noise that every instrument has,
+    mm or deg.
     """
     largest = max(float(np.max(np.abs(part.means))) for part in parts)
     floor = max(least, 1e-9 * largest)
@@ -385,8 +385,9 @@ def _blocks(columns: Sequence[FloatArray]) -> FloatArray:
 
 
 def _neighbour_spread(parts: Sequence[ObservedCells], left: Sequence[FloatArray]) -> float:
-    """Return the scatter estimated from second differences of neighbouring targets. Single readings
-    show no other scatter (Gasser, Sroka and Jennen-Steinmetz, Biometrika 73, 1986).
+    """Return the scatter of single readings from second differences of neighbouring targets.
+
+    Used where no reading is repeated (Gasser, Sroka and Jennen-Steinmetz, Biometrika 73, 1986).
     """
     rows = [
         np.diff(row[part.signs == sign], 2)

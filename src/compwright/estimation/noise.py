@@ -2,11 +2,12 @@
 
     reading = mean of its cell + offset and tilt of its traverse + drift with the runs + error
 
-Errors are normal, Student's, or have outliers; their scale may differ by direction and along the
-travel. Traverses move each on its own, by runs, or in a random walk, all of them or only some; or
-in a wave in time. Every part may be nothing, and most of the prior probability says so; what the
-readings show decides how far it is believed. Drawn by Gibbs sampling (Geman and Geman, IEEE Trans.
-Pattern Anal. 6, 1984), with everything normal integrated out where its size is drawn.
+A cell is a target approached in one direction; a traverse is one pass over the targets in one
+direction. Errors are normal, Student's, or have outliers; their scale may differ by direction and
+along the travel. Traverses may shift independently, by runs, in a random walk, or in a wave in
+time; all of them or only some. Every part may be zero, and most of the prior probability is there;
+the readings decide how probable it is. Drawn by Gibbs sampling (Geman and Geman, IEEE Trans.
+Pattern Anal. 6, 1984), with all normal parts integrated out where their size is drawn.
 """
 
 from __future__ import annotations
@@ -120,15 +121,20 @@ def _thinning(test: PositioningTest, readings: CellReadings) -> Iterator[Finding
 
 
 def _as_shown(sigma: FloatArray, step: float) -> FloatArray:
-    """Return the scales (count,) of readings after the instrument has rounded them to ``step``."""
+    """Return the standard deviations (count,) of readings after rounding to ``step``, mm or deg.
+
+    ``sigma`` (count,): before rounding.
+    """
     return rounded_stds(sigma, step) if step else sigma
 
 
 def _repeated(
     draws: Sequence[NoiseState], readings: CellReadings, every: CellReadings
 ) -> FloatArray:
-    """Return the offset and tilt (count, 2) of the traverses of repeated tests. A random walk makes
-    its steps between ``every`` run.
+    """Return the offset and tilt (count, 2) of the traverses in a repeated test.
+
+    ``every``: all runs of this test, ``readings``: those used. The step of a random walk is per
+    run.
     """
     sizes = np.array([draw.again for draw in draws])
     sizes[[draw.pattern == WALK for draw in draws]] *= np.sqrt(readings.runs / every.runs)
@@ -144,8 +150,8 @@ def _noise(
 ) -> NoiseDraws:
     """Return the noise as a record, from the ``draws`` of the sampler.
 
-    Errors of the scales ``sigma`` (count,), which follow the ``members`` (count,) of `TAILS`, and
-    traverses moved by ``sizes`` (count, 2).
+    ``sigma`` (count,): scales of the errors; ``members`` (count,): their distributions, as indices
+    in `TAILS`; ``sizes`` (count, 2): offset and tilt of the traverses.
     """
     tails = [TAILS[member] for member in members]
     spread = np.array([draw.spread for draw in draws])

@@ -29,8 +29,9 @@ _AT_ONCE: Final = 500_000
 
 @dataclass(frozen=True, slots=True)
 class CellMeans:
-    """Mean readings and their precisions (c,), 0 where there is no reading. ``columns`` (c, q):
-    errors of unit variance that several means share.
+    """Mean readings (c,) and their precisions (1 / variance; 0 without a reading), mm or deg.
+
+    ``columns`` (c, q): errors that several means share, each of unit variance.
     """
 
     mean: FloatArray
@@ -43,13 +44,12 @@ def cell_means(
 ) -> CellMeans:
     """Return the mean readings and their precisions under one draw of the noise.
 
-    A flat prior on the means, normal effects of the traverses (Searle, Casella and McCulloch,
-    Variance Components, 1992, section 7.4); heavy tails and outliers integrated out, whichever
-    readings the sampler took for such (Rao-Blackwell: Gelfand and Smith, J. Am. Stat. Assoc. 85,
-    1990).
-
-    ``shapes``: of the spread. ``step``: to which a coarse instrument rounds, mm or deg; 0 where
-    that is no matter. What rounding does to all readings of a cell alike no repetition takes out.
+    Flat prior on the means; shifts of traverses are normal effects (Searle, Casella and McCulloch,
+    Variance Components, 1992, section 7.4). Heavy tails and outliers are integrated out,
+    independent of which readings the sampler classified as outliers (Rao-Blackwell: Gelfand and
+    Smith, J. Am. Stat. Assoc. 85, 1990). ``shapes``: patterns of the scatter along the travel.
+    ``step``: resolution of the instrument, mm or deg, 0 where it is negligible; the mean of rounded
+    readings keeps an error that repetition does not reduce.
     """
     data = draw.data
     there = data.weights > 0.0
@@ -83,11 +83,11 @@ def means_of_all_runs(
     readings: CellReadings,
     every: CellReadings,
 ) -> CellMeans:
-    """Return the means of ``every`` reading under a noise that was drawn from only some of the runs
-    (``readings``).
+    """Return the means of all readings under a noise that was inferred from some of the runs.
 
-    The means of all, known better by as much as they are more. What moves the other traverses is
-    not known one by one and stays common to the means.
+    ``readings``: those runs; ``every``: all readings. The variances of the means decrease with the
+    number of readings. The shifts of the runs that the inference left out are unknown and remain a
+    common error of the means.
     """
     there = np.any(every.there, axis=1)
     count = np.maximum(np.sum(every.there, axis=1), 1)
@@ -122,11 +122,11 @@ def cell_locations(
 def _located(
     tail: Tail, values: FloatArray, there: NDArray[np.bool_], scale: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the mean and variance (c,) of each target's value from its scattering readings
-    ``values`` (c, n).
+    """Return mean and variance (c,) of each target's value from its readings ``values`` (c, n).
 
-    Where they are ``there``, each is off by an error that follows ``tail`` times ``scale`` (c,): a
-    flat prior, by the trapezoidal rule over places about the readings.
+    ``there`` (c, n): which readings exist. Their errors follow the distribution ``tail`` times
+    ``scale`` (c,). Flat prior; integrated by the trapezoidal rule over positions around the
+    readings.
     """
     known = np.sort(np.where(there, values, np.inf), axis=1)
     last = np.count_nonzero(there, axis=1) - 1
@@ -149,10 +149,10 @@ def _located(
 
 
 def _columns(draw: NoiseState) -> tuple[FloatArray, FloatArray]:
-    """Return a few columns (c, q) that reproduce the covariance of the mean readings, and the
-    remaining variances (c,).
+    """Return a few columns (c, q) that reproduce the means' covariance, and remaining variances
+    (c,).
 
-    Partial Cholesky factor at fixed cells of each direction (Golub and Van Loan, Matrix
+    Partial Cholesky factor with pivots at fixed cells of each direction (Golub and Van Loan, Matrix
     Computations, 4th ed. 2013, section 4.2.8).
     """
     shares, there = draw.data.shares, draw.data.weights > 0.0

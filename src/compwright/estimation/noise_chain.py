@@ -55,14 +55,17 @@ WAYS: Final = 4
 class NoiseState:
     """One state of the random sampler of the noise, mm or deg.
 
-    ``sigma``: scale of a reading before it is rounded; ``spread``: how its logarithm follows
-    direction and waves; ``tail``: place in `TAILS`; ``size`` (4,), ``pattern``, ``pace``, ``moved``
-    (q,), ``rate``: of the traverses (`Sizes`), of whose offsets a ``share`` is there; ``again``
-    (2,): offset and tilt of a repeated test, at least what they were in this one; ``drift`` (2,).
-    ``effects`` (k,) of the traverses, drift included, and their ``covariance`` given ``data`` of
-    unit weight ``variance``. ``tails``, ``sigmas`` (`WAYS`,): members and scales that were as
-    likely as ``tail`` with its own. ``absent``, ``absent_spread``, ``tail_chances``: how probable
-    each part was nothing, or each tail was the one; ``outlier`` (c, n): taken for one.
+    Errors of readings: ``sigma``, scale before rounding; ``spread``, coefficients of its logarithm
+    over direction and position; ``tail``, distribution as index in `TAILS`; ``tails``, ``sigmas``
+    (`WAYS`,), equally likely alternatives; ``outlier`` (c, n).
+
+    Shifts of traverses: ``size`` (4,), ``pattern``, ``pace``, ``moved`` (q,), ``rate`` as in
+    `Sizes`; ``share`` of traverses with an offset; ``drift`` (2,); ``again`` (2,), offset and tilt
+    in a repeated test, not smaller than in this one. ``effects`` (k,) with drift, and
+    ``covariance`` given ``data``, in units of ``variance``.
+
+    Probabilities: ``absent``, ``absent_spread`` that a part is zero; ``tail_chances`` of each
+    distribution.
     """
 
     sigma: float
@@ -143,8 +146,8 @@ class GibbsChain:
         return max(scale, 0.3 * spread, self.floor), rest
 
     def sweep(self) -> NoiseState:
-        """Draw every part of the noise once. Returns the state in which the mean readings were
-        weighted.
+        """Draw every part of the noise once; return the state that gave the mean readings their
+        weights.
         """
         rng, there = self.rng, self.readings.there
         scale = np.exp(self.spread @ self.shapes)[:, np.newaxis]
@@ -201,10 +204,10 @@ class GibbsChain:
     def _as_read(
         self, data: ReducedReadings, weights: FloatArray, shift: FloatArray
     ) -> ReducedReadings:
-        """Return ``data`` with the means of the readings as displayed, minus the ``shift`` (c, n)
-        of outliers.
+        """Return ``data`` with the means of the displayed readings, minus the ``shift`` (c, n) of
+        outliers.
 
-        A drawn place between two numbers would stand for the mean of its cell.
+        The unrounded values are random draws and would change the mean of their target at random.
         """
         if self.values is self.readings.values:
             return data
@@ -212,8 +215,9 @@ class GibbsChain:
         return replace(data, means=np.sum(weights * (self.readings.values - shift), axis=1) / total)
 
     def _traverses(self, values: FloatArray, weights: FloatArray) -> ReducedTraverses:
-        """Return the information of ``values`` (c, n) with ``weights`` about the traverses. It is
-        computed again only where they changed.
+        """Return the information about the traverses in ``values`` (c, n) with ``weights`` (c, n).
+
+        It is computed again only where they changed.
         """
         if not (
             self.reduced is not None
@@ -226,9 +230,11 @@ class GibbsChain:
         return self.reduced[2]
 
     def _draw_readings(self, values: FloatArray, moved: FloatArray) -> None:
-        """Draw scale, means, tails and weights of the readings, and where they scatter more.
+        """Draw scale, means, error distribution and weights of the readings, and the scatter's
+        variation.
 
-        ``values`` (c, n) are without the shift of outliers, ``moved`` is what traverses do.
+        ``values`` (c, n): readings without the shifts of outliers; ``moved`` (c, n): the shifts of
+        traverses.
         """
         squares = self._about_means(values - moved)[1]
         self.absent_spread = draw_spread(
@@ -246,10 +252,10 @@ class GibbsChain:
             self.values = draw_unrounded(self.readings, self.step, middle + shift, reach, self.rng)
 
     def _draw_means(self, left: FloatArray, scale: FloatArray) -> FloatArray:
-        """Draw the scale of a reading, then the means (c, 1) of targets and directions from the
-        readings ``left`` (c, n).
+        """Draw the scale of a reading, then the means (c, 1) of targets and directions.
 
-        They scatter by ``scale`` (c, 1) times as much.
+        ``left`` (c, n): readings without other effects; their standard deviation is the drawn scale
+        times ``scale`` (c, 1).
         """
         means, squares, total = self._about_means(left)
         square = float((squares / scale[:, 0] ** 2).sum())
@@ -269,14 +275,12 @@ class GibbsChain:
         return means, squares + self.floor**2 / squares.size, total
 
     def _take_tail(self, z: FloatArray) -> None:
-        """Draw the type of the error distribution and its scale together, then a weight for each
-        reading.
+        """Draw the error distribution and its scale together, then a weight for each reading.
 
-        From errors (c, n) in units of the present scale.
-
-        Offsets of traverses keep their size in mm or deg. Alternatives drawn from the same
-        distribution, evenly over it (systematic sampling: Cochran, Sampling Techniques, 3rd ed.
-        1977, chapter 8), are kept too, because the tails differ most from sweep to sweep.
+        ``z`` (c, n): errors in units of the present scale. The offsets of traverses keep their size
+        in mm or deg. Equally likely alternatives are drawn from the same distribution (systematic
+        sampling: Cochran, Sampling Techniques, 3rd ed. 1977, chapter 8) and stored, because the
+        distribution varies most from sweep to sweep.
         """
         factors = _FACTORS * np.exp(self.rng.uniform(-0.5, 0.5) * _STEP)
         chances = tail_probabilities(z[self.counted], factors)

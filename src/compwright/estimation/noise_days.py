@@ -1,22 +1,22 @@
 """The noise of a new test, from several tests that were taken in the same way on different days.
 
-One test shows its own drift and its own scatter, not whether they come again. Several show how they
+One test shows its own drift and scatter, but not whether they repeat. Several tests show how both
 differ from day to day:
 
-    drift: the same in every test, or drawn for each, normal about nothing;
-    scatter: the same in every test, or its logarithm drawn for each, normal about a mean.
+    drift: the same in every test, or drawn for each test, normal with mean zero
+    scatter: the same in every test, or its logarithm drawn for each test, normal about a mean
 
-A drift repeats in one case of two: the same motion brings the same heat; hall, oil and set-up
-differ. That is a judgement, from no document. A scatter repeats in seven of ten. Three axes in
-public logs were measured again in the same way (github.com/anderssandstrom: vacuum tank after five
-weeks, target x the next day, a slit six times): ratios of 1.24, 1.10 and up to 1.3, where
-chance alone makes 1.17, 1.19 and 1.27 in one case of three. A flat prior on the share of such axes
-leaves 0.72; with the target at another motor current, which halved its scatter, 0.46.
+Prior of a repeating drift: one half. The same motion brings the same heat, but hall, oil and set-up
+differ (a judgement, from no document). Prior of a repeating scatter: 0.7. Three axes in public logs
+were measured again in the same way (github.com/anderssandstrom: vacuum tank after five weeks,
+target x the next day, a slit six times): ratios of 1.24, 1.10 and up to 1.3, where chance alone
+makes 1.17, 1.19 and 1.27 in one case of three. A flat prior on the share of such axes leaves 0.72;
+with the target at another motor current, which halved its scatter, 0.46.
 
-The size of a drift is not known: it is summed over, flat in its logarithm; so is that of a change
-of the scatter, flat in itself, as few groups need it (Gelman, Prior distributions for variance
-parameters, Bayesian Analysis 1, 2006). With two tests a drift that is drawn for each follows about
-Student's law with two degrees of freedom.
+The size of a drift is unknown and averaged over, with a flat prior on its logarithm. The size of a
+change of the scatter has a flat prior itself, as few groups need it (Gelman, Prior distributions
+for variance parameters, Bayesian Analysis 1, 2006). With two tests, a drift that is drawn for each
+follows about Student's distribution with two degrees of freedom.
 """
 
 from __future__ import annotations
@@ -44,8 +44,9 @@ _TINY: Final = 1e-12
 def over_days(
     noise: NoiseDraws, tests: Sequence[NoiseDraws], own: int, rng: np.random.Generator
 ) -> NoiseDraws:
-    """Return the ``noise`` of a new test like the one with the index ``own``. Its drift and scatter
-    vary as they do between the ``tests``.
+    """Return the ``noise`` of a new test like the test with index ``own``.
+
+    Its drift and scatter vary as they do between the ``tests``.
     """
     drifts = np.array([(np.mean(each.drift), np.mean(each.drift_tilt)) for each in tests]).T
     stds = np.array([(np.std(each.drift), np.std(each.drift_tilt)) for each in tests]).T
@@ -67,10 +68,10 @@ def over_days(
 
 
 def _drawn_sizes(drifts: FloatArray, stds: FloatArray) -> tuple[float, FloatArray, FloatArray]:
-    """Return the log odds that each test drifts by its own size instead of a common one. Also
-    possible sizes (s,) with their probabilities.
+    """Return the log odds that each test has its own drift, against one drift common to all tests.
 
-    ``drifts`` (k,), standard errors ``stds`` (k,).
+    Also possible standard deviations (s,) of the drift between tests, with their probabilities.
+    ``drifts`` (k,): by test, with standard errors ``stds`` (k,).
     """
     size = float(np.sqrt(np.mean(drifts**2)))
     if size == 0.0:
@@ -96,8 +97,10 @@ def _log_normal(values: FloatArray, covariance: FloatArray) -> float:
 def _log_change(
     tests: Sequence[NoiseDraws], own: int, count: int, rng: np.random.Generator
 ) -> FloatArray:
-    """Return random draws (count,) of the log ratio between the scatter of a new test and that of
-    the test ``own``. Scatter is what the errors reach: scales of different tails differ.
+    """Return random draws (count,) of log(scatter of a new test / scatter of the test ``own``).
+
+    Scatter: rms of the central errors, because the scales of different distributions do not
+    compare.
     """
     logs = [
         np.mean(np.log(np.maximum(each.sigma, _TINY)), axis=1) + np.log(each.reach)

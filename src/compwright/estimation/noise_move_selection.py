@@ -1,8 +1,8 @@
 """Decide which traverses, runs or steps are shifted: all of them or only some.
 
-A mounting that creeps moves every traverse; a knock, a chip or a reference run that missed its mark
-moves one now and then. Moves that are there are normal, the others nothing (Mitchell and Beauchamp,
-J. Am. Stat. Assoc. 83, 1988); the share that is there is one, or has the prior of Jeffreys.
+A creeping mounting shifts every traverse; a knock, a chip or an inaccurate reference run shifts one
+now and then. Existing shifts are normal, the others zero (Mitchell and Beauchamp, J. Am. Stat.
+Assoc. 83, 1988). The share of existing shifts is 1, or has Jeffreys' prior.
 """
 
 from __future__ import annotations
@@ -58,8 +58,9 @@ def draw_moved(
 ) -> BoolArray:
     """Draw which of the ``moves`` (q, r) exist, one after the other, each given the others.
 
-    Standard deviations in the scores (George and McCulloch, J. Am. Stat. Assoc. 88, 1993),
-    ``moved`` (q,) being so now; the variance of a reading is integrated out.
+    ``moves``: standard deviations of the scores by each shift; ``moved`` (q,): which exist at
+    present. The variance of a reading is integrated out (George and McCulloch, J. Am. Stat. Assoc.
+    88, 1993).
     """
     drawn = moved.copy()
     there = moves[moved]
@@ -94,8 +95,9 @@ def _log_priors(count: int) -> tuple[float, ...]:
 
 
 def _log_chance(there: int, count: int) -> float:
-    """Return the log probability of k hits among n under Jeffreys' prior.
+    """Return the log probability that ``there`` given shifts of ``count`` exist, under Jeffreys'
+    prior.
 
-    log B(k + 1/2, n - k + 1/2) - log B(1/2, 1/2).
+    log B(k + 1/2, n - k + 1/2) - log B(1/2, 1/2), with k = ``there`` and n = ``count``.
     """
     return lgamma(there + _HALF) + lgamma(count - there + _HALF) - lgamma(count + 1.0) - log(pi)

@@ -42,10 +42,9 @@ PACE_SHARES: Final = np.array([0.6, 0.2, 0.2])
 class Sizes:
     """The present state of the sampler for the shifts of traverses.
 
-    ``size`` (4,) of offset, tilt, drift, drift of the tilt, in standard deviations of a reading;
-    ``form``: place in `FORM_SHARES`; ``moved`` (q,): which of the moves of `Patterns` are there;
-    ``rate``: place in `RATES`; ``absent`` (4,): how probable it was, when last drawn, that there is
-    none.
+    ``size`` (4,): standard deviations of offset, tilt, drift and drift of the tilt, in that of a
+    reading. ``form``: index in `FORM_SHARES`; ``rate``: index in `RATES`; ``moved`` (q,): which
+    shifts of `Patterns.moves` exist. ``absent`` (4,): probability of size zero at the last draw.
     """
 
     moved: BoolArray
@@ -67,11 +66,12 @@ class Sizes:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Patterns:
-    """The possible patterns of shifts between the traverses of a test, each of unit size.
+    """The possible patterns of shifts between the k traverses of a test, each of unit size.
 
-    ``moves`` (3, q, k), one row for what moves a traverse, a run, or all from one traverse on;
-    ``waves`` (paces, k, k), ``tilt`` (forms, k, k) covariances; the two drifts as columns
-    ``drift``, ``drift_tilt`` (rates, k). ``walks``: time passes from run to run.
+    ``moves`` (3, q, k): effect of each possible shift of one traverse, of one run, or of all
+    traverses after one. Covariances: ``waves`` (paces, k, k), ``tilt`` (forms, k, k). Columns:
+    ``drift``, ``drift_tilt`` (rates, k). ``walks``: time passes between runs, so that drift is
+    possible.
     """
 
     moves: FloatArray
@@ -108,11 +108,12 @@ class Patterns:
     def at_least(
         self, sizes: Sizes, effects: FloatArray, variance: float, share: float, made: BoolArray
     ) -> FloatArray:
-        """Return the size of offset and tilt (2,) of the traverses, in the unit of the readings.
+        """Return the larger of two sizes of offset and tilt (2,) of the traverses, mm or deg.
 
-        Whose squares of unit weight are worth ``variance``: those of ``sizes``, or what the
-        ``effects`` (k,) of the traverses that were ``made`` (2, n) show about their mean by
-        direction, whichever is larger; 0 where there is none. ``share`` of the offsets are there.
+        One is the present ``sizes`` times the standard deviation of a reading (root of
+        ``variance``). The other is the rms of the ``effects`` (k,) of the existing traverses
+        ``made`` (2, n) about their mean by direction. 0 where there is no shift; ``share``: share
+        of the traverses with an offset.
         """
         found: FloatArray = sizes.size[:DRIFT] * np.sqrt(variance)
         forms = self.offset_of(sizes.form, np.ones_like(sizes.moved)), self.tilt[sizes.form]
@@ -140,10 +141,10 @@ class Patterns:
 
 
 def build_patterns(readings: CellReadings, cycle: Cycle, runs: tuple[int, int]) -> Patterns:
-    """Return the possible patterns of shifts for a test with this number of ``runs`` in + and in -.
+    """Return the possible patterns of shifts for a test with ``runs`` runs in + and in -.
 
-    In a step cycle the approaches to a target follow each other at once: there is nothing that
-    drifts from run to run, no walk and no wave.
+    In a step cycle the approaches to a target follow each other at once. It has no drift from run
+    to run, no random walk and no wave.
     """
     n = readings.runs
     order = np.full((2, n), 2 * n)  # a traverse that was not made stands last
@@ -174,8 +175,8 @@ def build_patterns(readings: CellReadings, cycle: Cycle, runs: tuple[int, int]) 
 def _moves(order: FloatArray, middle: int) -> FloatArray:
     """Return the effect of each unit shift on the traverses, (3, 2n, 2n) by pattern.
 
-    Places in time are ``order`` (2, n). A random walk is nothing at the ``middle`` of the test, as
-    the record has it.
+    ``order`` (2, n): place of each traverse in time. A random walk is zero at the ``middle`` of the
+    test, as in the record of the noise.
     """
     n = order.shape[1]
     runs = np.zeros((2 * n, 2 * n))

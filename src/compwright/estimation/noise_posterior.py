@@ -18,16 +18,15 @@ from compwright.records.noise import NoiseDraws
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class NoisePosterior:
-    """Equally likely draws of the noise of a test with m targets. Each draw has the means of
-    the cells that follow from it, mm or deg.
+    """Equally likely draws of the noise of a test with m targets, each with its means, mm or deg.
 
     ``mean``, ``precision`` (count, 2m): weighted mean of the readings and its inverse variance,
-    first all targets approached in +, then in -; both 0 where a cell has no reading.
-    ``columns`` (count, 2m, q): what offsets and tilts of the traverses leave common to the means,
-    as columns of unit variance. Given draw k the means are normal about the errors of the cells
-    with covariance columns columns' + 1 / precision. What drifts with the runs is taken out of
-    the means. ``fresh``: noise of a fresh test, as many draws of it for each of the others, in
-    their order. ``sigma``: standard deviation of one reading, with ``dof`` degrees of freedom.
+    first all targets approached in +, then in -; both 0 without a reading. ``columns`` (count, 2m,
+    q): errors common to several means, from offsets and tilts of traverses, as columns of unit
+    variance. Given draw k the means are normal about the error of the axis with covariance columns
+    columns' + 1 / precision. Drift with the runs is removed from the means. ``fresh``: noise of a
+    new test, equally many draws for each of ``draws``, in their order. ``sigma``: standard
+    deviation of one reading, with ``dof`` degrees of freedom.
     """
 
     draws: NoiseDraws

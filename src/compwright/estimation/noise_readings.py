@@ -63,12 +63,12 @@ class CellReadings:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ReducedReadings:
-    """The information of weighted readings about the shifts (k,) of the traverses, per unit of
-    variance.
+    """The information of weighted readings about the k shifts of the traverses, per unit variance.
 
-    ``root`` (k, r), root @ root.T the information; ``scores`` (r,) = root.T @ effects + unit noise;
-    ``rest``: sum of squares that no effect explains; ``means``, ``weights`` (c,): weighted mean
-    and total weight of each cell; ``shares`` (c, k): by how much each effect moves that mean.
+    ``root`` (k, r): root @ root.T is the information matrix; ``scores`` (r,) = root.T @ shifts +
+    unit noise; ``rest``: sum of squares that no shift explains. ``means``, ``weights`` (c,):
+    weighted mean and total weight by target and direction; ``shares`` (c, k): change of that mean
+    per unit of each shift.
     """
 
     root: FloatArray
@@ -109,11 +109,11 @@ def traverse_effects(readings: CellReadings, effects: FloatArray) -> FloatArray:
 def reduce_readings(
     readings: CellReadings, values: FloatArray, weights: FloatArray
 ) -> ReducedReadings:
-    """Return the information of ``values`` (c, n) about the traverses, after the means of the
-    targets are eliminated.
+    """Return the information of ``values`` (c, n) about the shifts of traverses, with free means.
 
-    ``weights`` (c, n), 0 where there is none (Harville 1974; normal equations by blocks: Björck,
-    Numerical Methods for Least Squares Problems, 1996, section 6.3).
+    ``weights`` (c, n): 0 without a reading. The means of targets are eliminated (Harville 1974;
+    normal equations by blocks: Björck, Numerical Methods for Least Squares Problems, 1996, section
+    6.3).
     """
     n, m = readings.runs, readings.u.size // 2
     total = weights.sum(axis=1)

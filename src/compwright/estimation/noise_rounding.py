@@ -42,14 +42,12 @@ _ORDERS: Final = 100
 def reading_step(
     readings: CellReadings, residuals: FloatArray, scatter: float, coarsest: float
 ) -> float:
-    """Return the resolution step of the readings, mm or deg. 0 where it is fine relative to their
-    ``scatter`` or larger than ``coarsest``.
+    """Return the resolution step of the readings, mm or deg; 0 where fine or above ``coarsest``.
 
-    All readings are multiples of it; if those of different cells are not (a table was taken out of
-    them), the differences within the cells are.
-
-    Traverses that are shifted as a whole, so that ``residuals`` (c, n) without cells and traverses
-    are nothing, show no step by their shifts: the readings along them have to.
+    Fine: small relative to the ``scatter``. All readings are multiples of the step. If those of
+    different targets are not (a table was subtracted), the differences at each target are. If all
+    scatter is shifts of whole traverses (``residuals`` (c, n) without targets and traverses are
+    zero), the readings along the traverses must show the step.
     """
     there, values = readings.there, readings.values
     moved = np.any(np.abs(residuals) > SAME_READING)
@@ -90,14 +88,12 @@ def _common_step(gaps: FloatArray, least: float) -> float:
 def with_least_scatter(
     readings: CellReadings, residuals: FloatArray, least: float, rng: np.random.Generator
 ) -> FloatArray:
-    """Return the values (c, n) with random scatter added in each direction that scatters
-    implausibly little.
+    """Return the values (c, n), with random scatter added in a direction that scatters too little.
 
-    Whose ``residuals`` (c, n), the readings less cells and traverses, show less than can be
-    believed: ``least`` (mm or deg), `_LEAST_SHARE` of what the traverses differ, `_LEAST_SIDE` of
-    the scatter in the other direction. The values themselves, where both directions show as much.
-
-    All sizes of the noise are in units of this scatter: without any they would have no unit.
+    ``residuals`` (c, n): readings minus the effects of targets and traverses. Too little: less than
+    the largest of ``least`` (mm or deg), `_LEAST_SHARE` of the differences between traverses, and
+    `_LEAST_SIDE` of the scatter in the other direction. The other sizes of the noise are in units
+    of this scatter, so that it must not be zero.
     """
     there, half = readings.there, readings.there.shape[0] // 2
     counts = np.maximum(np.sum(there, axis=1, keepdims=True), 1)
@@ -154,13 +150,12 @@ def rounded_stds(sigmas: FloatArray, step: float) -> FloatArray:
 
 
 def common_std(sigma: float, step: float) -> float:
-    """Return the standard deviation of the rounding error that is common to all readings at one
-    target and direction.
+    """Return the standard deviation of the rounding error that all readings of one target share.
 
-    The readings scatter by ``sigma`` and are then rounded to ``step``, in the same unit. The mean
-    of rounded readings differs from the true mean by a Fourier series in the position of the true
-    mean between two numbers. Its mean square is step² / 12 without scatter and vanishes for scatter
-    of half a step or more (Widrow and Kollár, Quantization Noise, 2008, chapter 4).
+    One target in one direction. ``sigma``: scatter before rounding to ``step``, same unit. The mean
+    of rounded readings minus the true mean is a Fourier series in the position of the true mean
+    between two steps. Its mean square is step² / 12 without scatter and vanishes for a scatter of
+    half a step or more (Widrow and Kollár, Quantization Noise, 2008, chapter 4).
     """
     orders = np.arange(1, _ORDERS + 1)
     damping = np.exp(-((2.0 * np.pi * orders * sigma / step) ** 2))
@@ -172,7 +167,7 @@ def initial_unrounded(
 ) -> FloatArray:
     """Return a first guess of the readings (c, n) before the instrument rounded them to ``step``.
 
-    Those of a cell scatter as much as makes the scatter ``seen`` once they are rounded.
+    Their scatter at a target is such that rounding makes it the observed scatter ``seen``.
     """
     sizes = step * np.geomspace(_QUIET, 1.0, _TRIED)
     scatter = np.array([rounded_std(float(size), step) for size in sizes])

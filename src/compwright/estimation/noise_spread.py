@@ -30,8 +30,9 @@ def spread_shapes(readings: CellReadings) -> FloatArray:
 
 
 def precision_powers(shapes: FloatArray) -> FloatArray:
-    """Return the factor on the precision of each mean reading for every pattern and size (parts,
-    values, c).
+    """Return the factors (parts, values, c) on the precision of each mean reading.
+
+    One for every pattern of the scatter and every size of it.
     """
     powers: FloatArray = np.exp(-2.0 * _GRID[:, np.newaxis] * shapes[:, np.newaxis])
     return powers
@@ -45,15 +46,13 @@ def draw_spread(
     dof: FloatArray,
     rng: np.random.Generator,
 ) -> FloatArray:
-    """Draw the sizes ``spread`` (parts,) of the variation of the scatter. Also returns the
-    probability that each is zero.
+    """Draw the coefficients ``spread`` (parts,) of the variation of the scatter along the travel.
 
-    Each part given the others, from ``squares`` (c,) of the readings about their cells' means with
-    ``dof`` (c,); ``powers`` of the ``shapes`` (`precision_powers`).
-
-    The common scale is integrated out under its prior 1/sigma (Gelman et al., Bayesian Data
-    Analysis, 3rd ed. 2013, section 3.2). Exact conditional draws from a grid: Ritter and Tanner, J.
-    Am. Stat. Assoc. 87, 1992.
+    Also returns the probability that each is zero. Each coefficient is drawn given the others, from
+    ``squares`` (c,): sums of squares about the means of targets, with ``dof`` (c,). ``powers``:
+    `precision_powers` of the ``shapes``. The common scale is integrated out under its prior 1/sigma
+    (Gelman et al., Bayesian Data Analysis, 3rd ed. 2013, section 3.2). Exact conditional draws from
+    a grid: Ritter and Tanner, J. Am. Stat. Assoc. 87, 1992.
     """
     absent = np.ones(spread.size)
     total = float(np.sum(dof))

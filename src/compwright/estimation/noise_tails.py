@@ -1,9 +1,9 @@
 """The distribution of single readings: normal, Student's, normal with outliers, or light-tailed.
 
-Standardised residuals are counted into bins; the probability of the counts under every member of a
-list of distributions gives the member, and the member gives a weight to every reading (Student's
-law as a mixture of normal ones: Gelman et al., Bayesian Data Analysis, 3rd ed. 2013, section 17.2;
-outliers of inflated or shifted scale: Box and Tiao, Biometrika 55, 1968).
+Standardised residuals are counted in bins. The probability of the counts under each of a list of
+distributions gives the distribution, which then gives a weight to every reading (Student's
+distribution as a mixture of normal ones: Gelman et al., Bayesian Data Analysis, 3rd ed. 2013,
+section 17.2; outliers of inflated or shifted scale: Box and Tiao, Biometrika 55, 1968).
 """
 
 from __future__ import annotations
@@ -49,8 +49,9 @@ _MIDDLES: Final = 0.5 * (_EDGES[1:] + _EDGES[:-1])
 class Tail:
     """One possible error distribution of unit scale.
 
-    ``dof`` (inf: normal), outliers by ``share`` and ``size``, ``fixed``: on either side at that
-    size; ``core``: scale about each place, below 1 for light tails.
+    ``dof``: degrees of freedom (inf: normal). Outliers: ``share`` of the readings and ``size``;
+    ``fixed``: they are shifted by that size to either side. ``core``: scale about each of these
+    positions, below 1 for light tails.
     """
 
     prior: float
@@ -74,8 +75,9 @@ class Tail:
         return together
 
     def log_parts(self, z: FloatArray) -> FloatArray:
-        """Return log share and density at ``z`` (...) of a reading that is off to the lower side,
-        to the upper side, and not at all (3, ...).
+        """Return log share plus log density at ``z`` (...) of three cases, (3, ...).
+
+        Outlier to the lower side, outlier to the upper side, no outlier.
         """
         usual = -0.5 * (z / self.core) ** 2 - 0.5 * log(2.0 * pi) - log(self.core)
         rest = log(1.0 - self.share) if self.share < 1.0 else -inf
@@ -164,10 +166,10 @@ KINDS: Final = np.array([_kind(tail) for tail in TAILS])
 
 @dataclass(frozen=True, slots=True)
 class Latent:
-    """The state of each reading in the sampler: its ``weights`` (c, n), and whether it is an
-    ``outlier`` (c, n).
+    """The state of each reading in the sampler, arrays (c, n).
 
-    ``shift`` (c, n): by how many scales it is put off.
+    ``weights``; ``outlier``: classified as one; ``shift``: by how many scales an outlier is
+    shifted.
     """
 
     weights: FloatArray
@@ -176,10 +178,9 @@ class Latent:
 
 
 def tail_probabilities(z: FloatArray, factors: FloatArray) -> FloatArray:
-    """Return the posterior probability (tails, f) of each error distribution with each factor on
-    the scale.
+    """Return the posterior probability (tails, f) of each error distribution and each scale factor.
 
-    For errors ``z`` (k,) divided by the present one (prior 1/sigma: Gelman et al. 2013, section
+    ``z`` (k,): errors divided by the present scale (prior 1/sigma: Gelman et al. 2013, section
     3.2).
     """
     ordered = np.minimum(np.abs(z), _MIDDLES[-1] * float(factors.min()))

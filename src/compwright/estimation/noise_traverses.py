@@ -1,12 +1,12 @@
 """The shifts of whole traverses: offsets, tilts, and drift over the runs.
 
-Effects of the traverses, given the variance of a reading, are normal with a covariance that is a
-sum of known patterns with unknown sizes. Sizes are drawn on a grid by their exact conditional
-probability, effects and variance of a reading integrated out (griddy Gibbs sampler: Ritter and
-Tanner, J. Am. Stat. Assoc. 87, 1992; linear mixed model: Searle, Casella and McCulloch, Variance
-Components, 1992, chapter 6). Each size may be nothing at all (Mitchell and Beauchamp, J. Am. Stat.
-Assoc. 83, 1988); else its prior is half-Cauchy (Gelman, Bayesian Analysis 1, 2006), in units of the
-standard deviation of a reading.
+Shifts are normal, with a covariance that is a sum of known patterns of unknown sizes, in units of
+the variance of a reading. Sizes are drawn on a grid by their exact conditional probability, with
+shifts and variance of a reading integrated out (griddy Gibbs sampler: Ritter and Tanner, J. Am.
+Stat. Assoc. 87, 1992; linear mixed model: Searle, Casella and McCulloch, Variance Components, 1992,
+chapter 6). Each size may be zero (Mitchell and Beauchamp, J. Am. Stat. Assoc. 83, 1988); else its
+prior is half-Cauchy (Gelman, Bayesian Analysis 1, 2006), in units of the standard deviation of a
+reading.
 """
 
 from __future__ import annotations
@@ -43,11 +43,10 @@ _CLEARLY: Final = 7.0
 
 @dataclass(frozen=True, slots=True)
 class _Spectrum:
-    """Eigenvalues and eigenvectors of one pattern's covariance, relative to all others (generalised
-    eigenvalue problem).
+    """Eigenvalues and scores of one pattern's covariance, relative to the covariance of all others.
 
-    Scores along the axes of one covariance of unit size in the metric of all others: ``base``
-    (forms,), the log determinant of those; ``stretch``, ``along`` (forms, r).
+    Generalised eigenvalue problem. ``base`` (forms,): log determinant of the others; ``stretch``
+    (forms, r): eigenvalues; ``along`` (forms, r): scores in the direction of the eigenvectors.
     """
 
     base: FloatArray
@@ -251,9 +250,7 @@ class ReducedTraverses:
         )
 
     def _of_lines(self, lower: FloatArray, mine: FloatArray) -> _Spectrum:
-        """Return the eigenvalues of covariances that are products of the columns ``mine`` (rates,
-        r) with themselves.
-        """
+        """Return the eigenvalues of covariances c c' of the columns ``mine`` (rates, r)."""
         both = np.stack([mine, np.broadcast_to(self.data.scores, mine.shape)], axis=2)
         column, white = np.moveaxis(np.linalg.solve(lower, both), 2, 0)
         stretch = (column**2).sum(axis=1)
@@ -266,8 +263,10 @@ class ReducedTraverses:
         )
 
     def _of_others(self, sizes: Sizes, kind: int) -> tuple[FloatArray, FloatArray]:
-        """Return two covariances (forms, r, r) for each form of ``kind``: of all other causes with
-        the readings, and of ``kind`` of unit size. For a drift its column (rates, r).
+        """Return two covariances (forms, r, r) for each form of ``kind``, in the scores.
+
+        All other causes with the noise of the readings; and ``kind`` of unit size. For a drift the
+        second is its column (rates, r).
         """
         unit = np.eye(self.data.scores.size)
         if kind in (OFFSET, TILT):
