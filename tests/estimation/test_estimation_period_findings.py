@@ -110,7 +110,7 @@ def test_known_periods_that_the_data_do_not_tell_are_counted() -> None:
         (12.7, AxisKind.LINEAR, "0.5 inch"),
         (5.0, AxisKind.ROTARY, "1/72"),
         (17.77, AxisKind.LINEAR, "no usual screw"),
-        (7.77, AxisKind.ROTARY, "divides a turn in 46.33"),
+        (7.77, AxisKind.ROTARY, "repeats 46.33 times per turn"),
     ],
 )
 def test_the_meaning_of_a_period(period: float, kind: AxisKind, word: str) -> None:

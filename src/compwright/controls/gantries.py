@@ -79,9 +79,9 @@ def partner_questions(
             faults.append(
                 Fault(
                     message=(
-                        f"the compensation of axes {axis.gantry} and {axis.address} (a gantry) "
-                        f"differs by another amount in `states: {measured_in[0]}` (first test) "
-                        f"than in `states: {AS_FOUND}`"
+                        f"the compensation of {axis.gantry} minus that of {axis.address} (gantry) "
+                        f"is not the same in `states: {measured_in[0]}` (first test) and in "
+                        f"`states: {AS_FOUND}`"
                     ),
                     file=job.file,
                     place=place,

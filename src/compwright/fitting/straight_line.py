@@ -84,7 +84,7 @@ def _refuse_grid(request: TableRequest, capacity: Capacity) -> None:
             Fault(
                 message=f"{capacity.format} has one slope for this axis, not a table",
                 place=f"table.{name}",
-                expected="no such key",
+                expected=f"`table` without `{name}`",
                 found=f"{value:g}",
                 hint=f"leave `{name}` out of `table`",
             )

@@ -200,9 +200,9 @@ def fit_whole_increments(
     if solution is None:
         raise CapacityError(
             Fault(
-                message="no table of whole increments stays within the control's limits",
+                message="no table stays within the increment limits of the control",
                 place="table",
-                expected="increments that contain 0",
+                expected="increment limits with 0 between them",
                 found=f"{lattice.increments[0]} to {lattice.increments[1]}",
                 hint=("correct the limits of the increments in the options of the control"),
             )

@@ -289,7 +289,7 @@ def _columns(
             continue
         if index < len(grid) and abs(position - grid[index]) > _SAME:
             faults.add(
-                "is at another position than start and spacing say",
+                "is not at the position that start and spacing give",
                 place=f"line {number}",
                 expected=as_text(grid[index]),
                 found=as_text(position),

@@ -44,7 +44,7 @@ def times_of(
             )
         elif first not in (None, parsed[0]):
             faults.add(
-                "is a time of another form than the first",
+                "is a time in a different form from the first",
                 place=place(index),
                 expected=f"a {first}, as in the first row",
                 found=shown(cell),

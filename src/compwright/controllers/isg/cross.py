@@ -130,7 +130,7 @@ def _master(axis: AxisLists, *, filled: bool) -> str | None:
         return None
     if str(number) == axis.address:
         statement = axis.statements[SECTION + "master_ax_nr"]
-        axis.fault(statement, "the axis corrects itself", "another axis than the list's own")
+        axis.fault(statement, "the axis corrects itself", "an axis different from that of the list")
         return None
     return str(number)
 

@@ -257,7 +257,7 @@ class _Script:
             if not apart(here, blocks):
                 continue
             if key == (what, motor):
-                message = f"in another branch than the same in line {earlier.line}"
+                message = f"in a different branch than its statement in line {earlier.line}"
                 self.card.faults.append(place.fault(f"{what}: {message}"))
                 return False
             message = f"{what} is in a different branch than line {earlier.line}"

@@ -245,8 +245,8 @@ SENTENCES: Final[dict[str, str]] = {
         " table's|files=what the control's own files suggest}"
     ),
     "period.unusual_division": (
-        "no usual part divides a turn in {parts:.4g}. Look for one turn of the worm, one turn of"
-        " the motor through its gear, and the pitch of the scale"
+        "no usual part repeats {parts:.4g} times per turn. Look for one turn of the worm, one turn"
+        " of the motor through its gear, and the pitch of the scale"
     ),
     "period.unusual_lead": (
         "no usual screw has this lead. Look for one turn of the motor through belt or gear, half"

@@ -29,9 +29,9 @@ SENTENCES: Final[dict[str, str]] = {
         " backlash|partial=was active over a part of the travel only|measurement=does not fit the"
         " readings: one of the tests was measured wrongly|undecided=did something else"
         " ({likely:join|, or })}{detail:if| ({detail})}.{off_too:if| Or it was active in {off}"
-        " too, because both tests show the same axis: was it off for {off}?}{exchanged:if| Or the"
-        " two tests are exchanged.} The new table would be wrong by as much{look_at:if|. Look at:"
-        " {look_at:join|. }}"
+        " too: both tests show the same error. Check whether it was switched off for"
+        " {off}.}{exchanged:if| Or the two tests are exchanged.} The new table would contain the"
+        " same error{look_at:if|. Look at: {look_at:join|. }}"
     ),
     "CW-P101": (
         "Circle {circle}: the job does not give its centre in the machine, so the middle of the"

@@ -176,9 +176,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-S047": (
         "{label}: smooth backlash compensation applies the backlash value 1851 in stages"
-        " ({parameters}). It is left as it is. The stages end {reach:g} {unit} behind a reversal"
-        " at most (unconfirmed). A target nearer to a reversal, in a test or in a part, gets"
-        " another value than 1851"
+        " ({parameters}). It is left as it is. The last stage is applied at most {reach:g} {unit}"
+        " after a reversal (unconfirmed). Before that, in tests and in machining, the backlash"
+        " compensation differs from 1851"
     ),
     "CW-S048": "{label}: {function}",
     "CW-S049.none": (

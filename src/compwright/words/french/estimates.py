@@ -252,8 +252,8 @@ SENTENCES: Final[dict[str, str]] = {
         " commande}"
     ),
     "period.unusual_division": (
-        "aucune pièce usuelle ne divise un tour en {parts:.4g}. Regarder un tour de la vis sans"
-        " fin, un tour du moteur par son réducteur, et le pas de la règle"
+        "aucune pièce usuelle ne se répète {parts:.4g} fois par tour. Regarder un tour de la vis"
+        " sans fin, un tour du moteur par son réducteur, et le pas de la règle"
     ),
     "period.unusual_lead": (
         "aucune vis usuelle n'a ce pas. Regarder un tour du moteur par courroie ou réducteur, sa"

@@ -30,9 +30,9 @@ SENTENCES: Final[dict[str, str]] = {
         " de la course|measurement=ne va pas avec les mesures : un des essais a été mal"
         " mesuré|undecided=a fait autre chose ({likely:join|, ou })}{detail:if|"
         " ({detail})}.{off_too:if| Ou elle était active aussi dans {off}, car les deux essais"
-        " montrent le même axe : était-elle désactivée pour {off} ?}{exchanged:if| Ou les deux"
-        " essais sont permutés.} La nouvelle table serait fausse d'autant{look_at:if|. Regarder :"
-        " {look_at:join|. }}"
+        " montrent la même erreur. Vérifier si elle était désactivée pour {off}.}{exchanged:if| Ou"
+        " les deux essais sont permutés.} La nouvelle table contiendrait la même"
+        " erreur{look_at:if|. Regarder : {look_at:join|. }}"
     ),
     "CW-P101": (
         "Cercle {circle} : le dossier de travail ne donne pas son centre dans la machine, donc le"

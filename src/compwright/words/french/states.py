@@ -190,9 +190,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-S047": (
         "{label} : la compensation de jeu progressive applique la valeur de jeu 1851 par étapes"
-        " ({parameters}). Elle reste telle quelle. Les étapes finissent {reach:g} {unit} au plus"
-        " après une inversion (non confirmé). Un point visé plus proche d'une inversion, dans un"
-        " essai ou une pièce, reçoit une autre valeur que 1851"
+        " ({parameters}). Elle reste telle quelle. La dernière étape est appliquée {reach:g} {unit}"
+        " au plus après une inversion (non confirmé). Avant, la compensation de jeu diffère de"
+        " 1851, dans les essais comme en usinage"
     ),
     "CW-S048": "{label} : {function}",
     "CW-S049.none": (

@@ -252,8 +252,8 @@ SENTENCES: Final[dict[str, str]] = {
         " Steuerung nahelegen}"
     ),
     "period.unusual_division": (
-        "kein übliches Teil teilt eine Umdrehung in {parts:.4g}. Eine Umdrehung der Schnecke,"
-        " eine des Motors über sein Getriebe und die Teilung des Maßstabs ansehen"
+        "kein übliches Teil wiederholt sich {parts:.4g}-mal je Umdrehung. Eine Umdrehung der"
+        " Schnecke, eine des Motors über sein Getriebe und die Teilung des Maßstabs ansehen"
     ),
     "period.unusual_lead": (
         "keine übliche Spindel hat diese Steigung. Eine Umdrehung des Motors über Riemen oder"

@@ -36,9 +36,9 @@ SENTENCES: Final[dict[str, str]] = {
         " Messwerten: Eine der Prüfungen wurde falsch gemessen|undecided=tat die vorhandene"
         " Tabelle (states.{state} im Auftrag) etwas anderes ({likely:join|, oder })}{detail:if|"
         " ({detail})}.{off_too:if| Oder sie war auch in {off} aktiv, denn beide Prüfungen zeigen"
-        " dieselbe Achse: War sie für {off} aus?}{exchanged:if| Oder die beiden Prüfungen sind"
-        " vertauscht.} Die neue Tabelle wäre um so viel falsch{look_at:if|. Ansehen:"
-        " {look_at:join|. }}"
+        " denselben Fehler. Prüfen, ob sie für {off} ausgeschaltet war.}{exchanged:if| Oder die"
+        " beiden Prüfungen sind vertauscht.} Die neue Tabelle enthielte denselben"
+        " Fehler{look_at:if|. Ansehen: {look_at:join|. }}"
     ),
     "CW-P101": (
         "Kreis {circle}: Der Auftrag gibt seinen Mittelpunkt in der Maschine nicht an, deshalb"

@@ -192,9 +192,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-S047": (
         "{label}: Die weiche Losekompensation gibt den Losewert 1851 in Stufen aus"
-        " ({parameters}). Sie bleibt, wie sie ist. Die Stufen enden höchstens {reach:g} {unit}"
-        " nach einer Umkehr (unbestätigt). Eine Zielposition näher an einer Umkehr, in einer"
-        " Prüfung oder am Werkstück, bekommt einen anderen Wert als 1851"
+        " ({parameters}). Sie bleibt, wie sie ist. Die letzte Stufe wirkt spätestens {reach:g}"
+        " {unit} nach einer Umkehr (unbestätigt). Davor weicht die Losekompensation von 1851 ab,"
+        " in Prüfungen und bei der Bearbeitung"
     ),
     "CW-S048": "{label}: {function}",
     "CW-S049.none": (

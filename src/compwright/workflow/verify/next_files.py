@@ -274,8 +274,8 @@ def _runs(session: Session, paths: Iterable[Path], folder: str, copies: _Copies)
     if sorted(map(sorted, senses)) != [["ccw"], ["cw"]]:
         raise InputError(
             Fault(
-                message="these are more files than one for each direction, which no job can "
-                "contain as one circle",
+                message="these are not one file for each direction, so a job cannot use them "
+                "as one circle",
                 file=", ".join(map(str, files)),
                 hint="report this line with the files",
             )

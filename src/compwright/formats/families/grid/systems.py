@@ -31,7 +31,7 @@ class SystemChoice:
         if (count := self._count()) is not None and wanted > count:
             self.notes.refuse(
                 f"axis {self.address}",
-                f"measuring system {wanted} is asked for, but the axis has {count} (MD30200"
+                f"measuring system {wanted} is requested, but the axis has {count} (MD30200"
                 " $MA_NUM_ENCS)",
                 self.gathered.singles[self.address, None]["encoders"][-1],
                 expected=(

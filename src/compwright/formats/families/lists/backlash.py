@@ -81,7 +81,7 @@ def _check_gears(of: AxisStatements, gears: Mapping[int, FoundValue]) -> None:
     for gear, found in gears.items():
         same = first is not None and same_value(found.text, first.text)
         if Decimal(found.text) and not same:
-            message = f"gear {gear} has another backlash than gear 0"
+            message = f"the backlash of gear {gear} differs from that of gear 0"
             of.notes.refuse(of.label, message, found, expected="the same, or 0", hint=NOT_COUNTED)
 
 

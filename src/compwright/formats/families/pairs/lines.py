@@ -267,13 +267,10 @@ class TableLines(SingleValues):
                 ),
                 file=place.occurrence.file if place is not None else "",
                 place=place.occurrence.place if place is not None else "",
-                expected=(
-                    "no `active` or `active: no`, and among the files one in which the "
-                    "switch of the active table is 1"
-                ),
+                expected="the switch of the active table as 1 in one of the files",
                 found="active: yes",
                 hint=(
-                    "leave `active` out, and give the file in which the switch of the active "
+                    "delete `active: yes`, and add the file in which the switch of the active "
                     "table is 1"
                 ),
             )
