@@ -60,8 +60,8 @@ class Reversal:
     """The reversal point of an axis at one end of its travel, and the columns of its spikes.
 
     ``inside``: the arc contains the point; else only the tail of its spike is in the arc.
-    ``shapes`` (m,): what they are, spikes before take-ups; ``alike`` (m,) and ``unlike`` (m,):
-    indices of the columns that have the same sign in both directions, and of those that change it
+    ``shapes`` (m,): the possible spike shapes, spikes before take-ups. ``alike``, ``unlike`` (m,):
+    indices of the columns with the same sign in both directions, and of those that change sign
     (none with one direction).
     """
 
@@ -77,12 +77,13 @@ class Reversal:
 class CircleProblem:
     """The equations of one circular test, transformed and split into two halves (`circle_noise`).
 
-    ``slopes`` (n, p) mm per unit by sample of the ``names`` (p,) that are always in the model;
-    ``widths`` (k,): priors of all columns, the m spikes of each of the r ``reversals`` after the
-    first p. ``mixture`` (q, m): the spikes of a reversal are so many of each of the q curves in
-    ``spikes`` (n, r q). ``rows`` by half: (size, p + r q), with two directions (size, p + 2 r q);
-    ``target`` (n,) and ``aims`` (size,) by half: readings, made linear, mm. ``towards_x``,
-    ``towards_y`` (n,): direction of the bar.
+    n samples, p columns that are always in the model, r ``reversals`` with m spike shapes each.
+    ``slopes`` (n, p): mm per unit of each of the ``names`` (p,). ``widths`` (k,): prior standard
+    deviations of all k = p + r m columns (two directions: p + 2 r m). A spike shape is a mixture
+    ``mixture`` (q, m) of q curves; ``spikes`` (n, r q) are these curves. By half: ``rows`` (size, p
+    + r q), with two directions (size, p + 2 r q); ``aims`` (size,), the linearised readings, mm.
+    ``target`` (n,): the linearised readings, mm. ``towards_x``, ``towards_y`` (n,): direction of
+    the bar.
     """
 
     samples: CircleSamples
@@ -196,11 +197,12 @@ def circle_problem(samples: CircleSamples, grid: AngleGrid) -> CircleProblem:
 
 
 def _common_curves(shapes: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return fewer curves that the ``shapes`` (r, m, n) of all reversals are made of: (n, r q), and
-    how much of each a shape contains (q, m).
+    """Return q curves (n, r q) of which all spike ``shapes`` (r, m, n) are mixtures, and the
+    mixtures (q, m).
 
-    Decays of neighbouring lengths are nearly dependent; their principal components above the
-    rounding are half as many (Golub and Van Loan, Matrix Computations, 4th ed. 2013, section 2.4).
+    Decays of similar lengths are nearly dependent, so that their principal components above the
+    rounding error are about half as many (Golub and Van Loan, Matrix Computations, 4th ed. 2013,
+    section 2.4).
     """
     if not shapes.size:
         return np.zeros((shapes.shape[2], 0)), np.zeros((0, shapes.shape[1]))
@@ -213,8 +215,9 @@ def _common_curves(shapes: FloatArray) -> tuple[FloatArray, FloatArray]:
 def _linear(
     samples: CircleSamples, fixed: Sequence[CauseColumn]
 ) -> tuple[tuple[FloatArray, FloatArray], FloatArray, dict[str, float]]:
-    """Return the linear equations of the readings about a first fit. Direction of the bar, readings
-    (n,) mm, and values of that fit.
+    """Return the readings linearised about a first fit.
+
+    Direction of the bar (x and y, each (n,)), linearised readings (n,) mm, and values of that fit.
     """
     x, y = (np.column_stack([getattr(c, side) for c in fixed]) for side in ("x", "y"))
     cos, sin = np.cos(samples.theta), np.sin(samples.theta)
@@ -363,12 +366,11 @@ class MarginalEquations:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CircleFit:
-    """The solution of a circular test for one choice of spike shapes: values, covariance,
-    residuals.
+    """The least-squares solution of a circular test for one choice of spike shapes.
 
-    ``values`` (k,) of the ``active`` columns with ``covariance`` (k, k), and what is left: ``rows``
-    (size, k) and ``rest`` (size,) by half, mm, with the ``spectra`` of the weights. ``information``
-    (k,): what each column weighs on its own.
+    ``values`` (k,) of the ``active`` columns with ``covariance`` (k, k). By half: ``rows`` (size,
+    k) and residuals ``rest`` (size,), mm, with the ``spectra`` that weight them. ``information``
+    (k,): information about each column alone.
     """
 
     active: IndexArray
@@ -399,10 +401,10 @@ def fit_causes(weighted: WeightedProblem, active: IndexArray, precision: FloatAr
 
 
 def fit_evidence(found: CircleFit, precision: FloatArray) -> float:
-    """Return the log probability of the readings under a fit, averaged over the possible sizes of
-    the causes.
+    """Return the log probability of the readings under a fit, averaged over the sizes of the
+    causes.
 
-    The values are integrated under their priors of ``precision`` (k,), the noise is as it is
+    Sizes are integrated under normal priors with ``precision`` (k,); the noise spectra are fixed
     (Whittle 1953; MacKay, Neural Computation 4, 1992).
     """
     prior = precision[found.active]
@@ -452,8 +454,10 @@ def _of_halves(
 
 
 def white_problems(problem: CircleProblem) -> Iterator[WeightedProblem]:
-    """Yield start equations: the noise of all samples is independent and equal. 1 µm each, as quiet
-    as the upper half of the orders, and the geometric mean of both.
+    """Yield the equations with independent noise of equal variance in all samples, as starts of the
+    fit.
+
+    Standard deviations: 1 µm, that of the upper half of the orders, and the geometric mean of both.
     """
     loud = np.full(len(problem.aims), 1e-6)
     upper = [aim[aim.size // 2 :] ** 2 for aim in problem.aims]

@@ -35,8 +35,8 @@ _FLOOR: Final = 2e-5
 
 @dataclass(frozen=True, slots=True)
 class Lag:
-    """The common delay of both axes at their reversals. ``angle``: the delay, rad; ``doubt``: its
-    standard uncertainty, rad.
+    """The common delay of both axes at their reversals: ``angle`` rad, its standard uncertainty
+    ``doubt`` rad.
     """
 
     angle: float
@@ -80,10 +80,11 @@ def at_actual_angles(samples: CircleSamples, lag: Lag) -> CircleSamples:
 
 
 def with_undetected_lag(samples: CircleSamples) -> CircleSamples:
-    """Return the samples with the largest delay of the axes that the search could have missed.
+    """Return the samples with the standard uncertainty ``lag_std`` of a delay that was not found.
 
-    That is the largest angle that explains the samples next to the reversal points as well as none,
-    and at least half the distance of two samples, within which a step looks the same.
+    Uniform up to the largest angle that fits the samples next to the reversal points as well as
+    zero does, plus half the angle between samples (JCGM 100:2008, eq. 7); at least half the angle
+    between samples, within which a step cannot be located.
     """
     spacing, windows, angles, none = _profile(samples)
     if not len(windows):
@@ -97,8 +98,10 @@ def with_undetected_lag(samples: CircleSamples) -> CircleSamples:
 
 
 def _profile(samples: CircleSamples) -> tuple[float, FloatArray, FloatArray, int]:
-    """Return the inputs for comparing delays: step between samples, windows at the reversal points,
-    possible angles (a,) in rad. Also the index of the angle zero.
+    """Return the inputs for comparing delays.
+
+    Angle between samples, windows at the reversal points, angles (a,) to try in rad, index of the
+    angle zero.
     """
     per_run = samples.theta.size / np.unique(samples.run).size
     spacing = samples.arc[1] / per_run

@@ -156,8 +156,9 @@ def circle_samples(test: CircularTest) -> CircleSamples:
 
 
 def since_reversal(samples: CircleSamples, axis: str) -> FloatArray:
-    """Return the arc, mm (n,), travelled since an axis last reversed. The first axis reverses
-    at 0° and 180°, the second at 90° and 270°.
+    """Return the length of arc (n,) mm travelled since an axis last reversed.
+
+    The first axis reverses at 0° and 180°, the second at 90° and 270°.
     """
     start = 0.0 if axis == "first" else 0.5 * np.pi
     arc: FloatArray = samples.radius * np.mod(samples.sense * (samples.theta - start), np.pi)
@@ -332,12 +333,13 @@ def spike_columns(
 
 
 def lag_column(samples: CircleSamples, known: Mapping[str, float]) -> CauseColumn:
-    """Return the effect of the uncertainty ``lag_std`` of the common delay on the deviations, mm.
+    """Return the effect (n,) mm of the standard uncertainty ``lag_std`` of the common delay on the
+    deviations.
 
-    It is the slope of the ``known`` smooth causes, against the motion (the derivatives by θ of the
-    module's table; ISO 230-4:1996, annex B), without the effect on the centre. A sagging axis
-    counts by its third harmonic: k cos²θ sinθ = k/4 (sinθ + sin3θ), and the first belongs to the
-    centre. A servo mismatch, at a high feed the largest, turns into scale mismatch: 4 v τ for each
+    It is the slope of the ``known`` smooth causes against the motion (derivatives by θ of the table
+    in the module; ISO 230-4:1996, annex B), without the effect on the centre. Straightness counts
+    only by its third harmonic, k cos²θ sinθ = k/4 (sinθ + sin3θ), because the first is an offset of
+    the centre. A servo mismatch, large at a high feed, changes the scale mismatch by 4 v τ per
     radian.
     """
     double, triple = 2.0 * samples.theta, 3.0 * samples.theta
@@ -361,15 +363,14 @@ def cyclic_columns(
     amplitudes: tuple[float, float],
     late: float = 0.0,
 ) -> tuple[CauseColumn, ...]:
-    """Return the cosine and sine columns of a cyclic error of ``frequency`` 1/mm along an axis (ISO
-    230-4:1996, B.2.3). Also the column for a small change of its frequency.
+    """Return the columns (n,) of a cyclic error of an axis at ``frequency`` 1/mm, and of its
+    changes.
 
-    At ``amplitudes`` (a, b) µm: a cos(2πfx) - b sin(2πfx).
-
-    The changes: frequency, per 1/mm; the axis ``late`` by so many mm where it moves along the path,
-    per mm; and the share that an instrument of limited bandwidth loses there. A first-order filter
-    T loses (2π f v T)² / 2, which falls with the square of the speed of the axis, so that the
-    circle itself shows it near its reversals.
+    ISO 230-4:1996, B.2.3. Cosine and sine: a cos(2πfx) - b sin(2πfx) at ``amplitudes`` (a, b) µm.
+    Changes: of the frequency, per 1/mm; of a delay of the axis, per mm at full speed (``late``: in
+    mm); and of the part that an instrument of limited bandwidth loses. A first-order filter T loses
+    (2π f v T)² / 2, which falls with the square of the speed of the axis, so that the circle shows
+    it near the reversals.
     """
     cos, sin = np.cos(samples.theta), np.sin(samples.theta)
     zero = np.zeros_like(samples.theta)

@@ -53,10 +53,10 @@ class AngleGrid:
 
 @dataclass(frozen=True, slots=True)
 class ResidualSpectrum:
-    """The noise variance (size,) for each order of the cosine transform, mm². It belongs to one
-    half of the samples.
+    """The noise variance (size,) for each order of the cosine transform, mm², of one half of the
+    samples.
 
-    ``length``: correlation length in samples: density at order zero over the mean density.
+    ``length``: correlation length in samples, as density at order zero divided by the mean density.
     """
 
     density: FloatArray
@@ -151,11 +151,9 @@ def inverse_cosine_transform(transformed: FloatArray) -> FloatArray:
 def estimate_spectrum(residual: FloatArray, leverage: FloatArray) -> ResidualSpectrum:
     """Return the noise spectrum from the transformed residuals (size,), mm.
 
-    It averages the spectra of all lengths and ratios tried, weighted by their likelihood (Whittle
-    1953).
-
-    ``leverage`` (size,): share of each ordinate that the fit has used up; the rest is what it
-    carries of a degree of freedom.
+    The average of spectra with all tried lengths and ratios, weighted by their likelihood (Whittle
+    1953). ``leverage`` (size,): part of each degree of freedom that the fit uses; the rest counts
+    for the spectrum.
     """
     size = residual.size
     power, freedom = residual**2, np.clip(1.0 - leverage, 1e-9, 1.0)
@@ -176,10 +174,10 @@ def estimate_spectrum(residual: FloatArray, leverage: FloatArray) -> ResidualSpe
 
 @lru_cache(maxsize=2)
 def _tried(size: int) -> tuple[IndexArray, FloatArray, FloatArray, FloatArray]:
-    """Return what does not depend on the residuals of ``size`` orders.
+    """Return the tried spectra at pooled orders, independent of the residuals of ``size`` orders.
 
-    Pools of orders (p,), the inverse and the logarithm (m, p) of the tried spectra at the middle of
-    each pool, and the correlated densities (2 l, size).
+    First order of each pool (p,), the inverse and the logarithm (m, p) of the spectra at the middle
+    of each pool, and the correlated densities (2 l, size).
     """
     lengths = np.geomspace(1.0, max(size / _SHORTEST_WAVE, 2.0), _LENGTHS)
     pools = _pools(size)

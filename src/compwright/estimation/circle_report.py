@@ -63,8 +63,9 @@ _EDGE: Final = 0.17
 class _ReportedCause:
     """One cause as reported: its value, its curve and its draws.
 
-    ``drawn`` (d,) what the data leave open of it, ``curve`` (n,) its radial deviation, mm.
-    ``variance``: beyond that of the draws. ``reason``: why it is not given.
+    ``drawn`` (d,): random draws of the value from its posterior. ``curve`` (n,): its radial
+    deviation, mm. ``variance``: variance of the value that the draws do not contain. ``reason``:
+    why it is not reported.
     """
 
     name: str
@@ -131,10 +132,11 @@ def report_effects(
 
 
 def shrink_uncertainty(samples: CircleSamples) -> float:
-    """Return the standard uncertainty, mm, of the radius by an unknown equal lag of both axes.
+    """Return the standard uncertainty, mm, of the radius from an unknown equal lag of both axes.
 
-    Uniform up to the softest loop's v² / (2 Kv² R) (the circle shrinks with the acceleration: ISO
-    230-4:1996, B.3.2), taken as a of the range ±a: a / sqrt(3) (JCGM 100:2008, eq. 7).
+    The circle shrinks with the acceleration (ISO 230-4:1996, B.3.2) by at most v² / (2 Kv² R) = a
+    for the softest usual position loop. Uniform over the range ±a: a / sqrt(3) (JCGM 100:2008, eq.
+    7).
     """
     most = samples.speed**2 / (2.0 * SOFTEST_LOOP**2 * samples.radius)
     return float(most / np.sqrt(3.0))
@@ -239,13 +241,11 @@ def _lost_motion_parts(solution: Solution, axis: str) -> dict[str, float]:
 def _scale_mismatch(solution: Solution) -> _ReportedCause:
     """Return the scale mismatch after the effect of unequal servo lags is subtracted.
 
-    A first-order lag T shrinks its axis by (ωT)² / 2, so that a mean lag of angle a and a servo
-    mismatch τ leave -2 a v τ over the diameter; a dead time leaves nothing. A loop is one or the
-    other, so that half of it is taken off and the other half is a standard uncertainty: two values
-    of equal probability (JCGM 100:2008, 4.3.1), whose ends a uniform range of the same width would
-    hold at 1.7 of its own.
-
-    ``lag_taken_off`` and ``lag_error``, um: both, for circles at several feeds, which tell more.
+    A first-order lag T reduces the radius of its axis by (ωT)² / 2, so that a mean lag of angle a
+    and a servo mismatch τ change the mismatch by -2 a v τ over the diameter; a dead time changes
+    nothing. Which of both is unknown: half of the effect is subtracted, and half is a standard
+    uncertainty (two values of equal probability: JCGM 100:2008, 4.3.1). ``lag_taken_off`` and
+    ``lag_error``, um: both, for circles at several feeds, which can determine it.
     """
     samples = solution.problem.samples
     cause = _linear(solution, "scale_mismatch", {"scale_mismatch": 1.0})
@@ -324,12 +324,12 @@ def _spikes(solution: Solution, axis: str) -> Iterator[_ReportedCause]:
 def _spike(
     solution: Solution, spike: SpikeDraws, index: int | None = None, suffix: str = ""
 ) -> _ReportedCause:
-    """Return the spike at one reversal point, positive outward. ``index``: one direction only, else
+    """Return the spike at one reversal point, positive outward; ``index``: one direction, else
     both.
 
-    Its variance holds what the samples cannot tell: how far before the first sample the axis
-    reversed (lag), whether the rise belongs to the spike or to the bandwidth of the instrument, and
-    a spike too small to be found.
+    Its variance includes what the samples cannot determine: how long before the first sample the
+    axis reversed (lag), whether the rise belongs to the spike or to the bandwidth of the
+    instrument, and a spike too small to be found.
     """
     samples = solution.problem.samples
     pick = slice(None) if index is None else slice(index, index + 1)

@@ -232,8 +232,8 @@ class _Tried:
 
 
 def _odds(marginal: MarginalEquations, shapes: SpikeShapes, name: str) -> tuple[float, float]:
-    """Return the log odds that a rare cause exists. Also its standard error in its unit if it
-    exists.
+    """Return the log odds that a rare cause exists, and its standard error (in its unit) if it
+    does.
     """
     tried = _Tried(marginal, np.array([shapes.rare[name]]))
     rest, found, _ = tried.added(marginal, shapes, shapes.chosen(name))
@@ -292,12 +292,11 @@ class _Options:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CircleDraws:
-    """Random draws of the causes and the spikes of a circular test from their probability
-    distribution.
+    """Random draws of the causes and the spikes of a circular test from their posterior.
 
-    ``values`` (d, p): the columns without decays. ``spikes``: one for each reversal point.
-    ``paths`` (s, n): readings, made linear, mm, one for each choice of the shapes.
-    ``least_error``: of rare causes by name, the standard error under the model that holds them.
+    ``values`` (d, p): the columns without spikes. ``spikes``: one for each reversal point.
+    ``paths`` (s, n): linearised readings, mm, one for each choice of shapes. ``least_error``:
+    standard error of rare causes by name, given that they exist.
     """
 
     values: FloatArray
@@ -310,13 +309,14 @@ class CircleDraws:
 class SpikeDraws:
     """Random draws (d,) of the spikes at one reversal point: heights, depths and lengths.
 
-    ``heights`` (d, s), outward peak above the lost motion, µm, for both directions (s = 2: ccw, cw)
-    or the one; ``depths`` (d, s), how far samples go inward; ``extrapolated`` (d, s): the slowest
-    decay at the reversal; ``unseen`` (d, s): range of the heights that no sample decides;
-    ``deeper`` (d, s): by how much more they go inward while the lost motion is taken up; ``decay``
-    (from the peak, of the depth where it is an `INWARD` spike, to 1/e of it) and ``rise`` (to the
-    peak) (d,) mm, 0 without; ``there`` and ``unlike``: probability of a spike, and of different
-    directions; ``curve``: mean amplitude µm of each shape by direction (s, m).
+    Per direction (s = 2: ccw, cw; s = 1: both alike), µm: ``heights`` (d, s), outward peak above
+    the lost motion; ``depths`` (d, s), largest inward deviation; ``extrapolated`` (d, s), the
+    slowest decay at the reversal; ``unseen`` (d, s), range of the heights that no sample decides;
+    ``deeper`` (d, s), additional inward deviation while the lost motion is taken up.
+
+    ``decay`` (d,) mm: from the peak (of the depth for an `INWARD` spike) to 1/e of it; ``rise``
+    (d,) mm: to the peak; 0 without. ``there``, ``unlike``: probability of a spike, and of different
+    directions. ``curve`` (s, m): mean amplitude, µm, of each shape by direction.
     """
 
     reversal: Reversal
@@ -394,11 +394,11 @@ def _coefficients(
 def _least_error(
     weighted: WeightedProblem, marginal: MarginalEquations, reversal: Reversal
 ) -> float:
-    """Return the standard error, um, of the smallest spike that the test can show, where no spike
-    was found.
+    """Return the standard error, um, of the smallest spike that the test can show, if none was
+    found.
 
-    A single spike that dies out within one of the times of `_USUAL`, all alike. A spike that is
-    over before the next sample hides up to its prior.
+    A single spike that decays within one of the equally likely times of `_USUAL`. A spike that ends
+    before the next sample is limited only by its prior.
     """
     samples = weighted.problem.samples
     sharp = [
@@ -417,12 +417,12 @@ def _least_error(
 
 
 def of_the_spike(taken: FloatArray, spike: FloatArray, lost: FloatArray) -> FloatArray:
-    """Return how much of a gradual take-up ``taken`` (d, s), um, belongs to the spike.
+    """Return the part of a gradual take-up ``taken`` (d, s), um, that belongs to the spike.
 
-    Inward it is an axis that stands still: until it has passed its lost motion (the size is that of
-    the ``lost`` motion, which then is not a step), or until its drive overcomes the friction (the
-    size is that of the ``spike`` at the reversal, whose edge then rises with the command). The
-    nearer of the two.
+    Inward, an axis stands still until it has passed its lost motion (size of ``lost``, no step
+    then) or until its drive overcomes the friction (size of ``spike`` at the reversal, whose edge
+    rises with the command). It is assigned to the nearer of the two sizes; outward, it always
+    belongs to the spike.
     """
     friction = np.abs(taken + spike) < np.abs(taken + lost)
     return np.where((taken > 0.0) | friction, taken, 0.0)

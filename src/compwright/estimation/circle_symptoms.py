@@ -22,9 +22,11 @@ _MOST_DRAWS: Final = 64
 
 
 def raw_peak(solution: Solution, axis: str, end: str, sense: float | None) -> float | None:
-    """Return the highest reading after the reversals of an axis at one end, above the path without
-    spikes, um. The mean of the runs, of one ``sense`` (+1 ccw, -1 cw) or of both (None); None
-    without a sample nearby.
+    """Return the highest reading after the reversals of an axis at one end, above the smooth path,
+    um.
+
+    The mean of the runs of one ``sense`` (+1 ccw, -1 cw) or of both (None). None without a sample
+    nearby. The smooth path is the fit without spikes.
     """
     samples = solution.problem.samples
     start = (0.0 if axis == "first" else 0.5 * np.pi) + (0.0 if end == "positive" else np.pi)

@@ -31,10 +31,10 @@ _WIDTH: Final = 5.0
 
 @dataclass(frozen=True, slots=True)
 class Vibration:
-    """The strongest vibration in a circular test. ``frequency`` Hz, None for no clear vibration;
-    ``hidden``: the amplitude, um, that may be undetected.
+    """The strongest vibration in a circular test.
 
-    ``least``: sum of squares, in standard errors, that the amplitudes of one must have.
+    ``frequency`` Hz; None: no clear vibration. ``hidden``: amplitude, um, that may be undetected.
+    ``least``: sum of squares, in standard errors, that an amplitude must exceed to be reported.
     """
 
     frequency: float | None

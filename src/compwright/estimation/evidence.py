@@ -154,11 +154,10 @@ def _own_rows(basis: Basis, targets: FloatArray, data: CellData) -> FloatArray:
 
 
 class Evidence:
-    """Computes the probability of an axis' readings under one set of functions (marginal
-    likelihood).
+    """Computes the marginal likelihood of an axis' readings under one set of functions.
 
-    ``values`` (c,): the means of the typical draw of the noise. Where a
-    method takes a ``draw`` of the noise and is given none, it is the typical one.
+    ``values`` (c,): the means of the typical draw of the noise. Methods with a parameter ``draw``
+    use the typical draw of the noise if it is None.
     """
 
     def __init__(self, basis: Basis, targets: FloatArray, data: CellData, prior: Prior) -> None:
@@ -305,10 +304,10 @@ class Evidence:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Scaled:
-    """The linear model of the mean readings under given parameters. Its weights have unit variance.
+    """The linear model of the mean readings under given parameters; weights have unit variance.
 
-    Variances, precision per cell, values of the cells, and the ``rows`` (c, j) of weights of unit
-    variance; ``together``: which cells share a target, as places in a flat matrix (c * c,).
+    Variances, precision and values by cell, and the ``rows`` (c, j) of the weights. ``together``:
+    which cells share a target, as flat indices in a matrix (c * c,).
     """
 
     noise: float
@@ -345,12 +344,12 @@ class _Scaled:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Marginal:
-    """The log density of the mean readings y under their covariance V, with its derivatives where
+    """The log density of the mean readings y under their covariance V, with derivatives where
     needed.
 
-    P the inverse of V; ``residual`` (c,) P y, ``by_weight`` (j,) of weights of unit variance: (r' P
-    y)² - r' P r with r their rows; ``by_target`` (m,) and ``by_cell`` (c,): P summed over a
-    target's cells, and its diagonal.
+    P is the inverse of V, r the rows of weights of unit variance. ``residual`` (c,): P y.
+    ``by_weight`` (j,): (r' P y)² - r' P r. ``by_target`` (m,) and ``by_cell`` (c,): P summed over
+    the cells of a target, and the diagonal of P.
     """
 
     log: float

@@ -88,12 +88,13 @@ def _places(targets: FloatArray, periods: FloatArray) -> FloatArray:
 
 @dataclass(slots=True)
 class _Design:
-    """The information of targets about each possible period, mm or deg.
+    """The information of the present targets about each possible period, and candidate targets.
 
-    What the targets and further ``places`` (c,) tell: ``covariance`` (c, c) of the error there and
-    ``waves`` (c, 2 p) given the targets so far, ``gram`` (2 p, 2 p) of the waves: all cosines, then
-    all sines. ``noise``: variance of a mean at a place; ``size``: standard deviation of an
-    amplitude; ``pairs`` (p, p + 1): weight of each period against each other and against none.
+    ``places`` (c,): candidate targets. Given the readings so far: ``covariance`` (c, c) of the
+    error at ``places``, ``waves`` (c, 2 p) of the p periods there. ``gram`` (2 p, 2 p): information
+    about the waves, all cosines, then all sines. ``noise``: variance of a mean at a place;
+    ``size``: standard deviation of an amplitude; ``pairs`` (p, p + 1): weight of the choice between
+    each period and each other, or none.
     """
 
     places: FloatArray

@@ -103,12 +103,11 @@ class CurveColumns:
 class WaveDraw:
     """One random draw of a possible wave: its cosine and sine parts, mm or deg.
 
-    They are normal with ``mean`` (2,) and covariance ``root`` ``root``' (2, 2).
-
-    A ``share`` of it, plus an independent part of standard deviation ``apart``, is a wave of
-    ``period`` (mm or deg). The rest is the long wave of frequency ``long`` (1 / mm or 1 / deg,
-    phase ``phase``) that has the same values at the targets. The columns of the curve change by
-    ``curve`` (j,), and by ``followed`` (j, 2) per unit of cosine and sine.
+    Both are normal with ``mean`` (2,) and covariance ``root`` ``root``' (2, 2). The wave of
+    ``period`` (mm or deg) is a ``share`` of it, plus an independent part of standard deviation
+    ``apart``. The rest is the long wave (``long``, 1 / mm or 1 / deg; ``phase``) that has the same
+    values at the targets. ``curve`` (j,): change of the other columns; ``followed`` (j, 2): their
+    change per unit of cosine and sine.
     """
 
     period: float
@@ -124,8 +123,8 @@ class WaveDraw:
 
 @dataclass(frozen=True, slots=True)
 class WaveHypotheses:
-    """The assumption, with its ``probability``, that one of the equally likely ``waves`` exists.
-    Otherwise the error is the ``curve``.
+    """Equally likely possible ``waves``, one of which exists with ``probability``; else only the
+    ``curve``.
     """
 
     probability: float
@@ -373,7 +372,9 @@ def _long_waves(frequencies: FloatArray, targets: FloatArray) -> tuple[FloatArra
 @dataclass(frozen=True, slots=True)
 class _SmoothFit:
     """The smooth part of the error fitted to values at the targets, for each node of the
-    ``likelihood``. ``columns`` (m, k): free columns and smooth part.
+    ``likelihood``.
+
+    ``columns`` (m, k): offset, slope, known periods and smooth part.
     """
 
     likelihood: PeriodLikelihood
@@ -415,7 +416,9 @@ class _SmoothFit:
 
 
 def _evenly(shares: FloatArray, count: int) -> np.ndarray[tuple[int], np.dtype[np.intp]]:
-    """Return ``count`` indices in proportion to their ``shares`` (n,), drawn at equal steps."""
+    """Return ``count`` indices with frequencies in proportion to ``shares`` (n,), by systematic
+    sampling.
+    """
     ends = np.round(np.cumsum(shares), 9)
     points = (np.arange(count) + 0.5) / count * ends[-1]
     return np.asarray(np.searchsorted(ends, points), dtype=np.intp)

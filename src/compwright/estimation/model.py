@@ -181,8 +181,8 @@ def _starts(cells: Cells, prior: Prior) -> list[FloatArray]:
 
 
 def with_other_periods(fit: FittedModel, cells: Cells, periods: Periods) -> FittedModel:
-    """Return a fitted model with other periods of the same number. The draws of its parameters
-    stay.
+    """Return a fitted model with other periods of the same number, and the draws of its parameters
+    unchanged.
     """
     evidence = fit.evidence
     if periods.periods == evidence.basis.periods:

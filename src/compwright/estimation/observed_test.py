@@ -103,11 +103,11 @@ def cell_means(
 def traverse_columns(
     other_noise: NoiseDraws, positions: FloatArray, signs: FloatArray
 ) -> FloatArray:
-    """Return columns (n, c, 4) of unit variance for the offset and tilt of one traverse in each
+    """Return columns (n, c, 4) of unit variance for the offset and tilt of one traverse by
     direction.
 
-    What is there now and then by its root mean square. What moves both alike is the datum of the
-    test and its slope.
+    Shifts of only some traverses count by their root mean square. A shift common to both directions
+    is the datum of the test, or its slope.
     """
     u = (positions - other_noise.centre) / other_noise.half
     up, down = signs > 0, signs < 0

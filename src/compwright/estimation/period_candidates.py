@@ -74,8 +74,8 @@ class PeriodCandidate:
 class PeriodScan:
     """The possible periods of one search, the most probable first.
 
-    ``rest``: logarithm of the probability, over that of none, of all that is no candidate;
-    ``log_odds`` (f,) over the frequencies searched.
+    ``rest``: log odds of all frequencies that belong to no candidate, against no period.
+    ``log_odds`` (f,): of each searched frequency.
     """
 
     candidates: tuple[PeriodCandidate, ...]
@@ -85,10 +85,10 @@ class PeriodScan:
 
 @dataclass(frozen=True, slots=True)
 class _Prior:
-    """Prior odds of a period against no period: of any period, and of the usual ones.
+    """Prior odds of a period against no period, per frequency.
 
-    ``other`` logarithm per logarithm of the frequency of any period; ``usual`` (u,) frequencies of
-    the usual periods with the logarithms ``log_usual`` (u,), half of it exactly there and half near
+    ``other``: log odds per logarithm of the frequency of any period. ``usual`` (u,): frequencies of
+    usual periods with log odds ``log_usual`` (u,), half of which is exactly there and half nearby
     (`_NEAR`).
     """
 

@@ -1,17 +1,17 @@
-"""The likelihood of waves of any period in the mean of both directions. It averages over the
-unknown smooth and local parts of the error.
+"""The likelihood of waves of any period in the mean of both directions.
 
-Model, in units of the noise of a typical target's middle, whitened by each target's own:
+It averages over the unknown smooth and local parts of the error. Model, in units of the noise of a
+typical target's mean of both directions, each target weighted by its own noise:
 
     middle = free columns + smooth part (standard deviation s, length l, `SMOOTHNESS`) + wave
              + white part of variance t (noise, and local part that repeats at a target)
 
-A local part that is held at what it is without a wave swallows the wave, and so does a smooth part
-that is short enough. Hence t, s and l are not held: the likelihood is summed over a grid of them
-under every hypothesis alike (Rasmussen and Williams, Gaussian Processes for Machine Learning, 2006,
-section 5.2). The free columns (offset, slope, periods that are known) are projected out: restricted
-likelihood (Harville, J. Am. Stat. Assoc. 72, 1977). Amplitudes are normal given their scale and
-integrated out (Bretthorst, Bayesian Spectrum Analysis and Parameter Estimation, 1988, chapter 3).
+A local part of fixed size, or a smooth part that is short enough, absorbs the wave. Therefore t, s
+and l are not fixed: the likelihood is summed over a grid of them, the same for every hypothesis
+(Rasmussen and Williams, Gaussian Processes for Machine Learning, 2006, section 5.2). The free
+columns (offset, slope, known periods) are projected out: restricted likelihood (Harville, J. Am.
+Stat. Assoc. 72, 1977). Amplitudes are normal given their scale and integrated out (Bretthorst,
+Bayesian Spectrum Analysis and Parameter Estimation, 1988, chapter 3).
 """
 
 from __future__ import annotations
@@ -105,10 +105,11 @@ class NodeChoice:
 
 @dataclass(frozen=True, slots=True)
 class _Waves:
-    """The columns of waves, split into parts along and across the smooth functions.
+    """The columns of f waves, split into parts along and across the r smooth functions.
 
-    ``along``, their components along the smooth directions, each (r, f); ``across``, their products
-    outside these and the free columns, and ``dual``, those with the values there, each (f,).
+    ``along`` (r, f): components of each column along the smooth functions. ``across`` (f,):
+    products of the columns outside these and the free columns; ``dual`` (f,): their products with
+    the values.
     """
 
     along: list[FloatArray]
@@ -228,7 +229,7 @@ class PeriodLikelihood:
         return found
 
     def everything(self) -> NodeChoice:
-        """Return all combinations of grid point and amplitude."""
+        """Return the choice of all grid points and all amplitudes."""
         return NodeChoice(
             tuple((number, np.arange(node.log.size)) for number, node in enumerate(self.nodes)),
             np.arange(AMPLITUDES.size),

@@ -31,7 +31,7 @@ _SAME: Final = 2e-3
 
 @dataclass(frozen=True, slots=True)
 class PeriodModel:
-    """One possible set of further ``periods`` (mm or deg) with their ``harmonics``, and its
+    """One possible set of additional ``periods`` (mm or deg) with their ``harmonics``, and its
     probability.
     """
 
@@ -118,10 +118,10 @@ class PeriodSet:
         return PeriodSet((*self.members, member), self.log + member.log)
 
     def less_certain(self, rest: float) -> PeriodSet:
-        """Return the set with a lower probability, because periods outside the candidates are also
+        """Return the set with a lower probability, because periods other than the candidates are
         possible.
 
-        ``rest``: logarithm of that probability, relative to no further period.
+        ``rest``: logarithm of their probability, relative to no additional period.
         """
         return PeriodSet(self.members, self.log + float(np.logaddexp(0.0, rest)))
 
@@ -196,11 +196,11 @@ def _found(
 
 
 def _neighbours(periods: PeriodSet, probability: float) -> list[PeriodModel]:
-    """Return several models of one set whose periods are not sharply known. Each model has slightly
-    different periods.
+    """Return several models of one set whose periods are not sharply known, each slightly
+    different.
 
-    Each member by its own quantiles, in an order of its own (Latin hypercube: McKay, Beckman and
-    Conover, Technometrics 21, 1979).
+    Each period takes the quantiles of its own distribution in a random order (Latin hypercube:
+    McKay, Beckman and Conover, Technometrics 21, 1979).
     """
     if not periods.members:
         return [PeriodModel((), (), probability)]
@@ -233,7 +233,7 @@ def _ladder(member: PeriodCandidate, count: int) -> FloatArray:
 
 
 def _picked(member: PeriodCandidate) -> FloatArray:
-    """Return the frequencies that represent a period with aliases: its own and some of theirs."""
+    """Return the frequencies that represent a period with aliases: its own and some aliases."""
     return np.append(member.aliases[:: max(1, member.aliases.size // 7)], 1.0 / member.period)
 
 

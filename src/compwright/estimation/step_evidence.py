@@ -51,12 +51,11 @@ class FoundStep:
 
 
 class StepEvidence:
-    """The evidence for steps in the means ``y`` (k,) at the positions ``x`` (k,), ascending.
+    """The evidence for steps in the means ``y`` (k,) at the ascending positions ``x`` (k,).
 
-    With the standard deviations ``stds`` (k,) of their noise; ``gaps``: how many the axis has.
-
-    Members of a set are numbered: first the steps by their gap, then the inner targets. A target at
-    the end that is an outlier is the same as a step.
+    ``stds`` (k,): standard deviations of their noise; ``gaps``: number of gaps of the axis. Members
+    of a set are numbered: first the steps by their gap, then outliers of the inner targets. An
+    outlier at an end target is the same as a step.
     """
 
     def __init__(self, x: FloatArray, y: FloatArray, stds: FloatArray, gaps: int) -> None:
@@ -117,10 +116,11 @@ class StepEvidence:
         return round(log, _ROUNDED)
 
     def _best(self, members: tuple[int, ...], allowed: BoolArray) -> tuple[int, ...]:
-        """Return the most probable set of steps and outliers that is reached from ``members`` by
-        single changes.
+        """Return the most probable set of steps and outliers reached from ``members`` by single
+        changes.
 
-        ``allowed`` (e,), taken for as many times more probable as `COUNTED` says.
+        ``allowed`` (e,): members that may be added. Each member of a set adds -log `COUNTED` to its
+        log probability.
         """
         bonus = -float(np.log(COUNTED))
         score = self._log(members) + bonus * len(members)

@@ -7,11 +7,12 @@ from dataclasses import dataclass
 
 
 def score_of_t(t: float, dof: float) -> float:
-    """Return the standard normal value with the same probability as ``t`` of Student's distribution
-    with ``dof`` degrees of freedom. The sign is kept.
+    """Return the standard normal value with the same probability as ``t`` of Student's
+    distribution.
 
-    Wallace, Ann. Math. Statist. 30 (1959), "Bounds on normal approximations": within 0.1 for the
-    values and degrees of freedom that decide anything here.
+    ``dof``: its degrees of freedom. The sign is kept. Wallace, Ann. Math. Statist. 30 (1959),
+    "Bounds on normal approximations": accurate within 0.1 for the values and degrees of freedom
+    that matter here.
     """
     size = (8.0 * dof + 1.0) / (8.0 * dof + 3.0) * math.sqrt(dof * math.log1p(t * t / dof))
     return math.copysign(size, t)
@@ -20,11 +21,9 @@ def score_of_t(t: float, dof: float) -> float:
 def score_of_ratio(ratio: float, dof: float, dof_below: float) -> float:
     """Return the standard normal value with the same probability as a ratio of two variances.
 
-    ``dof`` and ``dof_below``: their degrees of freedom; negative where the upper variance is
-    smaller.
-
-    Paulson, Ann. Math. Statist. 13 (1942) 233: the cube root of F is nearly normal. Turned so that
-    the larger variance stands above, where it is at its best.
+    ``dof`` of the numerator, ``dof_below`` of the denominator: degrees of freedom. Negative where
+    the numerator is smaller. The cube root of F is nearly normal (Paulson, Ann. Math. Statist. 13
+    (1942) 233); the larger variance is the numerator there, where this is most accurate.
     """
     if ratio < 1.0:
         return -score_of_ratio(1.0 / ratio if ratio > 0.0 else math.inf, dof_below, dof)
@@ -56,7 +55,7 @@ UNDECLARED_SLOPE = 11.5
 class UncertainValue:
     """A parameter of a test with its standard error and the degrees of freedom of that error.
 
-    ``declared``: the standard uncertainty that the job declares; all in one unit.
+    ``declared``: standard uncertainty that the job declares. All in one unit.
     """
 
     value: float

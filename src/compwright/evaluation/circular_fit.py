@@ -101,9 +101,9 @@ def _algebraic_centre(x: FloatArray, y: FloatArray) -> Point:
 def _refined(x: FloatArray, y: FloatArray, start: Point) -> Point:
     """Return the centre about which the distances have the least variance, by Gauss-Newton steps.
 
-    Near a circle the steps shrink to rounding within a few rounds. No damping: it never changed the
-    end in 20 000 sets of points that scatter by half the radius; where the steps run away the
-    points are nearest to a straight line.
+    Near a circle the steps become rounding errors within a few iterations. No damping: in 20 000
+    sets of points with a scatter of half the radius it never changed the result. Where the steps
+    diverge, the points are nearest to a straight line.
     """
     centre, last = np.array(start), np.inf
     for _ in range(_MOST_STEPS):

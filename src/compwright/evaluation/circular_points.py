@@ -74,13 +74,13 @@ def _placed(run: CircularRun, nominal_radius: float, centre: Point) -> ActualPat
 def hysteresis(
     one: ActualPath, other: ActualPath, centre: Point, arc: tuple[float, float]
 ) -> float:
-    """Return H: the largest difference of the distances from ``centre`` at one angle, mm (ISO
-    230-4:1996, 3.3 and note 1).
+    """Return H, mm: the largest difference at one angle between two paths' distances from
+    ``centre``.
 
-    Both paths are joined by straight lines over the angle, so the largest difference lies at a
-    sample of one of them: those at which both paths exist are tried. Several samples of a path at
-    one angle all count, by their largest and their least. ``arc``: start and extent of the test,
-    deg; a full circle is closed. NaN where the two paths share no angle.
+    ISO 230-4:1996, 3.3 and note 1. Each path is a straight line between its samples, so that the
+    largest difference is at a sample of one of them; angles that only one path covers are left out.
+    Of several samples of a path at one angle the largest and the smallest count. ``arc``: start and
+    extent of the test, deg; a full circle is closed. NaN where no angle is common.
     """
     closed = arc[1] >= 360.0
     seam = 0.0 if closed else arc[0] - 0.5 * (360.0 - arc[1])

@@ -1,9 +1,8 @@
-"""Find runs that are copies of each other: equal to the last digit, or with a little noise added
-(CW-T031).
+"""Find runs that are copies of each other: equal to the last digit, or with noise added (CW-T031).
 
 Repeated runs of a machine differ at every target by their noise. Two runs that agree ten times
-better than the runs of the same test do are one run. Where the digits of the instrument are coarser
-than the noise, runs may be the same by chance.
+better than other runs of the test do are one run. Where the resolution of the instrument is coarser
+than the noise, runs may be equal by chance.
 """
 
 from __future__ import annotations
@@ -49,8 +48,8 @@ _AT_ONCE: Final = 1_000_000
 def copied_runs(test: PositioningTest) -> dict[Direction, list[list[int]]]:
     """Return for each direction the groups of columns (two or more) with the same readings.
 
-    They are the same at three targets or more; of many runs those count that have the same readings
-    at the same targets.
+    At three targets or more. In a test with many runs, only runs with readings at the same targets
+    are compared.
     """
     found: dict[Direction, list[list[int]]] = {}
     for direction in _DIRECTIONS:
@@ -125,10 +124,10 @@ def _exact(test: PositioningTest) -> list[Sentence]:
 
 
 def _by_chance(test: PositioningTest) -> bool:
-    """Return whether runs can be equal by chance, because the digits of the readings are coarse.
+    """Return whether runs can be equal by chance, because the resolution of the readings is coarse.
 
-    Of the pairs of runs that are not the same, the share p of targets at which they agree tells how
-    often two readings are the same; all m targets agree with the chance p^m for each pair.
+    In pairs of different runs, the share p of targets with equal readings is the probability that
+    two readings are equal. All m targets agree with the probability p^m for each pair.
     """
     agree, count, pairs = 0.0, 0, 0
     for direction in _DIRECTIONS:

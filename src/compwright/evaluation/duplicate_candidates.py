@@ -1,8 +1,8 @@
-"""Find tests that may be copies of one measurement. Sorting avoids a comparison of every pair;
-`duplicate_measurements` decides.
+"""Find tests that may be copies of one measurement.
 
-What `same_readings` and `share_a_run` call the same agrees but for one constant, the zero of the
-instrument: readings less one of them are the same numbers, and stand side by side when sorted.
+Sorting avoids a comparison of every pair; `duplicate_measurements` decides. Two tests that agree
+except for a constant (the zero of the instrument) are found as equal numbers after one of their
+readings is subtracted from each.
 """
 
 from __future__ import annotations

@@ -77,12 +77,10 @@ def share_a_run(one: PositioningTest, other: PositioningTest) -> bool:
     """Return whether two tests have a common run, except for a constant, in every direction that
     both have.
 
-    The number of the run is of no account: some runs, or all in another order, may have been given
-    as a test of their own.
-
-    Of the pairs of runs that differ, the share p of targets with one and the same difference tells
-    how often coarse digits agree; runs that agree at all of m targets do so with the chance
-    p^(m - 1) for each pair.
+    The run number does not matter: a test may contain only some of the runs, or all in another
+    order. In pairs of different runs, the share p of targets with the same difference is the
+    probability that coarse readings agree by chance; m targets agree with the probability p^(m - 1)
+    for each pair.
     """
     if one.kind is not other.kind:
         return False
@@ -113,9 +111,10 @@ def share_a_run(one: PositioningTest, other: PositioningTest) -> bool:
 
 
 def _always_by_chance(ours: _Blocks, others: _Blocks) -> bool:
-    """Return whether runs of so few targets can always agree by chance.
+    """Return whether runs with so few targets always agree by chance.
 
-    Of m differences one is the most frequent, so p is 1/m or more. Only runs without a gap count.
+    One of m differences is the most frequent, so that p is at least 1/m. Only runs without a
+    missing reading count.
     """
     targets = len(ours[Direction.POSITIVE])
     pairs = 0
@@ -193,11 +192,11 @@ def _most_alike(gaps: FloatArray) -> int:
 
 
 def repeat_findings(tests: Sequence[PositioningTest]) -> list[Finding | None]:
-    """Return the finding CW-T034 for each test that repeats the measurement of other tests, None
-    for the others.
+    """Return the finding CW-T034 for each test that repeats the measurement of other tests, else
+    None.
 
-    As `same_measurement` of any two of them would find it, in a time that grows with their number,
-    not with its square.
+    The result equals that of `same_measurement` on all pairs. The time grows with the number of
+    tests, not with its square.
     """
     kinds = _one_of_each(tests)
     sharing = _sharing_runs([tests[members[0]] for members in kinds])

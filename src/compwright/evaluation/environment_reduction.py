@@ -1,12 +1,10 @@
-"""Correct the readings of a laser for air and material temperature, with a record of the
-environment.
+"""Correct the readings of a laser for air and material temperature, with an environment record.
 
-Light: a display that counts for a refractive index n0 shows p where the length is p n0 / n, n being
-that of the air (`compwright.evaluation.air`); p counts from where the display was zeroed.
-Expansion: ISO 230-2:1997 and 2006, 3.1, as `compwright.evaluation.expansion`, with the temperature
-of the moment.
-
-All arrays of readings here are (m, n+ and n- side by side).
+Light: an instrument that assumes the refractive index n0 displays p for a length p n0 / n, where n
+is the index of the air (`compwright.evaluation.air`); p counts from the zero of the display.
+Expansion: ISO 230-2:1997 and 2006, 3.1, as in `compwright.evaluation.expansion`, with the
+temperature at the time of each reading. Arrays of readings here are (m, n), readings in + followed
+by readings in -.
 """
 
 from __future__ import annotations
@@ -54,18 +52,17 @@ def reduce_by_record(
 ) -> PositioningTest:
     """Return ``test`` corrected for air and thermal expansion with the environment record.
 
-    The effect of the air on the laser light is removed at the moment of each reading, and with
-    ``thermal`` the differential expansion too. Machine coordinates. ``zero``: where the display was
-    zeroed, mm; ``own_temperature``: the test itself states T_m of ``thermal``.
+    Each reading is corrected for the refractive index of the air at its time, and with ``thermal``
+    for the differential expansion too. Machine coordinates. ``zero``: position at which the display
+    was zeroed, mm; ``own_temperature``: the test itself states T_m of ``thermal``. Readings without
+    times are corrected with the mean of the record; their material temperature only if the test
+    states none. Without columns of the air only the expansion is corrected.
 
-    Findings: CW-T024 and CW-T028 what was removed, CW-T029 how light, expansion and the rest
-    changed over the test, CW-T038 a gap in the record, CW-T039 readings without times: for them the
-    mean of the record counts, of the material only where the test states no temperature of its own.
-    Without columns of the air only the expansion is removed.
-
-    Raises UsageError for a rotary axis, InputError where the instrument did it already, where times
-    are missing that are needed or are given otherwise than in the record, and where the record does
-    not reach over the test.
+    Findings: CW-T024 and CW-T028 corrections made; CW-T029 changes of light, expansion and the rest
+    over the test; CW-T038 a gap in the record; CW-T039 readings without times. Raises UsageError
+    for a rotary axis; InputError where the instrument made the correction already, where required
+    times are missing or have another form than in the record, and where the record does not cover
+    the test.
     """
     refuse_rotary(test)
     if thermal is None and not environment.record.has_air:
@@ -267,10 +264,10 @@ def _light_finding(
 def _untimed(
     environment: Environment, test: PositioningTest, thermal: Thermal | None
 ) -> Iterator[Finding]:
-    """Yield a finding about the possible variation of the correction (µm over the targets), for
-    tests without times.
+    """Yield a finding about the unknown variation of the correction for tests without times.
 
-    Nothing where that is small. ``thermal``: the expansion whose temperature is that of the record.
+    In µm over the targets; no finding where it is small. ``thermal``: the expansion whose
+    temperature is that of the record.
     """
     record = environment.record
     varied = np.zeros_like(record.times)
@@ -287,13 +284,13 @@ def _untimed(
 def _changes(
     times: FloatArray, split: int, light: FloatArray, expansion: FloatArray, rest: FloatArray
 ) -> Iterator[Finding]:
-    """Yield a finding about changes during the test, µm: by air, by expansion, and by the rest of
-    the readings.
+    """Yield a finding about changes during the test, µm: by air, by expansion, and of the other
+    readings.
 
     Each change is the slope of a straight line over time through the readings of each target and
-    direction, times the duration. Air and expansion: at the target where they changed most; the
-    other part: the mean over the targets with its standard error. Nothing where a target was
-    approached once.
+    direction, times the duration. Air and expansion: at the target with the largest change. Others:
+    the mean over the targets with its standard error. No finding where a target was approached only
+    once.
     """
     duration = float(np.nanmax(times) - np.nanmin(times))
     centred = _centred(times, split)

@@ -1,9 +1,9 @@
 """The range E_VE of the environmental variation from a drift test.
 
-ISO 230-2:2006 names the contributor (introduction and annex A, A.2.5) and points to ISO 230-3 for
-the test: the axis stands, and the reading is recorded for as long as a positioning test takes. The
-texts of annex A and of ISO 230-3 were not at hand. What is taken here: E_VE is the range of the
-readings within the duration of a positioning test, the largest that the series holds.
+ISO 230-2:2006 names the contributor (introduction and annex A, A.2.5) and refers to ISO 230-3 for
+the test: the axis is at rest, and the reading is recorded for the duration of a positioning test.
+The texts of annex A and of ISO 230-3 were not available. Here E_VE is the largest range of the
+readings within the duration of a positioning test.
 """
 
 from __future__ import annotations

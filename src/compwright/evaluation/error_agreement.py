@@ -37,13 +37,11 @@ def disagreeing_test(
     """Return a doubt (CW-T036) if ``test`` contradicts the error that another test shows, else
     None.
 
-    ``names``: of the test that counts, then of the one that does not.
-
-    ``expected`` and ``std`` (m,) by direction (those of which the other one says something) at the
-    targets of ``test``, ``noise`` of one of its readings: mm or deg. ``unknown``: periods, mm or
-    deg, that the other one could not show; a wave of them is no contradiction. The instrument's
-    zero is free. A test with its sign or directions turned, of another axis, in another unit, or
-    taken in another state shows up here.
+    ``expected``, ``std`` (m,) by direction: the error at the targets of ``test`` according to the
+    other test, and ``noise`` of one reading of ``test``; mm or deg. ``names``: of the other test,
+    then of ``test``. ``unknown``: periods, mm or deg, that the other test could not show; a wave of
+    them is no contradiction. The zero of the instrument is free. Detected are reversed signs or
+    directions, another axis, another unit, and another state of the control.
     """
     shown, wanted, spread, where = [], [], [], []
     for direction in Direction:

@@ -34,8 +34,8 @@ _MATERIAL_ONLY: Final = re.compile(
 def instrument_compensated_expansion(compensated_for: str) -> bool:
     """Return whether the header states that the instrument already removed the material expansion.
 
-    The parts between commas, semicolons, ``+`` and ``/`` that speak of the air or the wavelength
-    only do not count; a part that is not understood counts, because removing the expansion twice is
+    The header is divided at commas, semicolons, ``+`` and ``/``. Parts about the air or the
+    wavelength only do not count. An unknown part counts, because removing the expansion twice is
     worse than asking.
     """
     parts = [part.strip().lower() for part in re.split(r"[,;+/]", compensated_for)]

@@ -121,10 +121,10 @@ def _around(x: FloatArray, y: FloatArray) -> tuple[FloatArray, FloatArray]:
 def _reach(x: FloatArray, y: FloatArray, distance: FloatArray) -> float:
     """Return an upper bound of the distance between the least-squares centre and the best centre.
 
-    A centre moved by s along a unit vector e changes the distances by about s u·e, u the directions
-    of the points. With k the least range of u·e over all e, the width is at least k s minus the
-    present one: better centres have s of at most two widths over k. Doubled for the terms of second
-    order, and never farther than the points themselves.
+    Moving the centre by s along a unit vector e changes the distances by about s u·e, u the
+    directions of the points. Let k be the smallest range of u·e over all e. The width is then at
+    least k s minus the present one, so that a better centre has s <= 2 width / k. This is doubled
+    for terms of second order, and at most the distance of the points themselves.
     """
     thin = max(1, x.size // 256)
     some = np.where(distance > 0.0, distance, 1.0)[::thin]
@@ -158,11 +158,9 @@ def _pairs(n: int) -> tuple[Indices, Indices]:
 def _narrowest(x: FloatArray, y: FloatArray, reach: float, tolerance: float) -> FloatArray:
     """Return the centre (2,) of the narrowest ring that encloses a few points.
 
-    Candidates are the origin and the crossings of the points' bisectors.
-
-    Centres farther from the origin than ``reach`` are left out. Of several equally good ones the
-    middle is taken: where two points on a ray set the width all centres between are as good, and
-    the middle leaves fewest other points outside.
+    Candidates: the origin and the intersections of the points' bisectors, no farther from the
+    origin than ``reach``. If several are equally good (two points on a ray determine the width),
+    the middle one: it leaves the fewest points outside.
     """
     first, second = _pairs(x.size)
     nx, ny = x[second] - x[first], y[second] - y[first]

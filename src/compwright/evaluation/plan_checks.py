@@ -281,9 +281,9 @@ def _targets_text(test: PositioningTest) -> Sentence:
 
 
 def _phases_seen(targets: FloatArray, period: float) -> float:
-    """Return how well the targets show a wave: 0 hidden, 0.5 best.
+    """Return how well the targets show a wave of ``period``, from 0 (hidden) to 0.5 (best).
 
-    The smaller eigenvalue of the covariance of cosine and sine of the target phases.
+    The smaller eigenvalue of the covariance matrix of cosine and sine at the targets.
     """
     phase = 2.0 * np.pi * targets / period
     covariance = np.cov(np.vstack([np.cos(phase), np.sin(phase)]), bias=True)

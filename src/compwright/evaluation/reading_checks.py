@@ -97,9 +97,9 @@ def reading_findings(
 ) -> list[Finding]:
     """Return the findings about the readings of ``test``.
 
-    ``compare`` words the result with and without some of the readings. ``reported``: codes that the
-    noise estimate reports already. With CW-T012 in it, drift is not reported again; with CW-T014,
-    only the result with and without the suspect readings is.
+    ``compare`` returns the result with and without some of the readings as text. ``reported``:
+    codes that the noise estimate reports already. With CW-T012 in it, drift is not reported again;
+    with CW-T014, only the result with and without the suspect readings is.
     """
     return [
         *missing_reading_findings(test),
@@ -363,8 +363,8 @@ def _shifts(test: PositioningTest) -> dict[Traverse, float]:
 def _suspect(test: PositioningTest, shifts: Mapping[Traverse, float]) -> dict[int, list[Traverse]]:
     """Return the suspect traverses of each run.
 
-    Each is compared with the scatter of a reading in the other runs, because an outlying run would
-    otherwise hide in its own scatter.
+    Each run is compared with the scatter of the readings in the other runs, because an outlying run
+    would otherwise increase the scatter that it is compared with.
     """
     residuals, scale = pooled_residuals(test)
     within = robust_scale([each - run_medians(each) for each in residuals], test)

@@ -52,12 +52,11 @@ def run_medians(residual: FloatArray) -> FloatArray:
 
 
 def robust_scale(residuals: list[FloatArray], test: PositioningTest) -> float:
-    """Return the robust standard deviation of a reading: the mean over targets of the unbiased
-    median absolute residual.
+    """Return the robust standard deviation of a reading, mm or deg.
 
-    Not smaller than the resolution of the readings (the smallest step between two of them), so that
-    coarse readings which mostly repeat exactly do not make every last digit suspect. Targets with
-    fewer than three readings do not count.
+    The mean over targets of the unbiased median absolute residual. Not smaller than the resolution
+    (smallest difference between two readings): otherwise coarse readings that mostly repeat exactly
+    would make each last digit an outlier. Targets with fewer than three readings do not count.
     """
     estimates = [_unbiased_medians(residual) for residual in residuals]
     found = np.concatenate(estimates) if estimates else np.empty(0)

@@ -64,11 +64,11 @@ def is_rounded_copy(test: PositioningTest, original: PositioningTest) -> bool:
 
 
 def is_coarse(test: PositioningTest, original: PositioningTest) -> bool:
-    """Return whether independent readings may agree with ``original`` by chance, because the
-    resolution of ``test`` is coarse.
+    """Return whether readings of ``test`` may agree with ``original`` by chance, because they are
+    coarse.
 
-    That is where its runs, each but for a constant, scatter by less than a step of ``test``, or no
-    target was approached twice.
+    Coarse: the runs, apart from a constant, scatter by less than a resolution step of ``test``, or
+    no target was approached twice.
     """
     blocks = (original.deviations(direction) for direction in Direction)
     scatter = np.concatenate(

@@ -1,7 +1,7 @@
 """Find two axes that show the same error: one axis may have been measured twice.
 
-They are compared at their common targets: the means of one and the same error differ only by noise,
-those of two axes also by a smooth curve as large as their errors. Marginal likelihoods (Rasmussen
+Compared are the mean readings at common targets. Those of one axis differ only by noise; those of
+two axes differ also by a smooth curve of the size of their errors. Marginal likelihoods (Rasmussen
 and Williams, Gaussian Processes for Machine Learning, 2006, eq. 5.8); the zero of each instrument
 is free.
 """

@@ -1,13 +1,11 @@
 """Draw the readings that a test would have shown without environmental variation.
 
-The draws come from all scatters of the axis that are compatible with the readings.
-
-A reading is a position of the axis plus a draw of the environmental variation, whose size is known.
-What is added makes a test wider than its axis: scatter grows, and of many targets the one that got
-most decides a maximum. So it is taken out again, by empirical Bayes (Efron, Large-Scale Inference,
-2010, chapter 1): the scatter about the mean of a target is divided between axis and environment,
-and the means are drawn towards a smooth curve as far as their roughness is no more than the
-environment explains. The repeatability of the axis stays: it belongs to the axis.
+A reading is the position of the axis plus environmental variation of known size, which increases
+the scatter and, because a maximum over many targets picks the largest variation, also the
+parameters. Empirical Bayes (Efron, Large-Scale Inference, 2010, chapter 1) removes it: the scatter
+about the mean of a target is divided between axis and environment. The means are drawn towards a
+smooth curve as far as the environment explains their roughness. The repeatability of the axis
+remains. Draws cover all scatters of the axis that are compatible with the readings.
 """
 
 from __future__ import annotations
@@ -114,11 +112,11 @@ def _drawn(evidence: FloatArray, count: int, rng: np.random.Generator) -> NDArra
 def _scatter(
     block: FloatArray, own: FloatArray, sigma: float, rng: np.random.Generator
 ) -> FloatArray:
-    """Return random draws (count, m, n) of the axis' own scatter about its means, from the scatter
-    of ``block`` (m, n).
+    """Return random draws (count, m, n) of the axis' own scatter about its means, from ``block``
+    (m, n).
 
-    Of a residual the share own / (own + sigma²) is the axis'; what is uncertain of it has the
-    variance of sigma² times that share (both normal).
+    The share own / (own + sigma²) of a residual belongs to the axis; the uncertainty of this part
+    has the variance sigma² times that share (both normal).
     """
     share = (own / (own + sigma**2))[:, :, np.newaxis]
     fresh = np.where(np.isfinite(block), rng.standard_normal((own.shape[0], *block.shape)), np.nan)
@@ -156,13 +154,11 @@ def _curve(
     count: int,
     rng: np.random.Generator,
 ) -> FloatArray:
-    """Return random draws (count, m) of ``values`` (m,) without their ``noise``.
+    """Return random draws (count, m) of ``values`` (m,) without environmental variation.
 
-    ``own``: the variance of the axis' own scatter in them, which stays in any case (both
-    variances).
-
-    Less its straight line a curve is smooth plus rough: over the cosines of the order of the
-    targets the variance is a / frequency^p + w, with a, p and w by their evidence.
+    ``noise``: its variance; ``own``: the variance of the axis' own scatter, which always remains.
+    Without its straight line a curve is smooth plus rough: the variance of its cosine coefficients
+    in the order of the targets is a / frequency^p + w. a, p and w are weighted by their evidence.
     """
     drawn = np.repeat(values[np.newaxis], count, axis=0)
     known = np.isfinite(values)
@@ -183,12 +179,12 @@ def _curve(
 
 
 def _curves_tried(m: int, *, own_known: bool) -> tuple[FloatArray, FloatArray]:
-    """Return the possible variances (h, m - 1) of the cosines of a curve, in units of the noise,
-    and their log weights (h,).
+    """Return the possible variances (h, m - 1) of a curve's cosines, in units of the noise, and log
+    weights.
 
-    The model without a smooth part weighs as much as all models with one. So does the model without
-    a rough part if the scatter of the axis is counted already (``own_known``); else it weighs as
-    much as a single one with it.
+    The model without a smooth part has the same prior weight as all models with one. A model
+    without a rough part has the same weight as all with one if the scatter of the axis is counted
+    already (``own_known``), else as a single one.
     """
     frequency = 2.0 * np.sin(0.5 * np.pi * np.arange(1, m) / m)
     shapes = [frequency**-power for power in _POWERS]

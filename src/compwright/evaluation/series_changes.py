@@ -42,13 +42,12 @@ _COMMON = 0.8
 def noted_changes(
     entries: Sequence[HistoryEntry], trends: Sequence[NotedTrend]
 ) -> list[NotedChange]:
-    """Return the changes between the tests of one axis or plane. Each test is compared with the
-    last comparable test before it.
+    """Return the changes between the tests of one axis or plane that exceed the uncertainty.
 
-    ``entries`` in their order in time; ``trends``: theirs (`noted_trends`). What the other
-    comparisons differ by more than their standard errors explain is scatter from test to test.
-    The threshold counts all comparisons, but between the tests of a jump: elsewhere nothing but the
-    largest of many differences points at these two tests.
+    Each test is compared with the last comparable test before it. ``entries``: in order of time;
+    ``trends``: theirs (`noted_trends`). Differences between the other comparisons beyond their
+    standard errors are scatter from test to test. The threshold allows for the number of
+    comparisons, except between the tests of a jump.
     """
     jumped = {
         (trend.parameter, jump.before, jump.after) for trend in trends for jump in trend.jumps
@@ -95,11 +94,10 @@ def noted_changes(
 
 def _between_tests(others: Sequence[Change]) -> tuple[float, float]:
     """Return the variance between tests that exceeds their standard errors, and its degrees of
-    freedom. 0 with fewer than four comparisons.
+    freedom.
 
-    From other comparisons of the same parameter.
-
-    Neighbouring differences share a test, which leaves two thirds of their number.
+    From other comparisons of the same parameter; 0 with fewer than four. Neighbouring differences
+    share a test, so that two thirds of their number count.
     """
     if len(others) < _LEAST_COMPARISONS:
         return 0.0, math.inf

@@ -29,16 +29,15 @@ class StandardError:
 def standard_errors(
     positive: FloatArray, negative: FloatArray, coverage: float
 ) -> dict[str, StandardError]:
-    """Return the standard errors of A, B, B_mean (symbols of ISO 230-2:2014) and of ``s``, the
-    pooled standard deviation of a reading.
+    """Return the standard errors of A, B, B_mean (ISO 230-2:2014) and ``s``, the pooled standard
+    deviation.
 
-    ``positive``, ``negative`` (m, n): readings of each direction in any one unit, NaN for those not
-    made, width 0 for a direction not measured; columns are runs. ``coverage``: k of A. Empty
-    without repeats. What shifts a whole traverse is common to all its targets: where the
-    differences between runs scatter more than single readings say, they count.
-
-    A: the two cells that make it, each a mean and k standard deviations (variance of s: s²/2ν). The
-    GUM (JCGM 100:2008) combines: 5.1.2, and degrees of freedom by G.4.1 (Welch-Satterthwaite).
+    ``positive``, ``negative`` (m, n): readings of each direction in one unit, NaN if missing, width
+    0 for a direction not measured; columns are runs. ``coverage``: k of A. Empty without repeated
+    readings. Shifts of whole traverses are common to all their targets: where runs differ more than
+    the scatter of single readings explains, the differences between runs count. A: from the two
+    targets that determine it, each a mean and k standard deviations (variance of s: s²/2ν).
+    Combination and degrees of freedom: GUM (JCGM 100:2008) 5.1.2 and G.4.1 (Welch-Satterthwaite).
     """
     blocks = [block for block in (positive, negative) if block.size and np.isfinite(block).any()]
     scatter = _scatter(blocks)
@@ -80,10 +79,10 @@ def slope_error(
 
 
 def _scatter(blocks: list[FloatArray]) -> tuple[float, StandardError] | None:
-    """Return the pooled standard deviation and its error; None without repeats.
+    """Return the pooled standard deviation and its standard error; None without repeated readings.
 
-    The relative variance of s² is 2/ν for normal readings alike everywhere; where the cells or the
-    runs differ more among themselves, it is what they show.
+    The relative variance of s² is 2/ν for normal readings of equal variance; it is larger if
+    targets or runs differ in their variance.
     """
     cells = [row[np.isfinite(row)] for block in blocks for row in block]
     repeated = [cell for cell in cells if cell.size > 1]
@@ -143,8 +142,9 @@ def _dof(cell: FloatArray) -> int:
 
 
 def _ends(blocks: list[FloatArray], coverage: float) -> tuple[FloatArray, FloatArray] | None:
-    """Return the readings at the two targets that determine A, with the highest mean + k s and the
-    lowest mean - k s. None without repeated readings.
+    """Return the readings at the two targets that determine A.
+
+    The highest mean + k s and the lowest mean - k s. None without repeated readings.
     """
     cells = [row for block in blocks for row in block if _dof(row) > 0]
     if not cells:

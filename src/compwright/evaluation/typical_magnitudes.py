@@ -66,9 +66,7 @@ def turned_odds(reversal: float, kind: AxisKind) -> float:
 
 
 def _density(reversal: float) -> float:
-    """Return the probability density of a mean reversal value in µm or arcsec on typical
-    machines.
-    """
+    """Return the probability density of a mean reversal value (µm, arcsec) on typical machines."""
     near = math.exp(-0.5 * (reversal / _NONE) ** 2) / (_NONE * math.sqrt(2.0 * math.pi))
     density = _NONE_SHARE * near
     if reversal > 0.0:

@@ -208,8 +208,8 @@ def expanded_uncertainties(
 
 
 def _expanded(off: FloatArray) -> float:
-    """Return the half width that contains as many of the draws ``off`` as two standard deviations
-    of a normal distribution.
+    """Return the half width that contains 95.45 % of the draws ``off``, as two standard deviations
+    do.
     """
     scores = np.sort(np.abs(_normal_scores(off.size)))
     held = np.interp(COVERAGE, scores, np.arange(off.size)) / (off.size - 1)
@@ -247,8 +247,8 @@ def _added(
 ) -> _Added:
     """Return the uncertainty that the contributors add to the readings.
 
-    The certificate of an instrument speaks of the distance of any two positions: U + per_m times
-    the distance, with one sign. So the part of its draw that is in the slope is in U too.
+    The certificate of an instrument states the distance of any two positions: U + per_m times the
+    distance, with one sign. The part of its draw in the slope is therefore part of U too.
     """
     factor = outside_factor(test.kind.unit)
     unit = COVERAGE * factor
