@@ -61,8 +61,10 @@ _PAIRS: Final = 6
 
 
 class SpikeShapes:
-    """The chosen decay lengths of the reversal spikes. For each reversal point: the indices of its
-    lengths, -1 for none, and whether the directions differ.
+    """The chosen decays of the reversal spikes: up to `SLOTS` decays at each reversal point.
+
+    For each slot of a reversal point: the index of its shape, -1 for none, and whether the
+    directions differ.
     """
 
     def __init__(self, problem: CircleProblem) -> None:
@@ -85,11 +87,11 @@ class SpikeShapes:
         self.rare = {n: i for i, n in enumerate(problem.names) if n in RARE}
 
     def columns(self, reversal: int, slot: int) -> list[int]:
-        """Return the columns for one place of a reversal point."""
+        """Return the columns of one slot of a reversal point."""
         return self._columns[reversal, slot]
 
     def at(self, place: tuple[int, int] | str) -> tuple[object, ...]:
-        """Return what is chosen at one place of a reversal point, or for a rare cause."""
+        """Return the choice for one slot of a reversal point, or for a rare cause."""
         if isinstance(place, str):
             return (self.present[place],)
         return *self._columns[place], self.size[place]
@@ -97,7 +99,7 @@ class SpikeShapes:
     def put(
         self, reversal: int, slot: int, place: int, *, unlike: bool = False, size: int = 0
     ) -> None:
-        """Give one place of a reversal point a shape. ``place`` -1: none."""
+        """Give one slot of a reversal point the shape with index ``place``; -1: none."""
         self.place[reversal, slot] = place
         if place >= 0:
             self.unlike[reversal, slot], self.size[reversal, slot] = unlike, size
@@ -112,7 +114,7 @@ class SpikeShapes:
         self.precision[found] = _SIZES[self.size[reversal, slot]] ** -2.0
 
     def chosen(self, but: tuple[int, int] | str | None = None) -> IndexArray:
-        """Return the spikes and rare causes in the model, without those of one place or name."""
+        """Return the spikes and rare causes in the model, without those of one slot or name."""
         rare = [column for name, column in self.rare.items() if self.present[name] and name != but]
         found = [
             column
@@ -127,7 +129,7 @@ class SpikeShapes:
         return np.concatenate([self.always, self.chosen()])
 
     def options(self, reversal: int, slot: int) -> IndexArray:
-        """Return which spike shapes are possible at one place of a reversal point."""
+        """Return which spike shapes are possible in one slot of a reversal point."""
         return self._kinds[reversal][slot >= _DECAYS]
 
     @property
@@ -148,7 +150,7 @@ class SpikeShapes:
         return total
 
     def slots(self) -> Iterator[tuple[int, int]]:
-        """Yield each reversal point with each of its places for a spike."""
+        """Yield the indices of each reversal point and each of its slots for a decay."""
         for slot in range(SLOTS):
             for reversal in range(len(self.reversals)):
                 yield reversal, slot
@@ -185,7 +187,7 @@ def choose_shapes(weighted: WeightedProblem, shapes: SpikeShapes) -> None:
 
 
 def _set(shapes: SpikeShapes, reversal: int, slot: int, option: int) -> None:
-    """Give one place of a reversal point one of the shapes that `_Options` compares."""
+    """Give one slot of a reversal point one of the shapes that `_Options` compares."""
     options = shapes.options(reversal, slot)
     if option == 0:
         shapes.put(reversal, slot, -1)
@@ -245,7 +247,7 @@ def _odds(marginal: MarginalEquations, shapes: SpikeShapes, name: str) -> tuple[
 
 
 class _Options:
-    """The shapes that are possible at one place of a reversal point, compared by their evidence."""
+    """The shapes that are possible in one slot of a reversal point, compared by their evidence."""
 
     def __init__(
         self, marginal: MarginalEquations, shapes: SpikeShapes, reversal: int, slot: int

@@ -309,14 +309,11 @@ def _fault(job: Job, place: str, test: str, state: str, earlier: _Earlier) -> Fa
         ),
         file=job.file,
         place=place,
-        expected=(
-            "a test that was taken with these tables loaded, or under `measured_in` the name of "
-            f"the entry of `states` that was in the control during {test}"
-        ),
+        expected="a test that was taken with these tables loaded",
         found=f"{test}, the test of {earlier.path}",
         hint=(
-            "give a test taken with these tables loaded, or under `measured_in` the name of the "
-            f"entry of `states` that was in the control during {test}"
+            f"give a test taken with these tables loaded, or set `measured_in` of {test} to the "
+            "entry of `states` that was in the control then"
         ),
     )
 

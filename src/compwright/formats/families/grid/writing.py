@@ -210,10 +210,10 @@ class GridWriter:
             work.faults.append(
                 Fault(
                     message=(
-                        f"axis {axis.name}: no file states that the control wraps this axis "
-                        "(MD30310) and where its turn begins (MD30340), and its reference "
-                        f"is at {axis.reference:g} deg: whether the control finds its way "
-                        "into the table is unknown"
+                        f"axis {axis.name}: no file states whether the control counts this axis "
+                        "modulo one turn (MD30310) and where the turn begins (MD30340). Its "
+                        f"reference is at {axis.reference:g} deg, so the part of the table "
+                        "that is active there is unknown"
                     ),
                     expected=expected,
                     found="in no file",

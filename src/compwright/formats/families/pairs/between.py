@@ -199,11 +199,11 @@ def _unsound(entry: CrossCompensation) -> list[Fault]:
         if beyond != "hold" and any(curve[node] != 0 for curve in curves):
             faults.append(
                 Fault(
-                    message=f"{label}: {side} its {end} point the control applies the value of "
-                    "this point",
+                    message=f"{label}: {side} its {end} point the control keeps the value of "
+                    "that point",
                     expected="hold (the end value)",
                     found=beyond,
-                    hint=f"make the table cover the whole travel, or leave `{side}` out",
+                    hint=f"make the table cover the whole travel, or delete `{side}: {beyond}`",
                 )
             )
     return faults
