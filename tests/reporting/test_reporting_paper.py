@@ -45,7 +45,7 @@ from compwright.reporting.test_sheet import NOT_STATED, further_statements, shee
 from compwright.reporting.verify_report import verify_report
 from compwright.workflow.inputs.logo import read_logo
 from compwright.workflow.results.stated import report_document, stated_of_axes
-from places import PROJECT, STANDARD_TABLES, needs_shared
+from places import PROJECT, SHARED, STANDARD_TABLES, needs_shared
 from reporting_samples import made_up, run_view, verify_view
 
 SMALL = """
@@ -164,6 +164,51 @@ def test_every_standard_has_its_list_and_every_clause_an_edition_that_was_read()
 )
 def test_the_items_of_an_edition_are_as_many_as_its_text_has(edition: str, count: int) -> None:
     assert sum(edition in item.clauses for item in ITEMS) == count
+
+
+#: ISO 230-2:2006, 7.1, in its order: the words of each item, and the items of the page.
+ITEMS_OF_2006 = {
+    "position of the measuring instrument": "instrument_position",
+    "thermal expansion used for NDE correction": "expansion",
+    "position of the temperature sensor(s)": "sensor_positions",
+    "temperatures of sensors for NDE correction": "temperatures temperatures_instrument",
+    "type of compensation routine": "compensation_routine",
+    "date of test": "date",
+    "machine name, type": "machine machine_type",
+    "coordinate axes travels": "travel",
+    "list of the test equipment used": "instrument",
+    "type and serial number of the": "instrument_serial",
+    "type of machine scale used": "scale",
+    "its coefficient of thermal expansion": "scale_expansion",
+    "name of axis under test": "axis",
+    "the location of its measurement line": "measuring_line",
+    "axes not under test": "other_axes",
+    "description of nominal location": "measuring_line",
+    "feed rate and dwell time": "feed dwell",
+    "list of nominal target positions": "targets",
+    "warm-up operation": "warm_up",
+    "air temperature, air pressure and humidity": "air_temperature air_pressure humidity",
+    "built-in compensation routines": "compensation",
+    "use of air or oil shower": "air_shower",
+    "number of approaches": "approaches",
+    "contributors and parameters used": "contributors",
+}
+
+
+def test_the_items_of_2006_are_those_of_its_clause_one_by_one() -> None:
+    expected = {key for keys in ITEMS_OF_2006.values() for key in keys.split()}
+    assert {item.key for item in ITEMS if "iso230-2:2006" in item.clauses} == expected
+    assert "axis_location" in next(item for item in ITEMS if item.key == "measuring_line").headers
+
+
+@needs_shared
+def test_each_item_of_2006_is_in_the_text_of_its_clause() -> None:
+    path = SHARED / "standards" / "iso-230-2-2006-preview-en-fr.txt"
+    text = " ".join(path.read_text(encoding="utf-8").split())
+    clause = text.rpartition("7.1 Method of presentation")[2].partition("7.2 Parameters")[0]
+    places = [clause.find(words) for words in ITEMS_OF_2006]
+    assert -1 not in places
+    assert clause.count("⎯") == 20  # bullets, three of them about the NDE correction's
 
 
 def test_the_keys_are_in_the_documentation() -> None:
@@ -357,7 +402,7 @@ def test_each_number_of_an_evaluation_is_that_of_the_json_with_its_unit() -> Non
     for row, (one, name) in zip(
         table_with(page, "Approach", "Position mm", f"Value {MICRONS}"), ends, strict=True
     ):
-        assert row[0] == name
+        assert KEYS.get(row[0], row[0]) == name
         equal(row[3:], [one["position"], one["value"]])
     contributed = result["budget"]["contributions"]
     units = ["µm", "mm", "K", "µm/(m K)", "µm", "µm"]

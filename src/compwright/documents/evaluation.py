@@ -49,7 +49,7 @@ def result_document(result: PositioningResult) -> dict[str, Any]:
     20 °C, ``expansion_removed``: what was taken from each (``removed_positive`` and
     ``removed_negative`` where a record of the environment gives each its own), and ``thermal``: by
     which coefficients (µm/(m K)), temperatures (°C) and fixed point (mm). ``extremes``: of A,
-    E and M the highest and the lowest value. ``budget``: the contributors behind ``uncertainty``.
+    E, M and R the highest and lowest value. ``budget``: the contributors behind ``uncertainty``.
     """
     test = result.test
     factor = outside_factor(test.kind.unit)

@@ -229,8 +229,8 @@ def evaluate(
         coverage=chosen.coverage,
         parameters=given,
         targets=columns,
-        at=_located(test, columns, given),
-        extremes=_extremes(test, columns, given, chosen.coverage),
+        at=(at := _located(test, columns, given)),
+        extremes=_extremes(test, columns, given, at, chosen.coverage),
         uncertainty=uncertainty,
         budget=(
             contributions(test, budget, thermal)
@@ -394,21 +394,21 @@ def _extremes(
     test: PositioningTest,
     columns: TargetColumns,
     given: Mapping[str, float | None],
+    at: Mapping[str, float],
     coverage: float,
 ) -> dict[str, tuple[Extreme, Extreme]]:
-    """Return the highest and the lowest values from which A, E and M are computed. Only available
-    parameters; the first of several targets.
-    """
+    """Return the highest and lowest values behind A, E, M, R, at the first of several targets."""
     means = dict(zip(_BOTH, (columns.mean_positive, columns.mean_negative), strict=True))
-    spread = dict(zip(_BOTH, (columns.s_positive, columns.s_negative), strict=True))
+    both = zip(_BOTH, (columns.s_positive, columns.s_negative), strict=True)
+    spread = [(way, means[way] + coverage * s, means[way] - coverage * s) for way, s in both]
     sides: dict[str, list[tuple[Direction | None, FloatArray, FloatArray]]] = {
-        "A": [
-            (way, means[way] + coverage * spread[way], means[way] - coverage * spread[way])
-            for way in _BOTH
-        ],
+        "A": list(spread),
         "E": [(way, means[way], means[way]) for way in _BOTH],
         "M": [(None, columns.mean, columns.mean)],
     }
+    for name in ("R", "R_positive", "R_negative"):
+        there = np.where(test.targets == at.get(name), 0.0, np.nan)
+        sides[name] = [(w, up + there, low + there) for w, up, low in spread if w in _needed(name)]
     return {
         name: (
             _extreme(test, [(way, high) for way, high, _ in bounds], 1.0),

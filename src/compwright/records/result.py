@@ -82,8 +82,8 @@ class PositioningResult:
 
     ``at`` gives the target position at which a parameter takes its extreme; ``not_applicable`` the
     reason of each None. ``coverage`` is the factor k of the standard (3 or 2); ``spread`` says how
-    s was formed: ``std`` or ``range``. ``extremes``: of A, E and M the highest and the lowest value
-    (A: mean ± k s), whose difference it is. ``budget``: the contributors behind ``uncertainty``.
+    s was formed: ``std`` or ``range``. ``extremes``: of A, E, M, R the highest and the lowest value
+    (A, R: mean ± k s), whose difference it is. ``budget``: the contributors behind ``uncertainty``.
     """
 
     test: PositioningTest

@@ -8,7 +8,7 @@ Lengths are points, of a picture as wide as the text of A4.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from html import escape
 from itertools import count
@@ -198,14 +198,46 @@ def _rings(chart: Chart, x: _Scale, y: _Scale) -> Iterator[str]:
         r = _RING
         ring = f"M{across - r:.2f},{up:.2f}a{r:g},{r:g} 0 1 0 {2 * r:g},0"
         yield _path(f"{ring}a{r:g},{r:g} 0 1 0 {-2 * r:g},0", INK, 0.9)
-    middle = (x.first + x.last) / 2
+    taken: list[_Box] = []
     for (across, up), names in places.items():
-        side, anchor = (-1, "end") if across > middle else (1, "start")
         word = ", ".join(dict.fromkeys(names))
-        yield _word(
-            across + side * (_RING + 2.0), max(up - 2.0, y.last + _TEXT), word, anchor=anchor,
-            size=_TEXT, more=f' font-weight="bold" {_HALO}',
-        )  # fmt: skip
+        box = _free_box(across, up, _LETTER * _TEXT * len(word), x, y, [*_boxes(places), *taken])
+        taken.append(box)
+        yield _word(box[0], box[3], word, size=_TEXT, more=f' font-weight="bold" {_HALO}')
+
+
+#: Left, top, right and bottom of an area, in points.
+_Box = tuple[float, float, float, float]
+
+
+def _boxes(places: Iterable[tuple[float, float]]) -> list[_Box]:
+    """Return the areas of rings."""
+    r = _RING
+    return [(across - r, up - r, across + r, up + r) for across, up in places]
+
+
+def _free_box(
+    across: float, up: float, width: float, x: _Scale, y: _Scale, taken: Sequence[_Box]
+) -> _Box:
+    """Return the area of the name of a ring: on the side of it that covers the least of ``taken``,
+    inside of the panel.
+    """
+    sides = [1.0, -1.0] if across < (x.first + x.last) / 2 else [-1.0, 1.0]
+    boxes = []
+    for lift in (2.0, 12.0, -8.0, 22.0, -18.0):
+        for side in (*sides, 0.0):
+            middle = across + side * (_RING + 2.0 + width / 2)
+            left = min(max(middle - width / 2, x.first), x.last - width)
+            bottom = min(max(up - lift + 4.0 * (side == 0.0), y.last + _TEXT), y.first)
+            boxes.append((left, bottom - 0.75 * _TEXT, left + width, bottom))
+    return min(boxes, key=lambda box: sum(_common(box, other) for other in taken))
+
+
+def _common(one: _Box, other: _Box) -> float:
+    """Return the area that two boxes have in common."""
+    wide = min(one[2], other[2]) - max(one[0], other[0])
+    high = min(one[3], other[3]) - max(one[1], other[1])
+    return max(wide, 0.0) * max(high, 0.0)
 
 
 def _filled(band: Band, x: _Scale, y: _Scale) -> Iterator[str]:

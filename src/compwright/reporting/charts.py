@@ -186,12 +186,9 @@ def result_chart(result: Document) -> Chart:
     chart.marks = [
         ChartMark(_number(end.get("position")), _number(end.get("value")), symbol(name))
         for name, ends in (result.get("extremes") or {}).items()
+        if name in ("A", "E", "M", "R")
         for end in ends
     ]
-    at = (result.get("at") or {}).get("R")  # R_i reaches from the lowest to the highest mean ± k s
-    if at in positions and chart.bands:
-        ends = [limit[positions.index(at)] for b in chart.bands for limit in (b.low, b.high)]
-        chart.marks += [ChartMark(at, end, symbol("R")) for end in (max(ends), min(ends))]
     chart.name_axes(result.get("unit"))
     return chart
 

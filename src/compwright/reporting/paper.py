@@ -186,7 +186,7 @@ def _extremes(result: Document) -> TextTable | None:
     rows = [
         [
             symbol(name),
-            say("report.extreme", end=end, what=name, coverage=coverage),
+            say("report.extreme", end=end, what=name[0], coverage=coverage),
             {"+": "+", "-": "−"}.get(str(entry.get("direction")), say("report.both")),
             plain(entry.get("position")),
             number(entry.get("value")),

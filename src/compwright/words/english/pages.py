@@ -212,10 +212,13 @@ SENTENCES: Final[dict[str, str]] = {
     "report.customer": "Customer",
     "report.date": "Date of the test",
     "report.extreme": (
-        "{end:choose|highest=highest|lowest=lowest} mean{what:choose|A="
-        " {end:choose|highest=+|lowest=−} {coverage} s|E=|M= ±}"
+        "{what:choose|R=|A={end:choose|highest=highest|lowest=lowest} "
+        "|E={end:choose|highest=highest|lowest=lowest} "
+        "|M={end:choose|highest=highest|lowest=lowest} }mean"
+        "{what:choose|E=|M= ±|A= {end:choose|highest=+|lowest=−} {coverage} s"
+        "|R= {end:choose|highest=+|lowest=−} {coverage} s}"
     ),
-    "report.extremes": "Extremes: rings in the figure",
+    "report.extremes": "Extremes: A, E, M, R are rings in the figure",
     "report.findings": "Findings",
     "report.footer": "Report {number}",
     "report.in_english": (

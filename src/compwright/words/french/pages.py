@@ -221,10 +221,13 @@ SENTENCES: Final[dict[str, str]] = {
     "report.customer": "Client",
     "report.date": "Date de l'essai",
     "report.extreme": (
-        "moyenne {end:choose|highest=max.|lowest=min.}{what:choose|A="
-        " {end:choose|highest=+|lowest=−} {coverage} s|E=|M= ±}"
+        "moyenne{what:choose|R=|A= {end:choose|highest=max.|lowest=min.}"
+        "|E= {end:choose|highest=max.|lowest=min.}"
+        "|M= {end:choose|highest=max.|lowest=min.} ±}"
+        "{what:choose|E=|M=|A= {end:choose|highest=+|lowest=−} {coverage} s"
+        "|R= {end:choose|highest=+|lowest=−} {coverage} s}"
     ),
-    "report.extremes": "Extremums : cercles sur la figure",
+    "report.extremes": "Extremums : A, E, M, R en cercles sur la figure",
     "report.findings": "Constats",
     "report.footer": "Rapport {number}",
     "report.in_english": (

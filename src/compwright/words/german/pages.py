@@ -213,10 +213,13 @@ SENTENCES: Final[dict[str, str]] = {
     "report.customer": "Kunde",
     "report.date": "Prüfdatum",
     "report.extreme": (
-        "{end:choose|highest=größtes|lowest=kleinstes} Mittel{what:choose|A="
-        " {end:choose|highest=+|lowest=−} {coverage} s|E=|M= ±}"
+        "{what:choose|R=|A={end:choose|highest=größtes|lowest=kleinstes} "
+        "|E={end:choose|highest=größtes|lowest=kleinstes} "
+        "|M={end:choose|highest=größtes|lowest=kleinstes} }Mittel"
+        "{what:choose|E=|M= ±|A= {end:choose|highest=+|lowest=−} {coverage} s"
+        "|R= {end:choose|highest=+|lowest=−} {coverage} s}"
     ),
-    "report.extremes": "Extremwerte: Ringe im Bild",
+    "report.extremes": "Extremwerte: A, E, M, R als Ringe im Bild",
     "report.findings": "Befunde",
     "report.footer": "Bericht {number}",
     "report.in_english": (

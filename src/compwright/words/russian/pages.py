@@ -210,10 +210,13 @@ SENTENCES: Final[dict[str, str]] = {
     "report.customer": "Заказчик",
     "report.date": "Дата проверки",
     "report.extreme": (
-        "{end:choose|highest=макс.|lowest=мин.} среднее{what:choose|A="
-        " {end:choose|highest=+|lowest=−} {coverage} s|E=|M= ±}"
+        "{what:choose|R=|A={end:choose|highest=макс.|lowest=мин.} "
+        "|E={end:choose|highest=макс.|lowest=мин.} "
+        "|M={end:choose|highest=макс.|lowest=мин.} }среднее"
+        "{what:choose|E=|M= ±|A= {end:choose|highest=+|lowest=−} {coverage} s"
+        "|R= {end:choose|highest=+|lowest=−} {coverage} s}"
     ),
-    "report.extremes": "Крайние значения: кольца на рисунке",
+    "report.extremes": "Крайние значения: A, E, M, R — кольца на рисунке",
     "report.findings": "Замечания",
     "report.footer": "Протокол {number}",
     "report.in_english": (

@@ -105,7 +105,9 @@ def active_backlash(values: IncrementAxisValues, feed: int) -> int:
             else "repeat the test at cutting feed, or leave the axis out of the job",
         )
     silent = (
-        "1800#4 is not in the files" if bit_known else "the bit that makes 1852 active is unknown"
+        control_text("1800#4 is not in the files")
+        if bit_known
+        else control_text("the bit that makes 1852 active is unknown")
     )
     why = "1800#4 = 1" if separate else silent
     values.notes.find(

@@ -13,6 +13,7 @@ from compwright.formats.text.gathering import same_value
 from compwright.formats.text.notes import CORRECT_VALUE, NOT_COUNTED, Notes
 from compwright.records.axis import AxisKind
 from compwright.records.correction import CrossCompensation
+from compwright.words.sentences import control_text
 
 #: The option that says what the values are; no page does.
 CROSS_VALUES = "cross_values"
@@ -42,14 +43,18 @@ def read_cross(
     master = lists.one("cross_master")
     if not entries or master is None or all(value == 0 for _, value in entries):
         return None
-    label = f"{lists.label}: its table over axis {int(master.text)}"
+    over = str(int(master.text))
+    label = control_text("{label}: its table over axis {over}", label=lists.label, over=over)
     sign = {"error": -1, "correction": 1}.get(str(lists.options.get(CROSS_VALUES)))
     if sign is None:
         left_out(
             lists.notes,
             label,
-            f"what its values are is not known; give the option {CROSS_VALUES} after the check on"
-            " the card",
+            control_text(
+                "the meaning of its values is unknown; give the option {option} after the check on"
+                " the card",
+                option=CROSS_VALUES,
+            ),
         )
         return None
     if not lists.is_active("cross_switch", "cross_manual", zero=False, label=label):

@@ -151,7 +151,9 @@ class CecReader(SingleValues):
                 return table
             if self.writable.sign_known:
                 return replace(table, stays=True)
-            self._note_left_alone(one, "the sign of its values is not given (option cec_sign)")
+            self._note_left_alone(
+                one, control_text("the sign of its values is not given (option cec_sign)")
+            )
             return None
         if is_zero(places) and "cross_value" in places and is_whole(places) and not one.damaged:
             self.quiet.append(index)

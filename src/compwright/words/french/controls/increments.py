@@ -414,4 +414,6 @@ TEXTS: Final[dict[str, str]] = {
     "{first} to {last} ({count} numbers)": "{first} à {last} ({count} numéros)",
     "not in the files that were given": "absent des fichiers fournis",
     "step": "incrément (step)",
+    "1800#4 is not in the files": ("1800#4 n'est pas dans les fichiers"),
+    "the bit that makes 1852 active is unknown": ("le bit qui rend 1852 actif est inconnu"),
 }

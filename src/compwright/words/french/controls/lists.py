@@ -183,4 +183,9 @@ TEXTS: Final[dict[str, str]] = {
     "B19 names them correction and does not define it": (
         "B19 les nomme correction sans définir ce mot"
     ),
+    "{label}: its table over axis {over}": ("{label} : sa table selon l'axe {over}"),
+    "the meaning of its values is unknown; give the option {option} after the check on the card": (
+        "la signification de ses valeurs est inconnue ; donner l'option {option} après "
+        "le contrôle de la fiche"
+    ),
 }

@@ -416,4 +416,7 @@ TEXTS: Final[dict[str, str]] = {
         " travail (active)"
     ),
     "neither the job nor the files say so": "ni le dossier de travail ni les fichiers ne le disent",
+    "the sign of its values is not given (option cec_sign)": (
+        "le signe de ses valeurs n'est pas indiqué (option cec_sign)"
+    ),
 }

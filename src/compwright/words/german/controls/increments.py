@@ -422,4 +422,6 @@ TEXTS: Final[dict[str, str]] = {
     "{first} to {last} ({count} numbers)": "{first} bis {last} ({count} Nummern)",
     "not in the files that were given": "nicht in den gegebenen Dateien",
     "step": "Schritt (step)",
+    "1800#4 is not in the files": ("1800#4 ist nicht in den Dateien"),
+    "the bit that makes 1852 active is unknown": ("das Bit, das 1852 wirksam macht, ist unbekannt"),
 }

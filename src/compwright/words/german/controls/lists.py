@@ -185,4 +185,9 @@ TEXTS: Final[dict[str, str]] = {
     "B19 names them correction and does not define it": (
         "B19 nennt sie Korrektur und erklärt das nicht"
     ),
+    "{label}: its table over axis {over}": ("{label}: ihre Tabelle über Achse {over}"),
+    "the meaning of its values is unknown; give the option {option} after the check on the card": (
+        "die Bedeutung ihrer Werte ist unbekannt; nach der Kontrolle auf der Karte die "
+        "Option {option} angeben"
+    ),
 }

@@ -416,4 +416,7 @@ TEXTS: Final[dict[str, str]] = {
         "eine gegebene Tabelle gilt als aktiv; ein Auftrag wird gefragt (active)"
     ),
     "neither the job nor the files say so": "weder Auftrag noch Dateien sagen es",
+    "the sign of its values is not given (option cec_sign)": (
+        "das Vorzeichen ihrer Werte ist nicht angegeben (Option cec_sign)"
+    ),
 }

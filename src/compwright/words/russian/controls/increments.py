@@ -397,4 +397,6 @@ TEXTS: Final[dict[str, str]] = {
     "{first} to {last} ({count} numbers)": "{first}–{last} (номеров: {count})",
     "not in the files that were given": "нет в переданных файлах",
     "step": "шаг (step)",
+    "1800#4 is not in the files": ("1800#4 нет в файлах"),
+    "the bit that makes 1852 active is unknown": ("бит, который включает 1852, неизвестен"),
 }

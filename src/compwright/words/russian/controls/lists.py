@@ -176,4 +176,8 @@ TEXTS: Final[dict[str, str]] = {
     "B19 names them correction and does not define it": (
         "в B19 они названы коррекцией без определения"
     ),
+    "{label}: its table over axis {over}": ("{label}: таблица по оси {over}"),
+    "the meaning of its values is unknown; give the option {option} after the check on the card": (
+        "смысл значений неизвестен; укажите опцию {option} после проверки по карте"
+    ),
 }

@@ -402,4 +402,7 @@ TEXTS: Final[dict[str, str]] = {
         "переданная таблица считается активной; задание отвечает на вопрос (active)"
     ),
     "neither the job nor the files say so": "ни задание, ни файлы этого не указывают",
+    "the sign of its values is not given (option cec_sign)": (
+        "знак значений не указан (опция cec_sign)"
+    ),
 }
