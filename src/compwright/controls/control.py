@@ -80,13 +80,15 @@ class Origin:
 
 
 COMMAND_LINE = Origin()
+#: The key of a job or a machine that names the control.
+JOB_PLACE = "controller.format"
 
 
 def origin_of(job: Job, folder: Path) -> Origin:
     """Return where a job names its control. ``folder``: the folder of its relative paths."""
     if not job.file:
         return replace(COMMAND_LINE, folder=folder)
-    return Origin(job.file, "controller.format", "controller.options.", folder)
+    return Origin(job.file, JOB_PLACE, "controller.options.", folder)
 
 
 def plan_origin(plan: Plan, file: Path) -> Origin:

@@ -13,11 +13,11 @@ from typing import Any
 
 from compwright.controls.control import decode, open_control
 from compwright.controls.decoded_state import judged_values
-from compwright.controls.definitions import definition_named
+from compwright.controls.definitions import definition_named, shipped_definitions
 from compwright.controls.judged_corrections import judged_cross
+from compwright.controls.other_controls import refuse_other_control, statements_at_start
 from compwright.documents.decode import DecodedAxis, decode_document
 from compwright.formats.definition.schema import Definition
-from compwright.formats.definitions import definitions_from
 from compwright.formats.families.control_texts import STATE_TEXTS, texts_of
 from compwright.formats.families.shapes import RULES
 from compwright.formats.text.container import is_container, opened, unknown_container
@@ -29,7 +29,6 @@ from compwright.formats.text.redaction import (
     same_statements,
 )
 from compwright.formats.text.texts import ReadText, text_reader
-from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, InputError
 from compwright.foundations.redaction import Cuts, not_the_same, refuse_left_over
 from compwright.foundations.session import Session
@@ -95,7 +94,7 @@ def _decoded_otherwise(
     session: Session, files: Sequence[ControlFile], copies: Mapping[str, ControlCopy]
 ) -> Iterator[str]:
     """Yield the names of files whose copies, taken together, give a different correction."""
-    shipped = _definitions(session)
+    shipped = shipped_definitions(session)
     shapes = {
         name: shipped[copy.control].layout.shape
         for name, copy in copies.items()
@@ -130,7 +129,7 @@ def _copy(file: ControlFile, likely: Sequence[Definition], cuts: Cuts) -> Contro
     if not same_statements(read, again, made.renamed):
         raise not_the_same(file.name, "other values")
     for other in likely:  # whatever another control would read in it stays too
-        if other.layout.shape != definition.layout.shape and _statements_at_start(file, other):
+        if other.layout.shape != definition.layout.shape and statements_at_start(file, other):
             first, second = _read(file, other), _read(made.file, other)
             if isinstance(first, ReadText) and not (
                 isinstance(second, ReadText) and same_statements(first, second, made.renamed)
@@ -191,10 +190,12 @@ def _likely(
     known = (
         [definition_named(session, format_id, Path())]
         if format_id
-        else list(_definitions(session).values())
+        else list(shipped_definitions(session).values())
     )
+    if format_id:
+        refuse_other_control(session, known[0], files)
     counts = {
-        file.name: {definition.id: _statements_at_start(file, definition) for definition in known}
+        file.name: {definition.id: statements_at_start(file, definition) for definition in known}
         for file in files
         if not is_entry_sheet(file)
     }
@@ -243,22 +244,6 @@ def _bare(file: ControlFile, definition: Definition, named: frozenset[str]) -> b
         return False
     read = _read(file, definition)
     return isinstance(read, ReadText) and bool(read.occurrences)
-
-
-def _statements_at_start(file: ControlFile, definition: Definition) -> int:
-    """Return how many statements with a typical word are at the beginning of a file."""
-    begins = file.content[:_LOOKED_AT]
-    if len(begins) < len(file.content):
-        begins = begins[: begins.rfind(b"\n") + 1]
-    reader = text_reader(definition)
-    read = reader.read(ControlFile(file.name, begins), [])
-    heads = {name for name, matcher in reader.matchers.items() if matcher.head}
-    return 0 if read is None else sum(one.statement in heads for one in read.occurrences)
-
-
-def _definitions(session: Session) -> Mapping[str, Definition]:
-    """Return the definitions that ship, by id."""
-    return definitions_from(storage.definition_files(session))
 
 
 def _same_decoding(

@@ -6,6 +6,8 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+from compwright.controls.control import Control
+from compwright.controls.other_controls import refuse_other_control
 from compwright.documents.record import RECORD
 from compwright.formats.definition.schema import Definition
 from compwright.formats.text.container import is_container
@@ -35,6 +37,15 @@ _DEEPEST = 3
 def holds_archive(files: Sequence[ControlFile]) -> bool:
     """Return whether one of the files is an archive, over which small files are loaded."""
     return any(map(is_container, files))
+
+
+def read_control(
+    session: Session, control: Control, paths: Sequence[Path]
+) -> tuple[ControlFile, ...]:
+    """Read the files of a control, as `read_files`. Raises InputError for those of another one."""
+    files = read_files(session, paths)
+    refuse_other_control(session, control.definition, files, control.origin.format_place)
+    return files
 
 
 def read_files(session: Session, paths: Sequence[Path]) -> tuple[ControlFile, ...]:

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from compwright.controls.control import Control, decode, open_control, plan_origin
-from compwright.controls.control_files import holds_archive, read_files
+from compwright.controls.control_files import holds_archive, read_control
 from compwright.controls.cross_tables import write_planned
 from compwright.controls.decoded_state import DecodedState
 from compwright.controls.differences import ComparedSide, compared_side
@@ -72,7 +72,7 @@ def compare_plan(session: Session, plan_file: Path, loaded: Sequence[Path]) -> C
         control, plan.states.get(AS_FOUND, ()), axes, active=plan.active.get(AS_FOUND)
     )
     files, wish = _written(control.in_state(as_found.state), plan, as_found)
-    given = read_files(session, loaded)
+    given = read_control(session, control, loaded)
     found, refused = _found(control, given, axes, loaded)
     names = {
         address: axis.name

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from compwright.controls.control import open_control
-from compwright.controls.control_files import read_files
+from compwright.controls.control_files import read_control
 from compwright.controls.differences import CorrectionChange, Placed, compared_side, differences
 from compwright.documents.diff import Changed, EntryDifference, diff_document
 from compwright.foundations.session import Session
@@ -36,7 +36,7 @@ def diff_files(
     Raises UsageError for an unknown format or option, InputError for files that cannot be read.
     """
     control = open_control(session, format_id, options)
-    files = read_files(session, old), read_files(session, new)
+    files = read_control(session, control, old), read_control(session, control, new)
     before = compared_side(control, files[0], "OLD", files[1])
     after = compared_side(control, files[1], "NEW", files[0])
     found = differences(control, before, after)

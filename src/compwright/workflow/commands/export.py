@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from compwright.controls.control import COMMAND_LINE, Control, decode, open_control
-from compwright.controls.control_files import read_files
+from compwright.controls.control_files import read_control
 from compwright.controls.cross_tables import write_planned
 from compwright.controls.decoded_state import DecodedState
 from compwright.controls.file_replacement import loadable_files
@@ -233,7 +233,7 @@ def _state(
     if states:
         return decode(
             control,
-            read_files(session, [Path(text) for text in states]),
+            read_control(session, control, [Path(text) for text in states]),
             axes,
             active=active,
             asking=True,

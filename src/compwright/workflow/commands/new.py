@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from compwright.controls.control import Control, decode, open_control
-from compwright.controls.control_files import files_for_job, read_files
+from compwright.controls.control_files import files_for_job, read_control
 from compwright.controls.definitions import is_path
 from compwright.controls.differences import read_axis_by_axis
 from compwright.foundations import storage
@@ -57,7 +57,7 @@ def new_job(
     unknown = _unknown_option(control)
     assumed_value = False
     files, aside = files_for_job(session, control.definition, files)
-    own = read_files(session, files)
+    own = read_control(session, control, files)
     try:
         state, left_out = _read(control, own, active=active)
     except UsageError:

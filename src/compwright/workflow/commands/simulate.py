@@ -7,8 +7,8 @@ from pathlib import Path
 
 import numpy as np
 
-from compwright.controls.control import Origin, decode, open_control
-from compwright.controls.control_files import read_files
+from compwright.controls.control import JOB_PLACE, Origin, decode, open_control
+from compwright.controls.control_files import read_control
 from compwright.controls.judged_corrections import active_corrections
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
@@ -143,19 +143,19 @@ def _loaded(
             Fault(
                 message="the machine file contains no control",
                 file=file,
-                place="controller.format",
+                place=JOB_PLACE,
                 expected="the key `controller`, which states the format of the tables",
                 hint="add `controller: {format: ID}` to the machine file",
             )
         )
-    origin = Origin(file, "controller.format", "controller.options.", Path(file).parent)
+    origin = Origin(file, JOB_PLACE, "controller.options.", Path(file).parent)
     control = open_control(session, machine.format, machine.options, origin)
     axes = {
         name: replace(virtual.axis, address=control.format.address(virtual.axis)[0])
         for name, virtual in machine.axes.items()
     }
     known = [axis.address for axis in axes.values()]
-    decoded = decode(control, read_files(session, [tables]), list(axes.values()))
+    decoded = decode(control, read_control(session, control, [tables]), list(axes.values()))
     unknown = sorted(set(decoded.state.axes) - set(known))
     raise_all(
         InputError,

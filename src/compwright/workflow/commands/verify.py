@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from compwright.controls.control import Control, decode, open_control, origin_of, plan_origin
-from compwright.controls.control_files import read_files
+from compwright.controls.control_files import read_control
 from compwright.controls.decoded_state import DecodedState
 from compwright.controls.job_completion import completed_by_files, named_axes, with_counted_turns
 from compwright.controls.read_back import not_read_back
@@ -197,7 +197,7 @@ def _verified(
     if plan.active.get(AS_FOUND) is False:  # what its tables do once they are switched on
         with suppress(CompwrightError):  # unknown where the files do not show which one would be on
             stored = decode(control, plan.states[AS_FOUND], known, active=True)
-    read_back = decode(control, read_files(session, loaded), known) if loaded else None
+    read_back = decode(control, read_control(session, control, loaded), known) if loaded else None
     ours = tuple(not_read_back(plan_file, loaded))
     twice = copied_tests(tests)
     axes = {

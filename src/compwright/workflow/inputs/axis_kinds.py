@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from compwright.controls.control import Control, decode, open_control
-from compwright.controls.control_files import read_files
+from compwright.controls.control_files import read_control
 from compwright.controls.decoded_state import DecodedState
 from compwright.documents.plan import read_plan
 from compwright.foundations import storage
@@ -56,7 +56,7 @@ def decode_kinds(
     contradicts the files.
     """
     control = open_control(session, format_id, options)
-    files = read_files(session, paths)
+    files = read_control(session, control, paths)
     planned = {} if KIND in options else _planned_kinds(session, paths, control.id)
     if planned:
         control = open_control(session, format_id, {**options, KIND: planned})

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from compwright.controls.control import Control, decode
-from compwright.controls.control_files import read_files
+from compwright.controls.control_files import read_control
 from compwright.controls.decoded_state import DecodedState
 from compwright.controls.gantries import partner_questions
 from compwright.controls.job_completion import length_unit, other_joints
@@ -77,7 +77,9 @@ def read_job_inputs(session: Session, job: Job, control: Control, folder: Path) 
     axes = [entry.axis for entry in job.axes.values()]
     for name, paths in job.states.items():
         try:
-            files = read_files(session, [storage.named_from(folder, path) for path in paths])
+            files = read_control(
+                session, control, [storage.named_from(folder, path) for path in paths]
+            )
             states[name] = decode(control, files, axes, active=job.active.get(name), asking=True)
         except InputError as error:
             errors.append(error)

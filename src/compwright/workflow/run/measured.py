@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from compwright.controls.control import Control, open_control, origin_of
-from compwright.controls.control_files import read_files
+from compwright.controls.control_files import read_control
 from compwright.controls.decoded_state import DecodedState
 from compwright.controls.job_completion import (
     completed_by_files,
@@ -76,7 +76,9 @@ def measured(session: Session, job: Job, folder: Path, out: Path) -> Measured:
     control = open_control(session, job.format, job.options, origin_of(job, folder))
     own = [storage.named_from(folder, path) for path in job.states.get(AS_FOUND, ())]
     job, named = named_axes(
-        job, control, lambda: control.format.listing.names(control.format, read_files(session, own))
+        job,
+        control,
+        lambda: control.format.listing.names(control.format, read_control(session, control, own)),
     )
     idle = idle_keys(job, **keys_with_effect(control.definition))
     inputs, circles = _inputs(session, job, control, folder)
