@@ -3,7 +3,8 @@
 
     python benchmarks/count_words.py            a line for each room
     python benchmarks/count_words.py --list messages [ROOM]     every place, to work through
-    python benchmarks/count_words.py --pages    words of the hand-written pages: prose, samples
+    python benchmarks/count_words.py --pages [COMMIT]    words of the hand-written pages by kind
+                                                         (prose, samples), today or at a commit
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ from __future__ import annotations
 import ast
 import io
 import re
+import subprocess
 import sys
 import tokenize
 from collections import Counter
@@ -111,21 +113,53 @@ GENERATED = {
 _SAMPLES = re.compile(r"^```.*?^```|(?<=\n\n)(?:[ ]{4}[^\n]*\n+)+", re.DOTALL | re.MULTILINE)
 
 
-def count_pages() -> None:
+def page_kind(place: str) -> str:
+    """Return the kind of a hand-written page."""
+    first, _, rest = place.partition("/")
+    if first in ("README.md", "CONTRIBUTING.md", "examples"):
+        return first
+    folder = rest.partition("/")[0]
+    return folder if folder in ("tutorials", "how-to", "explanation") else "reference"
+
+
+def pages_at(commit: str) -> Iterator[tuple[str, str]]:
+    """Yield path and text of the hand-written pages, of the working tree or of a commit."""
+    shown = subprocess.run(
+        ["git", "ls-tree", "-r", "--name-only", commit or "HEAD"],
+        cwd=PROJECT,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    for place in shown.stdout.splitlines():
+        page = Path(place)
+        if page.suffix != ".md" or page.name in GENERATED or "reference" in page.parts:
+            continue
+        top = place in ("README.md", "CONTRIBUTING.md")
+        if not (top or page.parts[0] in ("docs", "examples")):
+            continue
+        if not commit:
+            yield place, (PROJECT / page).read_text(encoding="utf-8")
+            continue
+        text = subprocess.run(
+            ["git", "show", f"{commit}:{place}"],
+            cwd=PROJECT,
+            capture_output=True,
+            encoding="utf-8",
+            check=True,
+        )
+        yield place, text.stdout
+
+
+def count_pages(commit: str) -> None:
     """Print how many words (with a letter or digit) each kind of hand-written page has, outside and
     inside of blocks of code.
     """
-    found = [PROJECT / "README.md", PROJECT / "CONTRIBUTING.md"]
-    found += [*(PROJECT / "docs").rglob("*.md"), *(PROJECT / "examples").rglob("*.md")]
     counts: Counter[tuple[str, str]] = Counter()
-    for page in found:
-        place = page.relative_to(PROJECT)
-        if page.name in GENERATED or "reference" in place.parts:
-            continue
-        text = page.read_text(encoding="utf-8")
+    for place, text in pages_at(commit):
         prose = _SAMPLES.sub("", text)
         whole, outside = (sum(bool(re.search(r"\w", w)) for w in t.split()) for t in (text, prose))
-        for kind in (place.parent.as_posix(), "all"):
+        for kind in (page_kind(place), "all"):
             counts[kind, "prose"] += outside
             counts[kind, "samples"] += whole - outside
     for kind in sorted({kind for kind, _ in counts}):
@@ -134,8 +168,8 @@ def count_pages() -> None:
 
 def main() -> None:
     """Print the counts, or every place of one kind."""
-    if sys.argv[1:] == ["--pages"]:
-        count_pages()
+    if sys.argv[1:2] == ["--pages"]:
+        count_pages("".join(sys.argv[2:]))
         return
     wanted = sys.argv[2:] if sys.argv[1:2] == ["--list"] else []
     counts: Counter[tuple[str, str]] = Counter()
