@@ -1,7 +1,7 @@
 """The axis that an address of the job names has another letter in the control's own files: never
 taken in silence, on any control whose files name its axes.
 
-FANUC: 1020 holds the ASCII code of the letter (real backup, `facts/real-backups.md`), U, V and W are
+ISG: `kopf.log_achs_name`, in any letters. FANUC: 1020 holds the ASCII code of the letter (real backup, `facts/real-backups.md`), U, V and W are
 axes parallel to X, Y and Z. SINUMERIK: MD10000. PMAC: the definition `#1->1000X`.
 """
 
@@ -28,9 +28,19 @@ SINUMERIK = (
     "$MA_MM_ENC_COMP_MAX_POINTS[0,AX1]=100\nM17\n"
 )
 PMAC = "#1->1000{}\n#1 DEFINE COMP 20,1000000\n" + "0 " * 20 + "\nI51=1\nI185=0\nI186=0\n"
+ISG = (
+    "kopf.achs_nr 1\nkopf.log_achs_name {}\nlr_param.ssfk 1\nkw.ssfk.unit 1\nkw.ssfk.interval 0\n"
+    "kw.ssfk.kw_nr_max 2\nkw.ssfk.bilateral 1\nkw.ssfk.modulo 0\n"
+    + "".join(
+        f"kw.ssfk.table[{i}].setpoint {8000000 * i}\nkw.ssfk.table[{i}].pos 0\n"
+        f"kw.ssfk.table[{i}].neg 0\n"
+        for i in range(2)
+    )
+)
 CONTROLS = {
     "fanuc-30i": (FANUC, "1", "{first_point: 10}", "85", "88", "U (1020 of 1)"),
     "siemens-840d-sl": (SINUMERIK, "AX1", "{}", "U1", "X1", "MD10000"),
+    "isg-kernel": (ISG, "1", "{}", "u_rail", "x_ACHSE", "kopf.log_achs_name of 1"),
     "pmac": (PMAC, "1", "{counts_per_unit: 1000}", "U", "X", "#1->1000U"),
 }
 
@@ -59,7 +69,7 @@ def test_another_letter_is_refused_and_both_ways_on_work(
     text = " ".join(capsys.readouterr().err.split())
     assert "axes.X.address" in text
     assert named in text
-    assert "name the axis U" in text
+    assert "name the axis U" in text  # isg-kernel: U_RAIL
     assert run(tmp_path, control, other, "U") == 0
     assert run(tmp_path, control, own) == 0
 

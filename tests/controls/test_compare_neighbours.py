@@ -179,6 +179,17 @@ def test_a_cell_of_a_heidenhain(
     assert answer["axes"]["X"]["verdict"] == ("loaded" if column == 3 else "other")
 
 
+def test_a_lost_column_of_a_heidenhain(heidenhain: Path, tmp_path: Path) -> None:
+    """Y is no axis of the job; its column in the table of X, which was read back, is blank."""
+    files = tables(heidenhain, NCK)
+    lines = files["X.COM"].splitlines()
+    kept = [line[: lines[1].index("Y")].rstrip() for line in lines[2:-1]]
+    files["X.COM"] = "\n".join([*lines[:2], *kept, lines[-1]]) + "\n"
+    code, answer = compare(heidenhain, files, tmp_path / "loaded")
+    assert code == 1
+    assert "X.COM row 5 Y" in {each["quantity"] for each in answer["differences"]}
+
+
 @pytest.mark.parametrize(
     ("old", "new"),
     [

@@ -29,7 +29,7 @@ _SAME_PLACE = 1e-6
 _TURN = 360.0
 #: Names of axes as controls and jobs write them. An axis of the job with a name of another kind
 #: says nothing of the control's own letters.
-_AXIS_NAME = re.compile(r"[XYZABCUVW][0-9]{0,2}")
+_AXIS_NAME = re.compile(r"[XYZABCUVW](?:[0-9]{0,2}|_\w*)")
 
 
 def named_axes(
@@ -278,7 +278,7 @@ def _with_systems_in_use(job: Job, state: ControlState) -> Job:
 
 def other_joints(axis: Axis, facts: AxisFacts, state: str) -> Iterator[Fault]:
     """Yield a fault where the files of a state give an axis another letter, or a second joint."""
-    letters, letter, own = facts.letters, facts.name or "", axis.name.upper()
+    letters, letter, own = facts.letters, (facts.name or "").upper(), axis.name.upper()
     place, stated = f"axes.{axis.name}", f"{letters}: joint {axis.address} is {letter}"
     if not letters:
         stated = f"{letter} ({facts.name_evidence} of {axis.address})"

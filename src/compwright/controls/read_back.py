@@ -51,14 +51,17 @@ def read_back_differences(
     names by address.
 
     Files that were not read back are ignored; so is a value that was in no file before, unless its
-    file was. A neighbour's table of which a part is missing differs.
+    file was. A neighbour's table of which a part is missing differs, as does a value
+    between axes that is missing in its file.
     """
     whole = differences(control, expected, found)
     known = {entry.file for entry in expected.entries.values()}
+    lost, read = _not_read(whole), {entry.file for entry in found.entries.values()}
     torn = [one for one in _partly_read(control, whole, found) if not names.keys() & set(one.axes)]
+    torn += [one for one in lost if one not in torn and _between_axes(one, read)]
     compensating = [one for one in whole.entries if one.entry.relevant and _compared(one, known)]
     compensating += torn
-    ignored = [one for one in _not_read(whole) if one not in torn]
+    ignored = [one for one in lost if one not in torn]
     own: dict[str, list[Difference]] = {}
     others: list[Difference] = []
     for one in compensating:
@@ -85,6 +88,12 @@ def _compared(placed: Placed, known: set[str]) -> bool:
     if change.old is not None:
         return True
     return change.new.file in known and not same_text(change.new.text, "0")
+
+
+def _between_axes(placed: Placed, read: set[str]) -> bool:
+    """Return whether a missing value corrects one axis by another, and its file was read back."""
+    old = placed.change.old
+    return len(set(placed.axes)) > 1 and old is not None and old.file in read
 
 
 def _difference(placed: Placed, axis: str) -> Difference:
