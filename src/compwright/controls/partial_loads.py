@@ -100,7 +100,7 @@ def partial_load(before: FileValues, planned: FileValues, back: FileValues) -> P
     otherwise.
 
     By what the control's files held ``before``, what is ``planned`` and what was read ``back``.
-    None: all were, none was, or something else is wrong.
+    None: all were, none was, something else is wrong, or a value belongs to no file by its name.
     """
     new_in: dict[str, None] = {}
     old_in: dict[str, None] = {}
@@ -114,6 +114,6 @@ def partial_load(before: FileValues, planned: FileValues, back: FileValues) -> P
             old_in[entry.file] = None
         else:
             return None
-    if not (new_in and old_in) or new_in.keys() & old_in.keys():
+    if not (new_in and old_in) or new_in.keys() & old_in.keys() or "" in {**new_in, **old_in}:
         return None
     return PartialLoad(tuple(new_in), tuple(old_in))
