@@ -183,7 +183,9 @@ def test_another_name_that_acts_says_the_way_out(acting: str) -> None:
 def test_a_value_that_the_control_does_not_write_is_told_as_one() -> None:
     """A public generator of pairs writes -1 for a table that does not repeat."""
     text = over_itself("AX1", "0.002000").replace("MODULO[0]=0", "MODULO[0]=-1")
-    with pytest.raises(InputError, match=r"AN_CEC_IS_MODULO.*has no such value.*found -1"):
+    with pytest.raises(
+        InputError, match=r"AN_CEC_IS_MODULO has a value.*expected 0 or 1, found -1"
+    ):
         control_format(SIEMENS, {"cec_sign": "error"}).read(files(A__INI=f"{text}\nM17\n"))
 
 
