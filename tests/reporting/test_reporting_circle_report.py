@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import json
 import math
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree as ET
@@ -15,7 +16,7 @@ import yaml
 
 from compwright.cli import run as compwright
 from compwright.documents.evaluation import in_short
-from compwright.reporting.causes import _KINDS, named_in_words, ranked_causes
+from compwright.reporting.causes import _KINDS, CircleCause, named_in_words, ranked_causes
 from compwright.reporting.circle_report import _causes, _words
 from compwright.reporting.circle_steps import job_lines, next_step, steps_for
 from compwright.reporting.circular_parameters import parameter_words, printed_parameters
@@ -76,6 +77,19 @@ def test_every_cause_has_a_step_in_words(cause: str) -> None:
     assert len(step) > 20
     assert "{first}" not in step
     assert "_" not in step
+
+
+@pytest.mark.parametrize(("mean", "what"), [(0.1, "guideway"), (1.5, "backlash compensation")])
+def test_only_lost_motion_in_the_mean_is_for_the_backlash_value(mean: float, what: str) -> None:
+    """+1.5 and -1.5 µm at the two ends (the real 150 mm circle): the control's value removes none."""
+    whole = CircleCause(
+        name="backlash_first", words=say("circle.share"), value=mean, error=0.3, unit="um",
+        effect=1.5, share=0.3,
+    )  # fmt: skip
+    end = replace(whole, name="backlash_first_at_positive", value=1.5)
+    (step,) = map(str, steps_for([replace(whole, parts=(end,))], AXES))
+    assert what in step
+    assert ("backlash" in step) == (mean == 1.5)
 
 
 def test_the_job_that_corrects_what_a_table_can() -> None:

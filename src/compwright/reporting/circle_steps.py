@@ -46,10 +46,17 @@ def steps_for(causes: Sequence[CircleCause], axes: Sequence[str]) -> list[Senten
         *(
             say("circle.to_do", cause=cause.words, share=100.0 * cause.share, step=step)
             for cause in significant
-            if (step := next_step(cause.name, axes))
+            if (step := next_step(_mended(cause), axes))
         ),
         *([say("circle.open_causes", causes=open_causes)] if open_causes else []),
     ]
+
+
+def _mended(cause: CircleCause) -> str:
+    """Return the name of the cause that is to be mended. Lost motion of opposite sign at the two
+    ends is lateral play: no backlash value corrects it.
+    """
+    return cause.name if cause.known else cause.name.replace("backlash", "lateral_play")
 
 
 def significant_causes(causes: Sequence[CircleCause]) -> list[CircleCause]:
