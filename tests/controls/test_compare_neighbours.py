@@ -190,30 +190,6 @@ def test_a_lost_column_of_a_heidenhain(heidenhain: Path, tmp_path: Path) -> None
     assert "X.COM row 5 Y" in {each["quantity"] for each in answer["differences"]}
 
 
-def test_a_lost_mask_of_an_itnc(measured: Path, tmp_path: Path) -> None:  # noqa: F811
-    """MP730 (which axes the control corrects) belongs to no axis alone; its file was read back."""
-    mask = "MP730 : %00011\n"
-    for file in measured.iterdir():
-        (tmp_path / file.name).write_bytes(file.read_bytes())
-    for axis, start in (("X", -50), ("Y", -550)):
-        rows = "".join(f"{row:<5}-0.0005   -0.0010\n" for row in range(19))
-        (tmp_path / f"{axis}.COM").write_text(
-            f"BEGIN {axis} .COM MM DATUM:{start} DIST:50\nNR   1=F()     2=F()\n{rows}"
-            f"END {axis} .COM\n"
-        )
-    (tmp_path / "CONFIG.CMA").write_text(
-        "BEGIN CONFIG .CMA MM\nNR   1         2\n0    X         Y\nEND CONFIG .CMA\n"
-    )
-    (tmp_path / "MP.TXT").write_text(f"MP710.0 : 0.002\nMP710.1 : 0.001\nMP720.0 : 0\n{mask}")
-    states = "[X.COM, Y.COM, CONFIG.CMA, MP.TXT]"
-    assert run(tmp_path, ITNC, x="before: [x.csv]", states=states) == 0
-    files = tables(tmp_path, ITNC)
-    assert compare(tmp_path, files, tmp_path / "loaded")[0] == 0
-    code, answer = compare(tmp_path, put(files, mask, ""), tmp_path / "lost")
-    assert code == 1
-    assert [each["quantity"] for each in answer["differences"]] == ["MP730 :"]
-
-
 @pytest.mark.parametrize(
     ("old", "new"),
     [

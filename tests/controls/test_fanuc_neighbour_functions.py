@@ -319,7 +319,7 @@ def test_smooth_backlash_that_ends_near_the_reversal_is_left_alone(
     assert not {number for number, _ in bench.changed()} & set(range(1846, 1850))
     shown = " ".join(capsys.readouterr().out.split())
     assert "CW-S047" in shown
-    assert "0.5 mm behind a reversal" in shown
+    assert "0.5 mm after a reversal" in shown
 
 
 def test_smooth_backlash_that_may_reach_a_target_is_refused(

@@ -155,7 +155,7 @@ def test_a_list_of_values() -> None:
         ("do not fit together", {"spacing": "24 mm"}),
         ("is not a length in mm", {"start": "-250 in"}),
         ("is missing", {"start": ""}),
-        ("is at another position", {"start": "-245 mm", "end": "-195 mm"}),
+        ("is not at the position", {"start": "-245 mm", "end": "-195 mm"}),
         ("fewer or more rows", {"end": "-175 mm"}),
     ],
 )

@@ -34,17 +34,16 @@ def refuse_other_control(
     ships does. ``place``: where its format was given.
 
     Files with one statement of it, however damaged, are its own. Entry sheets have one form for all
-    controls: they count where there is nothing else.
+    controls and show none.
     """
-    texts = unpacked(files, [])
-    texts = tuple(text for text in texts if not is_entry_sheet(text)) or texts
+    texts = tuple(text for text in unpacked(files, []) if not is_entry_sheet(text))
     if any(_reads(given, text) for text in texts):
         return
     shipped = shipped_definitions(session).values()
     counts = {one: sum(statements_at_start(text, one) for text in texts) for one in shipped}
     if not any(counts.values()):  # rows of bare numbers
         counts = {one: sum(_reads(one, text) for text in texts) for one in shipped}
-    most = max(counts.values())
+    most = max(counts.values(), default=0)
     if not most:
         return
     alike = [one for one, count in counts.items() if count >= _ALIKE * most]

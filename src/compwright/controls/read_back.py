@@ -51,17 +51,14 @@ def read_back_differences(
     names by address.
 
     Files that were not read back are ignored; so is a value that was in no file before, unless its
-    file was. A neighbour's table of which a part is missing differs, as does a value of no axis
-    alone (between axes, machine-wide) that is missing in its file, if that is not cut off.
+    file was. A neighbour's table of which a part is missing differs, as does a value
+    between axes that is missing in its file.
     """
     whole = differences(control, expected, found)
     known = {entry.file for entry in expected.entries.values()}
-    lost = _not_read(whole)
-    seen = found.state.findings if found.state is not None else ()
-    cut = {one.values["file"] for one in seen if one.code == "CW-S002"}
-    read = {file.name for file in found.files} - cut
+    lost, read = _not_read(whole), {entry.file for entry in found.entries.values()}
     torn = [one for one in _partly_read(control, whole, found) if not names.keys() & set(one.axes)]
-    torn += [one for one in lost if one not in torn and _of_no_axis_alone(one, read)]
+    torn += [one for one in lost if one not in torn and _between_axes(one, read)]
     compensating = [one for one in whole.entries if one.entry.relevant and _compared(one, known)]
     compensating += torn
     ignored = [one for one in lost if one not in torn]
@@ -93,12 +90,10 @@ def _compared(placed: Placed, known: set[str]) -> bool:
     return change.new.file in known and not same_text(change.new.text, "0")
 
 
-def _of_no_axis_alone(placed: Placed, read: set[str]) -> bool:
-    """Return whether a missing value is machine-wide or corrects one axis by another, and its file
-    was read back.
-    """
+def _between_axes(placed: Placed, read: set[str]) -> bool:
+    """Return whether a missing value corrects one axis by another, and its file was read back."""
     old = placed.change.old
-    return len(set(placed.axes)) != 1 and old is not None and old.file in read
+    return len(set(placed.axes)) > 1 and old is not None and old.file in read
 
 
 def _difference(placed: Placed, axis: str) -> Difference:
