@@ -61,10 +61,8 @@ _PAIRS: Final = 6
 
 
 class SpikeShapes:
-    """The chosen decays of the reversal spikes: up to `SLOTS` decays at each reversal point.
-
-    For each slot of a reversal point: the index of its shape, -1 for none, and whether the
-    directions differ.
+    """The chosen decays of the reversal spikes: for each of the `SLOTS` slots of a reversal point
+    the index of its shape, -1 for none, and whether the directions differ.
     """
 
     def __init__(self, problem: CircleProblem) -> None:
