@@ -7,6 +7,7 @@ from __future__ import annotations
 import csv
 import math
 import random
+import re
 import statistics
 from collections.abc import Sequence
 from typing import Any
@@ -484,3 +485,20 @@ def sample_card() -> dict[str, Any]:
         "files": ["tables/fanuc-30i/PITCH.TXT", "rollback/fanuc-30i/PITCH.TXT"],
         "proven": "Not yet proven on a real machine.",
     }
+
+
+#: Frequent words of English that no German, French or Russian text has.
+_ONLY_ENGLISH = re.compile(
+    r"\b(?:the|is|are|of|and|not|with|for|from|by|what|which|must|says?|to)\b"
+)
+
+
+def english_words(page: bytes, *names: str) -> list[str]:
+    """English words on a page with the text around them. Names in code and quoted messages of a
+    control stay as they are; so do the given ``names``.
+    """
+    text = re.sub(r"<(head|code).*?</\1>", "", page.decode("utf-8"), flags=re.DOTALL)
+    text = re.sub(r"&#39;[^&]*&#39;|<[^>]+>", " ", text)
+    for name in names:
+        text = text.replace(name, "")
+    return [text[word.start() - 40 : word.end() + 40] for word in _ONLY_ENGLISH.finditer(text)]

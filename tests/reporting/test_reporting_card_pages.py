@@ -88,11 +88,17 @@ def test_a_page_for_the_control_and_one_for_each_axis(
 def test_entries_of_a_backup_do_not_need_another_page(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """The list of changed entries and a note about the language come on top."""
+    """The list of changed entries and a note about the language come on top. Values to be read have
+    minus signs.
+    """
     folder = tmp_path / "work"
     shutil.copytree(PROJECT / "examples" / "fanuc-backup", folder)
-    pages = pages_of(card_of(str(folder / "job.yaml"), monkeypatch))
+    document = card_of(str(folder / "job.yaml"), monkeypatch)
+    pages = pages_of(document)
     assert max(pages.values()) <= 2, pages
+    values = " ".join(row[key] for row in document["axes"][0]["rows"] for key in ("old", "new"))
+    assert "−" in values
+    assert "-" not in values
 
 
 def test_what_holds_for_every_axis_is_on_the_card_once() -> None:

@@ -185,3 +185,17 @@ def test_a_bar_is_described_in_the_language_of_the_page() -> None:
 @pytest.mark.parametrize(("unit", "decimals"), [("um", 2), ("um/m", 1), ("µm/m", 1), ("ms", 3)])
 def test_decimals_go_with_the_unit(unit: str, decimals: int) -> None:
     assert decimals_of_unit(unit) == decimals
+
+
+def test_tests_of_one_axis_with_the_same_name_are_told_apart(tmp_path: Path) -> None:
+    """By their files; two of one file by a number too."""
+    files = [tmp_path / folder / "x.csv" for folder in ("before", "after")]
+    text = AXIS.read_text("utf-8")
+    for index, file in enumerate(files):
+        file.parent.mkdir()
+        file.write_text(f"# axis: X\n# date: 2026-11-2{index}\n{text}", encoding="utf-8")
+    page, _ = page_and_document(tmp_path, "en", *files)
+    titles = [text_of(one) for one in page.iter("h2") if text_of(one).startswith("Axis X")]
+    assert len(titles) == 2
+    for title, file in zip(titles, files, strict=True):
+        assert title.endswith(f"{file.parent.name}/x.csv")

@@ -169,12 +169,12 @@ def _rows(
     factor, small = outside_factor(unit), shown_unit(unit)
 
     def describe(table: AxisCompensation | None, lost: float) -> dict[str, str]:
-        amount = say("label.with_unit", value=f"{lost * factor:.2f}", unit=small)
+        amount = say("label.with_unit", value=_minus(f"{lost * factor:.2f}"), unit=small)
         backlash = SentenceText(amount)
         constant = table is not None and table.positions.size == 1 and lost != table.backlash
         if table is None or table.positions.size == 0 or constant:  # backlash alone
             none = control_text("none")
-            return {"points": none, "range": "-", "largest": "-", "backlash": backlash}
+            return {"points": none, "range": "—", "largest": "—", "backlash": backlash}
         curves = np.concatenate([table.positive, table.negative]) * factor
         return {
             "points": str(table.positions.size),
@@ -199,7 +199,12 @@ def _rows(
 
 
 def _range(low: str, high: str, unit: str) -> str:
-    return control_text("{low} to {high} {unit}", low=low, high=high, unit=unit)
+    return control_text("{low} to {high} {unit}", low=_minus(low), high=_minus(high), unit=unit)
+
+
+def _minus(number: str) -> str:
+    """Return a number to be read with its minus sign. One to be typed keeps the hyphen."""
+    return number.replace("-", "−")
 
 
 def changes_document(

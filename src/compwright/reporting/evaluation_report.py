@@ -7,6 +7,8 @@ repeats the report), ``version`` and ``language`` (English without it).
 
 from __future__ import annotations
 
+from collections import Counter
+from collections.abc import Sequence
 from typing import Any, Final
 
 from compwright.foundations.findings import DOUBTS
@@ -30,7 +32,7 @@ def evaluation_report(view: Document) -> bytes:
     Raises UsageError when the report extra is missing.
     """
     evaluation = view["evaluation"]
-    results = list(evaluation.get("results") or ())
+    results = _names_apart(evaluation.get("results") or ())
     title = say("report.title", tests=len(results))
     positioning = [one for one in results if one.get("kind", "positioning") == "positioning"]
     machines = [
@@ -66,6 +68,20 @@ def evaluation_report(view: Document) -> bytes:
         },
         view.get("language", "en"),
     )
+
+
+def _names_apart(results: Sequence[Document]) -> list[Document]:
+    """Return the tests. Equal names give way to the file, then to the file and a number."""
+    files = [", ".join(plain(one["file"]) for one in each.get("sources") or ()) for each in results]
+    numbered = [f"{file} ({number})" for number, file in enumerate(files, 1)]
+    named = list(results)
+    for names in (files, numbered):
+        count = Counter(map(_name, named))
+        named = [
+            {**one, "name": name} if count[_name(one)] > 1 else one
+            for one, name in zip(named, names, strict=True)
+        ]
+    return named
 
 
 def _name(result: Document) -> Sentence:

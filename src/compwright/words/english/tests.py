@@ -204,7 +204,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-T022": (
         "The job gives U_theta but not thermal.alpha_m, the expansion coefficient of the machine."
-        " The value of steel was assumed: {alpha_m} µm/(m K)."
+        " The value of steel was assumed: {alpha_m:g} µm/(m K)."
     ),
     "CW-T023": (
         "The job gives U_alpha but not thermal.T_m, the temperature of the machine. The"

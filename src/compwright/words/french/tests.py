@@ -213,7 +213,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-T022": (
         "Le dossier de travail donne U_theta mais pas thermal.alpha_m, le coefficient de"
-        " dilatation de la machine. La valeur de l'acier a été supposée : {alpha_m} µm/(m K)."
+        " dilatation de la machine. La valeur de l'acier a été supposée : {alpha_m:g} µm/(m K)."
     ),
     "CW-T023": (
         "Le dossier de travail donne U_alpha mais pas thermal.T_m, la température de la machine."

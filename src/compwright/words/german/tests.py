@@ -210,7 +210,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-T022": (
         "Der Auftrag gibt U_theta an, aber nicht thermal.alpha_m, den Ausdehnungskoeffizienten"
-        " der Maschine. Angenommen wurde der Wert von Stahl: {alpha_m} µm/(m K)."
+        " der Maschine. Angenommen wurde der Wert von Stahl: {alpha_m:g} µm/(m K)."
     ),
     "CW-T023": (
         "Der Auftrag gibt U_alpha an, aber nicht thermal.T_m, die Temperatur der Maschine. Der"
