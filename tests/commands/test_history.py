@@ -725,6 +725,40 @@ def test_the_day_on_which_a_limit_is_reached(tmp_path: Path, ask: Ask) -> None:
     )
 
 
+@pytest.mark.parametrize("parameter", ["A", "E", "M"])
+def test_a_growing_slope_passes_a_limit_when_the_formula_says_so(
+    tmp_path: Path, ask: Ask, parameter: str
+) -> None:
+    """An arc of 6 um tilts by 6 um/m a year over 1 m: while the arc has its top between the ends,
+    M grows by less than the tilt, then by all of it: M = 30 um, E = 32, A = 34 after 5 years.
+    """
+    along = np.linspace(0.0, 1.0, 11)
+    random = np.random.default_rng(6)
+    for place in range(13):
+        day = date(2021, 1, 10) + timedelta(days=91 * place)
+        slope = 6.0 * 91 * place / YEAR + 0.2 * random.standard_normal()
+        mean = 6.0 * np.sin(np.pi * along) + slope * along + 0.03 * random.standard_normal((2, 11))
+        both = mean + np.array([[-1.0], [1.0]])
+        E, M = float(np.ptp(both)), float(np.ptp(both.mean(axis=0)))
+        fitted = float(np.polyfit(along, both.mean(axis=0), 1)[0])
+        values = {"A": E + 2.0, "E": E, "M": M, "B": 2.0, "B_mean": -2.0, "slope": fitted}
+        test = axis_test(
+            date=day.isoformat(),
+            targets=list(1000.0 * along),
+            mean_positive=list(both[0]),
+            mean_negative=list(both[1]),
+            parameters=values,
+            uncertainty={name: {"U": 0.6, "coverage": 2.0} for name in "AEM"},
+        )
+        limits = {name: {"limit": limit} for name, limit in (("A", 34), ("E", 32), ("M", 30))}
+        decided = {"axes": {"X": {"accept": limits}}}
+        record(tmp_path / f"visit-{place:02}", test, decisions=decided)
+    crosses = trend(ask(tmp_path), parameter)["crosses"]
+    assert crosses["earliest"] < "2026-01-09" < crosses["latest"]
+    assert crosses["earliest"] > "2025-07-01"
+    assert crosses["latest"] < "2026-07-01"
+
+
 def test_two_tests_have_no_rate(tmp_path: Path, ask: Ask) -> None:
     assert axis_of(ask(over_years(tmp_path, [-3.0, -5.0])))["trends"] == {}
 

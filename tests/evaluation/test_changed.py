@@ -131,6 +131,7 @@ def entry(place: int, values: dict[str, float]) -> HistoryEntry:
         errors=dict.fromkeys(values, (0.1, 60.0)),
         declared={},
         targets=tuple(TARGETS),
+        means=((), ()),
         table="none",
         acting="none",
         verdict="",

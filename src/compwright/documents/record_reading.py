@@ -86,6 +86,8 @@ class _AxisTest(_Test):
     s: float | None
     std_error: Mapping[str, _Error]
     targets: FloatArray = field(default_factory=lambda: np.empty(0))
+    mean_positive: FloatArray = field(default_factory=lambda: np.empty(0))
+    mean_negative: FloatArray = field(default_factory=lambda: np.empty(0))
     uncertainty: Mapping[str, _Uncertainty] = field(default_factory=dict)
 
 
@@ -165,7 +167,12 @@ _FORMS: Final[Mapping[type, RecordForm]] = {
     _Record: RecordForm(others=True, absent=frozenset({"decisions"})),
     _File: RecordForm(others=True, absent=frozenset({"by"})),
     _RecordInput: RecordForm(others=True, absent=frozenset({"by"})),
-    _AxisTest: RecordForm(others=True, absent=frozenset({"targets", "uncertainty", "instrument"})),
+    _AxisTest: RecordForm(
+        others=True,
+        absent=frozenset(
+            {"targets", "mean_positive", "mean_negative", "uncertainty", "instrument"}
+        ),
+    ),
     _CircularTest: RecordForm(others=True, absent=frozenset({"instrument"})),
     _Decisions: RecordForm(others=True, absent=frozenset({"axes", "circles"})),
     _VerifiedAxis: RecordForm(others=True, absent=frozenset({"read_back"})),

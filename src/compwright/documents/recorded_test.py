@@ -52,6 +52,8 @@ def _axis(result: Mapping[str, Any], errors: Errors) -> dict[str, Any]:
         "axis": result["axis"],
         "axis_kind": result["axis_kind"],
         "targets": [target["position"] for target in result["targets"]],
+        "mean_positive": _means(result, "mean_positive"),
+        "mean_negative": _means(result, "mean_negative"),
         "n_runs": dict(result["n_runs"]),
         "parameters": {
             **{
@@ -68,6 +70,12 @@ def _axis(result: Mapping[str, Any], errors: Errors) -> dict[str, Any]:
             for name, (error, dof) in errors(result).items()
         },
     }
+
+
+def _means(result: Mapping[str, Any], key: str) -> list[float]:
+    """Return the mean deviation of each target in a direction; empty where one is missing."""
+    means = [target.get(key) for target in result["targets"]]
+    return [] if None in means else [round(mean, 9) for mean in means]
 
 
 def _slope(result: Mapping[str, Any]) -> dict[str, float]:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from datetime import datetime, timedelta
 from itertools import pairwise
 from typing import Final
@@ -18,7 +19,9 @@ from compwright.evaluation.change_significance import (
     difference,
     scatter_changed,
 )
-from compwright.evaluation.trends import Trend, trend_of
+from compwright.evaluation.forecasts import Ahead, error_curve, reached
+from compwright.evaluation.trends import Trend, TrendJump, trend_of
+from compwright.records.axis import FloatArray
 from compwright.records.history import (
     HistoryEntry,
     NotedChange,
@@ -130,29 +133,78 @@ def noted_trends(entries: Sequence[HistoryEntry]) -> Iterator[NotedTrend]:
     A jump of one parameter makes jumps of the others between the same tests likely: else a
     collision that tilts the error curve within the temperature uncertainty looks like growth.
     """
-    noted: dict[str, NotedTrend] = {}
+    found: dict[str, _Course] = {}
     for parameter in (*_FIRST, *(name for name in _TRENDS if name not in _FIRST)):
-        jumps = [jump for trend in noted.values() for jump in trend.jumps]
-        trend = _trend_of_parameter(entries, parameter, jumps)
-        if trend is not None:
-            noted[parameter] = trend
-    yield from (noted[parameter] for parameter in _TRENDS if parameter in noted)
+        jumps = [jump for tests, trend in found.values() for jump in tests.noted(trend.jumps)]
+        compared = _compared_tests(entries, parameter, jumps)
+        trend = None if compared is None else compared.trend()
+        if compared is not None and trend is not None:
+            found[parameter] = (compared, trend)
+    for parameter in _TRENDS:
+        if parameter in found:
+            yield _noted(parameter, found)
 
 
-def _trend_of_parameter(
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Tests:
+    """The tests of a parameter that can be compared with the last one.
+
+    ``places``: theirs in the series; ``odds``: of a jump after each.
+    """
+
+    parameter: str
+    entries: Sequence[HistoryEntry]
+    places: Sequence[int]
+    days: Sequence[datetime]
+    odds: Sequence[float]
+
+    def values(self, name: str) -> FloatArray:
+        """Return another parameter of the tests, 0 where a test has none."""
+        return np.array([entry.values.get(name, 0.0) for entry in self.entries])
+
+    def trend(self, by_curve: FloatArray | None = None) -> Trend | None:
+        """Return the trend of the parameter, or of what its curve leaves of it."""
+        name = self.parameter
+        of_temperature = [_stated(entry, name) for entry in self.entries]
+        return trend_of(
+            np.array([_years(self.days[0], day) for day in self.days]),
+            self.values(name) - (0.0 if by_curve is None else by_curve),
+            np.array([entry.errors.get(name, (0.0, 1.0))[0] for entry in self.entries]),
+            np.array(of_temperature) * (by_curve is None),
+            self.odds,
+            CLEAR if name in _FOLLOWING else 3.0,
+        )
+
+    def noted(self, jumps: Sequence[TrendJump]) -> tuple[NotedJump, ...]:
+        """Return jumps of a trend by the places of the series."""
+        return tuple(
+            NotedJump(
+                before=self.places[jump.before],
+                after=self.places[jump.before + 1],
+                size=jump.size,
+                std_error=jump.std_error,
+            )
+            for jump in jumps
+        )
+
+
+#: Comparable tests of a parameter, and their trend.
+_Course = tuple[_Tests, Trend]
+
+
+def _compared_tests(
     entries: Sequence[HistoryEntry], parameter: str, jumps: Sequence[NotedJump]
-) -> NotedTrend | None:
-    """Return the rate per year of one parameter. ``jumps``: those of parameters estimated before
-    it.
+) -> _Tests | None:
+    """Return the tests of one parameter; None where there are fewer than two. ``jumps``: those of
+    parameters estimated before it.
     """
     having = [
         place for place, entry in enumerate(entries) if entry.day and parameter in entry.values
     ]
     places = [place for place in having if _alike(entries[place], entries[having[-1]], parameter)]
-    found = [entries[place] for place in places]
-    days = [datetime.fromisoformat(entry.day) for entry in found]
-    if len(days) < 2:
+    if len(places) < 2:
         return None
+    found = [entries[place] for place in places]
     odds = [
         max(
             _jump_odds(entries[one], entries[other], parameter),
@@ -160,31 +212,49 @@ def _trend_of_parameter(
         )
         for one, other in pairwise(places)
     ]
-    trend = trend_of(
-        np.array([(day - days[0]).total_seconds() / 86400.0 / _DAYS for day in days]),
-        np.array([entry.values[parameter] for entry in found]),
-        np.array([entry.errors.get(parameter, (0.0, 1.0))[0] for entry in found]),
-        np.array([_stated(entry, parameter) for entry in found]),
-        odds,
-        CLEAR if parameter in _FOLLOWING else 3.0,
+    return _Tests(
+        parameter=parameter,
+        entries=found,
+        places=places,
+        days=[datetime.fromisoformat(entry.day) for entry in found],
+        odds=odds,
     )
-    return None if trend is None else _noted(parameter, places, trend, found[-1], days[-1])
 
 
-def _noted(
-    parameter: str, places: Sequence[int], trend: Trend, last: HistoryEntry, day: datetime
-) -> NotedTrend:
-    limit = last.limits.get(parameter)
+def _years(one: datetime, other: datetime) -> float:
+    return (other - one).total_seconds() / 86400.0 / _DAYS
+
+
+def _forecast(limit: float, found: Mapping[str, _Course], parameter: str) -> Ahead:
+    """Return when a parameter reaches its limit, by the trends of what determines it.
+
+    Its curve is that of the tests since the last event (another table, a jump).
+    """
+    tests, own = found[parameter]
+    events = [place + 1 for place, odds in enumerate(tests.odds) if odds >= _OTHER_JUMPED]
+    curve = error_curve(parameter, tests.entries[max(events, default=0) :])
     # A limit is one of the size: lost motion makes the mean reversal value negative.
-    toward = -1.0 if last.values[parameter] < 0.0 else 1.0
-    forecast = None if limit is None else trend.reaches(limit, toward)
-    ahead = (
-        (None, None, None)
-        if forecast is None
-        else (forecast.median, forecast.earliest, forecast.latest)
+    toward = -1.0 if tests.entries[-1].values[parameter] < 0.0 else 1.0
+    random = np.random.default_rng(0)
+    if curve is None:
+        return reached(limit, toward * own.lines(random))
+    by_curve = curve.value(tests.values("slope"), tests.values("B_mean"))
+    rest = tests.trend(by_curve) or own
+    slope, reversal = (
+        found[name][1].lines(random, _years(found[name][0].days[-1], tests.days[-1]))
+        if name in found
+        else np.zeros(2)
+        for name in ("slope", "B_mean")
     )
-    reached, earliest, latest = (
-        "" if years is None else (day + timedelta(days=years * _DAYS)).date().isoformat()
+    return reached(limit, rest.lines(random), curve, slope, reversal)
+
+
+def _noted(parameter: str, found: Mapping[str, _Course]) -> NotedTrend:
+    tests, trend = found[parameter]
+    limit = tests.entries[-1].limits.get(parameter)
+    ahead = (None, None, None) if limit is None else _forecast(limit, found, parameter)
+    earliest, day, latest = (
+        "" if years is None else (tests.days[-1] + timedelta(days=years * _DAYS)).date().isoformat()
         for years in ahead
     )
     return NotedTrend(
@@ -192,18 +262,10 @@ def _noted(
         rate=trend.rate,
         std_error=trend.std_error,
         clear=trend.clear,
-        tests=tuple(places),
-        jumps=tuple(
-            NotedJump(
-                before=places[jump.before],
-                after=places[jump.before + 1],
-                size=jump.size,
-                std_error=jump.std_error,
-            )
-            for jump in trend.jumps
-        ),
+        tests=tuple(tests.places),
+        jumps=tests.noted(trend.jumps),
         limit=limit,
-        reached=reached,
+        reached=day,
         earliest=earliest,
         latest=latest,
     )

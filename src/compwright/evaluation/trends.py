@@ -1,5 +1,4 @@
-"""Trends of a parameter over the years: rate of change, jumps, and the time at which a limit is
-reached.
+"""Trends of a parameter over the years: rate of change and jumps.
 
 Model of the tests k at times t_k (years) of one parameter:
 
@@ -53,8 +52,6 @@ _NORMAL_95: Final = 1.959964
 #: Share of the weight of all models that is kept, the weightiest first.
 _KEPT: Final = 0.9995
 _DRAWS: Final = 4000
-#: Years ahead beyond which no date is given.
-_HORIZON: Final = 30.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -67,17 +64,6 @@ class TrendJump:
     size: float
     std_error: float
     probability: float
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Forecast:
-    """The time when a limit is reached, in years after the last test: median and 90 % interval.
-    None: not within 30 years.
-    """
-
-    median: float | None
-    earliest: float | None
-    latest: float | None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -99,15 +85,13 @@ class Trend:
         """Whether the rate is larger than the threshold."""
         return abs(self.rate) > self.threshold * self.std_error
 
-    def reaches(self, limit: float, toward: float = 1.0) -> Forecast | None:
-        """Return when the parameter without its scatter exceeds ``limit``. None for an unclear
-        trend or one away from the limit.
+    def lines(self, random: np.random.Generator, ahead: float = 0.0) -> FloatArray:
+        """Return draws (2, n) of the level, ``ahead`` years after the last test, and of the rate.
 
-        It is multiplied by ``toward`` (its sign, ±1).
+        A rate that is not clear is zero.
         """
-        if not self.clear or toward * self.rate <= 0.0:
-            return None
-        return self._mixture.reaches(limit, toward)
+        level, rate = self._mixture.lines(random, grows=self.clear)
+        return np.stack([level + rate * ahead, rate])
 
 
 def trend_of(
@@ -331,27 +315,17 @@ class _Mixture:
             low, high = np.where(below, middle, low), np.where(below, high, middle)
         return float(low[0]), float(high[1])
 
-    def reaches(self, limit: float, toward: float) -> Forecast:
-        random = np.random.default_rng(0)
+    def lines(self, random: np.random.Generator, *, grows: bool) -> tuple[FloatArray, FloatArray]:
+        """Return draws of level and rate; the rate is 0 unless it ``grows``."""
         which = random.choice(len(self.weight), size=_DRAWS, p=self.weight)
-        normal = random.standard_normal((2, _DRAWS))
+        by_rate, own = random.standard_normal((2, _DRAWS))
         deviation = np.sqrt(self.rate_variance[which])
-        slope = self.covariance[which] / self.rate_variance[which]
-        rest = np.maximum(self.level_variance[which] - slope**2 * self.rate_variance[which], 0.0)
-        rate = self.rate[which] + deviation * normal[0]
-        level = (
-            self.middle
-            + self.level[which]
-            + slope * deviation * normal[0]
-            + np.sqrt(rest) * normal[1]
-        )
-        level, rate = toward * level, toward * rate
-        room = np.maximum(limit - level, 0.0)
-        with np.errstate(divide="ignore", invalid="ignore"):
-            years = np.where(room == 0.0, 0.0, np.where(rate > 0.0, room / rate, np.inf))
-        ends = np.quantile(years, (0.05, 0.5, 0.95), method="inverted_cdf")
-        early, median, late = (float(end) if end <= _HORIZON else None for end in ends)
-        return Forecast(median=median, earliest=early, latest=late)
+        if not grows:
+            by_rate = -self.rate[which] / deviation
+        common = self.covariance[which] / deviation
+        rest = np.sqrt(np.maximum(self.level_variance[which] - common**2, 0.0))
+        level = self.middle + self.level[which] + common * by_rate + rest * own
+        return level, self.rate[which] + deviation * by_rate
 
 
 def _averaged(tests: _Tests, chosen: Sequence[int], certain: frozenset[int]) -> _Mixture:

@@ -19,7 +19,8 @@ class HistoryEntry:
     (ISO 8601), both empty where it states none. ``values`` by parameter in ``unit``, of a circle
     ``squareness`` in µm/m, as the ``slope`` of a linear axis; ``errors``: standard error and
     degrees of freedom; ``declared``: expanded uncertainty and coverage factor; ``limits``: by
-    parameter. ``table``: the table that was active, in a word; ``acting``: a hash of its files,
+    parameter; ``means``: the mean deviation at each target in direction + and -, empty where not
+    known. ``table``: the table that was active, in a word; ``acting``: a hash of its files,
     empty where it is unknown. ``sources``: SHA-256 of the test's files; ``instrument``: as the file
     names it.
     """
@@ -41,6 +42,7 @@ class HistoryEntry:
     errors: Mapping[str, tuple[float, float]]
     declared: Mapping[str, tuple[float, float]]
     targets: tuple[float, ...]
+    means: tuple[tuple[float, ...], tuple[float, ...]]
     table: str
     acting: str
     verdict: str

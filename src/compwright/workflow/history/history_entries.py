@@ -50,7 +50,8 @@ def _entries(folder: ResultFolder) -> Iterator[HistoryEntry]:
                 for name, stated in test.get("uncertainty", {}).items()
                 if stated["U"] is not None
             },
-            targets=tuple(float(target) for target in test.get("targets", ())),
+            targets=_numbers(test, "targets"),
+            means=(_numbers(test, "mean_positive"), _numbers(test, "mean_negative")),
             table=table,
             acting=files_hash,
             verdict=str(verification["verdict"]) if test["taken"] == "after" else "",
@@ -85,6 +86,10 @@ def _values(test: Mapping[str, Any]) -> dict[str, float]:
     else:
         found["s"] = test["s"]
     return {_text(name): float(value) for name, value in found.items() if value is not None}
+
+
+def _numbers(test: Mapping[str, Any], key: str) -> tuple[float, ...]:
+    return tuple(float(value) for value in test.get(key, ()))
 
 
 def _limits(record: Mapping[str, Any], test: Mapping[str, Any]) -> dict[str, float]:

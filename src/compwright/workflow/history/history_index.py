@@ -24,7 +24,7 @@ from compwright.records.history import HistoryEntry
 
 #: "cwhi", in the header of the file.
 _APPLICATION = 0x63776869
-_VERSION = 2
+_VERSION = 3
 _TABLES = f"""
 CREATE TABLE folder (
     path TEXT PRIMARY KEY, state TEXT NOT NULL, names TEXT NOT NULL, notes TEXT NOT NULL,
@@ -192,4 +192,6 @@ def _entry(data: dict[str, Any], folder: Path) -> HistoryEntry:
         for key in ("errors", "declared")
     }
     lists = {key: tuple(data[key]) for key in ("targets", "sources")}
-    return HistoryEntry(**{**data, **pairs, **lists, "folder": shown_path(folder)})
+    up, down = map(tuple, data["means"])
+    own = {"means": (up, down), "folder": shown_path(folder)}
+    return HistoryEntry(**{**data, **pairs, **lists, **own})

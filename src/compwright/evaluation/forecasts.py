@@ -1,0 +1,110 @@
+"""The time at which a parameter reaches its limit, from the trends of what determines it.
+
+A, E, M, R and B are no linear functions of time where slope and reversal are: they follow from the
+mean curve by the standard's formulas F (ISO 230-2:2014, clause 3), in µm or arcsec,
+
+    P(t) = F(shape + slope(t) x, mean B(t)) + rest(t)
+
+``shape``: the mean curve of both directions less its slope and its mean reversal value, averaged
+over the tests; ``rest``: what F of shape, slope and mean B of a test leaves of its parameter
+(scatter, wear at one place). Slope, mean B and rest have their own trends. Any other parameter is
+all rest. F is convex, so that each draw of level and rates passes the limit upward once.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from compwright.evaluation.statistics import parameters
+from compwright.records.axis import FloatArray
+from compwright.records.history import HistoryEntry
+
+#: They follow from the mean curve.
+_OF_CURVE: Final = frozenset({"A", "E", "M", "R", "B"})
+#: Years ahead beyond which no date is given, and halvings of them down to a day.
+_HORIZON: Final = 30.0
+_HALVINGS: Final = 15
+
+#: Years after the last test, ends and median of the 90 % interval (early, median, late); None: not
+#: within 30 years.
+Ahead = tuple[float | None, float | None, float | None]
+
+
+@dataclass(frozen=True, slots=True)
+class ErrorCurve:
+    """The mean curve of both directions less its slope and mean reversal value.
+
+    ``along`` (m,): distance of the targets from their middle in m; ``shape`` (2, m).
+    """
+
+    parameter: str
+    along: FloatArray
+    shape: FloatArray
+
+    def value(self, slope: FloatArray, reversal: FloatArray) -> FloatArray:
+        """Return the parameter (...,) without scatter, for slopes in µm/m and mean reversal values
+        (...,).
+        """
+        mean = np.multiply.outer(slope, self.along)
+        half = 0.5 * np.asarray(reversal)[..., None]
+        up, down = mean + self.shape[0] + half, mean + self.shape[1] - half
+        s = np.zeros(self.along.size)
+        return parameters(up, s, down, s, 1.0, self.parameter)[self.parameter]
+
+
+def error_curve(parameter: str, entries: Sequence[HistoryEntry]) -> ErrorCurve | None:
+    """Return the average curve of tests at the same targets. None where the parameter does not
+    follow from it, or a test does not keep its curve.
+    """
+    along, shapes = np.empty(0), []
+    for entry in entries:
+        means = [np.array(mean) for mean in entry.means if len(mean) == len(entry.targets)]
+        if parameter not in _OF_CURVE or not entry.targets or not means:
+            return None
+        order = np.argsort(entry.targets)
+        positions = np.array(entry.targets)[order]
+        along = (positions - positions.mean()) / 1000.0
+        sloped = entry.values.get("slope", 0.0) * along
+        half = 0.5 * entry.values.get("B_mean", 0.0)
+        shapes.append([means[0][order] - sloped - half, means[-1][order] - sloped + half])
+    return ErrorCurve(parameter, along, np.mean(shapes, axis=0))
+
+
+def reached(
+    limit: float,
+    rest: FloatArray,
+    curve: ErrorCurve | None = None,
+    slope: FloatArray | None = None,
+    reversal: FloatArray | None = None,
+) -> Ahead:
+    """Return when a parameter exceeds ``limit``, without the scatter of a single test; no date
+    where it does not grow.
+
+    ``rest``, ``slope``, ``reversal`` (2, n): draws of level now and rate per year; a limit that is
+    exceeded is reached now.
+    """
+    nothing = np.zeros_like(rest)
+    parts = [nothing if part is None else part for part in (slope, reversal)]
+
+    def value(years: FloatArray | float) -> FloatArray:
+        sloped, turned = (level + rate * years for level, rate in parts)
+        own: FloatArray = rest[0] + rest[1] * years
+        return own if curve is None else own + curve.value(sloped, turned)
+
+    if np.median(value(1.0) - value(0.0)) <= 0.0:
+        return (None, None, None)
+    early, late = np.zeros(rest.shape[1]), np.full(rest.shape[1], _HORIZON)
+    beyond = value(late) > limit
+    now = value(early) > limit
+    for _ in range(_HALVINGS):
+        middle = 0.5 * (early + late)
+        passed = value(middle) > limit
+        early, late = np.where(passed, early, middle), np.where(passed, middle, late)
+    years = np.where(beyond, np.where(now, 0.0, late), np.inf)
+    ends = np.quantile(years, (0.05, 0.5, 0.95), method="inverted_cdf")
+    first, median, last = (float(end) if end <= _HORIZON else None for end in ends)
+    return first, median, last
