@@ -146,7 +146,7 @@ def noted_trends(entries: Sequence[HistoryEntry]) -> Iterator[NotedTrend]:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class _Tests:
+class _ComparedTests:
     """The tests of a parameter that can be compared with the last one.
 
     ``places``: theirs in the series; ``odds``: of a jump after each.
@@ -189,12 +189,12 @@ class _Tests:
 
 
 #: Comparable tests of a parameter, and their trend.
-_Course = tuple[_Tests, Trend]
+_Course = tuple[_ComparedTests, Trend]
 
 
 def _compared_tests(
     entries: Sequence[HistoryEntry], parameter: str, jumps: Sequence[NotedJump]
-) -> _Tests | None:
+) -> _ComparedTests | None:
     """Return the tests of one parameter; None where there are fewer than two. ``jumps``: those of
     parameters estimated before it.
     """
@@ -212,7 +212,7 @@ def _compared_tests(
         )
         for one, other in pairwise(places)
     ]
-    return _Tests(
+    return _ComparedTests(
         parameter=parameter,
         entries=found,
         places=places,
