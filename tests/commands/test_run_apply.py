@@ -129,6 +129,31 @@ def test_squareness_alone_goes_into_a_table_between_the_axes_and_can_be_the_stat
     assert run(folder, SIEMENS, options=options, states=loaded) == 0  # CW-P107: nothing is left
 
 
+def test_squareness_alone_is_compared_with_what_was_read_back(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The same values, the sign of the last one changed, and files that hold no such table."""
+    assert run(folder, SIEMENS, options=CEC) == 0
+    tables, plan = folder / "job" / "tables" / SIEMENS, str(folder / "job" / "plan.json")
+    ((name, text),) = ((path.name, path.read_text()) for path in tables.iterdir())
+    write_circle(folder / "after.csv", Bent().circle(8, judge_of(tables)))
+    after = ["verify", str(folder / "job.yaml"), "--after", str(folder / "after.csv"), "--force"]
+    other = "CHANDATA(1)\n$MA_ENC_COMP_ENABLE[0,AX2]=0\nM17\n"
+    for place, content, compared, verified in (
+        ("same", text, 0, 0),
+        ("sign", text.replace("[0,1]=", "[0,1]=-"), 1, 1),
+        ("none", other, 3, 0),
+    ):
+        (folder / place).mkdir()
+        (folder / place / name).write_text(content)
+        loaded = ["--loaded", str(folder / place / name)]
+        assert compwright(["compare", plan, *loaded]) == compared
+        capsys.readouterr()
+        assert compwright([*after, *loaded]) == verified
+        shown = " ".join(capsys.readouterr().out.split())
+        assert ("CW-V011" in shown) is (place == "sign")
+
+
 def test_an_axis_that_is_to_be_scaled_has_to_stand_in_the_files(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

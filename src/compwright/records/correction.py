@@ -198,6 +198,12 @@ class ControlState:
     assumed: tuple[Assumption, ...] = ()
     findings: tuple[Finding, ...] = ()
 
+    @property
+    def pairs(self) -> frozenset[tuple[str, str]]:
+        """Return input and output axis of every table between axes, active or not."""
+        named = ((entry.input, entry.output) for entry in self.cross)
+        return frozenset({*named, *self.tables.used.values()})
+
     def facts_of(self, address: str) -> AxisFacts:
         """Return the facts about an axis in the files. Empty if they do not name it."""
         return self.facts.get(address, AxisFacts())

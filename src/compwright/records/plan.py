@@ -102,6 +102,11 @@ class PlannedCross:
     written: bool = True
 
     @property
+    def addresses(self) -> tuple[str, str]:
+        """Input and output axis as the control names them."""
+        return self.added.input, self.added.output
+
+    @property
     def pair(self) -> frozenset[str]:
         """The two axes, in an order that does not depend on which one is bent."""
         return frozenset({self.input, self.output})

@@ -318,6 +318,7 @@ def verification_tables(document: Mapping[str, Any]) -> list[RenderableType]:
     return [
         *shown,
         *circle_tables(document["circles"]),
+        *finding_lines([one for one in document["findings"] if one["severity"] == "error"]),
         _verdict(document["verdict"], document["headline"]),
     ]
 

@@ -59,7 +59,7 @@ def compare_plan(session: Session, plan_file: Path, loaded: Sequence[Path]) -> C
     plan = read_plan(storage.read_bytes(session, plan_file, PLAN), str(plan_file))
     control = open_control(session, plan.format, plan.options, plan_origin(plan, plan_file))
     planned = [entry for entry in plan.axes.values() if entry.fitted is not None]
-    if not planned:
+    if not planned and not any(entry.written for entry in plan.cross):
         raise UsageError(
             Fault(
                 message="the plan contains no table, so there is nothing to compare",
@@ -71,7 +71,7 @@ def compare_plan(session: Session, plan_file: Path, loaded: Sequence[Path]) -> C
     as_found = decode(
         control, plan.states.get(AS_FOUND, ()), axes, active=plan.active.get(AS_FOUND)
     )
-    files, wish = _written(control.in_state(as_found.state), plan, as_found)
+    files, wish = planned_files(control.in_state(as_found.state), plan, as_found)
     given = read_control(session, control, loaded)
     found, refused = _found(control, given, axes, loaded)
     names = {
@@ -81,6 +81,15 @@ def compare_plan(session: Session, plan_file: Path, loaded: Sequence[Path]) -> C
         if address is not None
     }
     back = compared_side(control, given, "read back", files)
+    if not planned and back.state is not None:
+        raise_all(
+            InputError,
+            [
+                _unsaid(entry.output, entry.added.output, loaded)
+                for entry in plan.cross
+                if entry.written and entry.addresses not in back.state.pairs
+            ],
+        )
     planned_side = compared_side(control, files, "the plan", given)
     if planned_side.state is None:
         # a changed key next to the file that it replaces: the other axes are those of the state
@@ -151,7 +160,8 @@ def _found(
         return {
             axis.address: _found_alone(control, files, axis) if alone else error for axis in axes
         }, error
-    raise_all(InputError, list(_unsaid(axes, found, loaded)))
+    unsaid = (axis for axis in axes if axis.address not in found.state.axes)
+    raise_all(InputError, [_unsaid(axis.name, axis.address, loaded) for axis in unsaid])
     return dict.fromkeys((axis.address for axis in axes), found), None
 
 
@@ -175,7 +185,7 @@ def _axes_in(control: Control, side: ComparedSide) -> set[str]:
     }
 
 
-def _written(
+def planned_files(
     control: Control, plan: Plan, as_found: DecodedState
 ) -> tuple[tuple[ControlFile, ...], DecodedState | None]:
     """Return all files that should be in the control, and the corrections by their tables.
@@ -252,18 +262,16 @@ def _look_at(control: Control, entry: PlannedAxis, verdict: str) -> tuple[str, .
     return {str(name): of_states for name, of_states in sentences.items()}.get(verdict, ())
 
 
-def _unsaid(axes: Sequence[Axis], found: DecodedState, loaded: Sequence[Path]) -> Iterator[Fault]:
-    for axis in axes:
-        if axis.address not in found.state.axes:
-            yield Fault(
-                message=(
-                    f"the files contain no data of axis {axis.name} (address "
-                    f"{axis.address}); missing values do not count as zero"
-                ),
-                file=", ".join(map(str, loaded)),
-                expected="the data of each axis of the plan, as read back from the control",
-                hint=f"give `--loaded` the file with the data of {axis.address} too",
-            )
+def _unsaid(name: str, address: str, loaded: Sequence[Path]) -> Fault:
+    return Fault(
+        message=(
+            f"the files contain no data of axis {name} (address "
+            f"{address}); missing values do not count as zero"
+        ),
+        file=", ".join(map(str, loaded)),
+        expected="the data of each axis of the plan, as read back from the control",
+        hint=f"give `--loaded` the file with the data of {address} too",
+    )
 
 
 def _nodes(entry: PlannedAxis) -> tuple[FloatArray, float]:

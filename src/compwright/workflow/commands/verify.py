@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Any, Final
+
+import numpy as np
 
 from compwright.controls.control import Control, decode, open_control, origin_of, plan_origin
 from compwright.controls.control_files import read_control
-from compwright.controls.decoded_state import DecodedState
+from compwright.controls.decoded_state import DecodedState, SingleReader
 from compwright.controls.job_completion import completed_by_files, named_axes, with_counted_turns
 from compwright.controls.read_back import not_read_back
 from compwright.documents.json_text import to_json
@@ -28,6 +30,8 @@ from compwright.foundations.findings import Finding
 from compwright.foundations.input_sizes import PLAN
 from compwright.foundations.session import Session
 from compwright.foundations.side_by_side import Each, in_turn
+from compwright.foundations.units import outside_factor, shown_unit
+from compwright.records.axis import Direction
 from compwright.records.circular import CircularTest
 from compwright.records.job import AS_FOUND, Job
 from compwright.records.plan import Plan
@@ -40,7 +44,7 @@ from compwright.verification.proof import (
     repeated_circles,
 )
 from compwright.verification.stale_plan import stale_fault, stale_plan
-from compwright.workflow.commands.compare import compare_plan
+from compwright.workflow.commands.compare import compare_plan, planned_files
 from compwright.workflow.inputs.after_tests import after_tests, read_again
 from compwright.workflow.inputs.input_copies import BY_VERIFY, INPUTS, files_of_verify
 from compwright.workflow.results.recorded import (
@@ -77,6 +81,8 @@ NOT_READ_BACK = Fault(
     expected="--loaded with the files that are now in the control",
     hint="add `--loaded` with the files read back from the control",
 )
+#: Largest difference of equal tables, µm or arcsec.
+_SAME: Final = 1e-3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -223,6 +229,7 @@ def _verified(
             job, plan, {name: axis.before.test.name for name, axis in axes.items()}, measured
         ),
         *repeated_circles(plan, measured),
+        *_between(control, plan, as_found, read_back),
     ]
     found = Verified(
         job=job,
@@ -240,6 +247,40 @@ def _verified(
         read_back=() if read_back is None else read_back.files,
     )
     return found, _verdict(axes, circles, general)
+
+
+def _between(
+    control: Control, plan: Plan, as_found: DecodedState, read_back: DecodedState | None
+) -> Iterator[Finding]:
+    """Yield the tables between axes that differ from the plan in the files read back."""
+    planned = [entry for entry in plan.cross if entry.written]
+    if read_back is None or not planned:
+        return
+    files, _ = planned_files(control.in_state(as_found.state), plan, as_found)
+    wanted, back = SingleReader(decode(control, files).state), SingleReader(read_back.state)
+    for entry in planned:
+        if entry.addresses not in back.state.pairs:
+            continue
+        unit = entry.added.output_kind.unit
+        off = outside_factor(unit) * max(
+            float(
+                np.max(
+                    np.abs(
+                        np.subtract(
+                            *(
+                                one.cross_correction(*entry.addresses, entry.added.positions, way)
+                                for one in (wanted, back)
+                            )
+                        )
+                    )
+                )
+            )
+            for way in Direction
+        )
+        if off > _SAME:
+            yield Finding.of(
+                "CW-V011", "error", axis=entry.output, difference=off, unit=shown_unit(unit)
+            )
 
 
 def _compared(session: Session, plan_file: Path, loaded: Sequence[Path]) -> Mapping[str, Any] | str:
@@ -349,7 +390,7 @@ def _verdict(
     squareness = squareness_decisions(circles)
     tested: list[VerifiedAxis | VerifiedCircle] = [*axes.values(), *circles.values()]
     findings = [finding for one in tested for finding in one.findings]
-    if any(finding.severity == "error" for finding in findings):
+    if any(finding.severity == "error" for finding in (*findings, *general)):
         return "bad"
     return overall_verdict(
         [
