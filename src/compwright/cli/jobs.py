@@ -211,7 +211,7 @@ def new(
     metavar="FILE...",
     help="Files that were read back from the control, or folders of them.",
 )
-@click.option("--out", type=PATH, help="Folder for the results; default: that of the run.")
+@click.option("--out", type=PATH, help="Folder for the results; default: where run puts its own.")
 @click.option(
     "--update",
     is_flag=True,

@@ -109,9 +109,10 @@ def traverse_effects(readings: CellReadings, effects: FloatArray) -> FloatArray:
 def reduce_readings(
     readings: CellReadings, values: FloatArray, weights: FloatArray
 ) -> ReducedReadings:
-    """Return the information of ``values`` (c, n) about the shifts of traverses, with free means.
+    """Return the Fisher information of readings about the offset and tilt of each traverse.
 
-    ``weights`` (c, n): 0 without a reading. The means of targets are eliminated (Harville 1974;
+    ``values`` (c, n): n readings at each of c targets and directions; ``weights`` (c, n): 0 without
+    a reading. The mean of each target is estimated too, and eliminated (Harville 1974;
     normal equations by blocks: Björck, Numerical Methods for Least Squares Problems, 1996, section
     6.3).
     """

@@ -1,4 +1,4 @@
-"""Required elements of a ``.b5r`` file as text and numbers. Faults are noted."""
+"""Read the required elements of a ``.b5r`` file as text and numbers. Faults go to a `FaultList`."""
 
 from __future__ import annotations
 

@@ -145,7 +145,12 @@ def _check_form(comments: Comments, lines: Sequence[tuple[int, str]], file: str)
                 place=comments.places["compwright"],
                 expected=f"circular {_NEWEST_FORM}{' or older' if match else ''}",
                 found=shown(form),
-                hint="correct this line in the header of the file",
+                hint=(
+                    "update compwright, or export the test again in this form"
+                    if match
+                    else "give the file of a circular test; its header has the line "
+                    f"`# compwright: circular {_NEWEST_FORM}`"
+                ),
             )
         )
     if not lines:

@@ -101,7 +101,9 @@ def spans_of(text: Sequence[str]) -> Iterator[Spans]:
 
 
 def read_compensation_text(text: Sequence[str], faults: FaultList, answers: Answers) -> Parsed:
-    """Return the table as one run per direction, as measured minus target. Every fault is noted.
+    """Return the table as one run per direction, as measured minus target.
+
+    Every fault is added to ``faults``.
 
     Faults: no statement of the sign, a type other than absolute values, one table with a backlash
     (its direction is unknown), values that may be counts of the resolution, a number of rows that

@@ -105,7 +105,7 @@ def is_laser_runs(text: Sequence[str]) -> bool:
 
 
 def read_laser_runs(text: Sequence[str], faults: FaultList, answers: Answers) -> Parsed:
-    """Return the test in the lines of a file. Every fault is noted.
+    """Return the test in the lines of a file. Every fault is added to ``faults``.
 
     Faults: another type of file, counts that disagree with the contents, rows that are invalid or
     name a run or target that does not exist, targets whose order leaves the directions open. Raises

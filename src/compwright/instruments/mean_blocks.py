@@ -75,7 +75,9 @@ def spans_of(text: Sequence[str]) -> Iterator[Spans]:
 
 
 def read_mean_blocks(text: Sequence[str], faults: FaultList, answers: Answers) -> Parsed:
-    """Return the means in the lines of a file as one run per direction. Every fault is noted.
+    """Return the means in the lines of a file as one run per direction.
+
+    Every fault is added to ``faults``.
 
     If the means of the way back are not printed, they are twice those of both directions less those
     of the way out. Faults: means of both directions alone, which give no direction; blocks at

@@ -64,7 +64,7 @@ class CsvReadings:
 
 
 def read_csv(table: CsvTable, comments: Comments, faults: FaultList) -> CsvReadings:
-    """Return the readings of a plain CSV file. Faults of cells are noted.
+    """Return the readings of a plain CSV file. Faults of cells are added to ``faults``.
 
     Raises InputError when the columns do not form one of the two forms.
     """

@@ -84,7 +84,7 @@ def has_columns(text: Sequence[str], profile: Profile) -> bool:
 
 
 def read_by_profile(text: Sequence[str], profile: Profile, faults: FaultList) -> Parsed:
-    """Return the test in the lines of a file. Every fault is noted.
+    """Return the test in the lines of a file. Every fault is added to ``faults``.
 
     Rows whose target holds no digit (means, remarks) and columns that the profile does not name are
     left out with a warning; any other cell that is not a number is a fault. Raises InputError if

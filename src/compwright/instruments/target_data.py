@@ -154,7 +154,9 @@ def spans_in(line: str) -> Spans:
 
 
 def read_target_data(lines: Iterable[tuple[int, str]], faults: FaultList) -> TargetData:
-    """Return the readings in the lines (without comments and blank lines). Every fault is noted.
+    """Return the readings in the lines (without comments and blank lines).
+
+    Every fault is added to ``faults``.
 
     Faults: a line that is no assignment, wrong indices, an entry given twice, an index that is
     missing or has no target, ``CYCLES`` or ``POSITIONS`` that disagree with the entries, an unknown

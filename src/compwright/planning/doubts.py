@@ -38,11 +38,11 @@ class Doubts:
     unused: tuple[Acknowledgement, ...] = ()
 
     def about(self, axis: str) -> bool:
-        """Return whether a doubt about an axis is open."""
+        """Return whether a doubt about an axis is left that the job does not acknowledge."""
         return any(one.concerns(axis) for one in self.open)
 
     def about_circle(self, name: str, axes: Iterable[str]) -> bool:
-        """Return whether a doubt about a circular test or one of its axes is open."""
+        """Return whether such a doubt is left about a circular test or one of its axes."""
         return any(one.circle == name for one in self.open) or any(map(self.about, axes))
 
 
@@ -73,5 +73,5 @@ def find_doubts(
 
 
 def mark_undecided(accept: Mapping[str, AcceptDecision]) -> dict[str, AcceptDecision]:
-    """Return the decisions as undecided where a doubt about their axis or circle is open."""
+    """Return the decisions as undecided, for an axis or circle with a doubt that is left."""
     return {name: replace(entry, decision="undecided") for name, entry in accept.items()}

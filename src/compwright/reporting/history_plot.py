@@ -89,8 +89,9 @@ def _draw_row(line: Any, title: str, kind: str, one: Mapping[str, Any]) -> None:
 
 
 def _places(tests: Sequence[Mapping[str, Any]]) -> tuple[list[float], bool]:
-    """Return the horizontal places of the tests: by date where all have one, else in their
-    order.
+    """Return the x coordinates of the tests in a plot, and whether these are dates.
+
+    Dates where all tests have one and two differ, else 0, 1, 2, ...
     """
     days = [test["day"] for test in tests]
     if not all(days) or len(set(days)) < 2:

@@ -137,11 +137,11 @@ class FanucControl:
             raise UsageError(
                 Fault(
                     message=(
-                        "the control's files contain no active table that corrects one of these "
-                        "axes over the position of the other"
+                        f"the control's files contain no active table that corrects {output} "
+                        f"over the position of {input}"
                     ),
-                    expected=" or ".join(f"{a} for {b}" for a, b in self.cross()),
-                    found=f"{input} for {output}",
+                    expected=" or ".join(f"{bent} over {moving}" for moving, bent in self.cross()),
+                    found=f"{output} over {input}",
                     hint=("correct the entry `cross` of the job, or give the file with this table"),
                 )
             )

@@ -328,7 +328,9 @@ def _broken(
     label = f"axis {axis.name} ({compensation.address})"
     unsound = limits.invalid_values(compensation)
     if unsound:
-        return (Fault(message=f"{label}: {unsound}", hint="run the job again"),)
+        return (
+            Fault(message=f"{label}: the table is not valid: {unsound}", hint="run the job again"),
+        )
     try:
         one_curve = np.array_equal(compensation.positive, compensation.negative)
         capacity = control.capacity(axis, one_curve=one_curve)

@@ -66,7 +66,7 @@ def put_right_above(session: Session, path: Path, error: type[CompwrightError]) 
                 Fault(
                     message="a stopped command left this file unfinished",
                     file=str(path),
-                    hint="follow the next line of this message first",
+                    hint=faults[0].hint,
                 ),
                 *faults,
             )

@@ -5,25 +5,28 @@ from __future__ import annotations
 from typing import Final
 
 SENTENCES: Final[dict[str, str]] = {
-    "basis.gost27843_2006": "Items: GOST 27843-2006, 8.1.",
+    "basis.gost27843_2006": "This report has the items of GOST 27843-2006, 8.1.",
     "basis.iso230_2_1988": (
-        "Items: ISO 230-2:1997, 7.1. The edition of 1988 has no list; its clauses 3.2 and 4.3 ask"
-        " for the items that have a clause here."
+        "This report has the items of ISO 230-2:1997, 7.1. The edition of 1988 has no list; its"
+        " clauses 3.2 and 4.3 ask for the items that have a clause here."
     ),
-    "basis.iso230_2_1997": "Items: ISO 230-2:1997, 7.1.",
-    "basis.iso230_2_2006": "Items: ISO 230-2:2006, 7.1.",
+    "basis.iso230_2_1997": "This report has the items of ISO 230-2:1997, 7.1.",
+    "basis.iso230_2_2006": "This report has the items of ISO 230-2:2006, 7.1.",
     "basis.iso230_2_2014": (
-        "Items: ISO 230-2:2006, 7.1. The text of ISO 230-2:2014 was not available; its clauses are"
-        " not quoted."
+        "This report has the items of ISO 230-2:2006, 7.1. The text of ISO 230-2:2014 was not"
+        " available; its clauses are not quoted."
     ),
-    "basis.iso230_4_1996": "Items: ISO 230-4:1996, clauses 4.4 and 6 (read as DIN ISO 230-4:1999).",
+    "basis.iso230_4_1996": (
+        "This report has the items of ISO 230-4:1996, clauses 4.4 and 6. Their text is that of the"
+        " German edition, DIN ISO 230-4:1999."
+    ),
     "basis.iso230_4_2005": (
-        "Items: ISO 230-4:1996, clauses 4.4 and 6. The text of ISO 230-4:2005 was not available;"
-        " its clauses are not quoted."
+        "This report has the items of ISO 230-4:1996, clauses 4.4 and 6. The text of ISO 230-4:2005"
+        " was not available; its clauses are not quoted."
     ),
     "basis.vdi3441": (
-        "Items: ISO 230-2:2006, 7.1. The text of VDI/DGQ 3441 was not available; its clauses are"
-        " not quoted."
+        "This report has the items of ISO 230-2:2006, 7.1. The text of VDI/DGQ 3441 was not"
+        " available; its clauses are not quoted."
     ),
     "budget.E_VE": "Environmental variation (range)",
     "budget.U_alpha_instrument": "Expansion coefficient of the instrument",

@@ -69,7 +69,8 @@ SENTENCES: Final[dict[str, str]] = {
         " {meant}=FILE."
     ),
     "CW-V024": (
-        "The test after loading has a doubt ({code}): {finding} Remove its cause, or measure again."
+        "A warning about the test after loading leaves the verdict undecided ({code}): {finding}"
+        " Remove its cause, then measure again."
     ),
     "CW-V025": (
         "The file given with --after for circle {circle} was measured before loading. Measure the"
@@ -227,7 +228,9 @@ SENTENCES: Final[dict[str, str]] = {
         " keeps what is in the control"
     ),
     "next.differs": "what was read back differs from the plan: {why}{quantity:if| ({quantity})}",
-    "next.doubted": "the test of this axis after loading is in doubt ({code}: {message})",
+    "next.doubted": (
+        "a finding about the test of this axis after loading is not resolved ({code}: {message})"
+    ),
     "next.gained": (
         "a new table is written. It is expected to change {parameter} at unmeasured targets"
         " from {now:.2f} to {then:.2f} {unit}"

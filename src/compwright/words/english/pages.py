@@ -226,7 +226,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "report.in_file": "In the file: {name}",
     "report.logo": "Logo",
-    "report.machine": "{circles} as one machine{name:if|: {name}|}",
+    "report.machine": "{circles}, evaluated together as circles of one machine{name:if|: {name}|}",
     "report.no_limits": (
         "No limit was given. This report states values; it does not state conformity."
     ),

@@ -48,8 +48,8 @@ SENTENCES: Final[dict[str, str]] = {
         " points it differs from the wanted correction by up to {missed:2sig} µm."
     ),
     "CW-P104": (
-        "{measured}, but {circle} according to {tests}. The two contradict each other. The"
-        " direct measurement is corrected: check its sign, and repeat the measurement that is"
+        "{measured}, but {circle} according to {tests}. The two contradict each other. The table is"
+        " computed from the direct measurement. Check its sign, and repeat the measurement that is"
         " wrong."
     ),
     "CW-P105": "{measured}. {tests} confirms it ({circle}).",
@@ -96,16 +96,17 @@ SENTENCES: Final[dict[str, str]] = {
         " the correction: {why}."
     ),
     "CW-P113.sheet": (
-        "{what} is corrected by parameters that no file contains. They are in {sheet} next to the"
-        " card: type them in. All of them are unconfirmed."
+        "The parameters that correct {what} are in no file for the control. Type them in from"
+        " {sheet}, which is next to the card. All of them are unconfirmed."
     ),
     "CW-P113.straightness": (
         "{what} is corrected in the files by straightness compensation: {values}."
     ),
     "CW-P113.typed": (
-        "{what} is corrected by values that no file contains ({why}). Type them into {where},"
-        " {rows}, as the card and its sheet describe. The values are"
-        " {values:choose|correction=corrections|error=errors}; their sign is unconfirmed."
+        "The values that correct {what} are in no file for the control ({why}). Type them into"
+        " {where}, {rows}. The card and the entry sheet next to it describe how. The values are"
+        " {values:choose|correction=corrections|error=errors}; their sign is unconfirmed: check it"
+        " by a measurement before production."
     ),
     "CW-P114": (
         "{axis}: laser and circle disagree about the lost motion. It is {laser} according to"

@@ -182,8 +182,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-S048": "{label}: {function}",
     "CW-S049.none": (
-        "{suggested}. The job gives no screw pitch, so the readings are first searched for this"
-        " period. If the period is right, add screw_pitch: {lead:g} to the axis"
+        "{suggested}. The job gives no screw pitch. The search for periodic errors therefore takes"
+        " this period as the most probable one. If it is the screw pitch, add screw_pitch: {lead:g}"
+        " to the axis"
     ),
     "CW-S049.other": (
         "{suggested}. The job gives {periods:g} instead, and the job is used: check the pitch at"

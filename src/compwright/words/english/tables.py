@@ -26,10 +26,10 @@ SENTENCES: Final[dict[str, str]] = {
         " points}"
     ),
     "CW-F003": (
-        "The reference position ({reference:g} {unit}) lies outside the table ({start:g} to"
-        " {end:g} {unit}). There the control applies {held:if|the end value of the table, which"
-        " is therefore zero|no correction}. The error between the reference position and the"
-        " table is not corrected"
+        "The reference position ({reference:g} {unit}) lies outside the table ({start:g} to {end:g}"
+        " {unit}). There the control applies {held:if|the end value of the table. The correction"
+        " must be zero at the reference position, so this end value is zero|no correction}. The"
+        " error between the reference position and the table is not corrected"
     ),
     "CW-F004": (
         "The control has too few table points for this error: {left} rms of it remain between the"

@@ -17,7 +17,8 @@ SENTENCES: Final[dict[str, str]] = {
         " disponible ; ses paragraphes ne sont pas cités."
     ),
     "basis.iso230_4_1996": (
-        "Indications selon l'ISO 230-4:1996, 4.4 et 6 (lue dans la DIN ISO 230-4:1999)."
+        "Indications selon l'ISO 230-4:1996, 4.4 et 6. Leur texte est celui de l'édition allemande"
+        " DIN ISO 230-4:1999."
     ),
     "basis.iso230_4_2005": (
         "Indications selon l'ISO 230-4:1996, 4.4 et 6. Le texte de l'ISO 230-4:2005 n'était pas"

@@ -71,7 +71,8 @@ SENTENCES: Final[dict[str, str]] = {
         " {meant}=FILE."
     ),
     "CW-V024": (
-        "Dans l'essai après chargement, {code} : {finding} Éclaircir cela, ou mesurer de nouveau."
+        "Un avertissement sur l'essai après chargement laisse le verdict non décidé ({code}) :"
+        " {finding} Éliminer sa cause, puis mesurer de nouveau."
     ),
     "CW-V025": (
         "Le fichier donné par --after pour le cercle {circle} a été mesuré avant le chargement."
@@ -243,7 +244,9 @@ SENTENCES: Final[dict[str, str]] = {
         " est dans la commande"
     ),
     "next.differs": "ce qui a été relu diffère du plan : {why}{quantity:if| ({quantity})}",
-    "next.doubted": "l'essai de cet axe après chargement est douteux ({code} : {message})",
+    "next.doubted": (
+        "un constat sur l'essai de cet axe après chargement n'est pas éclairci ({code} : {message})"
+    ),
     "next.gained": (
         "une table de plus est écrite. Elle devrait changer {parameter} à des points visés non"
         " mesurés de {now:.2f} à {then:.2f} {unit}"

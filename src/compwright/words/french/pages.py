@@ -237,7 +237,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "report.in_file": "Dans le fichier : {name}",
     "report.logo": "Logo",
-    "report.machine": "{circles} comme une seule machine{name:if| : {name}|}",
+    "report.machine": (
+        "{circles}, évalués ensemble comme cercles d'une seule machine{name:if| : {name}|}"
+    ),
     "report.no_limits": (
         "Aucune limite n'est indiquée. Ce rapport donne des valeurs ; il ne déclare pas la"
         " conformité."

@@ -49,8 +49,8 @@ SENTENCES: Final[dict[str, str]] = {
         " mesurés, elle s'écarte de la correction souhaitée de {missed:2sig} µm au plus."
     ),
     "CW-P104": (
-        "{measured}, mais {circle} d'après {tests}. Les deux se contredisent. La mesure directe"
-        " est corrigée : vérifier son signe, et répéter la mesure fausse."
+        "{measured}, mais {circle} d'après {tests}. Les deux se contredisent. La table est calculée"
+        " d'après la mesure directe. Vérifier son signe, et répéter la mesure fausse."
     ),
     "CW-P105": "{measured}. {tests} le confirme ({circle}).",
     "CW-P106.no_circle": (
@@ -96,16 +96,17 @@ SENTENCES: Final[dict[str, str]] = {
         " ne peut contenir la correction : {why}."
     ),
     "CW-P113.sheet": (
-        "{what} : corrigé par des paramètres qu'aucun fichier ne contient. Ils sont dans {sheet}"
-        " à côté de la fiche : les saisir. Aucun n'est confirmé."
+        "{what} : les paramètres de correction ne sont dans aucun fichier pour la commande. Les"
+        " saisir d'après {sheet}, à côté de la fiche. Aucun n'est confirmé."
     ),
     "CW-P113.straightness": (
         "{what} : corrigé dans les fichiers par compensation de rectitude : {values}."
     ),
     "CW-P113.typed": (
-        "{what} : corrigé par des valeurs qu'aucun fichier ne contient ({why}). Les saisir dans"
-        " {where}, {rows}, comme le décrivent la fiche et sa feuille. Les valeurs sont des"
-        " {values:choose|correction=corrections|error=erreurs} ; leur signe n'est pas confirmé."
+        "{what} : les valeurs de correction ne sont dans aucun fichier pour la commande ({why})."
+        " Les saisir dans {where}, {rows}. La fiche et la feuille de saisie à côté d'elle le"
+        " décrivent. Les valeurs sont des {values:choose|correction=corrections|error=erreurs} ;"
+        " leur signe n'est pas confirmé : le vérifier par une mesure avant la production."
     ),
     "CW-P114": (
         "{axis} : laser et cercle ne concordent pas sur le jeu. Il est de {laser} d'après le"

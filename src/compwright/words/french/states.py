@@ -196,9 +196,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-S048": "{label} : {function}",
     "CW-S049.none": (
-        "{suggested}. Le dossier de travail ne donne pas de pas de vis, donc cette période est"
-        " cherchée en premier dans les mesures. Si la période est juste, ajouter screw_pitch:"
-        " {lead:g} à l'axe"
+        "{suggested}. Le dossier de travail ne donne pas de pas de vis. La recherche d'erreurs"
+        " périodiques prend donc cette période pour la plus probable. Si c'est le pas de la vis,"
+        " ajouter screw_pitch: {lead:g} à l'axe"
     ),
     "CW-S049.other": (
         "{suggested}. Le dossier de travail donne {periods:g} à la place, et il est suivi :"

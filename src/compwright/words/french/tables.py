@@ -27,9 +27,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-F003": (
         "La position de référence ({reference:g} {unit}) est hors de la table (de {start:g} à"
-        " {end:g} {unit}). La commande y applique {held:if|la valeur d'extrémité de la table, qui"
-        " est donc nulle|aucune correction}. L'erreur entre la position de référence et la table"
-        " n'est pas corrigée"
+        " {end:g} {unit}). La commande y applique {held:if|la valeur d'extrémité de la table. La"
+        " correction doit être nulle à la position de référence, donc cette valeur est nulle|aucune"
+        " correction}. L'erreur entre la position de référence et la table n'est pas corrigée"
     ),
     "CW-F004": (
         "La commande a trop peu de points de table pour cette erreur : il en reste {left} en"

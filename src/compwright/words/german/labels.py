@@ -17,7 +17,8 @@ SENTENCES: Final[dict[str, str]] = {
         " Abschnitte werden nicht genannt."
     ),
     "basis.iso230_4_1996": (
-        "Angaben nach ISO 230-4:1996, 4.4 und 6 (gelesen als DIN ISO 230-4:1999)."
+        "Angaben nach ISO 230-4:1996, 4.4 und 6. Ihr Text ist der der deutschen Ausgabe DIN ISO"
+        " 230-4:1999."
     ),
     "basis.iso230_4_2005": (
         "Angaben nach ISO 230-4:1996, 4.4 und 6. Der Text von ISO 230-4:2005 lag nicht vor; seine"

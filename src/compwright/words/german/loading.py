@@ -68,7 +68,10 @@ SENTENCES: Final[dict[str, str]] = {
         "Die Grenzwerte der Achse {axis} gelten für die Prüfung {meant}, gemessen wurde {measured},"
         " für sie ist nichts bewiesen. Messen wie für {meant} und als --after {meant}=FILE angeben."
     ),
-    "CW-V024": "In der Prüfung nach dem Laden, {code}: {finding} Das klären oder neu messen.",
+    "CW-V024": (
+        "Eine Warnung zur Prüfung nach dem Laden lässt das Urteil offen ({code}): {finding} Ihre"
+        " Ursache beseitigen, dann neu messen."
+    ),
     "CW-V025": (
         "Die mit --after angegebene Datei des Kreises {circle} wurde vor dem Laden gemessen. Den"
         " Kreis neu messen."
@@ -241,7 +244,9 @@ SENTENCES: Final[dict[str, str]] = {
         " behält, was in der Steuerung ist"
     ),
     "next.differs": "das Zurückgelesene weicht vom Plan ab: {why}{quantity:if| ({quantity})}",
-    "next.doubted": "die Prüfung dieser Achse nach dem Laden ist zweifelhaft ({code}: {message})",
+    "next.doubted": (
+        "ein Befund zur Prüfung dieser Achse nach dem Laden ist nicht geklärt ({code}: {message})"
+    ),
     "next.gained": (
         "eine Tabelle für die nächste Runde ist geschrieben. Sie soll {parameter} an nicht"
         " gemessenen Zielpositionen von {now:.2f} auf {then:.2f} {unit} ändern"

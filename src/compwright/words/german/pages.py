@@ -228,7 +228,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "report.in_file": "In der Datei: {name}",
     "report.logo": "Logo",
-    "report.machine": "{circles} als eine Maschine{name:if|: {name}|}",
+    "report.machine": (
+        "{circles}, gemeinsam ausgewertet als Kreise einer Maschine{name:if|: {name}|}"
+    ),
     "report.no_limits": (
         "Es ist kein Grenzwert angegeben. Dieser Bericht nennt Werte; er erklärt keine Konformität."
     ),

@@ -56,8 +56,9 @@ SENTENCES: Final[dict[str, str]] = {
         " Korrektur ab."
     ),
     "CW-P104": (
-        "{measured}, aber {circle} nach {tests}. Die beiden widersprechen sich. Korrigiert wird"
-        " die direkte Messung: ihr Vorzeichen prüfen und die falsche Messung wiederholen."
+        "{measured}, aber {circle} nach {tests}. Die beiden widersprechen sich. Die Tabelle wird"
+        " aus der direkten Messung berechnet. Ihr Vorzeichen prüfen und die falsche Messung"
+        " wiederholen."
     ),
     "CW-P105": "{measured}. {tests} bestätigt es ({circle}).",
     "CW-P106.no_circle": (
@@ -105,16 +106,17 @@ SENTENCES: Final[dict[str, str]] = {
         " die Korrektur nicht aufnehmen: {why}."
     ),
     "CW-P113.sheet": (
-        "{what} wird durch Parameter korrigiert, die in keiner Datei sind. Sie sind in {sheet}"
-        " neben der Karte: eintippen. Alle sind unbestätigt."
+        "Die Parameter, die {what} korrigieren, sind in keiner Datei für die Steuerung. Aus {sheet}"
+        " neben der Karte eintippen. Alle sind unbestätigt."
     ),
     "CW-P113.straightness": (
         "{what} wird in den Dateien durch Geradheitskompensation korrigiert: {values}."
     ),
     "CW-P113.typed": (
-        "{what} wird durch Werte korrigiert, die in keiner Datei sind ({why}). In {where}"
-        " eintippen, {rows}, wie Karte und Blatt beschreiben. Die Werte sind"
-        " {values:choose|correction=Korrekturen|error=Fehler}; ihr Vorzeichen ist unbestätigt."
+        "Die Werte, die {what} korrigieren, sind in keiner Datei für die Steuerung ({why}). In"
+        " {where} eintippen, {rows}. Die Karte und das Eingabeblatt neben ihr beschreiben es. Die"
+        " Werte sind {values:choose|correction=Korrekturen|error=Fehler}; ihr Vorzeichen ist"
+        " unbestätigt: vor der Fertigung durch eine Messung prüfen."
     ),
     "CW-P114": (
         "{axis}: Laser und Kreis stimmen beim Umkehrspiel nicht überein. Es ist {laser} nach dem"

@@ -198,8 +198,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-S048": "{label}: {function}",
     "CW-S049.none": (
-        "{suggested}. Der Auftrag nennt keine Spindelsteigung, deshalb wird in den Messwerten"
-        " zuerst diese Periode gesucht. Stimmt die Periode, der Achse screw_pitch: {lead:g} geben"
+        "{suggested}. Der Auftrag nennt keine Spindelsteigung. Die Suche nach periodischen Fehlern"
+        " nimmt deshalb diese Periode als die wahrscheinlichste an. Ist sie die Spindelsteigung,"
+        " der Achse screw_pitch: {lead:g} geben"
     ),
     "CW-S049.other": (
         "{suggested}. Der Auftrag nennt stattdessen {periods:g}, und der Auftrag gilt: die"

@@ -27,9 +27,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-F003": (
         "Die Referenzposition ({reference:g} {unit}) liegt außerhalb der Tabelle ({start:g} bis"
-        " {end:g} {unit}). Dort {held:if|gilt der Endwert der Tabelle, der deshalb null"
-        " ist|korrigiert die Steuerung nicht}. Der Fehler zwischen Referenzposition und Tabelle"
-        " wird nicht korrigiert"
+        " {end:g} {unit}). Dort {held:if|gilt der Endwert der Tabelle. Die Korrektur muss an der"
+        " Referenzposition null sein, deshalb ist dieser Endwert null|korrigiert die Steuerung"
+        " nicht}. Der Fehler zwischen Referenzposition und Tabelle wird nicht korrigiert"
     ),
     "CW-F004": (
         "Die Steuerung hat zu wenige Tabellenpunkte für diesen Fehler: Zwischen den Punkten"

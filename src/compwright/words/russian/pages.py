@@ -225,7 +225,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "report.in_file": "В файле: {name}",
     "report.logo": "Логотип",
-    "report.machine": "{circles} как один станок{name:if|: {name}|}",
+    "report.machine": "{circles}, оценённые вместе как окружности одного станка{name:if|: {name}|}",
     "report.no_limits": (
         "Допуски не заданы. Протокол приводит значения и не заявляет о соответствии."
     ),

@@ -61,8 +61,8 @@ _LOOKED_AT: Final = 65536  # bytes
 def refuse_other_kinds(
     session: Session, targets: Mapping[Path, bytes], *, force: bool, results: Iterable[Path] = ()
 ) -> None:
-    """Raise StorageError for every existing file of a different kind than its replacement. Nothing
-    without ``force``.
+    """Raise StorageError if an existing file has a different kind than its replacement. Without
+    ``force`` nothing is checked.
 
     ``results``: the other files that the command writes; one name for two files is refused when
     they are written.

@@ -169,11 +169,11 @@ def unit_unknown(
             else ""
         )
         yield Fault(
-            message=f"{label}: a CEC table is not written here: {why}",
+            message=f"{label}: no CEC table can be written for this control: {why}",
             place="option cec",
-            expected=f"absent, or {SAYING_METRIC}",
-            found="available",
-            hint=f"set `cec: absent` in the options{known}",
+            expected=f"`cec: absent`, or {SAYING_METRIC}",
+            found="`cec: available`",
+            hint=f"set `cec: absent` in the options, and no CEC table is written{known}",
         )
 
 
