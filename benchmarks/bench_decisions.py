@@ -5,7 +5,7 @@
 Machine ``number`` of each kind of ``machine_kinds.py`` in turn, N in all from the F-th: a job
 without limits, worked through without its pages. Its test is what it says, so each doubt is a
 false one. The first M machines run once more with a limit on A of 1.3 times the predicted 95 %
-value at the same targets; what is not accepted then is open because of unmeasured targets. Prints
+value at the same targets; what is not accepted then is open because of new targets. Prints
 each doubt, each such limit, and the counts.
 """
 
@@ -97,7 +97,7 @@ def count(kind: str, number: int, folder: Path, counts: Counts, limits: int) -> 
     counts.accepted += decision == "accept"
     if decision != "accept":
         new = shown.predicted_new_targets["A"].p95 * factor
-        print(kind, number, f"limit {limit:.2f}, unmeasured targets {new:.2f}: {decision}")
+        print(kind, number, f"limit {limit:.2f}, new targets {new:.2f}: {decision}")
 
 
 def main() -> None:

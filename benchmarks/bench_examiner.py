@@ -82,7 +82,7 @@ STALE = (
     "fewer runs",
     "datum",
     "uncompensated",
-    "uncompensated, unmeasured targets",
+    "uncompensated, new targets",
     "other cycle",
 )
 
@@ -96,7 +96,7 @@ def second_test(axis: Axis, kind: str, table: dict[str, Any], rng: np.random.Gen
         ]
     elif kind == "uncompensated":
         axis.readings = np.round(axis.test(rng, targets), 1)
-    elif kind == "uncompensated, unmeasured targets":
+    elif kind == "uncompensated, new targets":
         axis.targets = spread_targets(len(targets) + 2, axis.travel, rng)
         axis.readings = axis.test(rng, axis.targets)
     elif kind == "other cycle":
@@ -111,7 +111,7 @@ def second_test(axis: Axis, kind: str, table: dict[str, Any], rng: np.random.Gen
 
 def second_rounds(count: int, seed: int, folder: Path, scenario: str) -> Iterator[dict[str, Any]]:
     """Make tables from none, load them, and give the control another test of each axis."""
-    kinds = ("honest", "honest, unmeasured targets") if scenario == "honest" else STALE
+    kinds = ("honest", "honest, new targets") if scenario == "honest" else STALE
     for first in range(0, count, TOGETHER):
         rng = np.random.default_rng([seed, first, 16])
         place, axes = folder / scenario / str(first), []

@@ -6,7 +6,7 @@
 Virtual axes from physics alone (`examiner_axes.py`): a smooth error, a lost motion and a jump of 3
 to 200 µm at any place (`small`: 5 to 10 µm at 8 targets; `ordinary`: no jump), measured at 6 to 100
 targets in one or both directions, for LinuxCNC, FANUC and SINUMERIK in turn. Judged without the
-estimate: mean A (E in one direction) of fresh tests at unmeasured targets, the same random numbers
+estimate: mean A (E in one direction) of fresh tests at new targets, the same random numbers
 for both tables, with what `run` writes and with the interpolated means put on the same points,
 rounded alike and put out as the control does it (FANUC: a step in the middle between two points).
 Where no table is written nothing is corrected. Every axis is measured T times, each time with
@@ -130,7 +130,7 @@ def corrections(table: dict[str, Any], targets: Values, control: str) -> Values:
 def left(
     axis: Axis, ways: tuple[int, ...], tables: list[dict[str, Any]], control: str, seed: list[int]
 ) -> Values:
-    """Return the mean A (µm) of fresh tests at unmeasured targets (tables,)."""
+    """Return the mean A (µm) of fresh tests at new targets (tables,)."""
     values = np.empty((len(tables), FRESH))
     for test in range(FRESH):
         rng = np.random.default_rng([3, *seed, test])

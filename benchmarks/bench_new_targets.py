@@ -1,4 +1,4 @@
-"""How often do fresh tests at unmeasured targets break a limit that was accepted?
+"""How often do fresh tests at new targets break a limit that was accepted?
 
     python benchmarks/bench_new_targets.py [N] [--sound] [--kind KIND]... [--seed S] [--out FILE]
 
@@ -8,7 +8,7 @@ equally spaced, scattered about that, or by the rule of ISO 230-2 (random over a
 Two kinds more: targets at multiples of half a lead or all of it, and screws of twice the lead that
 bump twice in a turn (19.97 mm may be 39.94). A table every 10 mm takes out what is estimated.
 Limits on A of 1.1 to 3 times the predicted 95 % value at the same targets are decided upon; fresh
-tests of the axis with its table, at unmeasured targets, show which are broken. `--sound`: axes
+tests of the axis with its table, at new targets, show which are broken. `--sound`: axes
 without a periodic error, and limits of 1.5 and 2.5 times the true A (the median of the fresh
 tests); prints how many are accepted.
 """
@@ -149,7 +149,7 @@ def judged(virtual: Axis, number: int, *, sound: bool) -> dict[str, object]:
 
 
 def fresh_values(virtual: Axis, change: Callable[..., Values], rng: np.random.Generator) -> Values:
-    """Return A of fresh tests at unmeasured targets, µm."""
+    """Return A of fresh tests at new targets, µm."""
     values = []
     for _ in range(FRESH):
         targets = dithered(rng, len(virtual.targets), virtual.travel)

@@ -53,7 +53,7 @@ CONTROLS = {
 }
 ADDRESSES = {"fanuc": "1", "sinumerik": "AX1", "linuxcnc": "0"}
 STALE = ("rounded", "datum", "three runs", "other order of runs", "every second target")
-HONEST = ("honest", "honest, worn", "honest, grown", "honest, unmeasured targets")
+HONEST = ("honest", "honest, worn", "honest, grown", "honest, new targets")
 
 
 @dataclass(frozen=True)
@@ -171,7 +171,7 @@ def second_test(case: Case, axis: Axis, rng: np.random.Generator, table: AxisCom
     if case.second == "honest, grown":
         error, factor = axis.error, float(rng.uniform(0.7, 1.3))
         axis.error = lambda x: factor * error(x)
-    if case.second == "honest, unmeasured targets":
+    if case.second == "honest, new targets":
         axis.targets = spread_targets(len(axis.targets), axis.travel, rng)
     axis.readings = axis.test(rng, axis.targets, correction(table, axis.targets))
 

@@ -134,7 +134,7 @@ def shifts(rng: np.random.Generator, runs: int, pattern: str) -> Values:
 
 
 def dithered(rng: np.random.Generator, count: int, travel: tuple[float, float]) -> Values:
-    """Return unmeasured targets as the outside contract states them."""
+    """Return new targets as the outside contract states them."""
     low, high = travel
     places = (np.arange(count) + 0.5 + rng.uniform(-0.3, 0.3, count)) * (high - low) / count + low
     return np.clip(places, low + 4, high - 4)

@@ -55,7 +55,7 @@ def beyond(records: Sequence[Record], where: str, name: str) -> tuple[float, flo
 
 
 def against(records: Sequence[Record], name: str) -> float:
-    """Return the mean ratio of A at unmeasured targets to that of the oracle of as many tables."""
+    """Return the mean ratio of A at new targets to that of the oracle of as many tables."""
     ratios = []
     for one in records:
         oracle = "oracle, one table" if one["kind"].endswith("one table") else "oracle"
@@ -76,7 +76,7 @@ def width(records: Sequence[Record], names: Sequence[str]) -> float:
 
 
 HEAD = (
-    "| kind | n | holds, same targets | holds, unmeasured targets | width | A: ours | informed |"
+    "| kind | n | holds, same targets | holds, new targets | width | A: ours | informed |"
     " interpolation | spline | minimax | s |"
 )
 

@@ -181,7 +181,7 @@ def _bands(predicted: Mapping[str, Any] | None, signs: tuple[int, ...]) -> Recor
 
 
 def _fresh(machine: Machine, tables: Mapping[str, Table], rng: np.random.Generator) -> Record:
-    """Return, for the same and for unmeasured targets, our parameters in each fresh test, and the
+    """Return, for the same and for new targets, our parameters in each fresh test, and the
     mean A (E where a test has no A) of each table; all tables see the same readings.
     """
     ours: Record = {"same": defaultdict(list), "new": defaultdict(list)}

@@ -46,12 +46,12 @@ def pages() -> dict[str, str]:
         "quality-bands.svg": figure(
             "Fresh values inside the predicted band, %",
             [(row["kind"], [row["same"][0], row["new"][0]]) for row in rows],
-            ("same targets", "unmeasured targets"),
+            ("same targets", "new targets"),
             (50, 100, 10),
             90,
         ),
         "quality-tables.svg": figure(
-            "A at unmeasured targets, relative to a table that knows the truth",
+            "A at new targets, relative to a table that knows the truth",
             [(row["kind"], row["A"]) for row in rows],
             TABLES,
             (0.5, 4.0, 0.5),
@@ -92,7 +92,7 @@ def quality_page(kept: Record) -> str:
 
 Made by `make quality` from `docs/quality.json`. Tables: {whole["axes"]} virtual axes, measured {tables["date"]} on commit {tables["commit"]}. Loading faults: {faults["date"]} on commit {faults["commit"]}. What later commits changed is not in these numbers.{rest}
 
-Each virtual axis is measured and gets the tool's table and prediction; 8 fresh tests each at the same and at unmeasured targets follow with the table in the control. A kind of 20 axes is uncertain by 2 to 5 points.
+Each virtual axis is measured and gets the tool's table and prediction; 8 fresh tests each at the same and at new targets follow with the table in the control. A kind of 20 axes is uncertain by 2 to 5 points.
 
 ## Does the predicted band hold?
 
@@ -104,11 +104,11 @@ A band of 5 to 95 % should hold 90 % of fresh values. All kinds: {whole["same"][
 
 All kinds: A is {whole["A"][0]:.2f} times that of a table that knows the truth. Straight lines between the means reach {whole["A"][2]:.2f}, a smoothing spline {whole["A"][3]:.2f}, the table with the least A of the measured test {whole["A"][4]:.2f}. *Best possible* is a judge who knows the noise and saw the same readings.
 
-![A at unmeasured targets, by kind of axis and table](quality-tables.svg)
+![A at new targets, by kind of axis and table](quality-tables.svg)
 
 ## Numbers
 
-*Holds*: % of A, E, R, B and M (A alone in brackets). *Width* of the bands, relative to the judge's. Then A at unmeasured targets.
+*Holds*: % of A, E, R, B and M (A alone in brackets). *Width* of the bands, relative to the judge's. Then A at new targets.
 
 | {" | ".join(head)} |
 {"|---" * len(head)}|

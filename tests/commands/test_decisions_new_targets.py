@@ -1,4 +1,4 @@
-"""A limit is accepted only where fresh tests at unmeasured targets keep it too: periods that may be in the
+"""A limit is accepted only where fresh tests at new targets keep it too: periods that may be in the
 error, and those that the targets cannot show. Readings from a machine with a known error.
 """
 
@@ -67,7 +67,7 @@ def test_new_targets_have_to_keep_a_limit_too(new: float, limit: float, decision
 @pytest.mark.parametrize(("count", "code"), [(6, 1), (25, 0)])
 def test_six_targets_tell_nothing_of_a_period(tmp_path: Path, count: int, code: int) -> None:
     """4 µm are 1.5 µm more than the noise alone needs (R of 0.4 µm: 6 sigma). What six targets
-    leave open is in the band at unmeasured targets.
+    leave open is in the band at new targets.
     """
     machine = Machine(bow=0.0005)
     found, axis = run(tmp_path, machine, machine.targets(count), 4.0)
@@ -93,7 +93,7 @@ def left_open(
     targets: Floats, error: Curve = np.zeros_like, *, known: tuple[float, ...] = ()
 ) -> tuple[float, Floats]:
     """What the middles of five readings of 0.4 µm leave open, with a bow of 2 µm beside the error:
-    probability, and what it adds in 2000 tests at 41 unmeasured targets, peak to peak, mm.
+    probability, and what it adds in 2000 tests at 41 new targets, peak to peak, mm.
     """
     rng = np.random.default_rng(1)
     basis = smooth_basis(800.0)

@@ -56,7 +56,7 @@ def test_spread_between_runs_counts_as_it_was(first_round: tuple[list[Axis], Pat
 def test_jump_is_named_and_no_worse_than_interpolation(
     first_round: tuple[list[Axis], Path, Any],
 ) -> None:
-    """The finding has the two targets around the jump; unmeasured targets are not worse off."""
+    """The finding has the two targets around the jump; new targets are not worse off."""
     _, stepped, _ = first_round[0]
     answer = first_round[2]["axes"]["J"]
     said = next(f["message"] for f in answer["findings"] if f["code"] == "CW-E030")

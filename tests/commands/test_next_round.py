@@ -116,7 +116,7 @@ def update(job: Path, after: list[str], loaded: Path, *more: str) -> tuple[int, 
 
 @dataclass
 class Rounds:
-    """A machine over two rounds: the folders, and the A of fresh tests at unmeasured targets with what
+    """A machine over two rounds: the folders, and the A of fresh tests at new targets with what
     each has written (µm).
     """
 

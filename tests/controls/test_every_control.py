@@ -217,7 +217,7 @@ def test_accuracy_falls_to_the_noise_floor(format_id: str, name: str, tmp_path: 
     before = accuracy(machine.measure(targets, seed=1))
     start = start_of(format_id, tmp_path / "control", machine)
     files = one_round(tmp_path / "first", format_id, machine, targets, 1, start, None)
-    fresh = machine.targets(seed=8)  # unmeasured targets: what the old ones hide would show
+    fresh = machine.targets(seed=8)  # new targets: what the old ones hide would show
     after = accuracy(machine.measure(fresh, 2, loaded(files, format_id, machine)))
     limit = allowed_by(format_id, machine, fresh, spacing_of(files, format_id))
     assert before > 3 * limit, "the machine must be bad enough for the demand to mean something"

@@ -95,7 +95,7 @@ def both(curve: Curve, **words: float) -> KnownAxis:
 def test_without_scatter_nothing_limits_a_table_that_holds_all() -> None:
     found = limits_of(fitted(both(lambda x: 30e-6 * x)))
     assert found.parameter == "A"
-    # the slope over the unmeasured targets, which leave up to 8 % of the travel out at its ends
+    # the slope over the new targets, which leave up to 8 % of the travel out at its ends
     assert 27.0 < found.now / UM < 30.0
     assert found.then / UM == pytest.approx(0.0, abs=1e-3)
     assert all(abs(cause.value) < 1e-6 for cause in found.causes)

@@ -136,7 +136,7 @@ def of(name: str, median: float) -> dict[str, Quantiles]:
             10.0,
             "A is expected to be 10.00 µm with the table and 10.00 µm without it",
         ),
-        (10.0, 5.0, 10.0, 11.0, "at unmeasured targets, A is expected to be 11.00 µm"),
+        (10.0, 5.0, 10.0, 11.0, "at new targets, A is expected to be 11.00 µm"),
     ],
 )
 def test_a_table_has_to_improve_the_test_and_what_lies_between_its_targets(

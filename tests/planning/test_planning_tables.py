@@ -106,7 +106,7 @@ def test_another_grid_is_tried_only_where_the_one_that_is_there_loses_something(
 def told(
     gain: float, gain_at_new: float = 0.0, quantum: float = 0.1 * UM, band: float = 0.0
 ) -> str:
-    """The offer where A falls from 10 µm by ``gain`` µm, at unmeasured targets from 12 by
+    """The offer where A falls from 10 µm by ``gain`` µm, at new targets from 12 by
     ``gain_at_new``; ``band``: 5 to 95 %, µm.
     """
     result = work_of(KnownAxis(np.zeros_like, np.zeros_like), AXIS).results[0]

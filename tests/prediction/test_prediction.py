@@ -278,7 +278,7 @@ def test_same_generator_same_prediction() -> None:
     assert once() == once()
 
 
-# ---------------------------------------------------------------- unmeasured targets
+# ---------------------------------------------------------------- new targets
 
 
 @given(

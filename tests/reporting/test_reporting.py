@@ -304,12 +304,12 @@ def test_the_report_states_the_numbers_of_the_documents() -> None:
     page = run_report(view)
     axis = view["prediction"]["axes"]["X"]
     head, rows = table_with(
-        page, "Parameter", "Predicted, same targets", ("Predicted, unmeasured targets")
+        page, "Parameter", "Predicted, same targets", ("Predicted, new targets")
     )
     titles = [
         "Before µm; ± U, k = 2",
         "Predicted, same targets µm; median, 5–95 %",
-        "Predicted, unmeasured targets µm; median, 5–95 %",
+        "Predicted, new targets µm; median, 5–95 %",
     ]
     assert head == ["Parameter ISO 230-2:2014", *titles]
     found = {row[0]: row for row in rows}

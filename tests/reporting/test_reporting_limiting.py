@@ -42,7 +42,7 @@ def test_the_report_names_what_limits_an_axis_in_plain_words() -> None:
 def test_the_terminal_says_it_in_one_line() -> None:
     line = limits_line(axis_x())
     assert line == (
-        "What limits A (4.89 µm at unmeasured targets): noise 2.45, quantum 0.40 µm (each alone;"
+        "What limits A (4.89 µm at new targets): noise 2.45, quantum 0.40 µm (each alone;"
         " they do not add up)."
     )
     assert limits_line({"limited": None}) == ""

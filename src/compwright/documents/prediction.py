@@ -43,7 +43,7 @@ def prediction_document(
 ) -> dict[str, Any]:
     """Return the prediction of a run. ``cross``: the corrections between axes, by the job's names.
 
-    ``doubts``: what has to be settled before the tables are loaded; ``acknowledged``: what the job
+    ``doubts``: what to clear up before the tables are loaded; ``acknowledged``: what the job
     acknowledges of it. ``judged``: by whom the files
     of this control were read.
     """

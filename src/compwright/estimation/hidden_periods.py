@@ -6,7 +6,7 @@ a longer wave, which the smooth part follows.
 Each usual period, and some between, is one hypothesis: free columns, smooth part and one wave
 (`period_likelihood`). At targets that cannot show the wave, its posterior equals its prior; at
 targets that show it, the posterior is narrow. Between the targets the wave differs from the smooth
-part that followed it at the targets. A test at unmeasured targets shows that difference in addition
+part that followed it at the targets. A test at new targets shows that difference in addition
 (aliasing: Bretthorst, Bayesian Spectrum Analysis and Parameter Estimation, 1988, chapter 6; mixture
 of hypotheses: Hoeting et al., Statistical Science 14, 1999).
 

@@ -188,7 +188,7 @@ def _moves(order: FloatArray, middle: int) -> FloatArray:
 
 
 def _drifts(runs: int, *, returns: bool) -> tuple[FloatArray, FloatArray]:
-    """Return the effect of drift and of a drifting tilt on the traverses, (rates, 4 runs) each."""
+    """Return the change of the traverses by a drift and a drifting tilt, (rates, 4 runs) each."""
     way = progress(runs, RATES)
     way = way - way.mean(axis=1, keepdims=True)
     ends = slackening(runs, RATES, np.array([-1.0, 1.0]), returns=returns)

@@ -202,7 +202,7 @@ class TableSection(JobMapping):
     """
     gain: Literal["any", "seen"] = "any"
     """`any`: every table that improves the axis is written; `seen`: only one whose gain a test
-    would show: at unmeasured targets A (else E, ...) falls by more than one standard deviation by
+    would show: at new targets A (else E, ...) falls by more than one standard deviation by
     which it differs from test to test. Else the axis keeps what it has, and `CW-P155` says what
     is left. [Next rounds](how-to/second-round.md) ask for it. Default: `any`.
     """

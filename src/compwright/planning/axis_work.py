@@ -257,7 +257,7 @@ def predict_axis(
     """Return the prediction of new tests of an axis with the correction ``new``.
 
     ``table``: the written table, as read back; None where none was written. ``fresh``: tests like
-    the first one at unmeasured targets, where they are drawn already.
+    the first one at new targets, where they are drawn already.
     """
     axis, rule = work.planned.axis, job.decision_rule
     first = fresh or repeats_of_first(work, rule)
@@ -306,7 +306,7 @@ def _predicted_test(
 
 
 def repeats_of_first(work: AxisWork, rule: Literal["simple", "guarded"] = "simple") -> FreshTests:
-    """Return simulated tests like the first one of an axis, at unmeasured targets."""
+    """Return simulated tests like the first one of an axis, at new targets."""
     like = RepeatConditions(0, fresh_slope(rule, work.planned.tests[0]))
     return fresh_tests(work.results[0], work.posterior, work.planned.axis, like)
 

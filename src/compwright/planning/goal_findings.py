@@ -26,7 +26,7 @@ def goal_findings(work: AxisWork, new: Correction, fresh: FreshTests) -> Iterato
     """Yield the finding CW-P152: A, E and M of simulated tests with the table ``new`` and with the
     rejected one.
 
-    ``fresh`` tests at unmeasured targets. Only where the job has another goal than the least
+    ``fresh`` tests at new targets. Only where the job has another goal than the least
     expected square.
     """
     planned, goal = work.planned, work.entry.table.goal

@@ -79,7 +79,7 @@ def _predicted(
     elsewhere: Mapping[str, Quantiles] | None = None,
 ) -> dict[str, AcceptDecision]:
     """Return the decisions about limits from predicted values. ``factor``: to the unit of the
-    limits; ``elsewhere``: the prediction at unmeasured targets.
+    limits; ``elsewhere``: the prediction at new targets.
     """
     decisions = {}
     for name, limit in accept.limits.items():

@@ -46,7 +46,7 @@ def what_limits(work: AxisWork, new: Correction, fresh: FreshTests) -> LimitingC
 
     It is the first of A, E, ... that the first test has; None where it has none.
 
-    ``fresh``: tests like that one, at unmeasured targets. Each cause is removed alone, while all
+    ``fresh``: tests like that one, at new targets. Each cause is removed alone, while all
     others stay. The part of the known error that the table does not hold is the sum of the causes
     that `shortfalls` names: to remove one is to add what it lacks. No median contains the periods
     that the test leaves open (`FreshTests.band`): their value is what they would add.

@@ -1,4 +1,4 @@
-"""Findings about periodic errors that unmeasured targets may show but the measured targets hide.
+"""Findings about periodic errors that new targets may show but the measured targets hide.
 
 These are periods that are possible or that the readings do not exclude.
 """

@@ -31,7 +31,7 @@ def point_count_tradeoff(
     """Return the parameter ``name`` of simulated tests for tables with different numbers of points,
     ascending.
 
-    At unmeasured targets; ``new`` is the table that is written. Empty where there is no choice: no
+    At new targets; ``new`` is the table that is written. Empty where there is no choice: no
     table, or only one grid.
 
     Every table is fitted to what is wanted under the control's own limits, on equally spaced nodes

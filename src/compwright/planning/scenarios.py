@@ -21,7 +21,7 @@ from compwright.records.fitted import FittedTable
 from compwright.records.result import PositioningResult
 from compwright.records.rounding import rounded
 
-#: Different sets of unmeasured targets, and tests at each: so many sets that targets of one or
+#: Different sets of new targets, and tests at each: so many sets that targets of one or
 #: another lie everywhere in each half of them, and few enough tests for a linear program.
 _SETS: Final = 48
 _TESTS_EACH: Final = 2

@@ -31,7 +31,7 @@ _READINGS: Final = 4000
 _FEWEST_DRAWS: Final = 400
 #: Newly dithered targets stay this far from the ends of the travel: mm, and for rotary axes deg.
 END_MARGIN: Final = {AxisKind.LINEAR: 4.0, AxisKind.ROTARY: 0.0}
-#: Different sets of unmeasured targets: so many that some have a target wherever the error may
+#: Different sets of new targets: so many that some have a target wherever the error may
 #: differ from the table, such as between two targets about a jump; and targets of all sets, at
 #: most.
 _SETS: Final = 40
@@ -58,7 +58,7 @@ FIRST: Final = RepeatConditions()
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FreshTests:
-    """Random draws of the deviation of an axis at unmeasured targets, mm or deg.
+    """Random draws of the deviation of an axis at new targets, mm or deg.
 
     ``sets`` (k, m): sets of targets with the ``expected`` deviation (k, m), and ``chosen`` (s,):
     the set of each draw, ascending. Tests like ``result`` add the scatter of the readings, from the

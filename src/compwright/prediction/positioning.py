@@ -114,7 +114,7 @@ def _quantiles(draws: FloatArray) -> Quantiles:
 def dithered_targets(
     travel: tuple[float, float], count: int, rng: np.random.Generator, margin: float = 4.0
 ) -> FloatArray:
-    """Return ``count`` random unmeasured targets (count,), ascending, one in each equal part of the
+    """Return ``count`` random new targets (count,), ascending, one in each equal part of the
     travel.
 
     The i-th (from 0) at low + (i + 0.5 + u) * length / count, u in ±0.3.

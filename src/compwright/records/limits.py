@@ -23,7 +23,7 @@ class LimitingCause:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LimitingCauses:
-    """The limiting causes of one ``parameter`` in a new test at unmeasured targets. Medians in mm
+    """The limiting causes of one ``parameter`` in a new test at new targets. Medians in mm
     or deg.
 
     ``now`` with what is in the control, ``then`` with what is written, ``least`` of an axis without
@@ -48,7 +48,7 @@ class PointCountOption:
     """The predicted parameter with a table of ``points`` points: median and 5 to 95 % range, mm or
     deg.
 
-    A fresh test at unmeasured targets. They are ``spacing`` apart (mm or deg; the widest section).
+    A fresh test at new targets. They are ``spacing`` apart (mm or deg; the widest section).
 
     ``written``: the table that is written; ``there``: on the nodes that are in the control.
     """

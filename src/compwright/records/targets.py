@@ -10,7 +10,7 @@ import numpy as np
 from compwright.records.axis import FloatArray
 from compwright.words.sentences import Sentence, say
 
-#: Random part of a target, in intervals: what `run` predicts unmeasured targets with.
+#: Random part of a target, in intervals: what `run` predicts new targets with.
 DITHER: Final = 0.3
 _TRIES: Final = 24
 _SEED: Final = 42  # the same travel and count give the same targets

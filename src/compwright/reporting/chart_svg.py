@@ -70,7 +70,7 @@ class _Scale:
     last: float
 
     def at(self, values: Sequence[float]) -> list[float]:
-        """Return the places of values in the drawing, in points."""
+        """Return the coordinates of values in the drawing, in points."""
         by = (self.last - self.first) / (self.high - self.low)
         start = self.first - by * self.low
         return [start + by * value for value in values]

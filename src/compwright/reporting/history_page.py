@@ -128,7 +128,7 @@ def _course(tests: Sequence[Mapping[str, Any]], name: str) -> Any:
 
 
 def _scaled(values: Sequence[float], low: float, high: float) -> list[float]:
-    """Return the places of values between two ends. Equal values are in the middle."""
+    """Return the coordinates of values between two ends. Equal values are in the middle."""
     least, span = min(values), max(values) - min(values)
     if span == 0.0:
         return [0.5 * (low + high)] * len(values)

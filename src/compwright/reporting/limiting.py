@@ -66,4 +66,4 @@ def limits_line(axis: Document) -> str:
     ]
     name = symbol(limited["parameter"])
     listed = f"{', '.join(causes)} {unit} (each alone; they do not add up)" if causes else "nothing"
-    return f"What limits {name} ({number(limited['then'])} {unit} at unmeasured targets): {listed}."
+    return f"What limits {name} ({number(limited['then'])} {unit} at new targets): {listed}."

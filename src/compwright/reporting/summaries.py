@@ -126,7 +126,7 @@ def _decision(entry: Mapping[str, Any] | None) -> tuple[str, str | Text]:
 
 def _prediction_table(test: Mapping[str, Any], accept: Mapping[str, Any], unit: str) -> Table:
     table = _table_of_parameters(
-        f"before, {unit}", "predicted", "5 to 95 %", "unmeasured targets", "limit"
+        f"before, {unit}", "predicted", "5 to 95 %", "new targets", "limit"
     )
     for name, value in test["before"].items():
         if value is None:

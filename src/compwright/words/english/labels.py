@@ -147,7 +147,7 @@ SENTENCES: Final[dict[str, str]] = {
     "head.period": "Period",
     "head.position": "Position",
     "head.predicted": "Predicted",
-    "head.predicted_new": "Predicted, unmeasured targets",
+    "head.predicted_new": "Predicted, new targets",
     "head.predicted_same": "Predicted, same targets",
     "head.probability": "Probability",
     "head.quantity": "Quantity",

@@ -232,7 +232,7 @@ SENTENCES: Final[dict[str, str]] = {
         "a finding about the test of this axis after loading is not resolved ({code}: {message})"
     ),
     "next.gained": (
-        "a new table is written. It is expected to change {parameter} at unmeasured targets"
+        "a new table is written. It is expected to change {parameter} at new targets"
         " from {now:.2f} to {then:.2f} {unit}"
     ),
     "next.kept": ("{why}. The axis keeps what is in the control, and gets no new table"),

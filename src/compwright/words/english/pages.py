@@ -165,7 +165,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "limits.part": "Part of {parameter}",
     "limits.summary": (
-        "{parameter} at unmeasured targets: {then} {unit} expected, {before} {unit} with what is"
+        "{parameter} at new targets: {then} {unit} expected, {before} {unit} with what is"
         " in the control now. Scatter alone, without any error of the axis, would give {least}"
         " {unit}: no table can make it smaller."
     ),
@@ -373,7 +373,7 @@ SENTENCES: Final[dict[str, str]] = {
     "verify.table_of": "table of axis",
     "verify.within": "within",
     "worth.caption": (
-        "Predicted {symbol} at unmeasured targets for each number of table points: median and 5"
+        "Predicted {symbol} at new targets for each number of table points: median and 5"
         " to 95 %. The filled dot is the table that is written{grid:if|; {grid:choose|ring=the"
         " ring is the existing table of the control|on_it=it keeps the points of the existing"
         " table}|}."

@@ -11,11 +11,11 @@ SENTENCES: Final[dict[str, str]] = {
         " table and {without} without it"
     ),
     "CW-P001.new_targets": (
-        "in a test at unmeasured targets, {parameter} is expected to be {with_table} with the"
+        "in a test at new targets, {parameter} is expected to be {with_table} with the"
         " table and {without} without it"
     ),
     "CW-P001.not_seen": (
-        "in a test at unmeasured targets, {parameter} is expected to be {with_table} with a"
+        "in a test at new targets, {parameter} is expected to be {with_table} with a"
         " table of another correction round and {without} without it. It differs by {spread} from"
         " one test to the next, so the gain is within the uncertainty"
     ),
@@ -181,9 +181,9 @@ SENTENCES: Final[dict[str, str]] = {
         " decision stays undecided: {give}."
     ),
     "CW-P133": (
-        "Axis {axis}: the limit is predicted to be kept at the same targets, but not at"
-        " unmeasured targets. There, 5 % of the tests show more than {parameters}, so the limit"
-        " stays undecided.{reasons:if| The error may repeat {reasons:join|, or }.} Measure at"
+        "Axis {axis}: the limit is predicted to be kept at the same targets, but not at new targets"
+        " between them. There, 5 % of the tests show more than {parameters}, so the limit stays"
+        " undecided.{reasons:if| The error may repeat {reasons:join|, or }.} Measure at"
         " {better}.{known:if|| Give the lead of the screw, if it is known (screw_pitch).}"
     ),
     "CW-P133.open": (
@@ -218,7 +218,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P141": (
         "Axis {axis}: the points of the existing table {stays:if|are kept|do not serve},"
-        " {existing}: predicted {parameter} {same} ({new} at unmeasured targets). New points,"
+        " {existing}: predicted {parameter} {same} ({new} at new targets). New points,"
         " {grid}, would give {parameter} {better} ({better_new}). To use them, set `spacing:"
         " auto` in the table of the axis. Settings that depend on the old points are moved too,"
         " or named where this is impossible"
@@ -244,27 +244,28 @@ SENTENCES: Final[dict[str, str]] = {
         " {end:.10g}, spacing: {spacing:.10g} in the table of the axis"
     ),
     "CW-P150": (
-        "Axis {axis}: a table will not help here. {parameter} at unmeasured targets is"
-        " {now}{with_table:if| without a table and {with_table} with one}. The largest cause is"
-        " {cause} ({value:.2f} {unit}, {share:.0%}): {advice}"
+        "Axis {axis}: a table will not help here. {parameter} at new targets, between the measured"
+        " ones, is {now}{with_table:if| without a table and {with_table} with one}. The largest"
+        " cause is {cause} ({value:.2f} {unit}, {share:.0%}): {advice}"
     ),
     "CW-P151.cause": (
-        "Axis {axis}: {parameter} at unmeasured targets is {now} now, and the table reduces it"
-        " by {taken:.0%}. Most of the rest is {cause} ({value:.2f} of {left}): {advice}"
+        "Axis {axis}: {parameter} at new targets, between the measured ones, is {now} now, and the"
+        " table reduces it by {taken:.0%}. Most of the rest is {cause} ({value:.2f} of {left}):"
+        " {advice}"
     ),
     "CW-P151.scatter": (
-        "Axis {axis}: {parameter} at unmeasured targets is {now} now, and the table reduces it"
-        " by {taken:.0%}. {scatter:.0%} of it is scatter of the readings, which no table reduces"
+        "Axis {axis}: {parameter} at new targets, between the measured ones, is {now} now, and the"
+        " table reduces it by {taken:.0%}. {scatter:.0%} of it is scatter of the readings, which no"
+        " table reduces"
     ),
     "CW-P152": (
-        "Axis {axis}: {tables:choose|left=the table with the least expected squared error is"
-        " used, not one for the least {goal}|same=the table with the least expected squared error"
-        " also gives the least {goal}|taken=the table was made for the least {goal}|no_gain=a"
-        " table made for the least {goal} shows no smaller {goal} in new simulated tests, so the"
-        " table with the least expected squared error is used}. Expected at unmeasured"
+        "Axis {axis}: {tables:choose|left=the table with the least expected squared error is used,"
+        " not one for the least {goal}|same=the table with the least expected squared error also"
+        " gives the least {goal}|taken=the table was made for the least {goal}|no_gain=a table made"
+        " for the least {goal} shows no smaller {goal} in new simulated tests, so the table with"
+        " the least expected squared error is used}. Expected at new"
         " targets{tables:choose|left=|same=|taken=, in brackets with the table of least expected"
-        " squared error|no_gain=, in brackets with the table made for {goal}}: {parameters}"
-        " {unit}"
+        " squared error|no_gain=, in brackets with the table made for {goal}}: {parameters} {unit}"
     ),
     "CW-P152.parameter": "{parameter} {value:.2f}{other:if| ({other:.2f})}",
     "CW-P153": (
@@ -282,7 +283,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P155": (
         "Axis {axis}: stop here. What is left is {cause} ({value:.2f} {unit} of {parameter}"
-        " {left:.2f} {unit} at unmeasured targets). Another correction round would change less"
+        " {left:.2f} {unit} at new targets). Another correction round would change less"
         " than the difference between one test and the next."
     ),
     "CW-P156": (
@@ -351,16 +352,14 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P165": (
         "Axis {axis}: the test drifts by {drift}, and the prediction assumes the same drift in"
-        " the next test: {parameter} {low:.2f} to {high:.2f} {unit} at unmeasured targets. If"
+        " the next test: {parameter} {low:.2f} to {high:.2f} {unit} at new targets. If"
         " each test has its own drift of this size, {parameter} is {least:.2f} to {most:.2f}"
         " {unit}. To find out which is true, measure a second test in the same way, and add its"
         " file to `before` of the axis"
     ),
     "grid.even": "{points} points from {start:.10g} to {end:.10g} {unit}, every {step:.6g} {unit}",
     "grid.few": "{points} points",
-    "grid.predicted": (
-        "predicted {name} {value:.2f} {unit} ({elsewhere:.2f} at unmeasured targets)"
-    ),
+    "grid.predicted": "predicted {name} {value:.2f} {unit} ({elsewhere:.2f} at new targets)",
     "grid.uneven": (
         "{points} points from {start:.10g} to {end:.10g} {unit}, {least:.6g} to {most:.6g} {unit}"
         " apart"

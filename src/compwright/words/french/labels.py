@@ -149,7 +149,7 @@ SENTENCES: Final[dict[str, str]] = {
     "head.period": "Période",
     "head.position": "Position",
     "head.predicted": "Prévu",
-    "head.predicted_new": "Prévu, points visés non mesurés",
+    "head.predicted_new": "Prévu, nouveaux points visés",
     "head.predicted_same": "Prévu, mêmes points visés",
     "head.probability": "Probabilité",
     "head.quantity": "Grandeur",

@@ -248,8 +248,8 @@ SENTENCES: Final[dict[str, str]] = {
         "un constat sur l'essai de cet axe après chargement n'est pas éclairci ({code} : {message})"
     ),
     "next.gained": (
-        "une table de plus est écrite. Elle devrait changer {parameter} à des points visés non"
-        " mesurés de {now:.2f} à {then:.2f} {unit}"
+        "une table de plus est écrite. Elle devrait changer {parameter} à de nouveaux points visés"
+        " de {now:.2f} à {then:.2f} {unit}"
     ),
     "next.kept": (
         "{why}. L'axe garde ce qui est dans la commande, et ne reçoit pas de table pour"

@@ -175,7 +175,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "limits.part": "Part de {parameter}",
     "limits.summary": (
-        "{parameter} à des points visés non mesurés : {then} {unit} attendus, {before} {unit}"
+        "{parameter} à de nouveaux points visés : {then} {unit} attendus, {before} {unit}"
         " avec le contenu actuel de la commande. La dispersion seule, sans aucune erreur de"
         " l'axe, donnerait {least} {unit} : aucune table ne descend plus bas."
     ),
@@ -397,7 +397,7 @@ SENTENCES: Final[dict[str, str]] = {
     "verify.table_of": "table de l'axe",
     "verify.within": "dans",
     "worth.caption": (
-        "{symbol} prévu à des points visés non mesurés pour chaque nombre de points de table :"
+        "{symbol} prévu à de nouveaux points visés pour chaque nombre de points de table :"
         " médiane et 5 à 95 %. Le point plein est la table écrite{grid:if| ;"
         " {grid:choose|ring=l'anneau est la table existante de la commande|on_it=elle garde les"
         " points de la table existante}|}."

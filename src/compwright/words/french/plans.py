@@ -11,11 +11,11 @@ SENTENCES: Final[dict[str, str]] = {
         " table et {without} sans elle"
     ),
     "CW-P001.new_targets": (
-        "dans un essai à des points visés non mesurés, {parameter} devrait être {with_table}"
+        "dans un essai à de nouveaux points visés, {parameter} devrait être {with_table}"
         " avec la table et {without} sans elle"
     ),
     "CW-P001.not_seen": (
-        "dans un essai à des points visés non mesurés, {parameter} devrait être {with_table}"
+        "dans un essai à de nouveaux points visés, {parameter} devrait être {with_table}"
         " avec une autre table et {without} sans elle. D'un essai à l'autre {parameter} diffère"
         " de {spread}, donc le gain est dans l'incertitude"
     ),
@@ -179,8 +179,8 @@ SENTENCES: Final[dict[str, str]] = {
         " inconnue. Elle reste non décidée : {give}."
     ),
     "CW-P133": (
-        "Axe {axis} : la limite devrait être tenue aux mêmes points visés, mais pas à de"
-        " nouveaux. Là, 5 % des essais montrent plus de {parameters}, donc la limite reste non"
+        "Axe {axis} : la limite devrait être tenue aux mêmes points visés, mais pas à de nouveaux"
+        " entre eux. Là, 5 % des essais montrent plus de {parameters}, donc la limite reste non"
         " décidée.{reasons:if| L'erreur peut se répéter {reasons:join|, ou }.|} Mesurer à"
         " {better}.{known:if|| Donner le pas de la vis s'il est connu (screw_pitch).}"
     ),
@@ -217,7 +217,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P141": (
         "Axe {axis} : les points de la table existante {stays:if|sont gardés|ne conviennent"
-        " pas}, {existing} : prévu {parameter} {same} ({new} à des points visés non mesurés). De"
+        " pas}, {existing} : prévu {parameter} {same} ({new} à de nouveaux points visés). De"
         " nouveaux points, {grid}, donneraient {parameter} {better} ({better_new}). Pour cela,"
         " mettre `spacing: auto` dans la table de l'axe. Les réglages qui dépendent des anciens"
         " points suivent, ou sont nommés si ce n'est pas possible"
@@ -243,30 +243,30 @@ SENTENCES: Final[dict[str, str]] = {
         " end: {end:.10g}, spacing: {spacing:.10g} dans la table de l'axe"
     ),
     "CW-P150": (
-        "Axe {axis} : une table n'aidera pas ici. {parameter} à des points visés non mesurés est"
-        " {now}{with_table:if| sans table et {with_table} avec une table}. La plus grande cause"
-        " est {cause} ({value:.2f} {unit}, {share:.0%}) : {advice}"
+        "Axe {axis} : une table n'aidera pas ici. {parameter} à de nouveaux points visés, entre les"
+        " points mesurés, est {now}{with_table:if| sans table et {with_table} avec une table}. La"
+        " plus grande cause est {cause} ({value:.2f} {unit}, {share:.0%}) : {advice}"
     ),
     "CW-P151.cause": (
-        "Axe {axis} : {parameter} à des points visés non mesurés est de {now} à présent, et la"
-        " table le réduit de {taken:.0%}. La plus grande part du reste est {cause} ({value:.2f}"
-        " sur {left}) : {advice}"
+        "Axe {axis} : {parameter} à de nouveaux points visés, entre les points mesurés, est de"
+        " {now} à présent, et la table le réduit de {taken:.0%}. La plus grande part du reste est"
+        " {cause} ({value:.2f} sur {left}) : {advice}"
     ),
     "CW-P151.scatter": (
-        "Axe {axis} : {parameter} à des points visés non mesurés est de {now} à présent, et la"
-        " table le réduit de {taken:.0%}. {scatter:.0%} en est de la dispersion des mesures,"
-        " qu'aucune table ne réduit"
+        "Axe {axis} : {parameter} à de nouveaux points visés, entre les points mesurés, est de"
+        " {now} à présent, et la table le réduit de {taken:.0%}. {scatter:.0%} en est de la"
+        " dispersion des mesures, qu'aucune table ne réduit"
     ),
     "CW-P152": (
         "Axe {axis} : {tables:choose|left=la table à plus petite erreur quadratique attendue est"
         " utilisée, pas une pour le plus petit {goal}|same=la table à plus petite erreur"
-        " quadratique attendue donne aussi le plus petit {goal}|taken=la table a été faite pour"
-        " le plus petit {goal}|no_gain=une table faite pour le plus petit {goal} ne montre pas de"
+        " quadratique attendue donne aussi le plus petit {goal}|taken=la table a été faite pour le"
+        " plus petit {goal}|no_gain=une table faite pour le plus petit {goal} ne montre pas de"
         " {goal} plus petit dans de nouveaux essais simulés, donc la table à plus petite erreur"
-        " quadratique attendue est utilisée}. Attendu à des points visés non"
-        " mesurés{tables:choose|left=|same=|taken=, entre parenthèses avec la table à plus petite"
-        " erreur quadratique attendue|no_gain=, entre parenthèses avec la table faite pour"
-        " {goal}} : {parameters} {unit}"
+        " quadratique attendue est utilisée}. Attendu à de nouveaux points"
+        " visés{tables:choose|left=|same=|taken=, entre parenthèses avec la table à plus petite"
+        " erreur quadratique attendue|no_gain=, entre parenthèses avec la table faite pour {goal}}"
+        " : {parameters} {unit}"
     ),
     "CW-P152.parameter": "{parameter} {value:.2f}{other:if| ({other:.2f})}",
     "CW-P153": (
@@ -286,7 +286,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P155": (
         "Axe {axis} : s'arrêter ici. Ce qui reste est {cause} ({value:.2f} {unit} de {parameter}"
-        " {left:.2f} {unit} à des points visés non mesurés). Une autre table changerait moins"
+        " {left:.2f} {unit} à de nouveaux points visés). Une autre table changerait moins"
         " qu'un essai ne diffère du suivant."
     ),
     "CW-P156": (
@@ -357,15 +357,15 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P165": (
         "Axe {axis} : l'essai dérive de {drift}, et la prévision suppose la même dérive dans le"
-        " prochain essai : {parameter} {low:.2f} à {high:.2f} {unit} à des points visés non"
-        " mesurés. Si chaque essai a sa propre dérive de cette taille, {parameter} est de"
-        " {least:.2f} à {most:.2f} {unit}. Pour le savoir, mesurer un deuxième essai de la même"
-        " façon, et ajouter son fichier à `before` de l'axe"
+        " prochain essai : {parameter} {low:.2f} à {high:.2f} {unit} à de nouveaux points visés. Si"
+        " chaque essai a sa propre dérive de cette taille, {parameter} est de {least:.2f} à"
+        " {most:.2f} {unit}. Pour le savoir, mesurer un deuxième essai de la même façon, et ajouter"
+        " son fichier à `before` de l'axe"
     ),
     "grid.even": "{points} points de {start:.10g} à {end:.10g} {unit}, tous les {step:.6g} {unit}",
     "grid.few": "{points} points",
     "grid.predicted": (
-        "{name} prévu {value:.2f} {unit} ({elsewhere:.2f} à des points visés non mesurés)"
+        "{name} prévu {value:.2f} {unit} ({elsewhere:.2f} à de nouveaux points visés)"
     ),
     "grid.uneven": (
         "{points} points de {start:.10g} à {end:.10g} {unit}, espacés de {least:.6g} à {most:.6g}"

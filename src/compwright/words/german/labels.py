@@ -152,7 +152,7 @@ SENTENCES: Final[dict[str, str]] = {
     "head.period": "Periode",
     "head.position": "Position",
     "head.predicted": "Vorhersage",
-    "head.predicted_new": "Vorhersage, nicht gemessene Zielpositionen",
+    "head.predicted_new": "Vorhersage, neue Zielpositionen",
     "head.predicted_same": "Vorhersage, gleiche Zielpositionen",
     "head.probability": "Wahrscheinlichkeit",
     "head.quantity": "Größe",

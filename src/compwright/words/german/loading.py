@@ -248,8 +248,8 @@ SENTENCES: Final[dict[str, str]] = {
         "ein Befund zur Prüfung dieser Achse nach dem Laden ist nicht geklärt ({code}: {message})"
     ),
     "next.gained": (
-        "eine Tabelle für die nächste Runde ist geschrieben. Sie soll {parameter} an nicht"
-        " gemessenen Zielpositionen von {now:.2f} auf {then:.2f} {unit} ändern"
+        "eine Tabelle für die nächste Runde ist geschrieben. Sie soll {parameter} an neuen"
+        " Zielpositionen von {now:.2f} auf {then:.2f} {unit} ändern"
     ),
     "next.kept": (
         "{why}. Die Achse behält, was in der Steuerung ist, und bekommt keine Tabelle für die"

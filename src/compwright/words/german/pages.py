@@ -168,7 +168,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "limits.part": "Teil von {parameter}",
     "limits.summary": (
-        "{parameter} an nicht gemessenen Zielpositionen: {then} {unit} erwartet, {before} {unit}"
+        "{parameter} an neuen Zielpositionen: {then} {unit} erwartet, {before} {unit}"
         " mit dem, was jetzt in der Steuerung ist. Die Streuung allein, ohne jeden Fehler der"
         " Achse, ergäbe {least} {unit}: Darunter kommt keine Tabelle."
     ),
@@ -393,7 +393,7 @@ SENTENCES: Final[dict[str, str]] = {
     "verify.table_of": "Tabelle der Achse",
     "verify.within": "innerhalb",
     "worth.caption": (
-        "Vorhergesagtes {symbol} an nicht gemessenen Zielpositionen für jede Zahl von"
+        "Vorhergesagtes {symbol} an neuen Zielpositionen für jede Zahl von"
         " Tabellenpunkten: Median und 5 bis 95 %. Der gefüllte Punkt ist die Tabelle, die"
         " geschrieben wird{grid:if|; {grid:choose|ring=der Ring ist die vorhandene Tabelle der"
         " Steuerung|on_it=sie behält die Punkte der vorhandenen Tabelle}|}."

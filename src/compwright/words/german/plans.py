@@ -11,11 +11,11 @@ SENTENCES: Final[dict[str, str]] = {
         " {with_table} und ohne sie {without}"
     ),
     "CW-P001.new_targets": (
-        "in einer Prüfung an nicht gemessenen Zielpositionen wird {parameter} {with_table} mit"
+        "in einer Prüfung an neuen Zielpositionen wird {parameter} {with_table} mit"
         " der Tabelle erwartet, {without} ohne sie"
     ),
     "CW-P001.not_seen": (
-        "in einer Prüfung an nicht gemessenen Zielpositionen wird {parameter} {with_table} mit"
+        "in einer Prüfung an neuen Zielpositionen wird {parameter} {with_table} mit"
         " einer weiteren Tabelle erwartet, {without} ohne sie. Von Prüfung zu Prüfung ändert sich"
         " {parameter} um {spread}, der Gewinn liegt also innerhalb der Unsicherheit"
     ),
@@ -193,10 +193,10 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P133": (
         "Achse {axis}: Der Grenzwert wird nach der Vorhersage an denselben Zielpositionen"
-        " eingehalten, aber nicht an neuen. Dort zeigen 5 % der Prüfungen mehr als {parameters},"
-        " der Grenzwert bleibt deshalb offen.{reasons:if| Der Fehler kann sich wiederholen:"
-        " {reasons:join|, oder }.|} An {better} messen.{known:if|| Die Steigung der Spindel"
-        " angeben, wenn sie bekannt ist (screw_pitch).}"
+        " eingehalten, aber nicht an neuen dazwischen. Dort zeigen 5 % der Prüfungen mehr als"
+        " {parameters}, der Grenzwert bleibt deshalb offen.{reasons:if| Der Fehler kann sich"
+        " wiederholen: {reasons:join|, oder }.|} An {better} messen.{known:if|| Die Steigung der"
+        " Spindel angeben, wenn sie bekannt ist (screw_pitch).}"
     ),
     "CW-P133.open": (
         "mit einer Periode, die diese Zielpositionen offenlassen ({probability:.0%}; vor allem"
@@ -231,7 +231,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P141": (
         "Achse {axis}: Die Punkte der vorhandenen Tabelle {stays:if|bleiben|genügen nicht},"
-        " {existing}: vorhergesagt {parameter} {same} ({new} an nicht gemessenen Zielpositionen)."
+        " {existing}: vorhergesagt {parameter} {same} ({new} an neuen Zielpositionen)."
         " Neue Punkte, {grid}, gäben {parameter} {better} ({better_new}). Dafür `spacing: auto`"
         " in der Tabelle der Achse setzen. Einstellungen, die von den alten Punkten abhängen,"
         " ziehen mit um oder werden genannt, wo das nicht geht"
@@ -257,27 +257,27 @@ SENTENCES: Final[dict[str, str]] = {
         " end: {end:.10g}, spacing: {spacing:.10g} in der Tabelle der Achse setzen"
     ),
     "CW-P150": (
-        "Achse {axis}: Eine Tabelle hilft hier nicht. {parameter} an nicht gemessenen"
-        " Zielpositionen ist {now}{with_table:if| ohne Tabelle und {with_table} mit einer}. Die"
+        "Achse {axis}: Eine Tabelle hilft hier nicht. {parameter} an neuen Zielpositionen, zwischen"
+        " den gemessenen, ist {now}{with_table:if| ohne Tabelle und {with_table} mit einer}. Die"
         " größte Ursache ist {cause} ({value:.2f} {unit}, {share:.0%}): {advice}"
     ),
     "CW-P151.cause": (
-        "Achse {axis}: {parameter} an nicht gemessenen Zielpositionen ist jetzt {now}, und die"
-        " Tabelle verringert es um {taken:.0%}. Das meiste vom Rest ist {cause} ({value:.2f} von"
-        " {left}): {advice}"
+        "Achse {axis}: {parameter} an neuen Zielpositionen, zwischen den gemessenen, ist jetzt"
+        " {now}, und die Tabelle verringert es um {taken:.0%}. Das meiste vom Rest ist {cause}"
+        " ({value:.2f} von {left}): {advice}"
     ),
     "CW-P151.scatter": (
-        "Achse {axis}: {parameter} an nicht gemessenen Zielpositionen ist jetzt {now}, und die"
-        " Tabelle verringert es um {taken:.0%}. {scatter:.0%} davon ist Streuung der Messwerte,"
-        " die keine Tabelle verringert"
+        "Achse {axis}: {parameter} an neuen Zielpositionen, zwischen den gemessenen, ist jetzt"
+        " {now}, und die Tabelle verringert es um {taken:.0%}. {scatter:.0%} davon ist Streuung der"
+        " Messwerte, die keine Tabelle verringert"
     ),
     "CW-P152": (
-        "Achse {axis}: {tables:choose|left=verwendet wird die Tabelle mit dem kleinsten"
-        " erwarteten Fehlerquadrat, nicht eine für das kleinste {goal}|same=die Tabelle mit dem"
-        " kleinsten erwarteten Fehlerquadrat ergibt auch das kleinste {goal}|taken=die Tabelle"
-        " wurde für das kleinste {goal} gemacht|no_gain=eine Tabelle für das kleinste {goal}"
-        " zeigt in neuen simulierten Prüfungen kein kleineres {goal}, deshalb wird die Tabelle"
-        " mit dem kleinsten erwarteten Fehlerquadrat verwendet}. Erwartet an nicht gemessenen"
+        "Achse {axis}: {tables:choose|left=verwendet wird die Tabelle mit dem kleinsten erwarteten"
+        " Fehlerquadrat, nicht eine für das kleinste {goal}|same=die Tabelle mit dem kleinsten"
+        " erwarteten Fehlerquadrat ergibt auch das kleinste {goal}|taken=die Tabelle wurde für das"
+        " kleinste {goal} gemacht|no_gain=eine Tabelle für das kleinste {goal} zeigt in neuen"
+        " simulierten Prüfungen kein kleineres {goal}, deshalb wird die Tabelle mit dem kleinsten"
+        " erwarteten Fehlerquadrat verwendet}. Erwartet an neuen"
         " Zielpositionen{tables:choose|left=|same=|taken=, in Klammern mit der Tabelle des"
         " kleinsten erwarteten Fehlerquadrats|no_gain=, in Klammern mit der Tabelle für {goal}}:"
         " {parameters} {unit}"
@@ -300,7 +300,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P155": (
         "Achse {axis}: Hier aufhören. Übrig ist {cause} ({value:.2f} {unit} von {parameter}"
-        " {left:.2f} {unit} an nicht gemessenen Zielpositionen). Eine weitere Runde änderte"
+        " {left:.2f} {unit} an neuen Zielpositionen). Eine weitere Runde änderte"
         " weniger, als sich eine Prüfung von der nächsten unterscheidet."
     ),
     "CW-P156": (
@@ -371,17 +371,16 @@ SENTENCES: Final[dict[str, str]] = {
         " zeigen einen solchen Fehler ab einer Amplitude von {amplitude}."
     ),
     "CW-P165": (
-        "Achse {axis}: Die Prüfung driftet um {drift}, und die Vorhersage nimmt dieselbe Drift"
-        " in der nächsten Prüfung an: {parameter} {low:.2f} bis {high:.2f} {unit} an nicht"
-        " gemessenen Zielpositionen. Hat jede Prüfung eine eigene Drift dieser Größe, ist"
-        " {parameter} {least:.2f} bis {most:.2f} {unit}. Um das zu klären, eine zweite Prüfung"
-        " auf dieselbe Art messen und ihre Datei bei der Achse unter `before` angeben"
+        "Achse {axis}: Die Prüfung driftet um {drift}, und die Vorhersage nimmt dieselbe Drift in"
+        " der nächsten Prüfung an: {parameter} {low:.2f} bis {high:.2f} {unit} an neuen"
+        " Zielpositionen. Hat jede Prüfung eine eigene Drift dieser Größe, ist {parameter}"
+        " {least:.2f} bis {most:.2f} {unit}. Um das zu klären, eine zweite Prüfung auf dieselbe Art"
+        " messen und ihre Datei bei der Achse unter `before` angeben"
     ),
     "grid.even": "{points} Punkte von {start:.10g} bis {end:.10g} {unit}, alle {step:.6g} {unit}",
     "grid.few": "{points} Punkte",
     "grid.predicted": (
-        "vorhergesagt {name} {value:.2f} {unit} ({elsewhere:.2f} an nicht gemessenen"
-        " Zielpositionen)"
+        "vorhergesagt {name} {value:.2f} {unit} ({elsewhere:.2f} an neuen Zielpositionen)"
     ),
     "grid.uneven": (
         "{points} Punkte von {start:.10g} bis {end:.10g} {unit}, {least:.6g} bis {most:.6g} {unit}"

@@ -150,7 +150,7 @@ SENTENCES: Final[dict[str, str]] = {
     "head.period": "Период",
     "head.position": "Позиция",
     "head.predicted": "Прогноз",
-    "head.predicted_new": "Прогноз, неизмеренные заданные позиции",
+    "head.predicted_new": "Прогноз, новые заданные позиции",
     "head.predicted_same": "Прогноз, те же заданные позиции",
     "head.probability": "Вероятность",
     "head.quantity": "Величина",
