@@ -106,6 +106,27 @@ def test_a_spike_before_the_arc_lasts_into_it(tmp_path: Path) -> None:
     assert found["diagnosis"]["reversal_spike_first_at_positive"]["value"] is None
 
 
+#: The causes of the outside contract, in the order of its text.
+CONTRACT = {
+    *("squareness", "scale_mismatch", "servo_mismatch", "radius_change", "backlash_mismatch"),
+    *("vibration", "master_slave", "spiral", "lobes_2", "lobes_3", "positional_tolerance"),
+    *(
+        f"{cause}_{axis}{end}"
+        for axis in ("first", "second")
+        for cause in ("backlash", "reversal_spike")
+        for end in ("", "_at_positive", "_at_negative")
+    ),
+    *(
+        f"{cause}_{axis}"
+        for axis in ("first", "second")
+        for cause in (
+            *("scale_error", "lateral_play", "cyclic", "straightness"),
+            *("offset_change", "stick_slip"),
+        )
+    ),
+}
+
+
 def test_causes_that_a_test_cannot_have_are_null_with_a_reason(tmp_path: Path) -> None:
     tests = {
         "whole": Circle(values=quiet(), samples=300),
@@ -117,9 +138,12 @@ def test_causes_that_a_test_cannot_have_are_null_with_a_reason(tmp_path: Path) -
         rng = np.random.default_rng(4)
         answers[name] = evaluated(test, rng, tmp_path / f"{name}.csv")
     for answer in answers.values():
-        assert set(answers["whole"]["diagnosis"]) <= set(answer["diagnosis"])
+        assert set(answer["diagnosis"]) >= {*answers["whole"]["diagnosis"], *CONTRACT}
         for name, entry in answer["diagnosis"].items():
-            assert entry["unit"] == ("ms" if name == "servo_mismatch" else entry["unit"])
+            ratio = name == "squareness" or name.startswith("scale_error")
+            assert entry["unit"] == (
+                "ms" if name == "servo_mismatch" else "um/m" if ratio else "um"
+            )
             if entry["value"] is None:
                 assert answer["not_applicable"][name]
                 assert entry["std_error"] is None or entry["std_error"] > 0.0
