@@ -228,9 +228,12 @@ def _years(one: datetime, other: datetime) -> float:
 def _forecast(limit: float, found: Mapping[str, _Course], parameter: str) -> Ahead:
     """Return when a parameter reaches its limit, by the trends of what determines it.
 
-    Its curve is that of the tests since the last event (another table, a jump).
+    Its curve is that of the tests since the last event (another table, a jump). No date where none
+    of these trends is clear.
     """
     tests, own = found[parameter]
+    if not any(found[name][1].clear for name in (parameter, "slope", "B_mean") if name in found):
+        return (None, None, None)
     events = [place + 1 for place, odds in enumerate(tests.odds) if odds >= _OTHER_JUMPED]
     curve = error_curve(parameter, tests.entries[max(events, default=0) :])
     # A limit is one of the size: lost motion makes the mean reversal value negative.
