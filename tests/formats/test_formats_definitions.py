@@ -497,7 +497,7 @@ def test_list_show_and_check(tmp_path: Path) -> None:
         "max points: upper limit",
         "cec (default absent",
         "S1 p240",
-        "not active: one table: MD32700 $MA_ENC_COMP_ENABLE[<index>,<address>] must be 1",
+        "verdict not active: one table: MD32700 $MA_ENC_COMP_ENABLE[<index>,<address>] must be 1",
         "look at, partial: ",
     ):
         assert words in shown

@@ -132,7 +132,7 @@ def _look_at(definition: Definition) -> Iterator[str]:
             both = len(texts) > 1
             for which, text in zip(("one table: ", "two tables: "), texts, strict=False):
                 words = readable(f"{which if both else ''}{text}")
-                yield f"{verdict.replace('_', ' ')}: {words} [{rule.evidence}]"
+                yield f"verdict {verdict.replace('_', ' ')}: {words} [{rule.evidence}]"
 
 
 def _proven(definition: Definition) -> Iterator[str]:

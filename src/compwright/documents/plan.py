@@ -36,6 +36,7 @@ from compwright.records.positioning import PositioningTest
 from compwright.records.serial_line import from_line
 
 SCHEMA = "compwright/plan/1"
+_AS_WRITTEN = "give plan.json as `compwright run` wrote it, or make it again with `compwright run`"
 _T = TypeVar("_T")
 
 
@@ -122,11 +123,11 @@ def read_plan(content: bytes, file: str) -> Plan:
                 message="the JSON of the file is nested too deeply to be a plan",
                 file=file,
                 expected="the plan.json of a run",
-                hint="give plan.json as `compwright run` wrote it",
+                hint=_AS_WRITTEN,
             )
         ) from error
     if plan is None:
-        raise InputError(*(fault.in_file(file) for fault in faults))
+        raise InputError(*(replace(fault.in_file(file), hint=_AS_WRITTEN) for fault in faults))
     states = {
         name: tuple(from_line(each.name, each.content) for each in files)
         for name, files in plan.states.items()

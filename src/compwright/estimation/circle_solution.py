@@ -15,8 +15,8 @@ from compwright.records.axis import FloatArray
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Solution:
-    """The solution of a circular test. ``fitted``: for the most probable spike shapes; ``draws``:
-    over all shapes.
+    """The causes fitted to a circular test. ``fitted``: for the most probable shapes of the
+    reversal spikes; ``draws``: random samples over all shapes.
 
     ``frequencies`` 1/mm of cyclic errors by axis, ``given`` those that were not sought, ``hidden``
     um that may have been missed, by axis.

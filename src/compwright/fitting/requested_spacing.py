@@ -100,7 +100,7 @@ def _check_count(count: int, span: Span, capacity: Capacity, unit: str) -> None:
     most = capacity.at_most
     if most is not None and count > most:
         least = _nearest_steps(span, 0.0, capacity)[1]
-        fits = f"; from {least:.10g} {unit} on a spacing fits" if least else ""
+        fits = f"; a spacing of {least:.10g} {unit} or more fits" if least else ""
         raise CapacityError(
             Fault(
                 message=f"this spacing gives a table of {length:.10g} {unit} too many points{fits}",

@@ -209,7 +209,7 @@ class _Cells:
         return np.fromiter(found, np.float64, len(texts))
 
     def _number(self, row: int, name: str, text: str) -> float:
-        place = f"line {self.table.lines[row]}, column {name}"
+        place = f"line {self.table.lines[row]}, column '{name}'"
         other = {".": ",", ",": "."}[self.profile.decimal]
         if other in text and _has_digit(text):
             mark = {".": "point", ",": "comma"}
@@ -268,7 +268,7 @@ def _wide(rows: Sequence[int], cells: _Cells, profile: Profile) -> tuple[Reading
         np.array([way is Direction.POSITIVE for way, _ in ways], dtype=np.bool_)[columns],
         np.array([run for _, run in ways], dtype=np.int64)[columns],
         deviations,
-        lambda index: f"line {lines[at[index]]}, column {names[columns[index]]}",
+        lambda index: f"line {lines[at[index]]}, column '{names[columns[index]]}'",
     )
     return readings, targets
 
@@ -315,7 +315,7 @@ def _refuse_steps(rows: _ProfiledRows, profile: Profile, faults: FaultList) -> N
     if np.all(np.abs(np.abs(rows.deviations[1:]) - np.abs(steps)) <= _SAME_STEP):
         faults.add(
             "the values are the distances between the targets, not deviations",
-            place=f"column {profile.value}",
+            place=f"column '{profile.value}'",
             expected="the column with deviations or measured positions",
             hint="correct `value` in the profile: it names the column of the spacing",
         )
@@ -335,7 +335,7 @@ def _directions(
         if known[word] is None:
             faults.add(
                 "the direction is not among the names that the profile lists under `directions`",
-                place=f"line {line}, column {profile.direction}",
+                place=f"line {line}, column '{profile.direction}'",
                 expected=", ".join(profile.directions),
                 found=shown(word),
                 hint="add this name under `directions` of the profile",
@@ -389,7 +389,7 @@ def _runs(
         if not run:
             faults.add(
                 "the run is not a number of at least 1",
-                place=f"line {line}, column {profile.run}",
+                place=f"line {line}, column '{profile.run}'",
                 expected="1, 2, 3, ..",
                 found=shown(text),
                 hint="name another column as `run` in the profile, or leave it empty",

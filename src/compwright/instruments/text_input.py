@@ -23,6 +23,7 @@ _CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f]")
 #: A number with its decimals, if it has a decimal mark.
 _LAST_NUMBER = re.compile(r"[+-]?[0-9]*(?:[.,](?P<decimals>[0-9]*))?(?:[eE][+-]?[0-9]*)?")
 _WANTED = "a text file in UTF-8, or in UTF-16 with byte order mark"
+_GIVE_TEXT = "give the file that the instrument wrote as text, or save the sheet as CSV UTF-8"
 _SAVE_AGAIN = (
     "UTF-8: save the file again with that encoding (editor: save as, encoding UTF-8; spreadsheet:"
     " CSV UTF-8), or write u for µ and deg for °"
@@ -143,10 +144,7 @@ def _lines(text: str, file: str) -> list[str]:
                 place=f"line {_line_number(text[: control.start()])}",
                 expected=_WANTED,
                 found=f"control character 0x{ord(control.group()):02X}",
-                hint=(
-                    "give the file that the instrument wrote as text, or save the "
-                    "sheet as CSV UTF-8"
-                ),
+                hint=_GIVE_TEXT,
             )
         )
     return _LINE_END.split(text.lstrip("\ufeff"))
@@ -205,7 +203,7 @@ def _decode(content: bytes, file: str) -> str:
                     if binary or utf16
                     else f"{found}{_as_windows(content[error.start : error.start + 1])}"
                 ),
-                hint="save the file again as UTF-8",
+                hint=_GIVE_TEXT if binary else "save the file again as UTF-8",
             )
         ) from error
 

@@ -93,7 +93,10 @@ class Evaluation(DocumentResult):
 
     @property
     def diagnosis(self) -> dict[str, Any]:
-        """The causes of a circular test (value, std_error, unit). Empty for a positioning test."""
+        """The error causes that a circular test shows, each with its value, ``std_error`` and unit.
+
+        Empty for a positioning test.
+        """
         return deepcopy(dict(self._document.get("diagnosis") or {}))
 
     def to_frame(self) -> Any:

@@ -15,7 +15,12 @@ _WIDTH: Final = 200.0
 #: Below this (µm, arcsec) a cause is not worth a word at the terminal.
 _LEAST_SHOWN: Final = 0.005
 #: The names at the terminal that differ from those in the document.
-_SHORT: Final = {"no table is written": "error that no table takes away"}
+_SHORT: Final = {
+    "no table is written": "error that no table takes away",
+    "error that the test leaves open": "error that the test did not show (between targets or in"
+    " the scatter)",
+    "periods that the test leaves open": "periodic error that these targets cannot show",
+}
 
 
 def limits_block(predicted: Document, unit: object) -> dict[str, Any] | None:
@@ -65,5 +70,7 @@ def limits_line(axis: Document) -> str:
         if cause["value"] >= _LEAST_SHOWN
     ]
     name = symbol(limited["parameter"])
-    listed = f"{', '.join(causes)} {unit} (each alone; they do not add up)" if causes else "nothing"
+    listed = f"{', '.join(causes)} {unit}" if causes else "nothing"
+    if len(causes) > 1:
+        listed += " (effect of each cause alone; do not add the values)"
     return f"What limits {name} ({number(limited['then'])} {unit} at new targets): {listed}."

@@ -158,7 +158,7 @@ def _cells(numbering: Mapping[str, Any]) -> list[_SectionCell]:
 def _laid_out(
     cells: Sequence[_SectionCell], zero: str, start: int, width: int, gap: int
 ) -> _Drawing:
-    """Return the coordinates of all parts: cells of one ``width`` from ``start`` on."""
+    """Return the drawing positions of the cells, their edges and the gaps, from ``start`` on."""
     drawing = _Drawing([], [_Edge(start, cells[0].low, cells[0].low == zero)], [])
     place = start
     for cell in cells:

@@ -40,6 +40,8 @@ BY_HAND = " by hand: "
 #: Text between a comment mark and a statement that the control already holds: the statement counts,
 #: and the control does not enter it again.
 AS_IT_IS = " as it is: "
+#: What the value of a statement may be, by the type of the field.
+_VALUES = {"integer": " (a whole number, not negative)", "bit": " (0 or 1)"}
 _UTF8_MARK = "\xef\xbb\xbf"  # the byte order mark, seen as single bytes
 #: What was read is kept by content: a run reads each text once, of more files than a control has.
 KEPT_TEXTS, KEPT_READERS = 256, 16
@@ -439,11 +441,11 @@ def comment_start(kind: TextKind, text: str) -> int:
 def _nearest(matchers: Sequence[Matcher], probe: str) -> str:
     """Return the statement template that is most similar to a line, by its first word."""
     fitting = [matcher for matcher in matchers if matcher.head and matcher.head in probe]
-    return (
-        readable(max(fitting, key=lambda matcher: len(matcher.head)).statement.form)
-        if fitting
-        else ""
-    )
+    if not fitting:
+        return ""
+    statement = max(fitting, key=lambda matcher: len(matcher.head)).statement
+    kind = statement.fields.get("value", "")
+    return readable(statement.form) + _VALUES.get(kind, "")
 
 
 def _shown(text: str) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -33,10 +34,7 @@ NO_STATE_OPTION = (
     "--state: no table is written without the state of the control; add --state none, or --state"
     " with each of its files"
 )
-_NO_JOB = (
-    f"{JOB} is not written: the name of a file contains characters that a job file cannot"
-    " contain; rename the file"
-)
+_NO_JOB = JOB + " is not written: a file name is not valid UTF-8: {}; rename the file"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -180,7 +178,7 @@ def write_planned(
         },
         notes=(
             *results.notes,
-            *([_NO_JOB] if stated is not None and not draft else []),
+            *_no_job(stated, draft),
             *_gone(out, outdated),
         ),
     )
@@ -195,6 +193,14 @@ def _assumed_job(stated: Mapping[str, Any], finished: Finished) -> dict[str, byt
         return {}
     options, by_files = finished.fitted.control.options, _answered_by_files(finished)
     return {JOB: assumed_job(stated, options, finished.assumed, by_files).encode()}
+
+
+def _no_job(stated: Mapping[str, Any] | None, draft: Mapping[str, bytes]) -> Iterator[str]:
+    """Yield the note that no job file is written, with the names that are not valid UTF-8."""
+    if stated is not None and not draft:
+        texts = re.findall(r'"([^"]*)"', json.dumps(stated, ensure_ascii=False))
+        shown = {text: encoded(text).decode() for text in texts}
+        yield _NO_JOB.format(", ".join(name for text, name in shown.items() if name != text))
 
 
 def _answered_by_files(finished: Finished) -> dict[str, object]:

@@ -30,8 +30,8 @@ _NO_RESULTS = frozenset({"inputs", "tables", "rollback", "card", "proven"})
 
 @dataclass(frozen=True, slots=True)
 class ResultFolder:
-    """A result folder: its record, its notes, and its changed or missing files. ``names``: all
-    checked files.
+    """A result folder. ``files``: changed or missing files and what is wrong with them; ``names``:
+    all checked files.
     """
 
     path: Path

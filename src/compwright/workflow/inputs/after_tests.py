@@ -17,6 +17,7 @@ from compwright.foundations.errors import (
     raise_all,
 )
 from compwright.foundations.session import Session
+from compwright.instruments.fault_list import by_profile
 from compwright.records.environment import MATERIAL
 from compwright.records.job import AxisJob, Job, TestRequest
 from compwright.records.plan import Plan
@@ -25,13 +26,6 @@ from compwright.verification.measurement_faults import file_disagreement
 from compwright.verification.proof import AfterTest
 from compwright.workflow.inputs.job_inputs import read_measurement, read_test
 from compwright.workflow.inputs.measurement_files import load_profile
-
-_OTHER_PROFILE = Fault(
-    message="none of the profiles fits the test after loading",
-    place="--profile",
-    expected="a profile of this file",
-    hint="make one with `compwright profile FILE --out P.yaml`, then add `--profile P.yaml`",
-)
 
 
 def read_again(
@@ -312,7 +306,13 @@ def _axis_in(session: Session, path: str, profiles: Sequence[Path]) -> str:
             return read_measurement(session, Path(path), load_profile(session, profile)).axis
         except InputError as error:
             faults += [fault.within(f"by the profile {profile}") for fault in error.faults]
-    raise InputError(*faults, _OTHER_PROFILE)
+    fault = Fault(
+        message=f"no given profile describes the columns of {path}",
+        place="--profile",
+        expected="a profile of this file, a test taken with the tables loaded",
+        hint=f"make one with {by_profile(path)}",
+    )
+    raise InputError(*faults, fault)
 
 
 def _profiles(job: Job) -> list[Path]:

@@ -40,6 +40,14 @@ from compwright.workflow.inputs.logo import read_logo
 
 _YAML = {".yaml", ".yml"}
 PLAN = "plan.json"
+#: What to add for a missing option.
+_TO_ADD = {
+    "--format": "`--format ID`, the control of the tables; `compwright formats list` shows the ids",
+    "--axis": "`--axis X` with the name of the measured axis",
+    "--travel": "`--travel 0:800` with the two ends of the axis' travel",
+    "--state": "what is active in the control now: `--state none` (no compensation), or `--state"
+    " FILE` with the files exported from the control",
+}
 #: Stands for a travel that is missing, so that everything else is asked for too.
 _ANY_TRAVEL = "0:1"
 
@@ -337,13 +345,12 @@ def job_of(
                 hint=f"give {JOB.help}",
             )
             raise UsageError(fault)
-    examples = {"--format": "ID", "--axis": "X", "--travel": "0:800", "--state": "none|FILE"}
-    missing = [name for name in examples if not {**needed, "--state": states}[name]]
+    missing = [name for name in _TO_ADD if not {**needed, "--state": states}[name]]
     faults = [
         Fault(
             message=f"the option {name} is missing",
             place=name,
-            hint=f"add `{name} {examples[name]}` with your own value, or give one job file",
+            hint=f"add {_TO_ADD[name]}; or give one job file",
         )
         for name in missing
         if missing != ["--state"]  # without it alone everything but the tables is made

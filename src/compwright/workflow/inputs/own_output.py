@@ -305,15 +305,15 @@ def _change(
 def _fault(job: Job, place: str, test: str, state: str, earlier: _Earlier) -> Fault:
     return Fault(
         message=(
-            f"an earlier run made the files of `states: {state}` from this very test: {_AGAIN}"
+            f"an earlier run computed the tables of `states: {state}` from this same test: {_AGAIN}"
         ),
         file=job.file,
         place=place,
-        expected="a test that was taken with these tables loaded",
-        found=f"{test}, the test of {earlier.path}",
+        expected="a test taken with these tables loaded",
+        found=f"test {test!r}, which is also in {earlier.path}",
         hint=(
-            f"give a test taken with these tables loaded, or set `measured_in` of {test} to the "
-            "entry of `states` that was in the control then"
+            f"give a test taken with these tables loaded, or set `measured_in` of the test "
+            f"{test!r} to the entry of `states` that was active when it was measured"
         ),
     )
 

@@ -311,7 +311,9 @@ class ColumnAxisReader:
         return active
 
     def _assume_switch(self, value: str, evidence: str) -> None:
-        """Add the assumed value of a switch that is in no file."""
+        """Add an assumption to the notes: the switch of the axis, which no file contains, and its
+        value.
+        """
         self.notes.assume(f"{self.label}: {self._switch}", value, f"in no file; {evidence}")
 
     @property

@@ -294,7 +294,7 @@ class _ColumnTableReader:
                 place=place,
                 expected=expected,
                 found=found[:60],
-                hint="correct this in a copy of the table, or export it from the control again",
+                hint="correct the table in a copy of the file, or export it from the control again",
             )
         )
 

@@ -351,7 +351,8 @@ class GridAxisReader:
         limit, size = self.definition.limit_number("max_points"), table.positions.size
         if limit is not None and size > limit:
             message, first = "more rows than the control takes", self.rows[limit]
-            source.fault(message, first, expected=f"at most {limit}", what=str(size))
+            hint = f"use a table of at most {limit} rows, with a larger distance between them"
+            source.fault(message, first, expected=f"at most {limit}", what=str(size), hint=hint)
         reserved = int(max_points.text) if max_points is not None else 0
         if 0 < reserved < size:
             message = "the control has not reserved so many points"

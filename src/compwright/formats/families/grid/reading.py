@@ -321,8 +321,8 @@ class GridReader:
         raise_all(InputError, self.notes.faults)
 
     def _note_sources(self, files: Sequence[ControlFile]) -> None:
-        """Note printed listings. Also note programs in archives that load or switch tables, because
-        they were not executed here.
+        """Add a finding for each listing made for print, and for each archive with programs that
+        load or switch tables: no program was executed here.
         """
         kinds = self.definition.texts.values()
         words = tuple(sorted({claim for kind in kinds for claim in kind.claims_anywhere}))

@@ -25,6 +25,8 @@ from compwright.foundations.errors import Fault
 from compwright.records.axis import FloatArray
 from compwright.records.correction import AxisCompensation
 
+_CORRECT = "correct the table in a copy of the file, or export it from the control again"
+
 
 @dataclass(frozen=True, slots=True)
 class GridTable:
@@ -66,9 +68,15 @@ class TableSource:
         return value_fields(self.scale.definition)
 
     def fault(
-        self, message: str, found: FoundValue | None = None, *, expected: str = "", what: str = ""
+        self,
+        message: str,
+        found: FoundValue | None = None,
+        *,
+        expected: str = "",
+        what: str = "",
+        hint: str = _CORRECT,
     ) -> None:
-        """Note a fault at the line of ``found``, or else at the first line of the table."""
+        """Add a fault at the line of ``found``, or else at the first line of the table."""
         place = found or next(iter((*self.rows, *self.singles.values())), None)
         self.notes.faults.append(
             Fault(
@@ -77,7 +85,7 @@ class TableSource:
                 place=place.occurrence.place if place and found else "",
                 expected=expected,
                 found=what,
-                hint="correct this in a copy of the file, or export it from the control again",
+                hint=hint,
             )
         )
 

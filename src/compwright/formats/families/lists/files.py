@@ -221,7 +221,7 @@ class _Sorter:
                 hint=CORRECT_VALUE,
             )
         elif not numbers and own:
-            message = "nothing says to which axis it belongs"
+            message = "its axis is not given"
             self.notes.refuse(
                 "this list",
                 message,

@@ -181,7 +181,7 @@ class PairsReader(GridReader):
         )
 
     def staying(self, compensation: AxisCompensation) -> tuple[AxisCompensation, ...]:
-        """Return the tables of an axis over itself that stay unchanged in the control."""
+        """Return the tables that correct an axis by its own position and stay unchanged."""
         return staying(self.cec, compensation)
 
     def cross(self) -> tuple[CrossCompensation, ...]:

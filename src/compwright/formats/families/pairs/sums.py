@@ -112,7 +112,7 @@ def with_own_tables(cec: Cec, compensation: AxisCompensation) -> AxisCompensatio
 
 
 def staying(cec: Cec, compensation: AxisCompensation) -> tuple[AxisCompensation, ...]:
-    """Return the tables of an axis over itself that stay unchanged."""
+    """Return the tables that correct an axis by its own position and stay unchanged."""
     mine = cec.active((compensation.address, compensation.address))
     return _as_tables(compensation, [table for table in mine if table.stays])
 

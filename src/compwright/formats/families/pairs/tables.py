@@ -93,7 +93,7 @@ class Cec:
         return list(dict.fromkeys(output for base, output in pairs if base == output))
 
     def stay(self) -> frozenset[int]:
-        """Return the tables of an axis over itself that stay unchanged."""
+        """Return the tables that correct an axis by its own position and stay unchanged."""
         counted = (table.index for table in self.tables if table.stays)
         return frozenset((*counted, *(table.index for table in self.odd if table.largest)))
 

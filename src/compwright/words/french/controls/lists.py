@@ -110,18 +110,19 @@ TEXTS: Final[dict[str, str]] = {
     ),
     "0.1 µm (rotary 0.0001 deg)": "0.1 µm (axe rotatif 0.0001°)",
     "encoder increments (kw.ssfk.unit 0)": "incréments du codeur (kw.ssfk.unit 0)",
-    "{name}[COMP OFF LEAD] and {name}[COMP ON LEAD] in an NC program switch the table alone:"
-    " measure a check position of the card with both. The displayed position does not show"
-    " it.": (
-        "{name}[COMP OFF LEAD] et {name}[COMP ON LEAD] dans un programme CN commutent la table"
-        " seule : mesurer une position de contrôle de la fiche avec les deux. La position"
-        " affichée ne le montre pas."
+    "{name}[COMP OFF LEAD] and {name}[COMP ON LEAD] in an NC program switch only this"
+    " table off and on: measure a check position of the card in both states. The displayed"
+    " position does not change.": (
+        "{name}[COMP OFF LEAD] et {name}[COMP ON LEAD] dans un programme CN désactivent et"
+        " activent cette seule table : mesurer une position de contrôle de la fiche dans les deux"
+        " états. La position affichée ne change pas."
     ),
     "lr_param.ssfk of axis {address} must be 1 and kw.ssfk.manual_activation 0 (with 1 only"
-    " a program switches it on); what a program switched off stays off over its end.": (
+    " a program switches it on). A table that a program switched off stays off after the"
+    " program ends.": (
         "lr_param.ssfk de l'axe {address} doit être 1 et kw.ssfk.manual_activation 0 (avec 1,"
-        " seul un programme l'active) ; ce qu'un programme a désactivé reste désactivé après sa"
-        " fin."
+        " seul un programme l'active). Une table qu'un programme a désactivée reste désactivée"
+        " après la fin du programme."
     ),
     "The axis must be referenced.": "L'axe doit être référencé.",
     "The start-up list must name the file: achs_kw_log_ax_nr[i] {address} and achs_kw[i], i"

@@ -113,18 +113,19 @@ TEXTS: Final[dict[str, str]] = {
     ),
     "0.1 µm (rotary 0.0001 deg)": "0.1 µm (Drehachse 0.0001°)",
     "encoder increments (kw.ssfk.unit 0)": "Geberinkrementen (kw.ssfk.unit 0)",
-    "{name}[COMP OFF LEAD] and {name}[COMP ON LEAD] in an NC program switch the table alone:"
-    " measure a check position of the card with both. The displayed position does not show"
-    " it.": (
-        "{name}[COMP OFF LEAD] und {name}[COMP ON LEAD] in einem NC-Programm schalten die"
-        " Tabelle allein: eine Prüfposition der Karte mit beidem messen. Die angezeigte"
-        " Position zeigt es nicht."
+    "{name}[COMP OFF LEAD] and {name}[COMP ON LEAD] in an NC program switch only this"
+    " table off and on: measure a check position of the card in both states. The displayed"
+    " position does not change.": (
+        "{name}[COMP OFF LEAD] und {name}[COMP ON LEAD] in einem NC-Programm schalten nur"
+        " diese Tabelle aus und ein: eine Prüfposition der Karte in beiden Zuständen messen. Die"
+        " angezeigte Position ändert sich nicht."
     ),
     "lr_param.ssfk of axis {address} must be 1 and kw.ssfk.manual_activation 0 (with 1 only"
-    " a program switches it on); what a program switched off stays off over its end.": (
+    " a program switches it on). A table that a program switched off stays off after the"
+    " program ends.": (
         "lr_param.ssfk der Achse {address} muss 1 sein und kw.ssfk.manual_activation 0 (mit 1"
-        " schaltet nur ein Programm sie ein); was ein Programm ausgeschaltet hat, bleibt über"
-        " sein Ende hinaus aus."
+        " schaltet nur ein Programm sie ein). Eine Tabelle, die ein Programm ausgeschaltet hat,"
+        " bleibt nach dem Ende des Programms aus."
     ),
     "The axis must be referenced.": "Die Achse muss referenziert sein.",
     "The start-up list must name the file: achs_kw_log_ax_nr[i] {address} and achs_kw[i], i"

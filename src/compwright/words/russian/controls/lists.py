@@ -108,18 +108,19 @@ TEXTS: Final[dict[str, str]] = {
     ),
     "0.1 µm (rotary 0.0001 deg)": "0.1 мкм (поворотная ось 0.0001°)",
     "encoder increments (kw.ssfk.unit 0)": "импульсах датчика (kw.ssfk.unit 0)",
-    "{name}[COMP OFF LEAD] and {name}[COMP ON LEAD] in an NC program switch the table alone:"
-    " measure a check position of the card with both. The displayed position does not show"
-    " it.": (
-        "{name}[COMP OFF LEAD] и {name}[COMP ON LEAD] в программе ЧПУ переключают только"
-        " таблицу: измерьте контрольную позицию карты с тем и другим. Показываемая позиция"
-        " этого не покажет."
+    "{name}[COMP OFF LEAD] and {name}[COMP ON LEAD] in an NC program switch only this"
+    " table off and on: measure a check position of the card in both states. The displayed"
+    " position does not change.": (
+        "{name}[COMP OFF LEAD] и {name}[COMP ON LEAD] в программе ЧПУ выключают и включают"
+        " только эту таблицу: измерьте контрольную позицию карты в обоих состояниях. Показываемая"
+        " позиция не меняется."
     ),
     "lr_param.ssfk of axis {address} must be 1 and kw.ssfk.manual_activation 0 (with 1 only"
-    " a program switches it on); what a program switched off stays off over its end.": (
+    " a program switches it on). A table that a program switched off stays off after the"
+    " program ends.": (
         "lr_param.ssfk оси {address} должно быть 1, а kw.ssfk.manual_activation 0 (при 1 её"
-        " включает только программа); выключенное программой остаётся выключенным и после её"
-        " конца."
+        " включает только программа). Таблица, которую выключила программа, остаётся выключенной"
+        " и после конца программы."
     ),
     "The axis must be referenced.": "Ось должна быть выведена в опорную позицию.",
     "The start-up list must name the file: achs_kw_log_ax_nr[i] {address} and achs_kw[i], i"
