@@ -31,7 +31,7 @@ TARGETS = [40.0 + 80.0 * i for i in range(10)]
 
 
 _READING = re.compile(
-    r"column (\d)\. Messreihe (\w+): at ([\d.]+) mm, approached from (below|above), the axis \w+"
+    r"column '(\d)\. Messreihe (\w+)': at ([\d.]+) mm, approached from (below|above), the axis \w+"
     r" ([\d.]+) µm (too far|short)"
 )
 

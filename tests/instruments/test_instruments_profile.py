@@ -120,7 +120,11 @@ def test_angles() -> None:
 @pytest.mark.parametrize(
     ("old", "new", "words"),
     [
-        ("2,1", "2.1", "line 4, column Abw. [µm] has a point, and the profile says decimal comma"),
+        (
+            "2,1",
+            "2.1",
+            "line 4, column 'Abw. [µm]' has a point, and the profile says decimal comma",
+        ),
         ("2,1", "1.002,1", "has a point"),
         ("2,1", "zwei1", "is not a number"),
         ("100,000;vor;1", "100,000;hin;1", "not among the names that the profile lists"),
