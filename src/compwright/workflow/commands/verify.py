@@ -30,7 +30,7 @@ from compwright.foundations.findings import Finding
 from compwright.foundations.input_sizes import PLAN
 from compwright.foundations.session import Session
 from compwright.foundations.side_by_side import Each, in_turn
-from compwright.foundations.units import outside_factor, shown_unit
+from compwright.foundations.units import outside_factor
 from compwright.records.axis import Direction
 from compwright.records.circular import CircularTest
 from compwright.records.job import AS_FOUND, Job
@@ -66,7 +66,7 @@ from compwright.workflow.verify.next_round import (
 )
 from compwright.workflow.verify.proven import FOLDER as PROVEN
 from compwright.workflow.verify.proven import proven_files
-from compwright.workflow.verify.verified_axis import verified_axis
+from compwright.workflow.verify.verified_axis import differs_from_plan, verified_axis
 from compwright.workflow.verify.verify_circles import (
     split_after,
     squareness_decisions,
@@ -261,26 +261,16 @@ def _between(
     for entry in planned:
         if entry.addresses not in back.state.pairs:
             continue
-        unit = entry.added.output_kind.unit
-        off = outside_factor(unit) * max(
-            float(
-                np.max(
-                    np.abs(
-                        np.subtract(
-                            *(
-                                one.cross_correction(*entry.addresses, entry.added.positions, way)
-                                for one in (wanted, back)
-                            )
-                        )
-                    )
-                )
-            )
-            for way in Direction
+        planned_values, held_values = (
+            [
+                one.cross_correction(*entry.addresses, entry.added.positions, way)
+                for way in Direction
+            ]
+            for one in (wanted, back)
         )
-        if off > _SAME:
-            yield Finding.of(
-                "CW-V011", "error", axis=entry.output, difference=off, unit=shown_unit(unit)
-            )
+        off = float(np.max(np.abs(np.subtract(planned_values, held_values))))
+        if off * outside_factor(entry.added.output_kind.unit) > _SAME:
+            yield differs_from_plan(entry.output, off, entry.added.output_kind)
 
 
 def _compared(session: Session, plan_file: Path, loaded: Sequence[Path]) -> Mapping[str, Any] | str:

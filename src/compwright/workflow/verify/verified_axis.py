@@ -27,7 +27,7 @@ from compwright.planning.temperature_slopes import fresh_slope
 from compwright.planning.wanted_correction import MeasuredError, measured_error, observed_tests
 from compwright.prediction.active_corrections import Correction, difference, no_correction
 from compwright.prediction.dead_zone import applied_compensation
-from compwright.records.axis import Axis, Direction, partner_of
+from compwright.records.axis import Axis, AxisKind, Direction, partner_of
 from compwright.records.correction import AxisCompensation, ControlState
 from compwright.records.fitted import FittedTable
 from compwright.records.job import Acknowledged, Job
@@ -286,8 +286,14 @@ def _compared(axis: Axis, table: AxisCompensation, read_back: DecodedState) -> F
     off = difference(table.at, judged_correction(read_back, axis))
     worst = max(float(np.max(np.abs(off(where, direction)))) for direction in Direction)
     largest = max(float(np.max(np.abs(table.at(where, direction)))) for direction in Direction)
-    factor = outside_factor(axis.kind.unit)
-    unit = shown_unit(axis.kind.unit)
-    if worst <= 1e-3 / factor + SINGLE_PRECISION * largest:
+    if worst <= 1e-3 / outside_factor(axis.kind.unit) + SINGLE_PRECISION * largest:
         return Finding.of("CW-V010", "info", axis=axis.name)
-    return Finding.of("CW-V011", "error", axis=axis.name, difference=worst * factor, unit=unit)
+    return differs_from_plan(axis.name, worst, axis.kind)
+
+
+def differs_from_plan(axis: str, difference: float, kind: AxisKind) -> Finding:
+    """Return the finding that a table of ``axis`` that was read back is not the plan's; mm or
+    deg.
+    """
+    factor, unit = outside_factor(kind.unit), shown_unit(kind.unit)
+    return Finding.of("CW-V011", "error", axis=axis, difference=difference * factor, unit=unit)
