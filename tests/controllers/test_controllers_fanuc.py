@@ -996,7 +996,7 @@ class TestRequest:
             box.correction("7", np.zeros(1), UP)
         crossing = getattr(box, "cross")()  # noqa: B009  # not in the protocol of this version
         assert crossing == ()
-        with pytest.raises(UsageError, match="1 for 2"):
+        with pytest.raises(UsageError, match="2 over the position of 1"):
             getattr(box, "cross_correction")("1", "2", np.zeros(1), UP)  # noqa: B009
 
     def test_any_shape(self) -> None:

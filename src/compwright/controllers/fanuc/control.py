@@ -141,7 +141,7 @@ class FanucControl:
                         f"over the position of {input}"
                     ),
                     expected=" or ".join(f"{bent} over {moving}" for moving, bent in self.cross()),
-                    found=f"{output} over {input}",
+                    found=f"a job entry for {output} over {input}",
                     hint=("correct the entry `cross` of the job, or give the file with this table"),
                 )
             )
