@@ -252,10 +252,10 @@ def test_run_and_export_type_in_a_column_with_one_sign(
     assert typed(folder) == (expected, [0.0, pytest.approx(sign * 0.032, abs=8e-4)])
     plan, out = folder / "job" / "plan.json", folder / "again"
     assert compwright(["export", str(plan), "--format", control, "--out", str(out)]) == 0
-    said = re.search(r"([+-][\d.]+) mm at 800\. .* values are (\w+)s;", capsys.readouterr().err)
-    assert said is not None
-    assert said[2] == expected
-    assert float(said[1]) == pytest.approx(sign * 0.032, abs=8e-4)
+    typed_in = re.search(r"([+-][\d.]+) mm at 800\. .* values are (\w+)s;", capsys.readouterr().err)
+    assert typed_in is not None
+    assert typed_in[2] == expected
+    assert float(typed_in[1]) == pytest.approx(sign * 0.032, abs=8e-4)
     for written in (*(folder / "job" / "tables").rglob("entry_X.csv"), *out.glob("entry_X.csv")):
         assert f"# value: {expected}\n" in written.read_text(encoding="utf-8")
     assert (out / "entry_X.csv").exists() is tested

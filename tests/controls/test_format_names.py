@@ -146,7 +146,7 @@ def test_a_slip_names_the_nearest(
     slip: str, nearest: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert compwright(["formats", "show", slip]) == 2
-    assert f"expected {nearest} (similar names)" in capsys.readouterr().err
+    assert f"expected {nearest}, the nearest" in capsys.readouterr().err
 
 
 def test_the_format_that_was_taken_is_said(

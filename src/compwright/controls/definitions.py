@@ -199,7 +199,7 @@ def _shipped(session: Session, format_id: str) -> Definition:
         message = "no such control format"
         expected = " or ".join([*definitions, "the path of a file *.yaml"])
         if alike:
-            expected = f"{' or '.join(alike)} (similar names)"
+            expected = f"{' or '.join(alike)}, the nearest; all are {expected}"
     raise UsageError(
         Fault(
             message=message,

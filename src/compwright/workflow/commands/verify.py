@@ -7,7 +7,7 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
-from typing import Any, Final
+from typing import Any
 
 import numpy as np
 
@@ -30,7 +30,6 @@ from compwright.foundations.findings import Finding
 from compwright.foundations.input_sizes import PLAN
 from compwright.foundations.session import Session
 from compwright.foundations.side_by_side import Each, in_turn
-from compwright.foundations.units import outside_factor
 from compwright.records.axis import Direction
 from compwright.records.circular import CircularTest
 from compwright.records.job import AS_FOUND, Job
@@ -81,8 +80,6 @@ NOT_READ_BACK = Fault(
     expected="--loaded with the files that are now in the control",
     hint="add `--loaded` with the files read back from the control",
 )
-#: Largest difference of equal tables, µm or arcsec.
-_SAME: Final = 1e-3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -269,8 +266,10 @@ def _between(
             for one in (wanted, back)
         )
         off = float(np.max(np.abs(np.subtract(planned_values, held_values))))
-        if off * outside_factor(entry.added.output_kind.unit) > _SAME:
-            yield differs_from_plan(entry.output, off, entry.added.output_kind)
+        largest = float(np.max(np.abs(planned_values)))
+        found = differs_from_plan(entry.output, off, largest, entry.added.output_kind)
+        if found is not None:
+            yield found
 
 
 def _compared(session: Session, plan_file: Path, loaded: Sequence[Path]) -> Mapping[str, Any] | str:

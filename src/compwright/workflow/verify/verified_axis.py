@@ -286,14 +286,18 @@ def _compared(axis: Axis, table: AxisCompensation, read_back: DecodedState) -> F
     off = difference(table.at, judged_correction(read_back, axis))
     worst = max(float(np.max(np.abs(off(where, direction)))) for direction in Direction)
     largest = max(float(np.max(np.abs(table.at(where, direction)))) for direction in Direction)
-    if worst <= 1e-3 / outside_factor(axis.kind.unit) + SINGLE_PRECISION * largest:
-        return Finding.of("CW-V010", "info", axis=axis.name)
-    return differs_from_plan(axis.name, worst, axis.kind)
+    return differs_from_plan(axis.name, worst, largest, axis.kind) or Finding.of(
+        "CW-V010", "info", axis=axis.name
+    )
 
 
-def differs_from_plan(axis: str, difference: float, kind: AxisKind) -> Finding:
-    """Return the finding that a table of ``axis`` that was read back is not the plan's; mm or
-    deg.
+def differs_from_plan(axis: str, off: float, largest: float, kind: AxisKind) -> Finding | None:
+    """Return the finding that a table of ``axis`` that was read back is not the plan's.
+
+    ``off``: largest difference, ``largest``: largest value of the plan's table; mm or deg. None
+    where they differ by no more than rounding.
     """
     factor, unit = outside_factor(kind.unit), shown_unit(kind.unit)
-    return Finding.of("CW-V011", "error", axis=axis, difference=difference * factor, unit=unit)
+    if off <= 1e-3 / factor + SINGLE_PRECISION * largest:
+        return None
+    return Finding.of("CW-V011", "error", axis=axis, difference=off * factor, unit=unit)
