@@ -103,7 +103,7 @@ SENTENCES: Final[dict[str, str]] = {
         "{what} is corrected in the files by straightness compensation: {values}."
     ),
     "CW-P113.typed": (
-        "The values that correct {what} are in no file for the control ({why}). Type them into"
+        "{what} is corrected by values that are in no file for the control ({why}). Type them into"
         " {where}, {rows}. The card and the entry sheet next to it describe how. The values are"
         " {values:choose|correction=corrections|error=errors}; their sign is unconfirmed: check it"
         " by a measurement before production."
