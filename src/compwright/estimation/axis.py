@@ -90,8 +90,8 @@ class AxisPosterior:
 
     @property
     def hidden(self) -> HiddenPeriods:
-        """The periods that may exist although the readings do not show them. They are computed on
-        first use.
+        """Periods that the error may have although the readings do not show them; found on first
+        use.
         """
         return _hidden_in(self)
 
@@ -132,7 +132,7 @@ class AxisPosterior:
 
     @property
     def _held(self) -> NDArray[np.bool_]:
-        """Return a mask (n,) of the draws with at most the median number of periods."""
+        """Return which draws (n,) have at most the median number of periods."""
         periods = np.repeat(
             [len(part.basis.periods) for part in self.parts],
             [part.draws.size for part in self.parts],
@@ -140,8 +140,8 @@ class AxisPosterior:
         return np.asarray(periods <= np.sort(periods)[(periods.size - 1) // 2])
 
     def _moments(self, where: FloatArray) -> tuple[list[FloatArray], list[FloatArray]]:
-        """Return the means (draws, g) and the average variances (g,) of the error in each
-        direction, in units of the scale.
+        """Return the mean error of each draw (draws, g) and the average variance (g,) within a
+        draw, for both directions in units of the common scale of the readings.
         """
         count = sum(part.draws.size for part in self.parts)
         means: list[list[FloatArray]] = [[], []]
@@ -214,7 +214,8 @@ class AxisPosterior:
         values: FloatArray,
         rng: np.random.Generator,
     ) -> FloatArray:
-        """Return random draws (count, m) of the local part: independent from target to target.
+        """Return random draws (count, m) of the part of the error that is independent at each
+        target.
 
         ``values`` (count, j): given weights of the functions. A normal mean with normal prior and
         known variance (Gelman et al. 2013, section 2.5).
@@ -233,8 +234,8 @@ class AxisPosterior:
         return drawn
 
     def _noise(self, variances: FloatArray, owner: NDArray[np.intp], test: int) -> NoiseDraws:
-        """Return the noise of a new ``test``, one value per draw (count,). It comes from the
-        readings of that test if they repeat, else from the ``variances`` (count,) inferred with the
+        """Return the noise (count,) of a repetition of the test with index ``test``. Without
+        repeated readings it comes from the ``variances`` (count,) that were estimated with the
         error.
         """
         draw_index = np.concatenate([part.draws for part in self.parts])[owner]
@@ -337,8 +338,8 @@ def estimate_axis(
 
 
 def _cycle_draws(draw_index: NDArray[np.intp], each: int) -> NDArray[np.intp]:
-    """Return the member to use for each entry of ``draw_index`` (count,), which numbers draws. Each
-    draw has ``each`` members; entries with the same draw use them in turn.
+    """Return the row to use for each entry of ``draw_index`` (count,), which names a draw. A draw
+    has ``each`` rows; equal entries use these rows in turn.
     """
     order = np.argsort(draw_index, kind="stable")
     ordered = draw_index[order]
@@ -349,9 +350,7 @@ def _cycle_draws(draw_index: NDArray[np.intp], each: int) -> NDArray[np.intp]:
 
 
 def _nine_digits(value: float) -> float:
-    """Return ``value`` rounded to nine significant digits; it may be below any instrument's
-    resolution.
-    """
+    """Return ``value`` rounded to nine significant digits, because it may be very small."""
     return float(f"{value:.8e}")
 
 
@@ -399,7 +398,7 @@ def _refuse_misuse(
 
 
 def _equivalent_dof(log_noise: FloatArray, readings: int) -> float:
-    """Return the degrees of freedom that belong to the scatter of log s, s a standard deviation.
-    var(log s) = 1 / (2 dof) (JCGM 100:2008, eq. G.3).
+    """Return the degrees of freedom of a standard deviation s from draws of log s. The variance of
+    log s is 1 / (2 dof) (JCGM 100:2008, eq. G.3).
     """
     return float(np.clip(0.5 / max(float(np.var(log_noise)), 1e-12), 1.0, max(1.0, readings - 1.0)))

@@ -49,14 +49,14 @@ class Basis:
 
     @property
     def harmonics(self) -> tuple[tuple[int, ...], ...]:
-        """The numbers of the harmonics of each period; all harmonics where ``kept`` is not
-        given.
+        """The orders of the harmonics of each period: those in ``kept``, or all harmonics by
+        default.
         """
         return self.kept or tuple(HARMONICS for _ in self.periods)
 
     @property
     def mean_size(self) -> int:
-        """The number of functions for the mean of both directions."""
+        """The number of functions that describe the mean of both directions."""
         return 2 + self.sines + 2 * sum(map(len, self.harmonics))
 
     @property
@@ -66,18 +66,22 @@ class Basis:
 
     @property
     def frequencies(self) -> FloatArray:
-        """Angular frequencies (sines,) of the sines, per unit of u."""
+        """Angular frequencies (sines,) of the sine functions, per unit of the normalised position
+        u.
+        """
         return self._frequencies(self.sines)
 
     @property
     def reversal_frequencies(self) -> FloatArray:
-        """Angular frequencies (reversal_sines,) of the reversal's sines, per unit of u."""
+        """Angular frequencies (reversal_sines,) of the sine functions of the reversal error, per
+        unit of the normalised position u.
+        """
         return self._frequencies(self.reversal_sines)
 
     def design(self, positions: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return the design matrices (k, size) of the two approach directions at ``positions``
-        (k,), mm or deg. Deviation in direction d = f + d r / 2, because B_i = mean(+) - mean(-)
-        (ISO 230-2:1997, 2.12).
+        """Return the values of all functions (k, size) at ``positions`` (k,), mm or deg, one matrix
+        per direction. The error in direction d = ±1 is f + d r / 2, with reversal error r = mean(+)
+        - mean(-) (ISO 230-2:1997, 2.12).
         """
         mean, half_reversal = self.halves(positions)
         if not self.bidirectional:
@@ -85,7 +89,8 @@ class Basis:
         return np.hstack([mean, half_reversal]), np.hstack([mean, -half_reversal])
 
     def halves(self, positions: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return the functions of position in two groups at ``positions`` (k,), mm or deg.
+        """Return the functions of the mean error, and those of half the reversal error, at
+        ``positions``.
 
         One is common to both directions, (k, mean_size); the other, (k, size - mean_size), is added
         in + and subtracted in -.
@@ -111,8 +116,8 @@ class Basis:
         return harmonics * (2.0 * np.pi * self.half / self.turn)
 
     def _waves(self, u: FloatArray, count: int) -> FloatArray:
-        """Return the smooth functions (count, k) at ``positions`` (k,). They are sines of the
-        range, or for an endless axis the harmonics of a turn.
+        """Return the smooth functions (count, k) at normalised positions ``u`` (k,). They are sines
+        over the range, or the harmonics of a turn for an endless axis.
         """
         if self.turn is None:
             return _sines(u, count)
@@ -211,9 +216,7 @@ def alias_wavelength(targets: FloatArray, wavelength: float) -> float | None:
 
 @functools.lru_cache(maxsize=64)
 def _alias_wavelength(places: bytes, wavelength: float) -> float | None:
-    """Return the result of `alias_wavelength` from the cache. ``targets`` are bytes, because the
-    same targets are used many times and each computation takes m² steps.
-    """
+    """Return `alias_wavelength` for target positions as bytes, so that results can be cached."""
     targets = np.frombuffer(places)
     length = float(np.ptp(targets))
     widest = (targets.size - 1) / (2.0 * max(length, 1e-300))
@@ -235,8 +238,8 @@ def _alias_wavelength(places: bytes, wavelength: float) -> float | None:
 
 
 def _window(frequencies: FloatArray, targets: FloatArray) -> FloatArray:
-    """Return how similar the values of a wave are at all ``targets`` (m,), for each of the
-    ``frequencies`` (f,). 1: the same value at every target (spectral window: Deeming 1975).
+    """Return the spectral window (f,) of the ``targets`` (m,) at each of the ``frequencies`` (f,).
+    It is 1 where a wave has the same value at every target (Deeming 1975).
     """
     turns = np.outer(frequencies, targets - targets[0])
     sizes: FloatArray = np.abs(np.mean(np.exp(2j * np.pi * turns), axis=1))
@@ -244,7 +247,8 @@ def _window(frequencies: FloatArray, targets: FloatArray) -> FloatArray:
 
 
 def hidden_share(targets: FloatArray, period: float) -> float:
-    """Return the share (0 to 1) of a wave of this ``period`` that the targets cannot show.
+    """Return the share (0 to 1) of a wave of this ``period`` that readings at the targets cannot
+    show.
 
     0: they show all of it; 1: nothing. Offset and slope are removed from cosine and sine at the
     ``targets`` (m,), mm or deg (orthogonal projection; Björck, Numerical Methods for Least Squares

@@ -70,8 +70,8 @@ class Cells:
     rough_reversal: float = 0.0
 
     def line_at(self, positions: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return the straight line, jumps and mean reversal that were subtracted before the fit.
-        (k,) at ``positions`` for both directions, mm or deg (ISO 230-2:1997, 2.14).
+        """Return the straight line with jumps and mean reversal that was subtracted before the fit,
+        (k,) in each direction at ``positions``, mm or deg (ISO 230-2:1997, 2.14).
         """
         line = self.offset + self.slope * (positions - self.targets[0])
         for jump in self.jumps:
@@ -140,7 +140,7 @@ def build_cells(
 
 
 def _fresh_noise(noise: NoisePosterior, order: NDArray[np.intp]) -> NoiseDraws:
-    """Return the noise of a new test for each of the draws ``order`` (n,)."""
+    """Return the predicted noise of a repeated test for each of the noise draws ``order`` (n,)."""
     each = noise.fresh.count // noise.draws.count
     return noise.fresh.taken((order[:, np.newaxis] * each + np.arange(each)).ravel())
 
@@ -251,7 +251,8 @@ def _reversals(part: ObservedCells) -> FloatArray:
 
 
 def _rough_reversal(part: ObservedCells) -> float:
-    """Return the variance of irregular changes of the reversal error, mm² or deg² per mean reading.
+    """Return the variance by irregular changes of the reversal error of a mean reading, mm² or
+    deg².
 
     Only the part that noise does not explain, from the median of the second differences (Gasser,
     Sroka and Jennen-Steinmetz, Biometrika 73, 1986). Without it the smooth reversal of the estimate
@@ -305,8 +306,8 @@ def _stack_cells(
     noises: tuple[NoiseDraws | None, ...],
     other_noise: NoiseDraws | None,
 ) -> Cells:
-    """Return the mean readings of all tests in one array, in the order of their targets and in
-    units of one scale.
+    """Return the mean readings of all tests in one array. They are sorted by target and divided by
+    one common scale.
     """
     lines = [line.at(part, index, float(targets[0])) for index, part in enumerate(parts)]
     left = [part.means - taken for part, taken in zip(parts, lines, strict=True)]
@@ -385,7 +386,7 @@ def _blocks(columns: Sequence[FloatArray]) -> FloatArray:
 
 
 def _neighbour_spread(parts: Sequence[ObservedCells], left: Sequence[FloatArray]) -> float:
-    """Return the scatter of single readings from second differences of neighbouring targets.
+    """Return the scatter of single readings from differences between neighbouring targets.
 
     Used where no reading is repeated (Gasser, Sroka and Jennen-Steinmetz, Biometrika 73, 1986).
     """
@@ -429,9 +430,7 @@ def estimate_findings(
     shown: Sequence[float],
     kind: AxisKind,
 ) -> tuple[Finding, ...]:
-    """Return the findings about the estimate of an axis' error. ``travel`` None: an endless axis,
-    whose error repeats.
-    """
+    """Return the findings about the estimated error of an axis (``travel`` None: endless axis)."""
     unit = kind.unit
     found: list[Finding] = []
     if not cells.bidirectional:
@@ -475,9 +474,8 @@ def _targets_text(targets: FloatArray, unit: str) -> Sentence:
 
 
 def alias_findings(targets: FloatArray, periods: Sequence[float], unit: str) -> list[Finding]:
-    """Return the findings about periods that the ``targets`` (m,) show as longer waves
-    (CW-E010). Periods that they do not show at all are in CW-E003; mm or deg, as ``unit``
-    states.
+    """Return the finding CW-E010 for each period that the ``targets`` (m,) show as a longer wave.
+    Targets and periods are in ``unit``; CW-E003 reports periods that the targets do not show.
     """
     found = []
     for period in map(float, periods):

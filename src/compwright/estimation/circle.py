@@ -108,7 +108,7 @@ def diagnose(test: CircularTest, *, periods: Mapping[str, float] | None = None) 
 
 
 def _fresh_runs(test: CircularTest, solution: Solution) -> tuple[FreshRun, ...]:
-    """Return what a new circular test would show, for each run.
+    """Return a prediction for each run of a repeated circular test.
 
     Samples exactly at a reversal point have no model and are put between their neighbours. The
     noise has the spectra of the residuals: normal ordinates, and in both directions the sum and the
@@ -154,9 +154,7 @@ def _fresh_runs(test: CircularTest, solution: Solution) -> tuple[FreshRun, ...]:
 def _fitted_runs(
     test: CircularTest, measured: CircleSamples, residual: FloatArray
 ) -> Iterator[FittedRun]:
-    """Yield the fitted deviations of each run. ``measured``: the samples at the commanded
-    angles.
-    """
+    """Yield the fitted deviations of each run at the commanded angles, those in ``measured``."""
     for index, run in enumerate(test.runs):
         (mine,) = np.nonzero(measured.run == index)
         mine = mine[:: -(-mine.size // _MOST_FITTED)]
@@ -170,9 +168,7 @@ def _fitted_runs(
 
 
 def _average_neighbours(run: CircularRun) -> CircularRun:
-    """Return a run whose samples are means of neighbours, at most `MOST_SAMPLES`. Fewer samples
-    at the end form a mean of their own.
-    """
+    """Return a run with at most `MOST_SAMPLES` samples, each the mean of neighbouring samples."""
     size = -(-run.angles.size // MOST_SAMPLES)
     if size <= 1:
         return run
@@ -296,8 +292,8 @@ def _lag_finding(samples: CircleSamples, lag: Lag) -> Finding:
 
 @dataclass(frozen=True, slots=True)
 class _CircleStart:
-    """The equations of a circular test with the most probable shapes of the reversal spikes, and
-    their solution.
+    """A fit of a circular test from which further searches start: equations, spike shapes,
+    solution.
     """
 
     problem: CircleProblem
@@ -306,7 +302,7 @@ class _CircleStart:
 
     @property
     def evidence(self) -> float:
-        """The logarithm of the probability of shapes and readings."""
+        """The log probability of the readings and the spike shapes under this fit."""
         return fit_evidence(self.fitted, self.shapes.precision) + self.shapes.log_prior
 
 
@@ -326,8 +322,8 @@ def _start_fit(samples: CircleSamples, grid: AngleGrid) -> tuple[_CircleStart, L
 
 
 def _likeliest(problem: CircleProblem, *starts: _CircleStart) -> _CircleStart:
-    """Return the likeliest of the fits that start from several levels of white noise, and from the
-    shapes and noise of ``starts``.
+    """Return the most probable fit over several start values: levels of white noise, and the spike
+    shapes and noise of the fits ``starts``.
 
     Shapes that are changed one at a time end in the nearest optimum. Noise may take the place of a
     spike, or a spike the place of noise.
@@ -342,7 +338,7 @@ def _likeliest(problem: CircleProblem, *starts: _CircleStart) -> _CircleStart:
 
 
 def _solution(start: _CircleStart, given: dict[str, float]) -> Solution:
-    """Return the solution after all searches: noise, reversal spikes, cyclic errors and
+    """Return the full solution of a circular test: noise, reversal spikes, cyclic errors and
     vibration.
     """
     frequencies = dict(given)
@@ -380,8 +376,8 @@ def _solution(start: _CircleStart, given: dict[str, float]) -> Solution:
 
 
 def _fit_with_noise(weighted: WeightedProblem, shapes: SpikeShapes) -> CircleFit:
-    """Return the fit whose weights agree with the noise of its residuals. It starts with the noise
-    of ``weighted``.
+    """Return the fit whose weights agree with the noise spectra of its own residuals. The iteration
+    starts with the noise of ``weighted``.
 
     Iterated two-stage least squares (Seber and Wild, Nonlinear Regression, 1989, chapter 6).
     """
@@ -405,8 +401,8 @@ def _fit_with_noise(weighted: WeightedProblem, shapes: SpikeShapes) -> CircleFit
 def _fit_cyclic(
     start: _CircleStart, axis: str, frequency: float, *, known: bool = False
 ) -> tuple[CircleProblem, float]:
-    """Return the problem with a cyclic error of an axis added. Its ``frequency``, 1/mm, is fitted
-    unless it is ``known``.
+    """Return the equations with a cyclic error of an axis added, and its frequency, 1/mm. The
+    ``frequency`` is a start value unless it is ``known``.
 
     It is fitted together with the delay of the axis (Gauss-Newton: Seber and Wild 1989, chapter 2).
     """

@@ -34,8 +34,8 @@ _OVERSAMPLING: Final = 8.0  # search steps within one period over the radius
 
 @dataclass(frozen=True, slots=True)
 class CyclicSearch:
-    """The result of the search for cyclic errors, by axis. The frequency, 1/mm, of the strongest
-    error, and the amplitude (µm) of errors that may be undetected.
+    """The result of a search for cyclic errors: by axis, the frequency ``found``, 1/mm, and the
+    amplitude ``hidden``, µm, that may be undetected.
     """
 
     found: Mapping[str, float]
@@ -90,8 +90,8 @@ def longest_pitch(samples: CircleSamples) -> float:
 def _screen(
     problem: CircleProblem, fitted: CircleFit, axis: str
 ) -> tuple[FloatArray, FloatArray, float]:
-    """Return candidate frequencies (f,) with their approximate gains in the fit, and the smallest
-    weight of a frequency, 1/µm².
+    """Return candidate frequencies (f,), 1/mm, with the approximate improvement of the fit by each,
+    and the smallest information about an amplitude, 1/µm².
     """
     samples, grid = problem.samples, problem.grid
     shared = fitted.rest[0] / fitted.spectra[0].density
@@ -140,8 +140,7 @@ def _peaks(gains: FloatArray) -> FloatArray:
 
 
 def _gain(problem: CircleProblem, fitted: CircleFit, axis: str, frequency: float) -> float:
-    """Return the reduction of the weighted sum of squares by a cyclic error of this frequency,
-    1/mm.
+    """Return how much a cyclic error of this frequency, 1/mm, reduces the weighted sum of squares.
 
     A column added to a least-squares fit (Seber and Lee, Linear Regression Analysis, 2nd ed. 2003,
     section 3.7).
@@ -153,8 +152,8 @@ def _gain(problem: CircleProblem, fitted: CircleFit, axis: str, frequency: float
 def _weighed(
     problem: CircleProblem, fitted: CircleFit, axis: str, frequency: float
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the normal equations for the cosine and sine of a cyclic error, with all other causes
-    fitted again. Right side (2,) and matrix (2, 2), 1/µm².
+    """Return the right side (2,) and matrix (2, 2) of the normal equations for cosine and sine of a
+    cyclic error, 1/µm². All other causes are fitted again.
     """
     samples = problem.samples
     columns = cyclic_columns(samples, axis, frequency, (0.0, 0.0))[:2]

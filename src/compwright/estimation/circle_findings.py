@@ -30,9 +30,7 @@ def diagnosis_findings(
     effects: Mapping[str, CircularEffect],
     correlation: FloatArray,
 ) -> tuple[Finding, ...]:
-    """Return the findings about the ``effects`` of the causes. ``correlation`` has the order of the
-    effects.
-    """
+    """Return the findings about the ``effects`` of the causes and their ``correlation`` matrix."""
     return (
         *_separation(test, solution, effects, correlation),
         *_scale_findings(test, solution, effects),
@@ -46,8 +44,8 @@ def _separation(
     effects: Mapping[str, CircularEffect],
     correlation: FloatArray,
 ) -> Iterator[Finding]:
-    """Report which causes the test cannot distinguish: one direction, an arc, a missing reversal
-    point.
+    """Yield findings about causes that this test cannot separate: one direction, an arc, or a
+    missing reversal point.
     """
     samples, names = solution.problem.samples, solution.problem.names
     order, poor = list(effects), []

@@ -101,7 +101,9 @@ class CircleProblem:
     mixture: FloatArray
 
     def spiked(self, right: FloatArray) -> FloatArray:
-        """Return a row (..., p + c q) of all curves as one (..., p + c m) of all columns."""
+        """Return rows over all columns from rows in which the spike shapes are given by common
+        curves.
+        """
         count, (curves, shapes) = len(self.names), self.mixture.shape
         if not shapes:
             return right
@@ -109,7 +111,7 @@ class CircleProblem:
         return np.concatenate([right[..., :count], mixed.reshape(*right.shape[:-1], -1)], axis=-1)
 
     def rows_of(self, active: IndexArray) -> tuple[FloatArray, ...]:
-        """Return the rows (size, a) of the ``active`` columns, by half."""
+        """Return the rows (size, a) of the ``active`` columns for each half of the equations."""
         count, (curves, shapes) = len(self.names), self.mixture.shape
         found = tuple(np.empty((half.shape[0], active.size)) for half in self.rows)
         for index, column in enumerate(active.tolist()):
@@ -129,7 +131,7 @@ class CircleProblem:
         return curve
 
     def seen(self, columns: Sequence[CauseColumn]) -> FloatArray:
-        """Return the change of the bar's length by one unit of each cause, mm (n, columns)."""
+        """Return the change of the measured distance by one unit of each cause, mm (n, columns)."""
         return np.column_stack([c.x * self.towards_x + c.y * self.towards_y for c in columns])
 
     def with_columns(self, columns: Sequence[CauseColumn]) -> CircleProblem:
@@ -159,7 +161,7 @@ class CircleProblem:
 
 
 def circle_problem(samples: CircleSamples, grid: AngleGrid) -> CircleProblem:
-    """Return the equations for these samples, without cyclic errors and vibration."""
+    """Return the equations of a circular test, without cyclic errors and vibration."""
     fixed = list(fixed_columns(samples))
     towards, target, known = _linear(samples, fixed)
     if samples.lag_std > 0.0:
@@ -197,8 +199,7 @@ def circle_problem(samples: CircleSamples, grid: AngleGrid) -> CircleProblem:
 
 
 def _common_curves(shapes: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return q curves (n, r q) of which all spike ``shapes`` (r, m, n) are mixtures, and the
-    mixtures (q, m).
+    """Return q curves (n, r q) and weights (q, m) that reproduce all spike ``shapes`` (r, m, n).
 
     Decays of similar lengths are nearly dependent, so that their principal components above the
     rounding error are about half as many (Golub and Van Loan, Matrix Computations, 4th ed. 2013,
@@ -215,7 +216,7 @@ def _common_curves(shapes: FloatArray) -> tuple[FloatArray, FloatArray]:
 def _linear(
     samples: CircleSamples, fixed: Sequence[CauseColumn]
 ) -> tuple[tuple[FloatArray, FloatArray], FloatArray, dict[str, float]]:
-    """Return the readings linearised about a first fit.
+    """Return the equations of the readings, linearised about a first fit.
 
     Direction of the bar (x and y, each (n,)), linearised readings (n,) mm, and values of that fit.
     """
@@ -290,8 +291,8 @@ def _reversals(
 
 
 def _lasting(samples: CircleSamples, axis: str) -> list[int]:
-    """Return, for each reversal point, how many directions enter the arc shortly after it. There a
-    spike of the reversal may still last when the arc begins.
+    """Return, for each reversal point of an axis, how many directions of motion enter the arc
+    shortly after it. In these directions a reversal spike may continue inside the arc.
     """
     if samples.arc[1] >= 2.0 * np.pi - 1e-9:
         return [0, 0]
@@ -324,8 +325,7 @@ def sample_spacing(samples: CircleSamples) -> float:
 
 @dataclass(frozen=True, slots=True)
 class WeightedProblem:
-    """The normal equations of a circular test weighted by the spectra of the noise; mm and the
-    columns' units.
+    """The normal equations of a circular test, weighted by the noise spectra of its residuals.
 
     ``gram`` (k, k) without priors, ``right`` (k,).
     """
@@ -336,8 +336,8 @@ class WeightedProblem:
     right: FloatArray
 
     def without(self, always: IndexArray) -> MarginalEquations:
-        """Return the normal equations without the columns ``always``, which are integrated under
-        their priors (Schur complement).
+        """Return the normal equations after the columns ``always`` are integrated out under their
+        priors (Schur complement).
         """
         prior = self.problem.widths[always] ** -2.0
         normal = self.gram[np.ix_(always, always)] + np.diag(prior)
@@ -348,8 +348,8 @@ class WeightedProblem:
         )
 
     def posterior(self, active: IndexArray, precision: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return mean (a,) and covariance (a, a) of the sizes of the ``active`` causes; all others
-        are 0. ``precision`` (k,): of the priors of all columns.
+        """Return mean (a,) and covariance (a, a) of the sizes of the ``active`` causes, if all
+        other causes are 0. ``precision`` (k,): prior precisions of all columns.
         """
         normal = self.gram[np.ix_(active, active)] + np.diag(precision[active])
         covariance = scaled_inverse(normal)
@@ -358,7 +358,9 @@ class WeightedProblem:
 
 @dataclass(frozen=True, slots=True)
 class MarginalEquations:
-    """Normal equations ``gram`` (k, k) without priors and ``right`` (k,)."""
+    """Normal equations after some columns were integrated out: matrix ``gram`` (k, k) without
+    priors, and right side ``right`` (k,).
+    """
 
     gram: FloatArray
     right: FloatArray
@@ -383,8 +385,8 @@ class CircleFit:
 
 
 def fit_causes(weighted: WeightedProblem, active: IndexArray, precision: FloatArray) -> CircleFit:
-    """Return the least-squares solution for the ``active`` columns. ``precision`` (k,): of the
-    priors of all columns.
+    """Return the least-squares solution for the ``active`` columns. ``precision`` (k,): prior
+    precisions of all columns.
     """
     values, covariance = weighted.posterior(active, precision)
     problem = weighted.problem
@@ -420,7 +422,7 @@ def fit_evidence(found: CircleFit, precision: FloatArray) -> float:
 def weighted_problem(
     problem: CircleProblem, spectra: tuple[ResidualSpectrum, ...], only: IndexArray | None = None
 ) -> WeightedProblem:
-    """Return the weighted normal equations; ``only``: all other columns are 0."""
+    """Return the weighted normal equations. Columns not in ``only``, if given, are left at 0."""
     if only is None:
         halves = [
             _normal(rows * root[:, np.newaxis], aim * root)
@@ -454,8 +456,7 @@ def _of_halves(
 
 
 def white_problems(problem: CircleProblem) -> Iterator[WeightedProblem]:
-    """Yield the equations with independent noise of equal variance in all samples, as starts of the
-    fit.
+    """Yield the equations with white noise of several levels in the samples, as starts of the fit.
 
     Standard deviations: 1 µm, that of the upper half of the orders, and the geometric mean of both.
     """
@@ -484,8 +485,8 @@ def residual_spectra(found: CircleFit) -> tuple[ResidualSpectrum, ...]:
 
 
 def fitted_path(problem: CircleProblem, active: IndexArray, values: FloatArray) -> FloatArray:
-    """Return the deviations of the samples by the sizes ``values`` (a,) of the ``active`` causes,
-    mm (n,).
+    """Return the deviation of each sample that the ``active`` causes of sizes ``values`` (a,)
+    explain, mm (n,).
     """
     every = np.zeros(problem.widths.size)
     every[active] = values

@@ -35,8 +35,8 @@ _FLOOR: Final = 2e-5
 
 @dataclass(frozen=True, slots=True)
 class Lag:
-    """The common delay of both axes at their reversals: ``angle`` rad, its standard uncertainty
-    ``doubt`` rad.
+    """The common delay of both axes at reversals: ``angle``, rad, and its standard uncertainty
+    ``doubt``, rad.
     """
 
     angle: float
@@ -80,7 +80,8 @@ def at_actual_angles(samples: CircleSamples, lag: Lag) -> CircleSamples:
 
 
 def with_undetected_lag(samples: CircleSamples) -> CircleSamples:
-    """Return the samples with the standard uncertainty ``lag_std`` of a delay that was not found.
+    """Return the samples with ``lag_std``, the standard uncertainty of a delay too small to be
+    found.
 
     Uniform up to the largest angle that fits the samples next to the reversal points as well as
     zero does, plus half the angle between samples (JCGM 100:2008, eq. 7); at least half the angle
@@ -98,7 +99,7 @@ def with_undetected_lag(samples: CircleSamples) -> CircleSamples:
 
 
 def _profile(samples: CircleSamples) -> tuple[float, FloatArray, FloatArray, int]:
-    """Return the inputs for comparing delays.
+    """Return the inputs for testing possible delays of the axes.
 
     Angle between samples, windows at the reversal points, angles (a,) to try in rad, index of the
     angle zero.
@@ -112,8 +113,8 @@ def _profile(samples: CircleSamples) -> tuple[float, FloatArray, FloatArray, int
 
 
 def _windows(samples: CircleSamples, half: int) -> FloatArray:
-    """Return the samples near each reversal point of each run, (w, 2, 2 half): angle from the
-    reversal point, rad, and deviation, mm.
+    """Return the samples near each reversal point of each run, (w, 2, 2 half). The two rows are the
+    angle from the reversal point, rad, and the deviation, mm.
     """
     found = []
     for number in np.unique(samples.run):

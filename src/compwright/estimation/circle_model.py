@@ -121,8 +121,8 @@ class CircleSamples:
 
 @dataclass(frozen=True, slots=True)
 class CauseColumn:
-    """One cause of deviations: displacement ``x``, ``y`` (n,) of the tool in mm per unit.
-    ``width``: the largest size expected of a machine.
+    """One cause of deviations: displacement ``x``, ``y`` (n,) of the tool, mm per unit of the
+    cause. ``width`` is the prior standard deviation of its size.
     """
 
     name: str
@@ -132,8 +132,8 @@ class CauseColumn:
 
 
 def circle_samples(test: CircularTest) -> CircleSamples:
-    """Return the samples of all runs, those without a direction (exactly at a reversal point) left
-    out.
+    """Return the samples of all runs. Samples exactly at a reversal point are left out, because
+    they have no direction.
     """
     theta = np.radians(np.concatenate([run.angles for run in test.runs]))
     sense = np.concatenate(
@@ -166,8 +166,7 @@ def since_reversal(samples: CircleSamples, axis: str) -> FloatArray:
 
 
 def fixed_columns(samples: CircleSamples) -> tuple[CauseColumn, ...]:
-    """Return a column for every cause that has no free shape, each with the standard deviation of
-    its prior.
+    """Return the column of each cause whose curve has no parameter to search, with its prior width.
 
     Auxiliary unknowns have names starting with ``_``.
     """
@@ -187,8 +186,8 @@ _Named = tuple[str, FloatArray, FloatArray]
 
 
 def prior_width(name: str, radius: float) -> float:
-    """Return the standard deviation of the size of a cause on typical machine tools, in its unit
-    (`PRIORS`). Scale mismatch: 100 um/m over the diameter of 2 ``radius`` (mm).
+    """Return the standard deviation (`PRIORS`) of the size of a cause on typical machines. The
+    scale mismatch is 100 um/m over the diameter 2 ``radius`` (mm).
     """
     if name == "scale_mismatch":
         return 2.0 * radius * PRIOR_SCALE * UM
@@ -238,8 +237,8 @@ def _odd(samples: CircleSamples) -> Iterator[_Named]:
 
 
 def _lost_motion(samples: CircleSamples, axis: str) -> Iterator[_Named]:
-    """Yield a column for the lost motion at each reversal point. If the arc has only one of them,
-    there is one column.
+    """Yield a column for the lost motion at each reversal point, or one column if the arc has only
+    one reversal point.
 
     Each end's value holds over its half of the travel, so that the deviation stays continuous where
     the axis is fastest. A nuisance allows for a change in proportion to the position instead.
@@ -261,8 +260,8 @@ def _lost_motion(samples: CircleSamples, axis: str) -> Iterator[_Named]:
 
 
 def _lateral_play(samples: CircleSamples, axis: str) -> Iterator[_Named]:
-    """Yield columns for the mean lateral play and, with both reversal points, for its change along
-    the axis.
+    """Yield columns for the mean lateral play of an axis and, if the arc has both reversal points,
+    for its change along the axis.
     """
     cos, sin, zero = np.cos(samples.theta), np.sin(samples.theta), np.zeros_like(samples.theta)
     if axis == "first":
@@ -277,7 +276,7 @@ def _lateral_play(samples: CircleSamples, axis: str) -> Iterator[_Named]:
 
 @dataclass(frozen=True, slots=True)
 class SpikeShape:
-    """A deviation after a reversal that decays over ``length`` mm of arc. It decays at once or is
+    """A reversal spike that decays over ``length`` mm of arc. It starts at its peak, or is
     ``rising`` to a peak of 1 at that length.
 
     exp(-s), or s exp(1 - s), with s = arc / length.
@@ -295,8 +294,8 @@ class SpikeShape:
 
 @dataclass(frozen=True, slots=True)
 class TakeUp:
-    """Lost motion that the axis takes up gradually after a reversal, over ``length`` mm of arc. Its
-    value is 1 at the reversal.
+    """Lost motion that an axis takes up gradually over ``length`` mm of arc after a reversal,
+    relative to its value at the reversal.
 
     The axis stands still until the command has passed it, travelled = arc² / 2R.
     """
@@ -314,8 +313,8 @@ class TakeUp:
 def spike_columns(
     samples: CircleSamples, axis: str, end: str, shapes: Sequence[SpikeShape | TakeUp]
 ) -> list[CauseColumn]:
-    """Return the columns of an outward spike of 1 um after the reversals of an axis at one ``end``,
-    in both directions, one for each shape (ISO 230-4:1996, B.3.1).
+    """Return the columns of an outward spike of 1 um in both directions, one for each shape, after
+    the reversals of an axis at one ``end`` (ISO 230-4:1996, B.3.1).
     """
     arc = since_reversal(samples, axis)
     zero = np.zeros_like(arc)
@@ -333,8 +332,8 @@ def spike_columns(
 
 
 def lag_column(samples: CircleSamples, known: Mapping[str, float]) -> CauseColumn:
-    """Return the effect (n,) mm of the standard uncertainty ``lag_std`` of the common delay on the
-    deviations.
+    """Return the effect (n,) of the uncertainty ``lag_std`` of the common delay on the deviations,
+    mm.
 
     It is the slope of the ``known`` smooth causes against the motion (derivatives by θ of the table
     in the module; ISO 230-4:1996, annex B), without the effect on the centre. Straightness counts

@@ -43,8 +43,8 @@ _POOLED: Final = 36
 
 @dataclass(frozen=True, slots=True)
 class AngleGrid:
-    """The samples of both directions at the same ``size`` angles: indices (runs, size) per
-    direction.
+    """Pairs of samples in both directions at the same ``size`` angles: by direction, the sample
+    indices (runs, size).
     """
 
     index: tuple[IndexArray, ...]
@@ -53,8 +53,8 @@ class AngleGrid:
 
 @dataclass(frozen=True, slots=True)
 class ResidualSpectrum:
-    """The noise variance (size,) for each order of the cosine transform, mm², of one half of the
-    samples.
+    """The noise variance (size,), mm², at each order of the cosine transform, for the sum or the
+    difference of both directions.
 
     ``length``: correlation length in samples, as density at order zero divided by the mean density.
     """
@@ -64,8 +64,8 @@ class ResidualSpectrum:
 
 
 def angle_grid(samples: CircleSamples) -> AngleGrid:
-    """Return the nearest samples of every run at common, evenly spaced angles, as many as the
-    shortest run has.
+    """Return the samples of every run nearest to common, equally spaced angles. Their number is
+    that of the shortest run.
     """
     runs = [np.flatnonzero(samples.run == number) for number in np.unique(samples.run)]
     start, extent = samples.arc
@@ -87,7 +87,7 @@ def angle_grid(samples: CircleSamples) -> AngleGrid:
 
 
 def _nearest(angles: FloatArray, where: FloatArray, run: IndexArray) -> IndexArray:
-    """Return the index of the sample nearest to each angle ``where``."""
+    """Return the indices of the samples in ``run`` that are nearest to the angles ``where``."""
     order = np.argsort(angles, kind="stable")
     ordered = angles[order]
     right = np.clip(np.searchsorted(ordered, where), 1, ordered.size - 1)
@@ -174,7 +174,7 @@ def estimate_spectrum(residual: FloatArray, leverage: FloatArray) -> ResidualSpe
 
 @lru_cache(maxsize=2)
 def _tried(size: int) -> tuple[IndexArray, FloatArray, FloatArray, FloatArray]:
-    """Return the tried spectra at pooled orders, independent of the residuals of ``size`` orders.
+    """Return the noise spectra to compare with residuals of ``size`` orders.
 
     First order of each pool (p,), the inverse and the logarithm (m, p) of the spectra at the middle
     of each pool, and the correlated densities (2 l, size).
@@ -188,8 +188,8 @@ def _tried(size: int) -> tuple[IndexArray, FloatArray, FloatArray, FloatArray]:
 
 @cache
 def _mixtures(lengths: int) -> tuple[FloatArray, FloatArray]:
-    """Return the noise mixtures to try: ratios (m, 2 l) of correlated to white noise. Also the
-    logarithms (m,) of their prior probabilities.
+    """Return the mixtures of correlated and white noise to try: ratios (m, 2 l) of correlated to
+    white noise, and their log prior probabilities (m,).
 
     Two noises: a part of the path that no cause explains has a spectrum of its own, and one noise
     fitted to both would be too weak at the low orders, which the causes leave hardly any residual.
@@ -208,7 +208,8 @@ def _mixtures(lengths: int) -> tuple[FloatArray, FloatArray]:
 
 
 def _correlated(frequency: FloatArray, lengths: FloatArray) -> FloatArray:
-    """Return the spectral densities (2 l, f) of correlated noise, 1 at zero frequency.
+    """Return the spectral densities (2 l, f) of correlated noise relative to that at zero
+    frequency.
 
     Autoregressive noise of first order, proportional to 1 / (1 - 2 ρ cos w + ρ²) (Box and Jenkins,
     Time Series Analysis, 1970, chapter 3), and the same passed through once more.
@@ -221,8 +222,8 @@ def _correlated(frequency: FloatArray, lengths: FloatArray) -> FloatArray:
 
 
 def _pools(size: int) -> IndexArray:
-    """Return the first index of each group of neighbouring orders. The groups begin with single
-    orders and become wider.
+    """Return the first index of each group of neighbouring orders. Low orders are single, and
+    groups of higher orders are wider.
     """
     if size <= _SINGLE + 1:
         return np.arange(size)

@@ -27,8 +27,8 @@ _AT_REVERSAL: Final = ("backlash", "lateral_play", "reversal_spike")
 
 
 def undetermined_causes(test: CircularTest, samples: CircleSamples) -> dict[str, Sentence]:
-    """Return the reason for each cause that cannot be separated. Either there is only one
-    direction, or the arc has no reversal point of the axis.
+    """Return the reason for each cause that cannot be separated: only one direction was measured,
+    or the arc has no reversal point of the axis.
     """
     reasons: dict[str, list[Sentence]] = {}
     if not samples.both_senses:
@@ -42,7 +42,7 @@ def undetermined_causes(test: CircularTest, samples: CircleSamples) -> dict[str,
 
 
 def absent_causes(test: CircularTest, given: Container[str]) -> dict[str, Sentence]:
-    """Return the reason for each documented cause that is not among those that are ``given``."""
+    """Return the reason why each documented cause that is not in ``given`` has no value."""
     reasons = {"radius_change": say("undetermined.both_directions")}
     for axis, name in zip(AXES, test.axes, strict=True):
         reasons[f"offset_change_{axis}"] = say("undetermined.both_directions")
@@ -56,5 +56,5 @@ def absent_causes(test: CircularTest, given: Container[str]) -> dict[str, Senten
 
 
 def by_full_circle(*reasons: Sentence) -> Sentence:
-    """Return the reasons with the next step: measure a full circle."""
+    """Return ``reasons`` as a sentence that advises to measure a full circle."""
     return say("undetermined.full_circle", reasons=reasons)

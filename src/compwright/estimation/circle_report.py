@@ -86,8 +86,8 @@ class _ReportedCause:
 def report_effects(
     test: CircularTest, solution: Solution, undetermined: Mapping[str, Sentence]
 ) -> tuple[dict[str, CircularEffect], FloatArray, dict[str, Sentence], tuple[Finding, ...]]:
-    """Return the effects by name and their correlation, the reasons of missing effects, and
-    findings.
+    """Return the effect of each cause by name, the correlation of the effects, the reasons for
+    missing effects, and the findings.
 
     Details (each end of a lost motion or spike, scale errors in addition to the mismatch, lobes)
     are parts of causes that count already. Shares are over the sum of the causes, each counted
@@ -143,8 +143,8 @@ def shrink_uncertainty(samples: CircleSamples) -> float:
 
 
 def _ranges(samples: CircleSamples, curves: FloatArray) -> FloatArray:
-    """Return the peak-to-peak values of radial deviations (c, n) over both runs with their
-    least-squares circles removed.
+    """Return the peak-to-peak value of each curve of radial deviations (c, n) over both runs, after
+    its least-squares circle is removed.
     """
     rows = np.column_stack(
         [np.cos(samples.theta), np.sin(samples.theta), np.ones_like(samples.theta)]
@@ -227,7 +227,9 @@ def _linear(
 
 
 def _unseen_end(samples: CircleSamples, axis: str) -> float:
-    """Return the extra variance, um², of the mean lost motion: 0 if the arc has both reversals."""
+    """Return the extra variance, um², of the mean lost motion if the arc lacks a reversal point of
+    the axis, else 0.
+    """
     return 0.0 if all(samples.reversals(axis)) else _ENDS_DIFFER**2
 
 
@@ -292,8 +294,8 @@ def _scale_errors(solution: Solution, mismatch: _ReportedCause) -> Iterator[_Rep
 
 
 def _spikes(solution: Solution, axis: str) -> Iterator[_ReportedCause]:
-    """Yield the reversal spike of an axis (mean of its ends), then the spike of each end. If the
-    directions probably differ, each direction follows.
+    """Yield the mean reversal spike of an axis, then the spike at each end. The spikes of each
+    direction follow if they probably differ.
     """
     found = [
         spike
@@ -324,8 +326,8 @@ def _spikes(solution: Solution, axis: str) -> Iterator[_ReportedCause]:
 def _spike(
     solution: Solution, spike: SpikeDraws, index: int | None = None, suffix: str = ""
 ) -> _ReportedCause:
-    """Return the spike at one reversal point, positive outward; ``index``: one direction, else
-    both.
+    """Return the spike at one reversal point, positive outward. ``index`` selects one direction;
+    None means the mean of both.
 
     Its variance includes what the samples cannot determine: how long before the first sample the
     axis reversed (lag), whether the rise belongs to the spike or to the bandwidth of the
@@ -380,8 +382,8 @@ def _unseen_spike(value: float, error: float) -> Sentence | None:
 
 
 def _cyclic(solution: Solution, axis: str) -> Iterator[_ReportedCause]:
-    """Yield the amplitude of the cyclic error of an axis. Without one: 0 with half of the amplitude
-    that may be undetected.
+    """Yield the amplitude of the cyclic error of an axis. If none was found, it is 0, with half of
+    the largest amplitude that may be undetected as standard error.
 
     The amplitude is sqrt(a² + b² - σ²), because the root of two squares is too large by the noise
     in them (Gudbjartsson and Patz, Magnetic Resonance in Medicine 34, 1995).
@@ -405,8 +407,8 @@ def _cyclic(solution: Solution, axis: str) -> Iterator[_ReportedCause]:
 def _amplitude(
     solution: Solution, parts: list[str], runs: int
 ) -> tuple[float, FloatArray, FloatArray]:
-    """Return an amplitude as the root of the sum of squares of its ``parts``, less their variances.
-    With its draws and its curve.
+    """Return the value, draws and curve of an amplitude: the root of the sum of squares of its
+    ``parts``, corrected for their noise.
     """
     index = np.array([solution.problem.names.index(part) for part in parts])
     mean = np.mean(solution.draws.values, axis=0)[index]
@@ -426,7 +428,9 @@ def _stated(
     *,
     detail: bool,
 ) -> _ReportedCause:
-    """Return a cause with the value and standard error of ``found``, or the reason of none."""
+    """Return a cause with the value and standard error in ``found``. Without ``found`` it has only
+    the ``reason`` why it has no value.
+    """
     value, error = found or (0.0, 0.0)
     return _ReportedCause(
         name=name,
@@ -460,16 +464,16 @@ def _symptoms(test: CircularTest, solution: Solution) -> Iterator[_ReportedCause
 
 
 def _faded(samples: CircleSamples, frequency: float) -> float:
-    """Return the share of a vibration at ``frequency`` Hz that instrument and drive suppress. Both
-    count as the slowest possible first-order filter.
+    """Return the share of a vibration of ``frequency`` Hz that instrument and drive suppress, if
+    they are the slowest possible first-order filter.
     """
     slow = max(_RESPONSE, _FILTER * sample_spacing(samples) / samples.speed)
     return float(1.0 - 1.0 / np.hypot(1.0, 2.0 * np.pi * frequency * slow))
 
 
 def _vibration(solution: Solution) -> _ReportedCause:
-    """Return the amplitude of the vibration. Without one: 0 with half of the amplitude that may be
-    undetected.
+    """Return the amplitude of the vibration. If none was found, it is 0, with half of the largest
+    amplitude that may be undetected as standard error.
     """
     samples, found = solution.problem.samples, solution.vibration
     if found.frequency is None:

@@ -61,8 +61,8 @@ _PAIRS: Final = 6
 
 
 class SpikeShapes:
-    """The chosen decays of the reversal spikes: for each of the `SLOTS` slots of a reversal point
-    the index of its shape, -1 for none, and whether the directions differ.
+    """The spike shapes chosen at each reversal point. Each of its `SLOTS` slots has the index of a
+    shape (-1: none), and whether it differs between directions.
     """
 
     def __init__(self, problem: CircleProblem) -> None:
@@ -73,7 +73,7 @@ class SpikeShapes:
         self.adopt(problem)
 
     def adopt(self, problem: CircleProblem) -> None:
-        """Use the same spike shapes for equations with other columns."""
+        """Apply these spike shapes to equations that have other columns."""
         self.reversals = problem.reversals
         self._kinds = [_kinds_of(reversal) for reversal in problem.reversals]
         self.precision = problem.widths**-2.0
@@ -89,7 +89,7 @@ class SpikeShapes:
         return self._columns[reversal, slot]
 
     def at(self, place: tuple[int, int] | str) -> tuple[object, ...]:
-        """Return the choice for one slot of a reversal point, or for a rare cause."""
+        """Return the shape in one slot of a reversal point, or whether a rare cause is present."""
         if isinstance(place, str):
             return (self.present[place],)
         return *self._columns[place], self.size[place]
@@ -97,7 +97,7 @@ class SpikeShapes:
     def put(
         self, reversal: int, slot: int, place: int, *, unlike: bool = False, size: int = 0
     ) -> None:
-        """Give one slot of a reversal point the shape with index ``place``; -1: none."""
+        """Set one slot of a reversal point to the shape with index ``place``, or to none (-1)."""
         self.place[reversal, slot] = place
         if place >= 0:
             self.unlike[reversal, slot], self.size[reversal, slot] = unlike, size
@@ -112,7 +112,9 @@ class SpikeShapes:
         self.precision[found] = _SIZES[self.size[reversal, slot]] ** -2.0
 
     def chosen(self, but: tuple[int, int] | str | None = None) -> IndexArray:
-        """Return the spikes and rare causes in the model, without those of one slot or name."""
+        """Return the columns of spikes and rare causes in the model, except those of slot or cause
+        ``but``.
+        """
         rare = [column for name, column in self.rare.items() if self.present[name] and name != but]
         found = [
             column
@@ -127,7 +129,7 @@ class SpikeShapes:
         return np.concatenate([self.always, self.chosen()])
 
     def options(self, reversal: int, slot: int) -> IndexArray:
-        """Return which spike shapes are possible in one slot of a reversal point."""
+        """Return the indices of the spike shapes possible in one slot of a reversal point."""
         return self._kinds[reversal][slot >= _DECAYS]
 
     @property
@@ -148,15 +150,15 @@ class SpikeShapes:
         return total
 
     def slots(self) -> Iterator[tuple[int, int]]:
-        """Yield the indices of each reversal point and each of its slots for a decay."""
+        """Yield each pair of reversal point and slot, as indices."""
         for slot in range(SLOTS):
             for reversal in range(len(self.reversals)):
                 yield reversal, slot
 
 
 def _kinds_of(reversal: Reversal) -> tuple[IndexArray, IndexArray]:
-    """Return which shapes of a reversal point are decaying spikes, and which are lost motion taken
-    up gradually.
+    """Return the indices of the decaying spikes, and of the gradual take-ups of lost motion, among
+    the shapes of a reversal point.
     """
     take_up = np.array([isinstance(shape, TakeUp) for shape in reversal.shapes], dtype=bool)
     return np.flatnonzero(~take_up), np.flatnonzero(take_up)
@@ -185,7 +187,7 @@ def choose_shapes(weighted: WeightedProblem, shapes: SpikeShapes) -> None:
 
 
 def _set(shapes: SpikeShapes, reversal: int, slot: int, option: int) -> None:
-    """Give one slot of a reversal point one of the shapes that `_Options` compares."""
+    """Set one slot of a reversal point to the ``option`` with this index in `_Options`."""
     options = shapes.options(reversal, slot)
     if option == 0:
         shapes.put(reversal, slot, -1)
@@ -197,9 +199,7 @@ def _set(shapes: SpikeShapes, reversal: int, slot: int, option: int) -> None:
 
 
 class _Tried:
-    """Columns (t,) that may be added to a fit, and their normal equations: ``rows`` (k, t),
-    ``weight`` (t,) and ``right`` (t,).
-    """
+    """Columns (t,) that may be added to a fit, with their normal equations."""
 
     def __init__(self, marginal: MarginalEquations, columns: IndexArray) -> None:
         self.rows = marginal.gram[columns].T  # symmetric: rows are quicker to take
@@ -209,7 +209,7 @@ class _Tried:
     def added(
         self, marginal: MarginalEquations, shapes: SpikeShapes, chosen: IndexArray
     ) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return what the columns add to a fit with the ``chosen`` columns.
+        """Return the normal equations of these columns after a fit with the ``chosen`` columns.
 
         Right side (t,), weight (t,) without their priors, and the inner products (c, t) with the
         chosen ones.
@@ -232,8 +232,8 @@ class _Tried:
 
 
 def _odds(marginal: MarginalEquations, shapes: SpikeShapes, name: str) -> tuple[float, float]:
-    """Return the log odds that a rare cause exists, and its standard error (in its unit) if it
-    does.
+    """Return the log odds that a rare cause exists, and the standard error of its size if it
+    exists.
     """
     tried = _Tried(marginal, np.array([shapes.rare[name]]))
     rest, found, _ = tried.added(marginal, shapes, shapes.chosen(name))
@@ -258,7 +258,8 @@ class _Options:
         self.cross = marginal.gram[alike, unlike] if self.both else np.empty(0)
 
     def evidence(self, marginal: MarginalEquations, shapes: SpikeShapes) -> FloatArray:
-        """Return the log probability of every shape: none, equal in both directions, or different.
+        """Return the log probability of each possibility: no spike, equal in both directions, or
+        different.
 
         Nothing, each size and shape alike in both directions, each with a difference (1 + 2 s m,);
         with one direction (1 + s m,).
@@ -336,8 +337,8 @@ class SpikeDraws:
 def draw_shapes(
     weighted: WeightedProblem, shapes: SpikeShapes, rng: np.random.Generator
 ) -> CircleDraws:
-    """Return random draws of the spike shapes, beginning with ``shapes``, and of the causes for
-    each choice.
+    """Return random draws of the spike shapes and of the causes under each draw, starting from
+    ``shapes``.
 
     They come in pairs about their mean (antithetic variates: Hammersley and Morton, 1956).
     """
@@ -394,8 +395,7 @@ def _coefficients(
 def _least_error(
     weighted: WeightedProblem, marginal: MarginalEquations, reversal: Reversal
 ) -> float:
-    """Return the standard error, um, of the smallest spike that the test can show, if none was
-    found.
+    """Return the standard error, um, of the spike at a reversal point where no spike was found.
 
     A single spike that decays within one of the equally likely times of `_USUAL`. A spike that ends
     before the next sample is limited only by its prior.
@@ -417,7 +417,8 @@ def _least_error(
 
 
 def of_the_spike(taken: FloatArray, spike: FloatArray, lost: FloatArray) -> FloatArray:
-    """Return the part of a gradual take-up ``taken`` (d, s), um, that belongs to the spike.
+    """Return the part of the gradual take-up ``taken`` (d, s), um, that counts as reversal spike
+    and not as lost motion.
 
     Inward, an axis stands still until it has passed its lost motion (size of ``lost``, no step
     then) or until its drive overcomes the friction (size of ``spike`` at the reversal, whose edge
@@ -429,7 +430,7 @@ def of_the_spike(taken: FloatArray, spike: FloatArray, lost: FloatArray) -> Floa
 
 
 class _Recorder:
-    """Collects the drawn spikes of one reversal point."""
+    """Collector of the drawn spikes of one reversal point."""
 
     def __init__(self, problem: CircleProblem, reversal: Reversal) -> None:
         self.reversal = reversal
@@ -498,7 +499,7 @@ class _Recorder:
         self.unlike += bool(np.any(turned))
 
     def _died(self, curve: FloatArray, peak: int) -> float:
-        """Return the arc, mm, in which a curve falls from its peak to 1/e of it."""
+        """Return the arc length, mm, in which a spike falls from its peak to 1/e of the peak."""
         level = curve[peak] / np.e
         below = np.flatnonzero(curve[peak:] <= level)
         if not below.size or level <= 0.0:

@@ -15,8 +15,8 @@ from compwright.records.axis import FloatArray
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Solution:
-    """The causes fitted to a circular test. ``fitted``: for the most probable shapes of the
-    reversal spikes; ``draws``: random samples over all shapes.
+    """The causes fitted to a circular test: ``fitted`` for the most probable spike shapes,
+    ``draws`` as random samples over all spike shapes.
 
     ``frequencies`` 1/mm of cyclic errors by axis, ``given`` those that were not sought, ``hidden``
     um that may have been missed, by axis.
@@ -32,13 +32,13 @@ class Solution:
 
     @property
     def values(self) -> dict[str, float]:
-        """Return the estimates of the causes that every model contains, by name."""
+        """Mean size of each cause that is in every model, by name."""
         mean = np.mean(self.draws.values, axis=0)
         return dict(zip(self.problem.names, (float(value) for value in mean), strict=True))
 
     @property
     def spikes(self) -> FloatArray:
-        """Return the deviation of every sample that the mean spikes explain, mm (n,)."""
+        """The part of each sample's deviation that the mean reversal spikes explain, mm (n,)."""
         senses, total = self.problem.samples.sense, np.zeros(self.problem.target.size)
         for turn, sense in enumerate((1.0, -1.0)) if self.draws.spikes else ():
             sizes = np.array([spike.curve[turn % len(spike.curve)] for spike in self.draws.spikes])
@@ -47,12 +47,12 @@ class Solution:
 
     @property
     def smooth(self) -> FloatArray:
-        """Return the fitted deviation of every sample without spikes, mm (n,)."""
+        """The fitted deviation of each sample without the reversal spikes, mm (n,)."""
         fitted: FloatArray = self.problem.slopes @ np.mean(self.draws.values, axis=0)
         return fitted
 
     @property
     def residual(self) -> FloatArray:
-        """Return the residual of every sample, mm (n,)."""
+        """The measured minus the fitted deviation of each sample, mm (n,)."""
         rest: FloatArray = self.problem.target - self.smooth - self.spikes
         return rest

@@ -22,8 +22,8 @@ _MOST_DRAWS: Final = 64
 
 
 def raw_peak(solution: Solution, axis: str, end: str, sense: float | None) -> float | None:
-    """Return the highest reading after the reversals of an axis at one end, above the smooth path,
-    um.
+    """Return the highest reading after the reversals of an axis at one end, minus the fitted path
+    without spikes, um.
 
     The mean of the runs of one ``sense`` (+1 ccw, -1 cw) or of both (None). None without a sample
     nearby. The smooth path is the fit without spikes.
@@ -77,8 +77,8 @@ def stick_slip(solution: Solution, axis: str) -> tuple[float, float] | None:
 
 
 def lobes(solution: Solution, order: int) -> tuple[float, float]:
-    """Return the amplitude of ``order`` lobes in the mean of both directions, um, and its standard
-    error.
+    """Return the amplitude, um, of the harmonic of ``order`` in the mean of both directions, with
+    its standard error.
 
     It is sqrt(a² + b² - σ²) of the harmonic a cos nθ + b sin nθ of the readings (Gudbjartsson and
     Patz, Magnetic Resonance in Medicine 34, 1995), σ from the spectrum of the residuals at that
@@ -101,8 +101,8 @@ def lobes(solution: Solution, order: int) -> tuple[float, float]:
 
 
 def positional_tolerance(solution: Solution, *, calibrated: bool) -> tuple[float, float]:
-    """Return the positional tolerance of the square around the circle, um, with its standard error.
-    It is the largest difference between the errors of two points.
+    """Return the positional tolerance, um, with its standard error: the largest difference between
+    the position errors of two points in the square around the circle.
 
     It contains errors that do not depend on the feed (scale, squareness, straightness, lost motion,
     lateral play, cyclic errors). Points: corners, centres of the sides and of the square,

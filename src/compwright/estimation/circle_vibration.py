@@ -31,7 +31,8 @@ _WIDTH: Final = 5.0
 
 @dataclass(frozen=True, slots=True)
 class Vibration:
-    """The strongest vibration in a circular test.
+    """The strongest vibration in a circular test: its frequency, and the amplitude that may be
+    undetected.
 
     ``frequency`` Hz; None: no clear vibration. ``hidden``: amplitude, um, that may be undetected.
     ``least``: sum of squares, in standard errors, that an amplitude must exceed to be reported.
@@ -43,7 +44,7 @@ class Vibration:
 
 
 def times(samples: CircleSamples) -> FloatArray:
-    """Return the time of each sample from the middle of its run, s (n,)."""
+    """Return the time of each sample relative to the middle of its run, s (n,)."""
     seconds: FloatArray = travelled_share(samples) * samples.arc[1] * samples.radius / samples.speed
     return seconds
 
@@ -94,8 +95,8 @@ def search_vibration(problem: CircleProblem, residual: FloatArray) -> Vibration:
 
 
 def _threshold(count: float, runs: int) -> float:
-    """Return the power that noise alone exceeds with the probability `_FALSE_ALARM`, in units of
-    the mean power.
+    """Return the power that noise alone exceeds with probability `_FALSE_ALARM`, relative to its
+    mean.
 
     Noise: ``count`` sums of ``runs`` exponentials (Erlang distribution, solved by iteration).
     """

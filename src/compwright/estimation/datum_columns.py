@@ -19,7 +19,7 @@ from compwright.records.axis import FloatArray
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DatumColumns:
-    """The columns ``columns`` (c, e) of properties that only one test has.
+    """Columns ``columns`` (c, e) for the offset or slope of a single test of an axis.
 
     ``stds`` (e,): the standard deviations of their weights, in units of the scale. ``slopes``: by
     test, the column of its own slope, None where it has none.
@@ -36,7 +36,7 @@ def datum_columns(
     targets: FloatArray,
     scale: float,
 ) -> DatumColumns:
-    """Return the columns of properties that only one test has: an offset, and a slope where it is
+    """Return columns for an offset of each further test, and a slope of each test where it is
     uncertain.
 
     Each test but the first has a datum; the first one's is that of the error. Each test whose slope

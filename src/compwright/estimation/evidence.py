@@ -42,7 +42,7 @@ _LOG_TURN: Final = np.log(2.0 * np.pi)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CellData:
-    """The c mean readings of an axis minus their straight line, in units of ``scale`` (mm or deg).
+    """The mean readings of an axis minus their straight line, relative to ``scale`` (mm or deg).
 
     A cell is a target and direction of one test. Cells are sorted by target: ``target_index``
     (c,) is the index of each cell's target, ``starts`` (m,) the first cell of each target,
@@ -73,12 +73,12 @@ class CellData:
 
     @property
     def draws(self) -> int:
-        """The number of draws of the noise."""
+        """The number of random draws of the noise."""
         return len(self.values)
 
     def typical(self) -> int:
-        """Return the index of the typical draw of the noise. The average log variance of its mean
-        readings is the median of all draws.
+        """Return the index of the draw of the noise whose mean log variance is the median of all
+        draws.
         """
         known = self.counts == 0
         if not np.any(known):
@@ -104,7 +104,7 @@ class Prior:
 
     @cached_property
     def _widths(self) -> float:
-        """The sum of the logarithms of the widths of the free parameters."""
+        """The sum of the log prior standard deviations of the free parameters."""
         return float(np.sum(np.log(self.width[self._free])))
 
     def log(self, values: FloatArray) -> float:
@@ -132,7 +132,7 @@ class Prior:
 
 @dataclass(frozen=True, slots=True)
 class WeightPosterior:
-    """The probability distribution of the weights of the functions, given the readings.
+    """Probability distribution of the weights of the functions of position, given the readings.
 
     ``mean`` (j,), ``root`` (j, j) with covariance root @ root.T, those of the basis first;
     variances ``noise`` (of a reading, where it is inferred) and ``local``; ``draw`` of the noise.
@@ -154,7 +154,7 @@ def _own_rows(basis: Basis, targets: FloatArray, data: CellData) -> FloatArray:
 
 
 class Evidence:
-    """Computes the marginal likelihood of an axis' readings under one set of functions.
+    """Calculator of the marginal likelihood of the readings of an axis under one set of functions.
 
     ``values`` (c,): the means of the typical draw of the noise. Methods with a parameter ``draw``
     use the typical draw of the noise if it is None.
@@ -184,8 +184,8 @@ class Evidence:
         self.slopes[REVERSAL, self.waves.stop + 1 :] = 2.0
 
     def rows_under(self, draw: int) -> FloatArray:
-        """Return the columns (c, j) of all weights for the mean readings, under one draw of the
-        noise.
+        """Return the matrix (c, j) that gives the mean readings from all weights, under one
+        ``draw`` of the noise.
         """
         if draw == self.typical:
             return self.typical_rows
@@ -215,14 +215,14 @@ class Evidence:
         return logs, slopes
 
     def variances(self, h: FloatArray) -> tuple[float, float]:
-        """Return two variances: of one reading where it is inferred, and of the error that differs
-        from target to target. In units of the scale squared.
+        """Return the variance of one reading (if it is estimated), and that of the error that is
+        independent at each target. Both are relative to the squared scale.
         """
         return float(np.exp(2.0 * h[NOISE]) + self.data.floor**2), float(np.exp(2.0 * h[LOCAL]))
 
     def weights(self, h: FloatArray, draw: int | None = None) -> WeightPosterior:
-        """Return the probability distribution of the weights, given the parameters ``h`` and a draw
-        of the noise. Source: Rasmussen and Williams 2006, eq. 2.8.
+        """Return the distribution of the weights for parameters ``h`` and one ``draw`` of the noise
+        (Rasmussen and Williams 2006, eq. 2.8).
         """
         scaled = self._scaled(h, draw)
         matrix, moment = _normal(scaled, scaled.removed(scaled.rows))
@@ -244,8 +244,8 @@ class Evidence:
         return self._marginal(h, draw, derivatives=False)[2] + self.prior.log(h)
 
     def with_gradient(self, h: FloatArray) -> tuple[float, FloatArray]:
-        """Return the log posterior density and its gradient (h,), with the typical draw of
-        the noise. The gradient of a fixed parameter is 0.
+        """Return the log posterior density at ``h`` and its gradient (h,), under the typical draw
+        of the noise. The gradient by a fixed parameter is 0.
 
         For V' the derivative of the covariance V of the means, half of y' P V' P y - tr(P V') with
         P the inverse of V (Rasmussen and Williams 2006, eq. 5.9).
@@ -290,8 +290,8 @@ class Evidence:
     def _marginal(
         self, h: FloatArray, draw: int | None, *, derivatives: bool
     ) -> tuple[_Scaled, _Marginal, float]:
-        """Return the log density of the mean readings (and of their scatter, last), computed by the
-        smaller of two matrices. Very small noise needs the matrix of the weights.
+        """Return the scaled model, the log density of the mean readings, and that density with
+        their scatter included. The smaller of two matrices is used where the noise is large enough.
         """
         scaled = self._scaled(h, draw)
         cells, weights = scaled.rows.shape
@@ -304,7 +304,8 @@ class Evidence:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Scaled:
-    """The linear model of the mean readings under given parameters; weights have unit variance.
+    """The linear model of the mean readings for given parameters, scaled to weights of unit
+    variance.
 
     Variances, precision and values by cell, and the ``rows`` (c, j) of the weights. ``together``:
     which cells share a target, as flat indices in a matrix (c * c,).
@@ -326,8 +327,8 @@ class _Scaled:
         return np.add.reduceat(self.precision, self.data.starts)
 
     def removed(self, columns: FloatArray) -> FloatArray:
-        """Return the product of ``columns`` (c,) or (c, k) and the inverse of the covariance (noise
-        + local part).
+        """Return ``columns`` (c,) or (c, k) multiplied by the inverse covariance of noise and
+        independent error at the targets.
 
         Cells of one target share the local part. By the formula of Sherman and Morrison (Rasmussen
         and Williams 2006, eq. A.9).
@@ -344,8 +345,8 @@ class _Scaled:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Marginal:
-    """The log density of the mean readings y under their covariance V, with derivatives where
-    needed.
+    """The log density of the mean readings y, which have covariance V, with terms of its
+    derivatives.
 
     P is the inverse of V, r the rows of weights of unit variance. ``residual`` (c,): P y.
     ``by_weight`` (j,): (r' P y)² - r' P r. ``by_target`` (m,) and ``by_cell`` (c,): P summed over
@@ -363,7 +364,7 @@ _NONE: Final = np.zeros(0)
 
 
 def _by_cells(scaled: _Scaled, *, derivatives: bool) -> _Marginal:
-    """Return the log density, computed from the covariance (c, c) of the mean readings."""
+    """Return the log density of the mean readings from their covariance matrix (c, c)."""
     data, y = scaled.data, scaled.values
     covariance = scaled.rows @ scaled.rows.T
     covariance.reshape(-1)[scaled.together] += scaled.local
@@ -386,7 +387,7 @@ def _by_cells(scaled: _Scaled, *, derivatives: bool) -> _Marginal:
 
 
 def _by_weights(scaled: _Scaled, *, derivatives: bool) -> _Marginal:
-    """Return the log density, computed from the covariance (j, j) of the weights.
+    """Return the log density of the mean readings from the covariance matrix (j, j) of the weights.
 
     The covariance of the cells is noise, local part and a sum of low rank (Rasmussen and Williams
     2006, eq. A.9 and A.10).
@@ -420,8 +421,8 @@ def _by_weights(scaled: _Scaled, *, derivatives: bool) -> _Marginal:
 
 
 def _normal(scaled: _Scaled, weighted: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return the normal equations of the functions' weights: precision matrix (j, j), right side
-    (j,).
+    """Return the precision matrix (j, j) and right side (j,) of the normal equations of the
+    weights.
 
     Weights of unit variance; ``weighted``: the rows times the inverse of noise + local part.
     """

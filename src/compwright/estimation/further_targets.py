@@ -46,8 +46,8 @@ _ROUNDED: Final = 0.05
 
 @dataclass(frozen=True, slots=True)
 class FurtherTargets:
-    """Proposed further targets (k,), ascending, with the smallest ``amplitude`` of a period that
-    all targets together show; mm or deg.
+    """Proposed further ``targets`` (k,), ascending, and the smallest ``amplitude`` of a periodic
+    error that old and new targets together show; mm or deg.
     """
 
     targets: FloatArray
@@ -55,8 +55,8 @@ class FurtherTargets:
 
 
 def further_targets(posterior: AxisPosterior) -> FurtherTargets | None:
-    """Return the fewest further targets that show the ``hidden`` periods of an axis. None where no
-    targets help or none are needed.
+    """Return the fewest further targets that show the periods hidden from the present targets. None
+    if no targets help or none are needed.
 
     Their amplitude is as large as that of their prior; at most as many as may be added.
     """
@@ -88,7 +88,7 @@ def _places(targets: FloatArray, periods: FloatArray) -> FloatArray:
 
 @dataclass(slots=True)
 class _Design:
-    """The information of the present targets about each possible period, and candidate targets.
+    """The choice of further targets: candidates, and the information so far about each period.
 
     ``places`` (c,): candidate targets. Given the readings so far: ``covariance`` (c, c) of the
     error at ``places``, ``waves`` (c, 2 p) of the p periods there. ``gram`` (2 p, 2 p): information
@@ -140,8 +140,7 @@ class _Design:
         )
 
     def least(self) -> float:
-        """Return the smallest amplitude of a period that the targets so far distinguish from the
-        other periods.
+        """Return the smallest amplitude at which the targets chosen so far separate the periods.
 
         For most of the periods and whatever its phase.
         """
@@ -155,7 +154,7 @@ class _Design:
         return SEEN / float(np.sqrt(found)) if found * self.size**2 > _UNSEEN else float(np.inf)
 
     def add_best(self) -> int:
-        """Add the place that decides most about the periods; return its index."""
+        """Add the candidate target that best separates the periods, and return its index."""
         variances = np.diag(self.covariance) + self.noise
         scaled = self.waves / np.sqrt(variances)[:, np.newaxis]
         grams = self.gram + scaled[:, :, np.newaxis] * scaled[:, np.newaxis]
@@ -170,8 +169,8 @@ class _Design:
         return best
 
     def _information(self, gram: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return the evidence (..., p, p + 1) of a test for each period against each other period,
-        and against no period.
+        """Return the information (..., p, p + 1) by which each period is separated from each other
+        period, and from no period.
 
         ``gram`` (..., 2 p, 2 p) about each period (cosine, both, sine).
         """
@@ -205,8 +204,8 @@ def _waves(places: FloatArray, periods: FloatArray) -> FloatArray:
 
 
 def _smooth_covariance(posterior: AxisPosterior, places: FloatArray) -> tuple[FloatArray, float]:
-    """Return two average variances of the error before the readings count. Covariance (k, k) of the
-    smooth part, variance of the local part, mm² or deg².
+    """Return two prior variances of the error, mm² or deg², averaged over the parameters:
+    covariance (k, k) of its smooth part, and variance of its independent part at each target.
     """
     part = posterior.parts[0]
     sines = slice(2, 2 + part.basis.sines)

@@ -72,8 +72,8 @@ _LEAST: Final = 0.01
 
 @dataclass(frozen=True, slots=True)
 class CurveColumns:
-    """The functions of an axis measured at ``targets`` (m,): offset, slope, ``known`` periods and
-    smooth part ``basis``; mm or deg.
+    """The functions of the error of an axis with given ``targets``: offset, slope, ``known``
+    periods, and the smooth functions ``basis``; mm or deg.
     """
 
     basis: Basis
@@ -101,7 +101,8 @@ class CurveColumns:
 
 @dataclass(frozen=True, slots=True)
 class WaveDraw:
-    """One random draw of a possible wave: its cosine and sine parts, mm or deg.
+    """One possible wave: distribution of its cosine and sine parts, and what the targets show of
+    it.
 
     Both are normal with ``mean`` (2,) and covariance ``root`` ``root``' (2, 2). The wave of
     ``period`` (mm or deg) is a ``share`` of it, plus an independent part of standard deviation
@@ -123,8 +124,8 @@ class WaveDraw:
 
 @dataclass(frozen=True, slots=True)
 class WaveHypotheses:
-    """Equally likely possible ``waves``, one of which exists with ``probability``; else only the
-    ``curve``.
+    """Equally likely possible ``waves``. With ``probability`` one of them exists, otherwise the
+    error has only the ``curve``.
     """
 
     probability: float
@@ -132,8 +133,8 @@ class WaveHypotheses:
     curve: CurveColumns
 
     def drawn(self, targets: FloatArray, count: int, rng: np.random.Generator) -> FloatArray:
-        """Return random draws (count, m) of the possible waves at ``targets`` (m,) or (count, m).
-        Zero in draws without a wave.
+        """Return random draws (count, m) of the error by the possible waves at ``targets``, (m,) or
+        (count, m). Draws without a wave are zero.
         """
         unique, back = np.unique(targets, return_inverse=True)
         places = np.broadcast_to(back.reshape(targets.shape), (count, targets.shape[-1]))
@@ -164,7 +165,7 @@ class HiddenPeriods:
 
     @property
     def probability(self) -> float:
-        """The probability that one of these assumptions is true."""
+        """The probability that the error has one of these periods."""
         return sum(each.probability for each in self.hypotheses)
 
     @property
@@ -178,8 +179,8 @@ class HiddenPeriods:
         return tuple(sorted(found.items(), key=lambda pair: (-round(pair[1], 9), pair[0])))
 
     def waves(self, targets: FloatArray, count: int, rng: np.random.Generator) -> FloatArray:
-        """Return random draws (count, m) of the deviation by possible periods at ``targets`` (m,),
-        mm or deg. (count, m): each draw has its own targets.
+        """Return random draws (count, m) of the error by possible periods at ``targets``, mm or
+        deg. Targets are (m,), or (count, m) for different targets in each draw.
         """
         added = np.zeros((count, targets.shape[-1]))
         for each in self.hypotheses:
@@ -195,7 +196,7 @@ def hidden_periods(
     known: Sequence[float],
     suggested: Sequence[float] = (),
 ) -> HiddenPeriods:
-    """Return possible periods that neither the job nor the ``search`` has found.
+    """Return possible periods of the error that are neither known nor found by the ``search``.
 
     ``bidirectional``: means of both directions by target; ``basis``: functions of the smooth part;
     ``known``: periods (mm or deg) that are in the estimate; ``suggested``: known periods that are
@@ -219,7 +220,7 @@ def hidden_periods(
 
 @dataclass(frozen=True, slots=True)
 class _ExpectedPeriods:
-    """The periods that an axis of a ``kind`` may have before any reading, mm or deg.
+    """The periods, mm or deg, that are expected of an axis of this ``kind`` before it is measured.
 
     Usual and ``suggested`` periods, and any other; ``taken``: those already in the estimate.
     """
@@ -263,8 +264,8 @@ class _ExpectedPeriods:
     def _there(
         self, frequencies: FloatArray, targets: FloatArray
     ) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
-        """Return which of the ``frequencies`` (f,) are new and can be distinguished at the
-        ``targets`` (m,) from those found before.
+        """Return which ``frequencies`` (f,) the ``targets`` (m,) can separate from the periods in
+        the estimate.
         """
         near = PEAK / float(np.ptp(targets))
         free = np.ones(frequencies.size, dtype=np.bool_)
@@ -283,8 +284,7 @@ def _hypotheses(
     present: tuple[float, ...],
     expected: _ExpectedPeriods,
 ) -> WaveHypotheses:
-    """Return the assumptions that one of the ``expected`` periods exists in addition to the periods
-    ``present``, mm or deg.
+    """Return the possible waves of one ``expected`` period in addition to the periods ``present``.
 
     ``part``: the probability of the model.
     """
@@ -340,8 +340,8 @@ def _hypotheses(
 def _gains(
     gram: Mapping[tuple[int, int], FloatArray], moment: Sequence[FloatArray], variance: FloatArray
 ) -> FloatArray:
-    """Return the log gain (a, n, p) of one harmonic with each ``variance`` (a, 1, p), for a few
-    of the n grid points at a time.
+    """Return the log likelihood gain (a, n, p) of one harmonic with each ``variance`` (a, 1, p),
+    computed in blocks of the n grid points.
     """
     step = max(1, CHUNK // variance.size)
     parts = [
@@ -356,8 +356,8 @@ def _gains(
 
 
 def _long_waves(frequencies: FloatArray, targets: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return the long waves that the targets show instead of waves of the ``frequencies`` (f,).
-    Their frequencies (f,), 1 / mm or 1 / deg, and phases (f,).
+    """Return the frequencies (f,) and phases (f,) of the longer waves with the same values at the
+    targets as waves of the ``frequencies`` (f,), 1 / mm or 1 / deg.
 
     The ``targets`` are (m,); nan where they do not look like a longer wave.
     """
@@ -371,7 +371,7 @@ def _long_waves(frequencies: FloatArray, targets: FloatArray) -> tuple[FloatArra
 
 @dataclass(frozen=True, slots=True)
 class _SmoothFit:
-    """The smooth part of the error fitted to values at the targets, for each node of the
+    """A fit of the smooth error to the means at the targets, for each grid point of the
     ``likelihood``.
 
     ``columns`` (m, k): offset, slope, known periods and smooth part.
@@ -383,8 +383,8 @@ class _SmoothFit:
     curve: CurveColumns
 
     def followed(self, node: int, period: float | None = None) -> tuple[FloatArray, FloatArray]:
-        """Return the coefficients of the curve (j,), mm or deg, and their change (j, 2) per cosine
-        and sine of a wave.
+        """Return the fitted coefficients (j,), mm or deg, and their change (j, 2) if a wave of unit
+        cosine or sine is added to the readings.
         """
         likelihood, basis = self.likelihood, self.curve.basis
         place = node
@@ -416,7 +416,7 @@ class _SmoothFit:
 
 
 def _evenly(shares: FloatArray, count: int) -> np.ndarray[tuple[int], np.dtype[np.intp]]:
-    """Return ``count`` indices with frequencies in proportion to ``shares`` (n,), by systematic
+    """Return ``count`` indices, each about as often as its share in ``shares`` (n,), by systematic
     sampling.
     """
     ends = np.round(np.cumsum(shares), 9)

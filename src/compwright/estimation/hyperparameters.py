@@ -46,7 +46,7 @@ def draw_hyperparameters(
     draws: int,
     rng: np.random.Generator,
 ) -> HyperparameterDraws:
-    """Return equally likely draws (draws, h) of the model's parameters, and the model's evidence.
+    """Return equally likely draws (draws, h) of the parameters of a model, and its log evidence.
 
     Both come from importance sampling (Geweke, Econometrica 57, 1989): ``proposals`` points where
     the posterior has one peak, half as many again for every other. ``starts``: those of
@@ -73,8 +73,7 @@ def draw_hyperparameters(
 
 
 def _points(peak: Peak, free: NDArray[np.intp], count: int, rng: np.random.Generator) -> FloatArray:
-    """Return random points (count, h) about a peak, in mirrored pairs so that the result scatters
-    less.
+    """Return random points (count, h) about a peak, in pairs that mirror each other at the peak.
 
     By Student's distribution (antithetic variates: Hammersley and Handscomb, Monte Carlo Methods,
     1964, section 5.6): what is odd about the peak cancels.
@@ -89,8 +88,8 @@ def _points(peak: Peak, free: NDArray[np.intp], count: int, rng: np.random.Gener
 
 
 def _log_density(peak: Peak, away: FloatArray) -> FloatArray:
-    """Return the log density (n,) of random points whose offsets from a peak are ``away`` (n,
-    f).
+    """Return the log probability density (n,) with which points are drawn at the offsets ``away``
+    (n, f) from a peak.
     """
     scaled = np.asarray(np.linalg.solve(peak.root, away.T).T, dtype=np.float64)
     density: FloatArray = _log_student(scaled) - np.linalg.slogdet(peak.root)[1]
@@ -98,8 +97,8 @@ def _log_density(peak: Peak, away: FloatArray) -> FloatArray:
 
 
 def _log_posteriors(evidence: Evidence, peaks: Sequence[Peak], points: FloatArray) -> FloatArray:
-    """Return the log posterior density (n,) at ``points`` (n, h). Each of the ``peaks`` has the
-    same number of points.
+    """Return the log posterior density (n,) at the ``points`` (n, h), which are as many about each
+    of the ``peaks``.
 
     Each point is evaluated under one draw of the noise. How much more likely that draw makes the
     means at the peaks than the average draw does is subtracted: the means do not change the
@@ -126,7 +125,7 @@ def _log_posteriors(evidence: Evidence, peaks: Sequence[Peak], points: FloatArra
 
 
 def _level(evidence: Evidence, peaks: Sequence[Peak], draw: int) -> float:
-    """Return the log probability of the mean readings under one draw of the noise, over all
+    """Return the log probability of the mean readings under one draw of the noise, summed over
     peaks.
     """
     heights = [

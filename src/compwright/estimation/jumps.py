@@ -40,8 +40,8 @@ _LEVEL: Final = 0.05
 
 @dataclass(frozen=True, slots=True)
 class Jump:
-    """A jump of the error by ``size``, standard deviation ``std``, between the targets ``low`` and
-    ``high``, mm or deg.
+    """A jump of the error between the targets ``low`` and ``high``: its ``size`` with standard
+    deviation ``std``, mm or deg.
 
     ``odds`` for it. With a ``turn`` (deg) the error returns evenly over the rest of it, and
     ``high`` may lie in the next one. ``end``: only the last target lies behind the step, so it may
@@ -57,8 +57,8 @@ class Jump:
     end: float | None = None
 
     def ramp(self, positions: FloatArray) -> FloatArray:
-        """Return the average of the jump over its possible places (k,): a straight rise between the
-        two targets.
+        """Return the mean (k,) of the jump over its possible places: a straight rise between two
+        targets.
         """
         return np.asarray(self.size * (self._level(positions) - self._back(positions)))
 
@@ -71,8 +71,8 @@ class Jump:
         return np.asarray(self.size**2 * self.probability * square)
 
     def drawn(self, positions: FloatArray, count: int, rng: np.random.Generator) -> FloatArray:
-        """Return random draws (count, k) of the jump at random places, minus `ramp`, at
-        ``positions`` (k,) or (count, k). Draws without a jump are zero.
+        """Return random draws (count, k) of the jump minus its mean `ramp`, at ``positions`` (k,)
+        or (count, k). Draws in which it does not exist are zero.
         """
         places, there = rng.random((count, 1)), rng.random((count, 1)) < self.probability
         step = (self._share(positions) > places) - self._level(positions)
@@ -152,8 +152,8 @@ def find_jumps(
 
 
 def _windows(m: int, *, endless: bool) -> list[tuple[int, int, range]]:
-    """Return groups of neighbouring targets that are examined together for jumps. With the gaps
-    that each group decides; a gap has the index of the target before it.
+    """Return groups of neighbouring targets, each with the gaps between targets that are searched
+    for jumps in it. A gap has the index of the target before it.
     """
     count = min(2 * _HALF, m) if not endless else 2 * min(_HALF, m // 2)
     gaps = m if endless else m - 1
@@ -169,8 +169,8 @@ def _windows(m: int, *, endless: bool) -> list[tuple[int, int, range]]:
 
 
 def _jump(step: FoundStep, low: float, high: float, turn: float | None, end: float | None) -> Jump:
-    """Return a step as a jump. After the last gap, an outlier of the last target is an equal
-    explanation.
+    """Return a found step as a `Jump`. A step before the last target may equally be an outlier
+    there.
     """
     size, std, odds = round(step.size, 9), round(step.std, 9), step.odds
     if end is None:

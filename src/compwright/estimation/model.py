@@ -46,8 +46,8 @@ _SEED: Final = 230  # the same tests give the same posterior
 
 @dataclass(frozen=True, slots=True)
 class Travel:
-    """The range (low, high) over which an axis moves, mm or deg. ``turn`` (deg): an endless
-    axis, whose error repeats with it.
+    """The range (low, high) over which an axis moves, mm or deg. ``turn`` (deg) is the period of an
+    endless axis, None for others.
     """
 
     low: float
@@ -66,21 +66,19 @@ class Periods:
 
     @classmethod
     def of(cls, cells: Cells, periods: tuple[float, ...]) -> Periods:
-        """Return the periods with those harmonics that the targets do not confuse with longer
-        waves.
-        """
+        """Return the periods with those of their harmonics that do not look like longer waves."""
         return cls(periods, tuple(visible_harmonics(cells.targets, each) for each in periods))
 
     def with_periods(
         self, periods: tuple[float, ...], harmonics: tuple[tuple[int, ...], ...]
     ) -> Periods:
-        """Return known or possible periods: these, and the ``others``."""
+        """Return these periods together with further ``periods`` and their ``harmonics``."""
         return Periods((*self.periods, *periods), (*self.harmonics, *harmonics))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class MixturePart:
-    """One model of the mixture, with equally likely draws of the weights of its functions.
+    """One of several averaged models, with equally likely draws of the weights of its functions.
 
     One for each of the hyperparameters ``values`` (n, h), with a draw of the noise (``draws``, n).
     """
@@ -96,15 +94,15 @@ class MixturePart:
 
     @property
     def noises(self) -> FloatArray:
-        """The variances (n,) of a reading where they are inferred, in units of the scale
-        squared.
+        """The variance (n,) of a reading in each draw, where it is estimated, relative to the
+        squared scale.
         """
         return np.array([self.evidence.variances(h)[0] for h in self.values])
 
     @property
     def weights(self) -> tuple[WeightPosterior, ...]:
-        """The probability distributions of the weights, one per draw (n). Large, so only the last
-        few models keep them.
+        """The distribution of the weights for each draw (n). Only the last few models keep it in
+        memory.
         """
         return _weights_of(self)
 
@@ -126,9 +124,7 @@ class FittedModel:
     drawn: HyperparameterDraws
 
     def part(self, noise: NDArray[np.intp]) -> MixturePart:
-        """Return the model as one part of a mixture, with one draw of the weights for each draw of
-        the noise (n,).
-        """
+        """Return the model with one draw of its weights for each draw of the noise (n,)."""
         pick = np.linspace(0, self.drawn.values.shape[0] - 1, noise.size).round().astype(int)
         return MixturePart(self.evidence, self.drawn.values[pick], noise)
 
@@ -136,8 +132,8 @@ class FittedModel:
 def fit_model(
     cells: Cells, travel: Travel, periods: Periods, *, varying: bool, draws: int
 ) -> FittedModel:
-    """Return the model with these periods, fitted to the mean readings. Its reversal varies with
-    position or is constant.
+    """Return a model with these periods, fitted to the mean readings of an axis. Its reversal error
+    varies with position if ``varying``, else it is constant.
 
     ``draws`` equally likely hyperparameters.
     """
@@ -157,7 +153,7 @@ def fit_model(
 
 
 def _starts(cells: Cells, prior: Prior) -> list[FloatArray]:
-    """Return the start points (k, h) for maximising the probability of the model's parameters.
+    """Return start points (k, h) in the search for the most probable parameters of a model.
 
     They are the middle of the prior, and points that explain roughness by a short length, by the
     local part, or by periods.
@@ -181,8 +177,8 @@ def _starts(cells: Cells, prior: Prior) -> list[FloatArray]:
 
 
 def with_other_periods(fit: FittedModel, cells: Cells, periods: Periods) -> FittedModel:
-    """Return a fitted model with other periods of the same number, and the draws of its parameters
-    unchanged.
+    """Return a fitted model with its periods replaced by as many others. Its parameter draws are
+    kept.
     """
     evidence = fit.evidence
     if periods.periods == evidence.basis.periods:
@@ -192,16 +188,16 @@ def with_other_periods(fit: FittedModel, cells: Cells, periods: Periods) -> Fitt
 
 
 def model_evidence(cells: Cells, travel: Travel, periods: Periods, *, varying: bool) -> Evidence:
-    """Return the log probability of the mean readings under one model (marginal likelihood).
-    Arguments as those of `fit_model`. Source: Rasmussen and Williams, Gaussian Processes for
-    Machine Learning, 2006, section 5.2.
+    """Return the log probability of the mean readings under one model (marginal likelihood;
+    Rasmussen and Williams, Gaussian Processes for Machine Learning, 2006, section 5.2). Arguments
+    as for `fit_model`.
     """
     basis = model_basis(cells, travel, periods, varying=varying)
     return Evidence(basis, cells.targets, cells.data, _prior_for(cells, basis, varying=varying))
 
 
 def model_basis(cells: Cells, travel: Travel, periods: Periods, *, varying: bool) -> Basis:
-    """Return the functions of a model. Arguments as those of `fit_model`."""
+    """Return the functions of position of a model. Arguments as for `fit_model`."""
     m = cells.targets.size
     # Twice the targets resolves what they can show; 112 sines resolve a length of 3 % of the half
     # travel.
@@ -228,7 +224,7 @@ def model_basis(cells: Cells, travel: Travel, periods: Periods, *, varying: bool
 
 
 def _prior_for(cells: Cells, basis: Basis, *, varying: bool) -> Prior:
-    """Return weak priors around the sizes that the scatter of the readings suggests.
+    """Return weak priors of the parameters, centred on values that fit the scatter of the readings.
 
     A width of 1.5 is a factor 4.5 either way. The noise of a test without repetition is, where
     another test of the axis has some, about as large as there.
@@ -257,7 +253,7 @@ def _prior_for(cells: Cells, basis: Basis, *, varying: bool) -> Prior:
 
 
 def _borrowed_noise(noise: NoiseDraws, scale: float) -> float:
-    """Return the log noise of a reading, taken from another test of the axis, in units of
+    """Return the log standard deviation of a reading from another test of the axis, relative to
     ``scale``.
     """
     return float(np.mean(np.log(np.maximum(noise.sigma, 1e-12) / scale)))

@@ -28,8 +28,8 @@ _SEED: Final = 231  # by it draws of the noise go with models
 
 @dataclass(frozen=True, slots=True)
 class ModelMixture:
-    """Several models whose draws are all equally likely (``parts``). ``reversal_log_odds``:
-    natural logarithm of the evidence for a reversal that varies over a constant one.
+    """Several averaged models (``parts``) whose draws are all equally likely.
+    ``reversal_log_odds``: log odds of a varying against a constant reversal error.
     """
 
     parts: tuple[MixturePart, ...]
@@ -39,7 +39,7 @@ class ModelMixture:
 def average_models(
     cells: Cells, travel: Travel, known: Periods, models: Sequence[PeriodModel], draws: int
 ) -> ModelMixture:
-    """Return the mixture of the ``models``, most probable first. Each model also contains the
+    """Return the average of the ``models``, the most probable first. Each model also has the
     ``known`` periods.
 
     Constant and varying reversal have equal prior probability: the share of the varying one is odds
@@ -74,8 +74,8 @@ def average_models(
 def _varying_and_constant_reversal(
     cells: Cells, travel: Travel, known: Periods, model: PeriodModel, draws: int
 ) -> tuple[dict[bool, FittedModel], float]:
-    """Return the model with varying reversal, the model with constant reversal, and the log odds
-    for the first.
+    """Return a model with varying and one with constant reversal error, and the log odds of the
+    first.
     """
     periods = known.with_periods(model.periods, model.harmonics)
     both = {
@@ -88,7 +88,7 @@ def _varying_and_constant_reversal(
 
 
 def _apportion(weights: Sequence[float], draws: int) -> list[int]:
-    """Return how many of the ``draws`` belong to each weight, as whole numbers with the sum
+    """Return how many of the ``draws`` belong to each weight, in whole numbers that sum to
     ``draws``.
 
     By the largest remainders (Balinski and Young, Fair Representation, 1982).

@@ -41,8 +41,8 @@ _DRAWS: Final = 48  # kept, of twice as many sweeps
 
 
 def infer_noise(test: PositioningTest) -> NoisePosterior | None:
-    """Return the probability distribution of the noise of ``test``. None where fewer than
-    `LEAST_DOF` degrees of freedom exist.
+    """Return the probability distribution of the noise of ``test``, or None where it has fewer than
+    `LEAST_DOF` degrees of freedom.
 
     The same test gives the same posterior. Model and sources: module docstring.
     """
@@ -89,8 +89,8 @@ def infer_noise(test: PositioningTest) -> NoisePosterior | None:
 
 
 def _thinned(test: PositioningTest) -> PositioningTest:
-    """Return the test with at most `_MOST_RUNS` of its runs, evenly chosen, the first and the
-    last included. The time of a sweep grows with the third power of the runs.
+    """Return the test with at most `_MOST_RUNS` evenly chosen runs, because computing time grows
+    with the third power of the runs.
     """
     blocks = test.positive, test.negative
     if max(block.shape[1] for block in blocks) <= _MOST_RUNS:
@@ -131,7 +131,8 @@ def _as_shown(sigma: FloatArray, step: float) -> FloatArray:
 def _repeated(
     draws: Sequence[NoiseState], readings: CellReadings, every: CellReadings
 ) -> FloatArray:
-    """Return the offset and tilt (count, 2) of the traverses in a repeated test.
+    """Return the standard deviations (count, 2) of offset and tilt of the traverses if the test is
+    repeated.
 
     ``every``: all runs of this test, ``readings``: those used. The step of a random walk is per
     run.
@@ -148,7 +149,7 @@ def _noise(
     sigma: FloatArray,
     sizes: FloatArray,
 ) -> NoiseDraws:
-    """Return the noise as a record, from the ``draws`` of the sampler.
+    """Return the noise record that contains the ``draws`` of the sampler.
 
     ``sigma`` (count,): scales of the errors; ``members`` (count,): their distributions, as indices
     in `TAILS`; ``sizes`` (count, 2): offset and tilt of the traverses.

@@ -1,5 +1,5 @@
-"""Mean readings with their precision, for given noise of a test. Offsets of whole traverses are
-errors that several means share.
+"""Mean readings and their precision for given noise of a test. The offset of a whole traverse is an
+error common to several means.
 """
 
 from __future__ import annotations
@@ -83,7 +83,7 @@ def means_of_all_runs(
     readings: CellReadings,
     every: CellReadings,
 ) -> CellMeans:
-    """Return the means of all readings under a noise that was inferred from some of the runs.
+    """Return the means of all runs under a noise that was inferred from only some of the runs.
 
     ``readings``: those runs; ``every``: all readings. The variances of the means decrease with the
     number of readings. The shifts of the runs that the inference left out are unknown and remain a
@@ -108,7 +108,7 @@ def means_of_all_runs(
 def cell_locations(
     tail: Tail, values: FloatArray, there: NDArray[np.bool_], scale: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the mean and variance (c,) of each target's value, in blocks of a few targets
+    """Return mean and variance (c,) of each target's value, computed in blocks of targets
     (`_located`).
     """
     at_once = max(1, _AT_ONCE // (min(_ABOUT, values.shape[1]) * _AWAY.size * values.shape[1]))
@@ -149,8 +149,8 @@ def _located(
 
 
 def _columns(draw: NoiseState) -> tuple[FloatArray, FloatArray]:
-    """Return a few columns (c, q) that reproduce the means' covariance, and remaining variances
-    (c,).
+    """Return columns (c, q) that approximate the covariance of the means, and the variances (c,)
+    that they leave.
 
     Partial Cholesky factor with pivots at fixed cells of each direction (Golub and Van Loan, Matrix
     Computations, 4th ed. 2013, section 4.2.8).

@@ -1,5 +1,5 @@
-"""Random sampling of the noise: each part is drawn in turn, given all others (Gibbs sampler).
-Source: Geman and Geman, IEEE Trans. Pattern Anal. 6, 1984.
+"""Random sampling of the noise of a test by a Gibbs sampler, which draws each part given all others
+(Geman and Geman, IEEE Trans. Pattern Anal. 6, 1984).
 """
 
 from __future__ import annotations
@@ -92,7 +92,7 @@ class NoiseState:
 
 
 class GibbsChain:
-    """The Gibbs sampler and its present state."""
+    """The Gibbs sampler of the noise of a test, with its present state."""
 
     def __init__(
         self, test: PositioningTest, readings: CellReadings, rng: np.random.Generator
@@ -130,8 +130,8 @@ class GibbsChain:
         self._take_tail(residuals / self.sigma)
 
     def _start(self) -> tuple[float, FloatArray]:
-        """Return a robust scale of a reading, and the readings minus the medians of targets and
-        traverses. Source: Tukey, Exploratory Data Analysis, 1977, chapter 11.
+        """Return a robust standard deviation of a reading, and the readings minus the medians of
+        targets and traverses (Tukey, Exploratory Data Analysis, 1977, chapter 11).
         """
         left = np.where(self.readings.there, self.values, np.nan)
         half = left.shape[0] // 2
@@ -146,8 +146,8 @@ class GibbsChain:
         return max(scale, 0.3 * spread, self.floor), rest
 
     def sweep(self) -> NoiseState:
-        """Draw every part of the noise once; return the state that gave the mean readings their
-        weights.
+        """Draw every part of the noise once, and return the state under which the means were
+        computed.
         """
         rng, there = self.rng, self.readings.there
         scale = np.exp(self.spread @ self.shapes)[:, np.newaxis]
@@ -194,8 +194,8 @@ class GibbsChain:
         return draw
 
     def _share(self) -> float:
-        """Draw the share of traverses that are shifted. 1 where offsets are absent or follow a
-        wave.
+        """Draw the share of traverses that have an offset; it is 1 if offsets are absent or follow
+        a wave.
         """
         if self.sizes.size[OFFSET] == 0.0 or self.sizes.pattern == WAVE:
             return 1.0
@@ -204,8 +204,8 @@ class GibbsChain:
     def _as_read(
         self, data: ReducedReadings, weights: FloatArray, shift: FloatArray
     ) -> ReducedReadings:
-        """Return ``data`` with the means of the displayed readings, minus the ``shift`` (c, n) of
-        outliers.
+        """Return ``data`` with means of the displayed readings instead of the drawn unrounded
+        values, minus the ``shift`` (c, n) of outliers.
 
         The unrounded values are random draws and would change the mean of their target at random.
         """
@@ -215,7 +215,8 @@ class GibbsChain:
         return replace(data, means=np.sum(weights * (self.readings.values - shift), axis=1) / total)
 
     def _traverses(self, values: FloatArray, weights: FloatArray) -> ReducedTraverses:
-        """Return the information about the traverses in ``values`` (c, n) with ``weights`` (c, n).
+        """Return what readings ``values`` (c, n) with ``weights`` (c, n) state about shifts of
+        traverses.
 
         It is computed again only where they changed.
         """
@@ -230,8 +231,8 @@ class GibbsChain:
         return self.reduced[2]
 
     def _draw_readings(self, values: FloatArray, moved: FloatArray) -> None:
-        """Draw scale, means, error distribution and weights of the readings, and the scatter's
-        variation.
+        """Draw the error distribution of single readings: its scale, type and variation over the
+        travel, the means at the targets, and the weights of the readings.
 
         ``values`` (c, n): readings without the shifts of outliers; ``moved`` (c, n): the shifts of
         traverses.
@@ -265,8 +266,8 @@ class GibbsChain:
         return drawn[:, np.newaxis]
 
     def _about_means(self, left: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return the weighted means (c,) of the readings ``left`` (c, n), their sums of squares and
-        total weights.
+        """Return weighted means (c,) of the readings ``left`` (c, n), sums of squares about them,
+        and sums of weights.
         """
         weights = self.readings.there * self.latent.weights
         total = np.maximum(weights.sum(axis=1), 1e-300)
@@ -275,7 +276,7 @@ class GibbsChain:
         return means, squares + self.floor**2 / squares.size, total
 
     def _take_tail(self, z: FloatArray) -> None:
-        """Draw the error distribution and its scale together, then a weight for each reading.
+        """Draw the type and the scale of the error distribution, then the weight of each reading.
 
         ``z`` (c, n): errors in units of the present scale. The offsets of traverses keep their size
         in mm or deg. Equally likely alternatives are drawn from the same distribution (systematic

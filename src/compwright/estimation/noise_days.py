@@ -44,7 +44,8 @@ _TINY: Final = 1e-12
 def over_days(
     noise: NoiseDraws, tests: Sequence[NoiseDraws], own: int, rng: np.random.Generator
 ) -> NoiseDraws:
-    """Return the ``noise`` of a new test like the test with index ``own``.
+    """Return ``noise`` with the variation between ``tests``, for a new test like the one at index
+    ``own``.
 
     Its drift and scatter vary as they do between the ``tests``.
     """
@@ -68,7 +69,8 @@ def over_days(
 
 
 def _drawn_sizes(drifts: FloatArray, stds: FloatArray) -> tuple[float, FloatArray, FloatArray]:
-    """Return the log odds that each test has its own drift, against one drift common to all tests.
+    """Return the log odds that the drift differs from test to test rather than being common to all,
+    and possible sizes of the drift with probabilities.
 
     Also possible standard deviations (s,) of the drift between tests, with their probabilities.
     ``drifts`` (k,): by test, with standard errors ``stds`` (k,).
@@ -97,7 +99,8 @@ def _log_normal(values: FloatArray, covariance: FloatArray) -> float:
 def _log_change(
     tests: Sequence[NoiseDraws], own: int, count: int, rng: np.random.Generator
 ) -> FloatArray:
-    """Return random draws (count,) of log(scatter of a new test / scatter of the test ``own``).
+    """Return random draws (count,) of the log ratio of the scatter in a new test to that in test
+    ``own``.
 
     Scatter: rms of the central errors, because the scales of different distributions do not
     compare.

@@ -42,8 +42,8 @@ _PATTERNS: Final = {INDEPENDENT: "traverses", RUNS: "runs", WALK: "walk", WAVE: 
 def noise_findings(
     test: PositioningTest, readings: CellReadings, draws: Sequence[NoiseState], step: float
 ) -> tuple[Finding, ...]:
-    """Return a finding for each effect in the noise of ``test`` that the ``draws`` clearly
-    show. White noise alone gives none.
+    """Return a finding for each effect in the noise of ``test`` that the ``draws`` clearly show.
+    White noise gives no finding.
 
     ``step``: resolution of the instrument, mm or deg; 0 where it does not matter.
     """
@@ -119,7 +119,7 @@ def _traverses(test: PositioningTest, draws: Sequence[NoiseState]) -> Iterator[F
 
 
 def _moved(test: PositioningTest, draws: Sequence[NoiseState]) -> list[Sentence]:
-    """Return which traverses are shifted in most of the draws."""
+    """Return the names of the traverses that are shifted in most of the draws."""
     m, runs = test.targets.size, draws[0].moved.size // 2
     moved = np.flatnonzero(np.mean([draw.moved for draw in draws], axis=0) > 0.5)
     return [_traverse(test, m * int(k // runs), int(k % runs)) for k in moved]
@@ -157,8 +157,8 @@ def _tails(
 
 
 def _at_places(test: PositioningTest, readings: CellReadings, cells: IndexArray) -> IndexArray:
-    """Return the numbers of the targets at which all outliers in ``cells`` (k,) lie, several at
-    each: three or more together, or half of the readings of each. Else none.
+    """Return the numbers of the targets where the outliers in ``cells`` (k,) lie, if each has
+    several, else none. There must be three in all, or half of the readings of each.
     """
     m = test.targets.size
     places, counts = np.unique(cells % m, return_counts=True)
@@ -170,8 +170,8 @@ def _at_places(test: PositioningTest, readings: CellReadings, cells: IndexArray)
 def _cause(
     test: PositioningTest, places: IndexArray, cells: IndexArray, runs: IndexArray
 ) -> Sentence:
-    """Return a hint for the cause of outliers in ``cells`` and ``runs`` (k,). They may all lie
-    in groups at the targets ``places``, or in one traverse.
+    """Return a hint for the cause of outliers: at the targets ``places``, in one traverse, or
+    single.
     """
     m = test.targets.size
     if places.size:
@@ -213,9 +213,7 @@ def _places(
 
 
 def _errors(readings: CellReadings, draw: NoiseState) -> FloatArray:
-    """Return the readings (c, n) minus the means of their targets, the shifts of traverses and the
-    drift.
-    """
+    """Return the random errors (c, n): readings minus target means, traverse shifts and drift."""
     moved = traverse_effects(readings, draw.effects)
     means = draw.data.means - draw.data.shares @ draw.effects
     return np.where(readings.there, readings.values - moved - means[:, np.newaxis], 0.0)

@@ -1,4 +1,4 @@
-"""Decide which traverses, runs or steps are shifted: all of them or only some.
+"""Selection of the traverses, runs or time steps of a test that are shifted: all or only some.
 
 A creeping mounting shifts every traverse; a knock, a chip or an inaccurate reference run shifts one
 now and then. Existing shifts are normal, the others zero (Mitchell and Beauchamp, J. Am. Stat.
@@ -26,8 +26,8 @@ _HALF: Final = 0.5
 
 @dataclass(slots=True)
 class ScoreEvidence:
-    """The evidence of ``scores`` (r,) about their covariance ``matrix`` (r, r). The variance is
-    unknown.
+    """Evidence of the ``scores`` (r,) about their covariance, which is ``matrix`` (r, r) times an
+    unknown variance.
 
     ``dof`` degrees of freedom and residual sum of squares ``rest``.
     """
@@ -39,13 +39,13 @@ class ScoreEvidence:
 
 
 def drawn_from_prior(count: int, rng: np.random.Generator) -> BoolArray:
-    """Return at random which of ``count`` shifts exist, if no reading decides."""
+    """Draw from the prior alone which of ``count`` possible shifts of traverses exist."""
     every, share, chances = rng.random() < _ALL, rng.beta(_HALF, _HALF), rng.random(count)
     return np.ones(count, dtype=np.bool_) if every else chances < share
 
 
 def draw_share(moved: BoolArray, rng: np.random.Generator) -> float:
-    """Draw the share of existing shifts, given which of them (count,) exist."""
+    """Draw the share of shifted traverses, given which of the possible shifts exist (``moved``)."""
     there, count = int(np.count_nonzero(moved)), moved.size
     some = (1.0 - _ALL) * exp(_log_chance(there, count))
     every = _ALL if there == count else 0.0
@@ -56,7 +56,7 @@ def draw_share(moved: BoolArray, rng: np.random.Generator) -> float:
 def draw_moved(
     moved: BoolArray, moves: FloatArray, evidence: ScoreEvidence, rng: np.random.Generator
 ) -> BoolArray:
-    """Draw which of the ``moves`` (q, r) exist, one after the other, each given the others.
+    """Draw which of the possible shifts ``moves`` (q, r) exist, each in turn given all others.
 
     ``moves``: standard deviations of the scores by each shift; ``moved`` (q,): which exist at
     present. The variance of a reading is integrated out (George and McCulloch, J. Am. Stat. Assoc.
@@ -87,16 +87,16 @@ def draw_moved(
 
 @cache
 def _log_priors(count: int) -> tuple[float, ...]:
-    """Return the log prior probabilities that exactly the first k of ``count`` shifts exist, for
-    each k.
+    """Return for each k the log prior probability that the first k of ``count`` shifts exist, and
+    no other.
     """
     some = [log(1.0 - _ALL) + _log_chance(there, count) for there in range(count)]
     return *some, log(_ALL + (1.0 - _ALL) * exp(_log_chance(count, count)))
 
 
 def _log_chance(there: int, count: int) -> float:
-    """Return the log probability that ``there`` given shifts of ``count`` exist, under Jeffreys'
-    prior.
+    """Return the log prior probability that ``there`` certain shifts of ``count`` exist, and no
+    others (Jeffreys' prior).
 
     log B(k + 1/2, n - k + 1/2) - log B(1/2, 1/2), with k = ``there`` and n = ``count``.
     """

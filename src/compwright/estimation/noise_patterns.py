@@ -1,4 +1,4 @@
-"""Patterns in which traverses of a test may shift: offsets, tilts, and drift over the runs.
+"""Patterns in which the traverses of a test may shift: offset, tilt, and drift over the runs.
 
 Effects of the traverses are normal with a covariance that is a sum of known patterns with unknown
 sizes (linear mixed model: Searle, Casella and McCulloch, Variance Components, 1992, chapter 6).
@@ -40,7 +40,8 @@ PACE_SHARES: Final = np.array([0.6, 0.2, 0.2])
 
 @dataclass(slots=True)
 class Sizes:
-    """The present state of the sampler for the shifts of traverses.
+    """Standard deviations and patterns of the shifts of traverses, in the present state of the
+    sampler.
 
     ``size`` (4,): standard deviations of offset, tilt, drift and drift of the tilt, in that of a
     reading. ``form``: index in `FORM_SHARES`; ``rate``: index in `RATES`; ``moved`` (q,): which
@@ -55,12 +56,14 @@ class Sizes:
 
     @property
     def pattern(self) -> int:
-        """The pattern of the offsets, as named in the record of the noise."""
+        """The pattern of the traverse offsets, as a constant of the noise record."""
         return min(self.form, WAVE)
 
     @property
     def pace(self) -> float:
-        """The correlation time of the wave, as a share of the test; 1 for any other pattern."""
+        """The correlation time of offsets that follow a wave, as a share of the test; 1 for other
+        patterns.
+        """
         return float(PACES[self.form - WAVE]) if self.form >= WAVE else 1.0
 
 
@@ -83,11 +86,11 @@ class Patterns:
 
     @property
     def known(self) -> int:
-        """The number of possible patterns of offsets."""
+        """The number of possible patterns of traverse offsets in this test."""
         return len(FORM_SHARES) if self.walks else WALK
 
     def covariance(self, sizes: Sizes) -> FloatArray:
-        """Return the covariance (k, k) of offsets and tilts, in units of the variance of a
+        """Return the covariance (k, k) of traverse offsets and tilts, relative to the variance of a
         reading.
         """
         offset = self.offset_of(sizes.form, sizes.moved)
@@ -97,8 +100,8 @@ class Patterns:
         return total
 
     def offset_of(self, form: int, moved: BoolArray) -> FloatArray:
-        """Return the covariance (k, k) of offsets of unit size. Only the traverses marked in
-        ``moved`` (q,) shift, unless the offsets follow a wave.
+        """Return the covariance (k, k) of traverse offsets of unit size. Unless they follow a wave,
+        only the shifts marked in ``moved`` (q,) exist.
         """
         if form >= WAVE:
             return np.asarray(self.waves[form - WAVE])
@@ -108,7 +111,8 @@ class Patterns:
     def at_least(
         self, sizes: Sizes, effects: FloatArray, variance: float, share: float, made: BoolArray
     ) -> FloatArray:
-        """Return the larger of two sizes of offset and tilt (2,) of the traverses, mm or deg.
+        """Return standard deviations (2,) of traverse offset and tilt, mm or deg, at least as large
+        as the existing offsets and tilts show.
 
         One is the present ``sizes`` times the standard deviation of a reading (root of
         ``variance``). The other is the rms of the ``effects`` (k,) of the existing traverses
@@ -134,14 +138,14 @@ class Patterns:
         return found
 
     def columns(self, rate: int) -> FloatArray:
-        """Return the effect of the two drifts on the traverses (k, 2), from the first run to the
-        last.
+        """Return the effect (k, 2) of drift and of tilt drift, from first to last run, on the
+        traverses.
         """
         return np.column_stack([self.drift[rate], self.drift_tilt[rate]])
 
 
 def build_patterns(readings: CellReadings, cycle: Cycle, runs: tuple[int, int]) -> Patterns:
-    """Return the possible patterns of shifts for a test with ``runs`` runs in + and in -.
+    """Return the possible patterns of traverse shifts in a test with ``runs`` runs per direction.
 
     In a step cycle the approaches to a target follow each other at once. It has no drift from run
     to run, no random walk and no wave.
@@ -173,7 +177,8 @@ def build_patterns(readings: CellReadings, cycle: Cycle, runs: tuple[int, int]) 
 
 
 def _moves(order: FloatArray, middle: int) -> FloatArray:
-    """Return the effect of each unit shift on the traverses, (3, 2n, 2n) by pattern.
+    """Return the effect of each unit shift on each traverse, (3, 2n, 2n): independent, by run, or
+    as random walk.
 
     ``order`` (2, n): place of each traverse in time. A random walk is zero at the ``middle`` of the
     test, as in the record of the noise.
@@ -188,7 +193,9 @@ def _moves(order: FloatArray, middle: int) -> FloatArray:
 
 
 def _drifts(runs: int, *, returns: bool) -> tuple[FloatArray, FloatArray]:
-    """Return the change of the traverses by a drift and a drifting tilt, (rates, 4 runs) each."""
+    """Return the effects of a unit drift and a unit tilt drift on the traverses, each (rates, 4
+    runs).
+    """
     way = progress(runs, RATES)
     way = way - way.mean(axis=1, keepdims=True)
     ends = slackening(runs, RATES, np.array([-1.0, 1.0]), returns=returns)

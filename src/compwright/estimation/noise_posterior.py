@@ -18,7 +18,8 @@ from compwright.records.noise import NoiseDraws
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class NoisePosterior:
-    """Equally likely draws of the noise of a test with m targets, each with its means, mm or deg.
+    """Equally likely random draws of the noise of a test, each with the means at its m targets; mm
+    or deg.
 
     ``mean``, ``precision`` (count, 2m): weighted mean of the readings and its inverse variance,
     first all targets approached in +, then in -; both 0 without a reading. ``columns`` (count, 2m,

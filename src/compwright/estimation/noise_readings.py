@@ -1,4 +1,4 @@
-"""The readings of a test minus their means, reduced to their information about whole traverses.
+"""The readings of a test minus their means, condensed to what they state about whole traverses.
 
 A cell is a target approached in one direction. Its mean carries the error of the axis and is left
 free (flat prior), so that nothing here depends on the error curve; what remains are the contrasts
@@ -23,8 +23,8 @@ _RANK: float = 1e-9
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CellReadings:
-    """The readings ``values`` (c, n) of a test by target and direction, one column per run, mm or
-    deg.
+    """The readings of a test as an array ``values`` (c, n): a row per target and direction, a
+    column per run; mm or deg.
 
     Cells all + then all - (c = 2 m); 0 where ``there`` (c, n) is False. ``u`` (c,): position from
     -1 to 1 over the targets.
@@ -57,13 +57,14 @@ class CellReadings:
 
     @property
     def powers(self) -> FloatArray:
-        """The shape (2, c) of offset and tilt of a traverse over the travel: 1 and u."""
+        """The shapes (2, c) of offset and tilt of a traverse: 1 and the position u (-1 to 1)."""
         return np.stack([np.ones_like(self.u), self.u])
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ReducedReadings:
-    """The information of weighted readings about the k shifts of the traverses, per unit variance.
+    """What the readings of a test state about the k shifts of its traverses, for a reading variance
+    of 1.
 
     ``root`` (k, r): root @ root.T is the information matrix; ``scores`` (r,) = root.T @ shifts +
     unit noise; ``rest``: sum of squares that no shift explains. ``means``, ``weights`` (c,):
@@ -99,7 +100,9 @@ def cell_readings(test: PositioningTest) -> CellReadings:
 
 
 def traverse_effects(readings: CellReadings, effects: FloatArray) -> FloatArray:
-    """Return the change of the readings (c, n) by the ``effects`` (4 n,) of the traverses."""
+    """Return the change of the readings (c, n) by offset and tilt ``effects`` (4 n,) of the
+    traverses.
+    """
     parts = effects.reshape(2, 2, readings.runs)
     m = readings.u.size // 2
     u = readings.u[:m, np.newaxis]

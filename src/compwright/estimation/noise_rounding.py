@@ -1,4 +1,6 @@
-"""The rounding of readings by a coarse instrument: its step, and where the exact values may be."""
+"""Rounding of readings by a coarse instrument: the resolution step, and the possible unrounded
+values.
+"""
 
 from __future__ import annotations
 
@@ -42,7 +44,8 @@ _ORDERS: Final = 100
 def reading_step(
     readings: CellReadings, residuals: FloatArray, scatter: float, coarsest: float
 ) -> float:
-    """Return the resolution step of the readings, mm or deg; 0 where fine or above ``coarsest``.
+    """Return the resolution step of the readings, mm or deg, or 0 if it is negligible or above
+    ``coarsest``.
 
     Fine: small relative to the ``scatter``. All readings are multiples of the step. If those of
     different targets are not (a table was subtracted), the differences at each target are. If all
@@ -72,8 +75,8 @@ def _distinct(values: FloatArray) -> FloatArray:
 
 
 def _common_step(gaps: FloatArray, least: float) -> float:
-    """Return the largest step that divides all ``gaps`` (n,), by Euclid's algorithm. 0 without gaps
-    or where it is not above ``least``.
+    """Return the largest step that divides all ``gaps`` (n,), by Euclid's algorithm. It is 0
+    without gaps, or if not larger than ``least``.
     """
     step = float(np.min(gaps, initial=np.inf)) if gaps.size else 0.0
     while step > least:
@@ -88,7 +91,7 @@ def _common_step(gaps: FloatArray, least: float) -> float:
 def with_least_scatter(
     readings: CellReadings, residuals: FloatArray, least: float, rng: np.random.Generator
 ) -> FloatArray:
-    """Return the values (c, n), with random scatter added in a direction that scatters too little.
+    """Return the readings (c, n), with random scatter added where a direction has almost none.
 
     ``residuals`` (c, n): readings minus the effects of targets and traverses. Too little: less than
     the largest of ``least`` (mm or deg), `_LEAST_SHARE` of the differences between traverses, and
@@ -150,7 +153,7 @@ def rounded_stds(sigmas: FloatArray, step: float) -> FloatArray:
 
 
 def common_std(sigma: float, step: float) -> float:
-    """Return the standard deviation of the rounding error that all readings of one target share.
+    """Return the standard deviation of the rounding error common to all readings of a target.
 
     One target in one direction. ``sigma``: scatter before rounding to ``step``, same unit. The mean
     of rounded readings minus the true mean is a Fourier series in the position of the true mean

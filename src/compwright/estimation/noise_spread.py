@@ -1,4 +1,4 @@
-"""Scatter that differs between the directions or along the travel."""
+"""Scatter that differs between the two directions or along the travel."""
 
 from __future__ import annotations
 
@@ -22,15 +22,16 @@ _ZERO: Final = int(np.argmin(_THERE))
 
 
 def spread_shapes(readings: CellReadings) -> FloatArray:
-    """Return the patterns in which the log scale of the readings may vary (parts, c): by direction,
-    or as waves along the travel.
+    """Return the patterns (parts, c) in which log scatter may vary: between directions, or in waves
+    along the travel.
     """
     m = readings.u.size // 2
     return np.vstack([np.repeat([0.5, -0.5], m), waves(readings.u, _WAVES)])
 
 
 def precision_powers(shapes: FloatArray) -> FloatArray:
-    """Return the factors (parts, values, c) on the precision of each mean reading.
+    """Return the factors (parts, values, c) on precision by each pattern of scatter and each size
+    of it.
 
     One for every pattern of the scatter and every size of it.
     """
@@ -46,7 +47,8 @@ def draw_spread(
     dof: FloatArray,
     rng: np.random.Generator,
 ) -> FloatArray:
-    """Draw the coefficients ``spread`` (parts,) of the variation of the scatter along the travel.
+    """Draw the sizes ``spread`` (parts,) of the patterns in which the scatter varies along the
+    travel.
 
     Also returns the probability that each is zero. Each coefficient is drawn given the others, from
     ``squares`` (c,): sums of squares about the means of targets, with ``dof`` (c,). ``powers``:

@@ -47,7 +47,7 @@ _MIDDLES: Final = 0.5 * (_EDGES[1:] + _EDGES[:-1])
 
 @dataclass(frozen=True, slots=True)
 class Tail:
-    """One possible error distribution of unit scale.
+    """One possible error distribution of single readings, of unit scale.
 
     ``dof``: degrees of freedom (inf: normal). Outliers: ``share`` of the readings and ``size``;
     ``fixed``: they are shifted by that size to either side. ``core``: scale about each of these
@@ -75,7 +75,8 @@ class Tail:
         return together
 
     def log_parts(self, z: FloatArray) -> FloatArray:
-        """Return log share plus log density at ``z`` (...) of three cases, (3, ...).
+        """Return log share plus log density at ``z`` of low outliers, high outliers and normal
+        readings, (3, ...).
 
         Outlier to the lower side, outlier to the upper side, no outlier.
         """
@@ -85,8 +86,8 @@ class Tail:
         return np.concatenate([off, usual[np.newaxis] + rest])
 
     def log_outlier(self, z: FloatArray) -> FloatArray:
-        """Return the log probability that ``z`` (...) is an outlier on the lower and on the upper
-        side (2, ...).
+        """Return the log share plus log density at ``z`` (...) of low and of high outliers, (2,
+        ...).
         """
         side = np.array([-1.0, 1.0]).reshape(2, *np.ones(z.ndim, dtype=int))
         scale = self.scale
@@ -103,15 +104,15 @@ class Tail:
 
     @property
     def scale(self) -> float:
-        """The scale of an outlier about its centre."""
+        """The standard deviation of an outlier about its centre."""
         if self.core < 1.0:
             return self.core
         return float(np.hypot(1.0, _FIXED_SPREAD * self.size)) if self.fixed else self.size
 
 
 def _outliers(kind: float, sizes: tuple[float, ...], *, fixed: bool) -> Iterator[Tail]:
-    """Yield distributions with outliers of several shares and sizes. Their prior probabilities have
-    the sum ``kind``.
+    """Yield distributions with outliers of several shares and sizes, whose prior probabilities sum
+    to ``kind``.
     """
     usual = np.exp(-0.5 * (np.log(np.array(sizes) / _USUAL_SIZE) / _SIZE_WIDTH) ** 2)
     usual *= kind / (len(_SHARES) * np.sum(usual))
@@ -136,7 +137,7 @@ def _tails() -> tuple[Tail, ...]:
 
 
 def _light() -> Iterator[Tail]:
-    """Yield the light tails with equal prior probabilities."""
+    """Yield the distributions with light tails, all of equal prior probability."""
     count = sum(map(len, _RESTS.values()))
     for share, variances in _RESTS.items():
         for variance in variances:
@@ -166,7 +167,8 @@ KINDS: Final = np.array([_kind(tail) for tail in TAILS])
 
 @dataclass(frozen=True, slots=True)
 class Latent:
-    """The state of each reading in the sampler, arrays (c, n).
+    """The hidden state of each reading in the sampler: weight, outlier or not, and shift, each (c,
+    n).
 
     ``weights``; ``outlier``: classified as one; ``shift``: by how many scales an outlier is
     shifted.

@@ -1,4 +1,4 @@
-"""The shifts of whole traverses: offsets, tilts, and drift over the runs.
+"""Sampling of the shifts of whole traverses: offset, tilt, and drift over the runs.
 
 Shifts are normal, with a covariance that is a sum of known patterns of unknown sizes, in units of
 the variance of a reading. Sizes are drawn on a grid by their exact conditional probability, with
@@ -43,7 +43,7 @@ _CLEARLY: Final = 7.0
 
 @dataclass(frozen=True, slots=True)
 class _Spectrum:
-    """Eigenvalues and scores of one pattern's covariance, relative to the covariance of all others.
+    """The covariance of one kind of shift relative to the covariance of all others, by eigenvalues.
 
     Generalised eigenvalue problem. ``base`` (forms,): log determinant of the others; ``stretch``
     (forms, r): eigenvalues; ``along`` (forms, r): scores in the direction of the eigenvectors.
@@ -55,8 +55,8 @@ class _Spectrum:
 
 
 class ReducedTraverses:
-    """Draws the sizes of the shifts of traverses from readings with ``dof`` degrees of freedom. All
-    draws are from exact conditional distributions.
+    """Sampler of the sizes of traverse shifts from readings with ``dof`` degrees of freedom. It
+    draws from exact conditional distributions.
     """
 
     def __init__(self, patterns: Patterns, data: ReducedReadings, dof: int, floor: float) -> None:
@@ -74,8 +74,8 @@ class ReducedTraverses:
         self.offset: tuple[bytes, FloatArray] | None = None
 
     def begin(self, sizes: Sizes) -> None:
-        """Set the start values ``sizes`` of the sampler. Drift or tilt gets a size where the
-        readings clearly favour it over independent offsets.
+        """Set the start values ``sizes`` of the sampler: a drift or tilt where the readings clearly
+        show it.
 
         Needed because the sampler changes one size at a time: it seldom leaves large offsets that
         imitate a drift.
@@ -91,7 +91,7 @@ class ReducedTraverses:
             sizes.size, sizes.form, sizes.rate = drifting.size, drifting.form, drifting.rate
 
     def draw_sizes(self, sizes: Sizes, rng: np.random.Generator) -> None:
-        """Draw each of the ``sizes`` given the others, with its pattern and rate."""
+        """Draw the size, pattern and rate of each kind of traverse shift, given the other kinds."""
         for kind in (OFFSET, TILT):
             sizes.form = self._draw(sizes, kind, FORM_SHARES[: self.known], rng)
             if kind == OFFSET:
@@ -102,7 +102,7 @@ class ReducedTraverses:
             sizes.rate = self._draw(sizes, kind, PACE_SHARES, rng)
 
     def draw_variance(self, sizes: Sizes, rng: np.random.Generator) -> float:
-        """Draw the variance of a reading, averaged over all shifts of traverses.
+        """Draw the variance of a reading from its distribution over all possible traverse shifts.
 
         Scaled inverse chi-square (Gelman et al., Bayesian Data Analysis, 3rd ed. 2013, section
         3.2).
@@ -133,9 +133,8 @@ class ReducedTraverses:
         return drift
 
     def effects(self, sizes: Sizes, drift: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return the mean (k,) and covariance (k, k) of offsets and tilts for a given ``drift``
-        (2,), in units of the variance of a reading. Source: Searle, Casella and McCulloch 1992,
-        section 7.4.
+        """Return mean (k,) and covariance (k, k) of offsets and tilts for a given ``drift`` (2,),
+        relative to the variance of a reading (Searle, Casella and McCulloch 1992, section 7.4).
         """
         prior = self.patterns.covariance(sizes)
         carried = prior @ self.data.root
@@ -152,7 +151,9 @@ class ReducedTraverses:
         return total
 
     def _offset(self, sizes: Sizes) -> FloatArray:
-        """Return the covariances (forms, r, r) of the scores by offsets of unit size."""
+        """Return the covariance of the scores by unit traverse offsets, for each pattern (forms, r,
+        r).
+        """
         key = sizes.moved.tobytes()
         if self.offset is None or self.offset[0] != key:
             there = self.moves[:, sizes.moved]
@@ -161,7 +162,9 @@ class ReducedTraverses:
         return self.offset[1]
 
     def _draw_moved(self, sizes: Sizes, rng: np.random.Generator) -> None:
-        """Draw which shifts exist. Where no reading decides, the prior probability alone counts."""
+        """Draw which traverse shifts exist, from the prior if the readings state nothing about
+        them.
+        """
         size = sizes.size[OFFSET]
         if size == 0.0 or sizes.form >= len(self.moves):
             sizes.moved = drawn_from_prior(sizes.moved.size, rng)
@@ -172,7 +175,9 @@ class ReducedTraverses:
         sizes.moved = draw_moved(sizes.moved, size * self.moves[sizes.form], evidence, rng)
 
     def _drifting(self, sizes: Sizes) -> FloatArray:
-        """Return the covariance (r, r) of the scores by the two drifts, for the present rate."""
+        """Return the covariance (r, r) of the scores by drift and tilt drift of the present size
+        and rate.
+        """
         total: FloatArray = sizes.size[DRIFT] ** 2 * np.outer(
             self.drift[sizes.rate], self.drift[sizes.rate]
         ) + sizes.size[DRIFT_TILT] ** 2 * np.outer(
@@ -187,8 +192,8 @@ class ReducedTraverses:
         forms: FloatArray,
         rng: np.random.Generator,
     ) -> int:
-        """Draw the size and form of one ``kind`` of shift into ``sizes``. Returns which of the
-        ``forms`` was drawn.
+        """Draw size and pattern of one ``kind`` of traverse shift into ``sizes``, and return the
+        pattern.
 
         The grid is shifted at random, so that sizes are continuous.
         """
@@ -205,8 +210,8 @@ class ReducedTraverses:
         return int(form)
 
     def _climb(self, sizes: Sizes, kind: int) -> float:
-        """Set the size and form of ``kind`` to the most probable ones, given the other kinds.
-        Returns their log evidence.
+        """Set size and pattern of one ``kind`` of traverse shift to their most probable values,
+        given the other kinds, and return the log evidence of that choice.
         """
         grid = np.concatenate([[0.0], _GRID])
         logs = self._scan(self._spectrum(sizes, kind), grid)
@@ -219,9 +224,9 @@ class ReducedTraverses:
         return float(logs[form, place])
 
     def _spectrum(self, sizes: Sizes, kind: int) -> _Spectrum:
-        """Return the eigenvalues of the covariance of ``kind`` relative to that of all others.
-        Source: Golub and Van Loan, Matrix Computations, 4th ed. 2013, section 8.7: simultaneous
-        diagonalisation.
+        """Return the eigenvalues of the covariance of ``kind`` relative to that of all other shifts
+        (simultaneous diagonalisation: Golub and Van Loan, Matrix Computations, 4th ed. 2013,
+        section 8.7).
         """
         alone = np.count_nonzero(sizes.size) == int(sizes.size[kind] > 0.0)
         key = kind, sizes.moved.tobytes() if kind == OFFSET else b""
@@ -236,8 +241,8 @@ class ReducedTraverses:
         return found
 
     def _of_forms(self, lower: FloatArray, mine: FloatArray) -> _Spectrum:
-        """Return the eigenvalues of the covariances ``mine`` (forms, r, r), given the root of the
-        others.
+        """Return the eigenvalues of the covariances ``mine`` (forms, r, r), relative to a
+        covariance with Cholesky factor ``lower``.
         """
         right = np.linalg.solve(lower, mine)
         inner = np.linalg.solve(lower, np.swapaxes(right, 1, 2))
@@ -250,7 +255,9 @@ class ReducedTraverses:
         )
 
     def _of_lines(self, lower: FloatArray, mine: FloatArray) -> _Spectrum:
-        """Return the eigenvalues of covariances c c' of the columns ``mine`` (rates, r)."""
+        """Return the eigenvalues of the rank-one covariances c c' of the columns ``mine`` (rates,
+        r), relative to a covariance with Cholesky factor ``lower``.
+        """
         both = np.stack([mine, np.broadcast_to(self.data.scores, mine.shape)], axis=2)
         column, white = np.moveaxis(np.linalg.solve(lower, both), 2, 0)
         stretch = (column**2).sum(axis=1)
@@ -263,7 +270,7 @@ class ReducedTraverses:
         )
 
     def _of_others(self, sizes: Sizes, kind: int) -> tuple[FloatArray, FloatArray]:
-        """Return two covariances (forms, r, r) for each form of ``kind``, in the scores.
+        """Return two covariances of the scores for each pattern of ``kind``, (forms, r, r) each.
 
         All other causes with the noise of the readings; and ``kind`` of unit size. For a drift the
         second is its column (rates, r).
@@ -281,8 +288,8 @@ class ReducedTraverses:
         return unit + self._moving(sizes) + rest, column
 
     def _scan(self, spectrum: _Spectrum, grid: FloatArray) -> FloatArray:
-        """Return the log evidence (forms, sizes) of each covariance times the square of each size
-        in ``grid``.
+        """Return the log evidence (forms, sizes) of each pattern of a shift at each size in
+        ``grid``.
         """
         spread = 1.0 + grid[:, np.newaxis] ** 2 * spectrum.stretch[:, np.newaxis]
         square = self.rest + (spectrum.along[:, np.newaxis] ** 2 / spread).sum(axis=2)

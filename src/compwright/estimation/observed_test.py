@@ -1,5 +1,5 @@
-"""One test as input of the estimation: mean reading and draws of the noise for each target and
-direction (ISO 230-2:1997, 2.10).
+"""One test as input of the estimation: mean readings, and draws of the noise of each mean (ISO
+230-2:1997, 2.10).
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from compwright.records.positioning import PositioningTest
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ObservedTest:
-    """A test in machine coordinates, with the correction that was active in it subtracted.
+    """A test in machine coordinates, minus the correction that was active during it.
 
     ``slope_std``: standard deviation (mm/mm) of a slope of this test alone, from its temperature.
     ``noise``: the noise inferred from its repeated readings; None where they are too few, and the
@@ -31,7 +31,7 @@ class ObservedTest:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ObservedCells:
-    """The c mean readings of one test, mm or deg.
+    """The c mean readings of one test, one for each target and direction, mm or deg.
 
     ``positions``, ``signs`` (+1, -1), ``counts`` of readings and plain ``means`` (c,);
     ``squares`` about them with ``dof`` degrees of freedom. ``by_draw`` (n, c), ``precision`` (n, c)
@@ -54,7 +54,7 @@ class ObservedCells:
 def cell_means(
     observed: ObservedTest, order: NDArray[np.intp], other_noise: NoiseDraws | None
 ) -> ObservedCells:
-    """Return the mean readings of a test, each with the noise of the draws in ``order`` (n,).
+    """Return the mean readings of a test, with the noise of each draw in ``order`` (n,).
 
     ``other_noise``: n draws of the noise of another test of the axis, for where the own readings do
     not show how the traverses moved.
@@ -103,8 +103,8 @@ def cell_means(
 def traverse_columns(
     other_noise: NoiseDraws, positions: FloatArray, signs: FloatArray
 ) -> FloatArray:
-    """Return columns (n, c, 4) of unit variance for the offset and tilt of one traverse by
-    direction.
+    """Return columns (n, c, 4) of unit variance for an unknown offset and tilt of each direction in
+    a test.
 
     Shifts of only some traverses count by their root mean square. A shift common to both directions
     is the datum of the test, or its slope.

@@ -1,4 +1,4 @@
-"""The possible periods that a search of the data finds, with their probabilities.
+"""Possible periods of the error that a search of the readings finds, with their probabilities.
 
 Prior, likelihood, and those that the targets cannot tell apart (probability of frequencies:
 Bretthorst, Bayesian Spectrum Analysis and Parameter Estimation, 1988, chapter 3).
@@ -35,8 +35,8 @@ _CLOSER: Final = 4
 
 @dataclass(frozen=True, slots=True)
 class PeriodOdds:
-    """Prior probabilities of a period before the data: ``none``, one of the ``usual`` periods, or
-    any other.
+    """Prior probabilities in a search for a period: of no period, and of one of the usual periods;
+    the rest is for any other period.
 
     The others evenly over the logarithm of the period. None about the frequencies ``taken`` (1 / mm
     or 1 / deg), which were found before.
@@ -49,8 +49,8 @@ class PeriodOdds:
 
 @dataclass(frozen=True, slots=True)
 class PeriodCandidate:
-    """A possible period: its ``frequencies`` (k,) with their ``shares`` (k,), sum 1, and ``log``,
-    the log odds against no period.
+    """A possible period, as ``frequencies`` (k,) with ``shares`` (k,) of its probability (sum 1).
+    ``log`` is its log odds against no period.
 
     ``usual``: the usual period (mm or deg) at that place, if any. ``aliases``: frequencies (j,)
     with nearly the same values at the targets, and ``alias_shares`` (j,), their parts of the
@@ -72,7 +72,7 @@ class PeriodCandidate:
 
 @dataclass(frozen=True, slots=True)
 class PeriodScan:
-    """The possible periods of one search, the most probable first.
+    """The result of one search for a period: candidates, the most probable first.
 
     ``rest``: log odds of all frequencies that belong to no candidate, against no period.
     ``log_odds`` (f,): of each searched frequency.
@@ -97,11 +97,15 @@ class _Prior:
     log_usual: FloatArray
 
     def even(self, frequencies: FloatArray) -> FloatArray:
-        """Return the log prior odds of any period, per frequency."""
+        """Return the log prior odds of an arbitrary (not usual) period at each of the
+        ``frequencies``.
+        """
         return np.asarray(self.other - np.log(frequencies))
 
     def at(self, frequencies: FloatArray) -> FloatArray:
-        """Return the log prior odds (f,) including the usual periods nearby."""
+        """Return the log prior odds (f,) of a period, usual or not, at each of the ``frequencies``
+        (f,).
+        """
         away = np.log(frequencies[..., np.newaxis] / self.usual) / _NEAR
         near = np.exp(self.log_usual - 0.5 * away**2) / (2.0 * np.sqrt(2.0 * np.pi) * _NEAR)
         density = np.log(np.exp(self.other) + np.sum(near, axis=-1)) - np.log(frequencies)
@@ -130,8 +134,8 @@ def find_candidates(
     expected: Sequence[UsualPeriod],
     before: PeriodOdds,
 ) -> PeriodScan:
-    """Return the possible periods among the equally spaced ``frequencies`` (f,) and the
-    ``expected`` ones. ``before``: their prior probabilities.
+    """Return the possible periods among equally spaced ``frequencies`` (f,) and the ``expected``
+    periods. ``before``: their prior probabilities.
     """
     targets = likelihood.targets
     resolution = 1.0 / float(np.ptp(targets))
@@ -171,8 +175,7 @@ def refine_candidate(
     expected: Sequence[UsualPeriod],
     before: PeriodOdds,
 ) -> PeriodCandidate | None:
-    """Return a possible period evaluated again under another ``likelihood``, which contains other
-    periods.
+    """Return a possible period computed again under a ``likelihood`` that contains other periods.
 
     Its aliases stay. None where it is a harmonic of one of these periods, or one of them is its
     harmonic. Arguments as in `find_candidates`.
@@ -208,8 +211,8 @@ class _ShownLikelihood:
     near: float
 
     def odds(self, frequencies: FloatArray, choice: NodeChoice) -> tuple[FloatArray, FloatArray]:
-        """Return the log odds (f,) of waves with one harmonic, and with two. -inf: the frequency is
-        excluded.
+        """Return the log odds (f,) of waves with one harmonic and with two, -inf at excluded
+        frequencies.
         """
         one, both = self.likelihood.log_odds(frequencies, choice)
         one = np.where(self._silent(frequencies), -np.inf, one)
@@ -224,7 +227,7 @@ class _ShownLikelihood:
         return silent
 
     def either(self, frequencies: FloatArray, choice: NodeChoice) -> FloatArray:
-        """Return the log odds (f,) of a wave with one harmonic or two, both counted together."""
+        """Return the log odds (f,) of a wave with one or two harmonics, both cases together."""
         odds: FloatArray = np.logaddexp(*self.odds(frequencies, choice)) - np.log(2.0)
         return odds
 
@@ -232,8 +235,8 @@ class _ShownLikelihood:
 def _peaks(
     where: FloatArray, logs: FloatArray, window: SpectralWindow, resolution: float
 ) -> list[tuple[float, IntArray]]:
-    """Return the highest peaks, each with the indices of the frequencies that cannot be
-    distinguished from it.
+    """Return the highest peaks of the log odds, each with the indices of the frequencies that the
+    targets confuse with it.
     """
     left, rounded = np.ones(where.size, dtype=bool), np.round(logs, 6)
     floor = max(0.0, float(np.max(rounded))) - _WORTH
@@ -255,8 +258,8 @@ def _peaks(
 def _aliases(
     centre: float, members: FloatArray, targets: FloatArray, resolution: float
 ) -> FloatArray:
-    """Return the ``members`` that the targets cannot distinguish from the ``centre`` although their
-    frequencies differ.
+    """Return the frequencies near ``members`` that look at the targets like the frequency
+    ``centre``.
     """
     far = np.sort(members[np.abs(members - centre) > 2.0 * PEAK * resolution])
     if not far.size:
@@ -279,8 +282,8 @@ def _close_looks(
     resolution: float,
     prior: _Prior,
 ) -> list[PeriodCandidate]:
-    """Return the peaks as possible periods, with the frequencies around each and the usual periods
-    there.
+    """Return each peak as a possible period, computed on a finer grid of frequencies. Usual periods
+    near it are included.
     """
     fine, logs = _resolved(shown, choice, centres, resolution, prior)
     usual = prior.log_usual - np.log(2.0)
@@ -306,8 +309,8 @@ def _resolved(
     resolution: float,
     prior: _Prior,
 ) -> tuple[FloatArray, FloatArray]:
-    """Return a fine grid of frequencies (k, p) about each of the ``centres`` (k,), and the log odds
-    (k, p) of each against no wave.
+    """Return a fine grid of frequencies (k, p) about each of the ``centres`` (k,), with the log
+    odds (k, p) of a wave at each.
     """
     best, half = centres.copy(), np.full(centres.size, PEAK * resolution)
     grid = np.linspace(-1.0, 1.0, _POINTS)
@@ -335,8 +338,8 @@ def _shared(
     choice: NodeChoice,
     log: float,
 ) -> PeriodCandidate:
-    """Return a possible period with the frequencies that the targets confuse with it. Their joint
-    probability ``log`` is divided by the data alone.
+    """Return a possible period with its aliases, the frequencies that look the same at the targets.
+    The readings alone divide the joint probability ``log`` among them.
     """
     if not aliases.size:
         return candidate

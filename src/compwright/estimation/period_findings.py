@@ -32,7 +32,7 @@ def period_findings(
     fitted: Sequence[float],
     nodes: Sequence[float] = (),
 ) -> list[Finding]:
-    """Return the findings of a search for periods at the ``targets`` (m,), mm or deg.
+    """Return the findings of a search for periods, mm or deg, with readings at ``targets`` (m,).
 
     CW-E012: periods found; CW-E013: periods that cannot be distinguished; CW-E014: none found, or
     none can be; CW-E015: ``known`` periods that are not among the ``fitted`` because the data do
@@ -90,9 +90,7 @@ def period_findings(
 def unseen_findings(
     unseen: Sequence[float], found: Sequence[float], kind: AxisKind
 ) -> list[Finding]:
-    """Return the findings about known periods (mm or deg) that the readings do not show (CW-E016).
-    The stated period may be wrong.
-    """
+    """Return the finding CW-E016 for known periods (mm or deg) that the readings do not show."""
     if not unseen or not found:
         return []
     unit = kind.unit
@@ -126,7 +124,9 @@ def _left_out(known: Sequence[float], fitted: Sequence[float], unit: str) -> lis
 
 
 def _of_nodes(period: float, nodes: Sequence[float]) -> float | None:
-    """Return the spacing of the nodes of an active table, if the period equals it."""
+    """Return the interval of an active compensation table with points ``nodes`` if ``period``
+    equals it.
+    """
     spacing = float(np.median(np.diff(nodes))) if len(nodes) > 2 else 0.0
     if abs(period - spacing) > _AS_SPACED * period:
         return None
@@ -142,7 +142,7 @@ def _odds(probability: float) -> Sentence:
 
 
 def meaning(period: float, kind: AxisKind) -> Sentence:
-    """Return the possible causes of an error of this ``period`` (mm or deg): what to look for."""
+    """Return the possible causes of an error with this ``period`` (mm or deg)."""
     unit = kind.unit
     once, twice = (
         [

@@ -1,4 +1,4 @@
-"""The likelihood of waves of any period in the mean of both directions.
+"""The likelihood of periodic errors (waves) of any period in the mean of both directions.
 
 It averages over the unknown smooth and local parts of the error. Model, in units of the noise of a
 typical target's mean of both directions, each target weighted by its own noise:
@@ -78,8 +78,8 @@ class BidirectionalMeans:
 
 @dataclass(frozen=True, slots=True)
 class Nodes:
-    """Grid points of the model parameters that share one ``length`` (in units of the half range)
-    and ``smoothness``.
+    """Grid points of the model parameters that have the same ``length`` (in half ranges) and
+    ``smoothness`` of the smooth error.
 
     ``smooth`` (n,): standard deviation of the smooth part; ``weights`` (n, r): precisions along its
     r directions, ``white`` (n,): across them; ``log`` (n,): likelihood without a wave times prior;
@@ -97,7 +97,7 @@ class Nodes:
 
 @dataclass(frozen=True, slots=True)
 class NodeChoice:
-    """A selection of grid points: pairs (index of the length, its points), and the amplitudes."""
+    """A selection of grid points of the model parameters, and of wave amplitudes."""
 
     nodes: tuple[tuple[int, IntArray], ...]
     amplitudes: IntArray
@@ -105,7 +105,7 @@ class NodeChoice:
 
 @dataclass(frozen=True, slots=True)
 class _Waves:
-    """The columns of f waves, split into parts along and across the r smooth functions.
+    """Cosine and sine columns of f waves, split into parts along and across the r smooth functions.
 
     ``along`` (r, f): components of each column along the smooth functions. ``across`` (f,):
     products of the columns outside these and the free columns; ``dual`` (f,): their products with
@@ -118,7 +118,7 @@ class _Waves:
 
 
 class PeriodLikelihood:
-    """Computes the likelihood of waves. ``basis`` contains the functions of the smooth part."""
+    """Calculator of the likelihood of waves in the means, with ``basis`` for the smooth error."""
 
     def __init__(self, bidirectional: BidirectionalMeans, basis: Basis) -> None:
         self.targets = bidirectional.targets
@@ -190,8 +190,8 @@ class PeriodLikelihood:
     def log_odds(
         self, frequencies: FloatArray, choice: NodeChoice | None = None, *, harmonics: int = 2
     ) -> tuple[FloatArray, ...]:
-        """Return the log likelihood ratios (f,) of a wave against no wave, with one harmonic and
-        with two. For each of the ``frequencies`` (1 / mm or 1 / deg).
+        """Return the log likelihood ratios (f,) of a wave against no wave at each of the
+        ``frequencies`` (1 / mm or 1 / deg), first with one harmonic, then with two.
 
         ``choice``: fewer nodes of the grid, of both hypotheses; ``harmonics``: 1 for those with one
         harmonic alone.
@@ -209,8 +209,8 @@ class PeriodLikelihood:
         return tuple(np.concatenate(each) - _log_sum(log) for each in zip(*parts, strict=True))
 
     def detectable(self, frequencies: FloatArray) -> FloatArray:
-        """Return the smallest amplitude (f,) that the targets would show, mm or deg, for each of
-        the ``frequencies`` (1 / mm or 1 / deg). inf: none.
+        """Return the smallest wave amplitude (f,), mm or deg, that readings at the targets would
+        show at each of the ``frequencies`` (1 / mm or 1 / deg); inf if none.
 
         A wave of this amplitude is `SEEN`, whatever its phase.
         """
@@ -229,14 +229,14 @@ class PeriodLikelihood:
         return found
 
     def everything(self) -> NodeChoice:
-        """Return the choice of all grid points and all amplitudes."""
+        """Return the selection of all grid points and all amplitudes."""
         return NodeChoice(
             tuple((number, np.arange(node.log.size)) for number, node in enumerate(self.nodes)),
             np.arange(AMPLITUDES.size),
         )
 
     def telling(self, frequencies: FloatArray) -> NodeChoice:
-        """Return the grid points that matter for waves of the ``frequencies`` or for no wave."""
+        """Return the grid points that have noticeable probability, with or without a wave."""
         choice = self.everything()
         log = self._log(choice)
         kept, amplitudes = log > np.max(log) - _MATTERS, np.zeros(AMPLITUDES.size, dtype=bool)
@@ -258,8 +258,8 @@ class PeriodLikelihood:
     def _gains(
         self, frequencies: FloatArray, choice: NodeChoice, harmonics: int = 2
     ) -> list[FloatArray]:
-        """Return the log gain (a, n, f) of a wave of each amplitude at each grid point, with one
-        harmonic, and up to the number of ``harmonics``.
+        """Return the log likelihood gains (a, n, f) of a wave, for each amplitude and grid point:
+        with one harmonic, then with more.
         """
         steps = AMPLITUDES[choice.amplitudes]
         log_prior = -0.5 * steps**2
@@ -274,7 +274,8 @@ class PeriodLikelihood:
     def moments(
         self, frequencies: FloatArray, choice: NodeChoice, *, harmonics: int = 2
     ) -> tuple[dict[tuple[int, int], FloatArray], list[FloatArray]]:
-        """Return the products W' P W and W' P y of the waves W (n, f) at each grid point.
+        """Return W' P W and W' P y, with wave columns W, means y and precision P at each grid
+        point.
 
         For each pair of columns and each column: cosine and sine of the first harmonic, half of
         those of the second.
@@ -314,8 +315,8 @@ class PeriodLikelihood:
         )
 
     def _waves(self, frequencies: FloatArray, count: int) -> _Waves:
-        """Return the cosine and sine of both harmonics, the first ``count`` of them. Those of the
-        second are halved, because its prior is half as wide.
+        """Return the first ``count`` of the four columns of each wave: cosine and sine, and half of
+        those of the second harmonic, because its prior is half as wide.
         """
         angle = 2.0 * np.pi * np.outer(self.targets - self.targets[0], frequencies)
         cosine, sine = np.cos(angle), np.sin(angle)
@@ -340,7 +341,7 @@ class PeriodLikelihood:
 def log_gains(
     gram: Mapping[tuple[int, int], FloatArray], moment: Sequence[FloatArray], variance: FloatArray
 ) -> list[FloatArray]:
-    """Return the gain in log likelihood by the first harmonic, by the first two, and so on.
+    """Return the log likelihood gain of a wave with one harmonic, with two, and so on.
 
     b' (G + D^-1)^-1 b / 2 - ln det(I + D G) / 2 elementwise, by elimination without pivoting of I +
     ``variance`` ``gram`` (Golub and Van Loan, Matrix Computations, 4th ed. 2013, algorithm 4.1.2).
@@ -393,7 +394,7 @@ def _densities(frequencies: FloatArray) -> Iterator[tuple[float, float, float, F
 
 
 def _white_nodes(dof: float, spread: float, roughness: float) -> tuple[FloatArray, FloatArray]:
-    """Return possible variances (n,) of noise plus local error, and their log prior probabilities.
+    """Return possible variances (n,) of noise and independent error together, and their log priors.
 
     In units of the noise variance of a middle. Noise: a normal logarithm of variance 2 / dof
     (JCGM 100:2008, eq. G.3; without any, a factor e either way on the standard deviation). Local
@@ -420,8 +421,8 @@ def _white_nodes(dof: float, spread: float, roughness: float) -> tuple[FloatArra
 
 
 def _independent(columns: FloatArray) -> FloatArray:
-    """Return an orthonormal basis (m, r) of the space of the columns (m, k). Directions of mere
-    rounding errors are left out.
+    """Return an orthonormal basis (m, r) of the space of the columns (m, k), without directions
+    that are only rounding errors.
     """
     if not columns.shape[1]:
         return columns
@@ -436,9 +437,7 @@ def _log_sum(logs: FloatArray) -> float:
 
 
 def log_sums(logs: FloatArray) -> FloatArray:
-    """Return the logarithm of the sum of exponentials over the first dimension, without
-    overflow.
-    """
+    """Return the log of the sum of exponentials over the first dimension, without overflow."""
     top = np.max(logs, axis=0)
     total: FloatArray = top + np.log(np.sum(np.exp(logs - top), axis=0))
     return total

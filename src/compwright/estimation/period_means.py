@@ -1,5 +1,5 @@
-"""The input of the search for periods: the mean of both directions at each target. Of many known
-periods the best are selected.
+"""Input of the search for periods: the mean of both directions at each target. Of many known
+periods only the best are fitted.
 """
 
 from __future__ import annotations
@@ -60,8 +60,8 @@ def _averages(
     precision: FloatArray,
     targets: int,
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the weights (m, c) of the mean readings in the average of each target, and its
-    variance (m,).
+    """Return the weights (m, c) of the mean readings in the average at each target, and the
+    variance (m,) of that average.
     """
     share, variance = np.zeros((targets, target_index.size)), np.zeros(targets)
     directions = np.zeros(targets)
@@ -82,8 +82,8 @@ def _dof(precision: FloatArray) -> float:
 def unseen_periods(
     bidirectional: BidirectionalMeans, basis: Basis, known: Sequence[float], found: Sequence[float]
 ) -> tuple[float, ...]:
-    """Return the ``known`` periods (mm or deg) that the mean readings contradict. Empty where no
-    period was ``found``.
+    """Return the ``known`` periods (mm or deg) that the readings contradict, if another period was
+    ``found``.
 
     Only the first harmonic of a found period counts: half of it may be a known period of its own.
     """

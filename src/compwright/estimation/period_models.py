@@ -1,5 +1,5 @@
-"""The result of a search for periods, as models with probabilities. Source: Bayesian model
-averaging: Hoeting et al., Statistical Science 14, 1999.
+"""The result of a search for periods as models with probabilities (Bayesian model averaging:
+Hoeting et al., Statistical Science 14, 1999).
 """
 
 from __future__ import annotations
@@ -31,8 +31,8 @@ _SAME: Final = 2e-3
 
 @dataclass(frozen=True, slots=True)
 class PeriodModel:
-    """One possible set of additional ``periods`` (mm or deg) with their ``harmonics``, and its
-    probability.
+    """One possible set of additional ``periods`` (mm or deg) of the error, with their ``harmonics``
+    and the probability of the set.
     """
 
     periods: tuple[float, ...]
@@ -42,7 +42,7 @@ class PeriodModel:
 
 @dataclass(frozen=True, slots=True)
 class PeriodCurve:
-    """Evidence for a wave over its period, for a figure.
+    """The evidence for a wave as a function of its period, for a figure.
 
     ``periods`` (f,) descending, mm or deg, and natural logarithm (f,) of the likelihood of a wave
     of that period over that of none; ``detectable`` (f,): least amplitude that the targets show, mm
@@ -56,7 +56,7 @@ class PeriodCurve:
 
 @dataclass(frozen=True, slots=True)
 class PeriodSearch:
-    """The result of a search for periods: possible models, and the periods found with their
+    """The result of a search for periods: possible models, and each period found with its
     probability.
 
     ``models``, the most probable first, probabilities sum to 1; ``alike``: groups of periods that
@@ -70,13 +70,13 @@ class PeriodSearch:
 
     @property
     def sure(self) -> tuple[tuple[float, ...], ...]:
-        """The groups of indistinguishable periods that contain a real period with more than even
-        odds.
+        """The groups of indistinguishable periods of which one is real with a probability above
+        1/2.
         """
         return tuple(group for group, probability in self.alike if probability > 0.5)
 
     def evidence(self) -> PeriodEvidence | None:
-        """Return the evidence over the period as a curve for a figure. None where no search was
+        """Return the evidence for a wave as a curve over its period, or None where no search was
         made.
 
         The highest values in each of `_SHOWN` steps that are even in the logarithm of the period.
@@ -106,15 +106,15 @@ NO_SEARCH: Final = PeriodSearch((PeriodModel((), (), 1.0),), (), (), None)
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PeriodSet:
-    """A set of periods that may exist together, in the order of their discovery. ``log``: the log
-    odds of the set against no period.
+    """A set of periods that may exist together, in the order of discovery. ``log`` is its log odds
+    against no period.
     """
 
     members: tuple[PeriodCandidate, ...]
     log: float
 
     def extended(self, member: PeriodCandidate) -> PeriodSet:
-        """Return the set with one more period, which was found with the others present."""
+        """Return the set with one more period, which a search given the present ones found."""
         return PeriodSet((*self.members, member), self.log + member.log)
 
     def less_certain(self, rest: float) -> PeriodSet:
@@ -126,17 +126,15 @@ class PeriodSet:
         return PeriodSet(self.members, self.log + float(np.logaddexp(0.0, rest)))
 
     def same(self, other: PeriodSet, near: float) -> bool:
-        """Return whether the other set has the same periods in any order. Frequencies may differ by
-        ``near`` (1 / mm or 1 / deg).
+        """Return whether two sets have the same periods in any order, with frequencies that differ
+        by at most ``near`` (1 / mm or 1 / deg).
         """
         mine, theirs = (np.sort([1.0 / m.period for m in s.members]) for s in (self, other))
         return mine.size == theirs.size and bool(np.all(np.abs(mine - theirs) <= near))
 
 
 def probable_sets(sets: Sequence[PeriodSet]) -> list[tuple[PeriodSet, float]]:
-    """Return the most probable ``sets`` with their probabilities; sets of very low probability are
-    dropped.
-    """
+    """Return the most probable ``sets`` with their probabilities, without very improbable sets."""
     total = log_sum(np.array([each.log for each in sets]))
     weighed = ((each, float(np.exp(each.log - total))) for each in sets)
     return [(each, probability) for each, probability in weighed if probability >= LEAST_MODEL]
@@ -145,7 +143,7 @@ def probable_sets(sets: Sequence[PeriodSet]) -> list[tuple[PeriodSet, float]]:
 def search_result(
     likely: Sequence[tuple[PeriodSet, float]], curve: PeriodCurve, suggested: Sequence[float]
 ) -> PeriodSearch:
-    """Return the result of a search from the ``likely`` sets with their probabilities."""
+    """Return the result of a search from ``likely`` sets of periods and their probabilities."""
     kept = [model for each in likely for model in _neighbours(*each)]
     scale = sum(model.probability for model in kept)
     return PeriodSearch(
@@ -196,8 +194,8 @@ def _found(
 
 
 def _neighbours(periods: PeriodSet, probability: float) -> list[PeriodModel]:
-    """Return several models of one set whose periods are not sharply known, each slightly
-    different.
+    """Return several models with slightly different periods for one set of imprecisely known
+    periods.
 
     Each period takes the quantiles of its own distribution in a random order (Latin hypercube:
     McKay, Beckman and Conover, Technometrics 21, 1979).
@@ -223,7 +221,7 @@ def _neighbours(periods: PeriodSet, probability: float) -> list[PeriodModel]:
 
 
 def _ladder(member: PeriodCandidate, count: int) -> FloatArray:
-    """Return ``count`` equally likely values (count,) of one period, mm or deg."""
+    """Return ``count`` equally likely values (count,) of an imprecisely known period, mm or deg."""
     if member.aliases.size:
         return np.asarray(1.0 / _picked(member))
     order = np.argsort(member.frequencies)
@@ -233,7 +231,7 @@ def _ladder(member: PeriodCandidate, count: int) -> FloatArray:
 
 
 def _picked(member: PeriodCandidate) -> FloatArray:
-    """Return the frequencies that represent a period with aliases: its own and some aliases."""
+    """Return frequencies that represent a period with aliases: its own, and some of the aliases."""
     return np.append(member.aliases[:: max(1, member.aliases.size // 7)], 1.0 / member.period)
 
 

@@ -73,8 +73,8 @@ def search_periods(
     known: Sequence[float] = (),
     suggested: Sequence[float] = (),
 ) -> PeriodSearch:
-    """Return the periods that the mean readings show in addition to the ``known`` ones (mm or deg),
-    with probabilities.
+    """Return the periods, mm or deg, that the mean readings show in addition to the ``known`` ones,
+    with their probabilities.
 
     ``basis``: functions of the smooth part (its periods are not used). Each of the ``suggested``
     periods (from the control's files: mm or deg) is as probable as all usual ones together. With
@@ -146,8 +146,8 @@ def wave_columns(targets: FloatArray, frequency: float) -> list[FloatArray]:
 
 @dataclass(frozen=True, slots=True)
 class _PeriodSearch:
-    """Data of a search: means, the ``frequencies`` (f,), the ``usual`` periods, and the
-    ``known`` ones (mm or deg).
+    """Input of a search for periods: the means, the ``frequencies`` (f,) to search, and the
+    ``usual`` and ``known`` periods (mm or deg).
     """
 
     bidirectional: BidirectionalMeans
@@ -157,7 +157,7 @@ class _PeriodSearch:
     known: tuple[float, ...]
 
     def candidates_with(self, periods: PeriodSet) -> PeriodScan | None:
-        """Return the candidates for one more period, given a set of periods.
+        """Return the candidates for one more period if the ``periods`` of a set exist.
 
         None where the targets are too few, or where the last period of the set has aliases.
         """
@@ -170,8 +170,8 @@ class _PeriodSearch:
         return find_candidates(likelihood, self.frequencies, self.usual, self._before(members))
 
     def detectable(self, periods: PeriodSet) -> FloatArray:
-        """Return the smallest amplitudes (f,) that the targets show, mm or deg, in the presence of
-        a set of periods.
+        """Return the smallest wave amplitudes (f,), mm or deg, that the targets show if the
+        ``periods`` of a set exist.
         """
         likelihood = self._likelihood(periods.members)
         if likelihood is None:
@@ -179,7 +179,7 @@ class _PeriodSearch:
         return likelihood.detectable(self.frequencies)
 
     def refined(self, periods: PeriodSet) -> PeriodSet:
-        """Return a set of two or more periods, each of them searched again in the presence of all
+        """Return a set of two or more periods after a new search for each of them, given all
         others.
 
         The probability of the set is then the likelihood of the waves one after another at their
@@ -206,8 +206,8 @@ class _PeriodSearch:
         return PeriodSet(tuple(members), log)
 
     def different(self, sets: Sequence[PeriodSet]) -> list[PeriodSet]:
-        """Return the sets without duplicates, the most probable first. Order of the periods does
-        not matter.
+        """Return the sets without those with the same periods in another order, the most probable
+        first.
 
         The less probable of two equal sets is dropped: its later periods were searched with an
         earlier one at a wrong place.
@@ -237,7 +237,7 @@ def _frequencies(members: Sequence[PeriodCandidate]) -> tuple[float, ...]:
 
 
 def _there(likelihood: PeriodLikelihood, member: PeriodCandidate) -> float:
-    """Return the log likelihood of a wave of exactly this frequency, relative to no wave."""
+    """Return the log odds of a wave of exactly the frequency of ``member`` against no wave."""
     frequency = np.array(_frequencies([member]))
     odds = likelihood.log_odds(frequency, likelihood.telling(frequency))
     return float(np.logaddexp(*odds)[0] - np.log(2.0))

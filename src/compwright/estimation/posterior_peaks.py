@@ -1,4 +1,4 @@
-"""The maxima of the probability of the model's parameters, and the width of each maximum.
+"""Maxima of the posterior probability of the model's parameters, with the width of each.
 
 The same roughness may be explained in more than one way, by a short length, from target to target,
 by a wave: then the posterior has a peak for each (Rasmussen and Williams, Gaussian Processes for
@@ -30,7 +30,8 @@ _LOST: Final = 10.0
 
 @dataclass(frozen=True, slots=True)
 class Peak:
-    """A maximum of the posterior probability at ``place`` (h,), with its width and weight.
+    """A maximum of the posterior probability at the parameters ``place`` (h,), with its width and
+    weight.
 
     ``root`` (f, f) of the covariance of the free hyperparameters there; ``log_mass``: logarithm of
     its height times its width.
@@ -42,8 +43,8 @@ class Peak:
 
 
 def find_peaks(evidence: Evidence, starts: Sequence[FloatArray]) -> tuple[Peak, ...]:
-    """Return the different maxima of the probability that are reached from ``starts``. Maxima of
-    almost no weight are left out.
+    """Return the different maxima of the posterior probability reached from ``starts``, without
+    those of negligible weight.
 
     One climb begins at the best of each (k, h).
 
@@ -72,8 +73,8 @@ def _best(evidence: Evidence, starts: FloatArray) -> FloatArray:
 
 
 def maximise(evidence: Evidence, start: FloatArray) -> tuple[FloatArray, float]:
-    """Return the parameters (h,) of highest posterior density, uphill from ``start``, and the
-    logarithm of that density.
+    """Return the parameters (h,) at the maximum of the posterior density reached from ``start``,
+    and the log of that density.
 
     BFGS with a backtracking step of sufficient increase (Nocedal and Wright, Numerical
     Optimization, 2nd ed. 2006, algorithms 6.1 and 3.1, eq. 3.4).
@@ -120,8 +121,8 @@ def _bfgs_update(
 
 
 def _spread(evidence: Evidence, peak: FloatArray) -> FloatArray:
-    """Return a matrix root (f, f) of the covariance of the free parameters at the maximum. It is no
-    wider than the prior.
+    """Return a root (f, f) of the covariance of the free parameters at a maximum, no wider than
+    their prior.
     """
     free = np.flatnonzero(evidence.prior.free)
     hessian = np.empty((free.size, free.size))
@@ -140,8 +141,8 @@ def _spread(evidence: Evidence, peak: FloatArray) -> FloatArray:
 
 
 def _rounded_rows(root: FloatArray) -> FloatArray:
-    """Return a matrix root (f, f) of a covariance with rounded rows. Equal inputs then give equal
-    results on every processor.
+    """Return a root (f, f) of a covariance with rounded rows, so that results are equal on every
+    processor.
 
     Each is rounded to about a thousandth of its diagonal entry, which stays positive.
     """

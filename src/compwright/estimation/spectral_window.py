@@ -1,4 +1,4 @@
-"""Waves that have the same values at all targets and so cannot be distinguished (spectral window:
+"""Waves with the same values at all targets, which readings cannot distinguish (spectral window:
 Deeming, Astrophysics and Space Science 36, 1975).
 """
 
@@ -18,8 +18,8 @@ _BLOCK: Final = 64
 
 
 def wave_similarity(targets: FloatArray, frequencies: FloatArray, other: float) -> FloatArray:
-    """Return how similar waves of the ``frequencies`` (f,) and of ``other`` are at the ``targets``
-    (m,). 1: equal; 0: nothing in common.
+    """Return how similar waves of the ``frequencies`` (f,) are to a wave of frequency ``other`` at
+    the ``targets`` (m,), from 0 to 1 (equal).
     """
     at = 2.0 * np.pi * (targets - targets[0])
     sizes = []
@@ -55,8 +55,8 @@ class SpectralWindow:
         return np.asarray(np.maximum(self.at(frequencies - other), self.at(frequencies + other)))
 
     def slow(self, frequencies: FloatArray, lowest: float) -> NDArray[np.bool_]:
-        """Return which of the ``frequencies`` look like a wave well below the frequency ``lowest``
-        at the targets.
+        """Return which ``frequencies`` look at the targets like a wave far below the frequency
+        ``lowest``.
         """
         right = np.searchsorted(self.peaks, frequencies).clip(0, self.peaks.size - 1)
         left = (right - 1).clip(0)

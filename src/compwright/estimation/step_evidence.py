@@ -1,4 +1,4 @@
-"""Evidence for steps of the error between neighbouring targets, and for single outlying targets.
+"""Evidence for steps of the error between neighbouring targets, and for outliers at single targets.
 
 Sets of both are compared, because two steps hide each other where only one is tried.
 
@@ -40,8 +40,8 @@ _ROUNDED: Final = 6  # decimals of logarithms that are compared
 
 @dataclass(frozen=True, slots=True)
 class FoundStep:
-    """A step of the error after the target with the index ``gap``: its ``size``, standard deviation
-    ``std`` and ``odds``.
+    """A step of the error behind the target with index ``gap``: its ``size``, standard deviation
+    ``std``, and ``odds`` that it exists.
     """
 
     gap: int
@@ -51,7 +51,7 @@ class FoundStep:
 
 
 class StepEvidence:
-    """The evidence for steps in the means ``y`` (k,) at the ascending positions ``x`` (k,).
+    """Calculator of the evidence for steps in means ``y`` (k,) at ascending positions ``x`` (k,).
 
     ``stds`` (k,): standard deviations of their noise; ``gaps``: number of gaps of the axis. Members
     of a set are numbered: first the steps by their gap, then outliers of the inner targets. An
@@ -82,7 +82,7 @@ class StepEvidence:
         self._keep(np.concatenate(plain), np.concatenate(products), variances)
 
     def _keep(self, volumes: FloatArray, products: FloatArray, variances: FloatArray) -> None:
-        """Keep only the sizes and lengths of noticeable probability."""
+        """Keep only the sizes and lengths of the smooth error that are reasonably probable."""
         plain = volumes - 0.5 * products[:, 0, 0]
         kept = volumes > np.max(plain) - _NEGLIGIBLE
         self.variances = np.tile(variances, int(np.sum(kept)))
@@ -102,7 +102,9 @@ class StepEvidence:
             best = tuple(one for one in best if one != weakest)
 
     def _odds(self, members: tuple[int, ...], one: int) -> float:
-        """Return the odds of a set against the best set without a step."""
+        """Return the odds that the set ``members`` explains the means, against the best set without
+        ``one``.
+        """
         others = np.arange(self.products.shape[1] - 1) != one
         without = tuple(each for each in members if each != one)
         rivals = (without, self._best((), others))
@@ -110,14 +112,14 @@ class StepEvidence:
         return float(np.exp(min(log, 100.0)))
 
     def _log(self, members: tuple[int, ...]) -> float:
-        """Return the log probability of a set, up to a constant."""
+        """Return the log probability of a set of steps and outliers, up to a constant."""
         weights = self._swept(tuple(range(len(members))), self._of(members))[0]
         log = float(_total(weights)) + self.prior * len(members)
         return round(log, _ROUNDED)
 
     def _best(self, members: tuple[int, ...], allowed: BoolArray) -> tuple[int, ...]:
-        """Return the most probable set of steps and outliers reached from ``members`` by single
-        changes.
+        """Return the most probable set of steps and outliers that single changes of ``members``
+        reach.
 
         ``allowed`` (e,): members that may be added. Each member of a set adds -log `COUNTED` to its
         log probability.
@@ -134,7 +136,7 @@ class StepEvidence:
             members, score = move, top
 
     def _more(self, members: tuple[int, ...], allowed: BoolArray) -> tuple[int, ...]:
-        """Return the most probable set with one or two more members."""
+        """Return ``members`` with the one or two most probable further steps or outliers."""
         room = self.most - len(members)
         free = np.flatnonzero(allowed)
         free = free[~np.isin(free, members)]
@@ -163,8 +165,8 @@ class StepEvidence:
     def _swept(
         self, members: tuple[int, ...], products: FloatArray
     ) -> tuple[FloatArray, FloatArray]:
-        """Return the log evidence of the steps ``members`` for all their possible sizes and
-        lengths, and the ``products`` that they leave unexplained.
+        """Return the log evidence of the steps ``members`` for each size and length of the smooth
+        error, and the ``products`` with these steps removed.
         """
         weights, left = self.plain, products
         for one in members:
@@ -175,12 +177,12 @@ class StepEvidence:
         return weights, left
 
     def _of(self, members: tuple[int, ...]) -> FloatArray:
-        """Return the products of the means with the columns of a set."""
+        """Return the scalar products among the means and the columns of the set ``members``."""
         own = (0, *(1 + one for one in members))
         return self.products[:, own][:, :, own]
 
     def _sized(self, members: tuple[int, ...], odds: dict[int, float]) -> list[FoundStep]:
-        """Return the steps of a set with their sizes, averaged over all weights."""
+        """Return the steps of a set with their sizes, averaged over all variances and lengths."""
         steps = []
         for one, mine in odds.items():
             others = tuple(each for each in members if each != one)
@@ -197,19 +199,19 @@ class StepEvidence:
 
 
 def _gain(along: FloatArray, own: FloatArray, variances: FloatArray) -> FloatArray:
-    """Return the increase of the log density by one more step or outlier."""
+    """Return how much one more step or outlier increases the log probability density."""
     return np.asarray(0.5 * along**2 / own - 0.5 * np.log(variances * own))
 
 
 def _total(logs: FloatArray) -> FloatArray:
-    """Return the logarithm of the sum over the first axis, from logarithms."""
+    """Return the logarithm of the sum over the first axis of values given as logarithms."""
     top = np.max(logs, axis=0)
     return np.asarray(top + np.log(np.sum(np.exp(logs - top), axis=0)))
 
 
 def _smooth(x: FloatArray, stds: FloatArray) -> FloatArray:
-    """Return the covariances (n, k, k) at ``x`` (k,) of smooth errors of all lengths and sizes
-    ``stds``.
+    """Return the covariances (n, k, k) at positions ``x`` (k,) of smooth errors of every tried
+    length and each standard deviation ``stds``.
     """
     apart = np.abs(np.subtract.outer(x, x)) / (np.ptp(x) / (x.size - 1))
     scaled = apart / _LENGTHS[:, np.newaxis, np.newaxis]

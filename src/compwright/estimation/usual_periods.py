@@ -1,4 +1,4 @@
-"""Periods that the drive or the scale of an axis usually puts into its error, with their reason.
+"""Periods of the error that drives and scales of machine axes usually cause.
 
 Leads of ball screws in mm: ISO 3408-2 (1991), Ball screws, part 2, nominal leads of the metric
 series, and others that are sold. One turn of the screw repeats at its lead; two bumps a turn (a
@@ -50,9 +50,7 @@ def _leads() -> list[UsualPeriod]:
 
 
 def _other_causes() -> list[UsualPeriod]:
-    """Yield the usual periods of scales and of drives without screw; also half leads that are no
-    lead themselves.
-    """
+    """Return rarer usual periods of linear axes: half a screw lead, magnets of a motor, racks."""
     return [
         UsualPeriod(7.5, "half_lead", 15.0, _SELDOM),
         UsualPeriod(12.5, "half_lead", 25.0, _SELDOM),
@@ -76,8 +74,8 @@ USUAL_PERIODS: Final = {
 
 
 def usual_periods(kind: AxisKind, suggested: Sequence[float] = ()) -> tuple[UsualPeriod, ...]:
-    """Return the usual periods of a kind of axis, and the ``suggested`` ones (mm or deg). Each
-    suggested one is as probable as all others together.
+    """Return the usual periods of a kind of axis and the ``suggested`` ones (mm or deg). Each
+    suggested period is as probable as all others together.
     """
     usual = USUAL_PERIODS[kind]
     total = sum(each.weight for each in usual)
