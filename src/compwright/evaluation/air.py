@@ -1,4 +1,4 @@
-"""The refractive index of air, by Ciddor and by the modified Edlén equation.
+"""The refractive index of air by the equation of Ciddor and by the modified Edlén equation.
 
 Sources: P. E. Ciddor, Appl. Opt. 35 (1996), no. 9; B. Edlén, Metrologia 2 (1966) 71; K. P. Birch
 and M. J. Downs, Metrologia 30 (1993) 155 and 31 (1994) 315; saturation vapour pressure over water
@@ -28,9 +28,9 @@ def ciddor(
     humidity_percent: FloatArray,
     wavelength: float = HELIUM_NEON,
 ) -> FloatArray:
-    """Return the refractive index n of air by Ciddor (1996). Arguments (k,): ``air_c`` (°C),
-    ``pressure_hpa`` (hPa), relative humidity (%); ``wavelength`` in vacuum, µm (0.3 to 1.7).
-    Valid from -40 to 100 °C and from 80 to 120 kPa. 450 µmol/mol of carbon dioxide.
+    """Return the refractive index n (k,) of air by Ciddor (1996), for 450 µmol/mol of carbon
+    dioxide. ``air_c`` (°C), ``pressure_hpa`` (hPa) and ``humidity_percent`` are (k,),
+    ``wavelength`` (µm, 0.3 to 1.7) is in vacuum. Valid from -40 to 100 °C and from 80 to 120 kPa.
     """
     S = wavelength**-2
     t, T, p = air_c, air_c + _KELVIN, 100.0 * pressure_hpa
@@ -69,7 +69,7 @@ def edlen(
     humidity_percent: FloatArray,
     wavelength: float = HELIUM_NEON,
 ) -> FloatArray:
-    """Return the refractive index n of air by the modified Edlén equation; arguments as those of
+    """Return the refractive index n of air by the modified Edlén equation. Arguments as for
     `ciddor`.
 
     Near 20 °C both agree within 1e-8; the further from it and the more humid, the more Ciddor is to
@@ -86,7 +86,7 @@ def edlen(
 
 
 def saturation_pressure(air_c: FloatArray) -> FloatArray:
-    """Return the pressure (Pa) of saturated water vapour over water, below 0 °C over ice."""
+    """Return the saturation pressure (Pa) of water vapour: over water, and below 0 °C over ice."""
     T = np.asarray(air_c) + _KELVIN
     omega = T - 0.238555575678 / (T - 650.175348448)
     A = omega**2 + 1167.05214528 * omega - 724213.167032
@@ -100,9 +100,7 @@ def saturation_pressure(air_c: FloatArray) -> FloatArray:
 
 
 def _vapour_fraction(t: FloatArray, p: FloatArray, humidity_percent: FloatArray) -> FloatArray:
-    """Return the mole fraction of water vapour in humid air. The enhancement factor is that of
-    Ciddor (1996).
-    """
+    """Return the mole fraction of water vapour in humid air (enhancement factor: Ciddor, 1996)."""
     enhancement = 1.00062 + 3.14e-8 * p + 5.6e-7 * t**2
     fraction: FloatArray = humidity_percent / 100.0 * enhancement * saturation_pressure(t) / p
     return fraction

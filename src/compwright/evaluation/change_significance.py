@@ -1,4 +1,4 @@
-"""Differences between two tests of one axis or plane, compared with their uncertainty."""
+"""Significance of a difference between two tests of one axis or plane."""
 
 from __future__ import annotations
 
@@ -7,8 +7,7 @@ from dataclasses import dataclass
 
 
 def score_of_t(t: float, dof: float) -> float:
-    """Return the standard normal value with the same probability as ``t`` of Student's
-    distribution.
+    """Return the standard normal value that is as improbable as ``t`` of Student's distribution.
 
     ``dof``: its degrees of freedom. The sign is kept. Wallace, Ann. Math. Statist. 30 (1959),
     "Bounds on normal approximations": accurate within 0.1 for the values and degrees of freedom
@@ -19,7 +18,7 @@ def score_of_t(t: float, dof: float) -> float:
 
 
 def score_of_ratio(ratio: float, dof: float, dof_below: float) -> float:
-    """Return the standard normal value with the same probability as a ratio of two variances.
+    """Return the standard normal value that is as improbable as a ratio of two variances (F test).
 
     ``dof`` of the numerator, ``dof_below`` of the denominator: degrees of freedom. Negative where
     the numerator is smaller. The cube root of F is nearly normal (Paulson, Ann. Math. Statist. 13
@@ -66,9 +65,8 @@ class UncertainValue:
 
 @dataclass(frozen=True, slots=True)
 class Change:
-    """A difference of two values with its standard uncertainty. ``score``: the standard normal
-    value of equal probability; ``two_sided_probability``: how often tests of an unchanged
-    machine differ as much.
+    """A difference of two values with its standard uncertainty. ``score`` is the standard normal
+    value that is as improbable as this difference between tests of an unchanged machine.
     """
 
     size: float
@@ -77,11 +75,13 @@ class Change:
 
     @property
     def chance(self) -> float:
-        """The probability that two tests of an unchanged machine differ by as much or more."""
+        """The probability of a difference at least this large between tests of an unchanged
+        machine.
+        """
         return two_sided_probability(self.score)
 
     def clear(self, comparisons: int = 1) -> bool:
-        """Return whether the difference exceeds its uncertainty, as one of many ``comparisons``."""
+        """Return whether the difference is significant as one of ``comparisons`` that were made."""
         return abs(self.score) > CLEAR and self.chance * comparisons < _OF_ALL
 
 
@@ -112,8 +112,8 @@ def difference(
 
 
 def scatter_changed(before: UncertainValue, after: UncertainValue) -> Change:
-    """Return how the standard deviation of a reading differs between two tests, tested by the ratio
-    of the variances (F test).
+    """Return how the standard deviation of a reading differs between two tests, with an F test of
+    the variances.
     """
     size = after.value - before.value
     if before.value <= 0.0 or after.value <= 0.0:

@@ -40,8 +40,8 @@ _SENSES: Final[tuple[Sense, ...]] = get_args(Sense)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CircularStandard:
-    """One edition of the standard for circular tests. ``undefined``: the reasons why it does not
-    define some parameters.
+    """One edition of the standard for circular tests. ``undefined`` gives the reason for each
+    parameter that it does not define.
     """
 
     id: str
@@ -71,15 +71,14 @@ CIRCULAR_STANDARDS: Final[Mapping[str, CircularStandard]] = {
 
 
 def circular_standard_by_id(name: str) -> CircularStandard:
-    """Return the circular standard of an id. Raises UsageError for an unknown one."""
+    """Return the circular standard with the id ``name``. Raises UsageError for an unknown id."""
     return by_id(name, CIRCULAR_STANDARDS, "circular standard")
 
 
 def evaluate_circle(
     test: CircularTest, standard: str = DEFAULT_CIRCULAR_STANDARD
 ) -> CircularResult:
-    """Evaluate ``test`` to ``standard``; every length in the result is in mm. The result carries no
-    diagnosis.
+    """Evaluate ``test`` to ``standard``, with all lengths in mm and without a diagnosis of causes.
 
     G is the width of the minimum zone (3.4), ``*_lsc`` the range of the distances from the
     least-squares centre of the same run, for ``G_bidirectional_lsc`` from the common one. F are the
@@ -209,7 +208,9 @@ def _common_values(test: CircularTest, evaluated: Mapping[Sense, ActualPath]) ->
 def _reasons(
     test: CircularTest, standard: CircularStandard, values: Mapping[str, float]
 ) -> dict[str, str]:
-    """Return the reasons for missing parameters: the edition, the directions, or the bar."""
+    """Return why parameters are missing: not defined by the edition, direction not measured, or
+    length of the bar not calibrated.
+    """
     reasons = {}
     for name in CIRCULAR_NAMES:
         missing = [
@@ -229,8 +230,8 @@ def _reasons(
 
 
 def _further_runs(ordered: Mapping[Sense, list[ActualPath]]) -> list[Finding]:
-    """Yield the finding CW-C001: several runs in a direction; the first counts, with G of the
-    others.
+    """Return the finding CW-C001 if a direction has several runs. Only the first run is evaluated,
+    and the finding states G of the others.
     """
     others = []
     for sense, runs in ordered.items():

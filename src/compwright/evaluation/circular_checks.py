@@ -84,8 +84,8 @@ def _um(value: float) -> Amount:
 
 
 def _directions(test: CircularTest) -> list[Finding]:
-    """Yield the finding CW-C002: one direction only; H and the bidirectional parameters need two in
-    succession (clause 5).
+    """Return the finding CW-C002 if only one direction was measured. H and the bidirectional
+    parameters need two directions in succession (clause 5).
     """
     measured = [sense for sense in ("ccw", "cw") if any(run.sense == sense for run in test.runs)]
     if len(measured) == 2:
@@ -94,16 +94,14 @@ def _directions(test: CircularTest) -> list[Finding]:
 
 
 def _calibration(test: CircularTest) -> list[Finding]:
-    """Yield the finding CW-C003: the length of the bar is not calibrated; names the parameters that
-    need it (clause 4.5, 3.4 note 3).
-    """
+    """Return the finding CW-C003 if the bar's length is not calibrated (3.4 note 3, 4.5)."""
     if test.calibrated:
         return []
     return [Finding.of("CW-C003", "warning")]
 
 
 def _feed(test: CircularTest) -> list[Finding]:
-    """Yield the finding CW-C006: the feed cannot be in mm/min."""
+    """Return the finding CW-C006 if the stated feed cannot be in mm/min."""
     if np.isfinite(test.feed) and test.feed > 0.0:
         seconds = 60.0 * 2.0 * np.pi * test.nominal_radius / test.feed
         if _CIRCLE_SECONDS[0] <= seconds <= _CIRCLE_SECONDS[1]:
@@ -121,8 +119,8 @@ def _feed(test: CircularTest) -> list[Finding]:
 
 
 def _unequal(test: CircularTest) -> list[Finding]:
-    """Yield the finding CW-C008: the two runs differ in length, and the longer one counts more in
-    the common circle.
+    """Return the finding CW-C008 if the number of samples differs between the runs. The longer run
+    then counts more in the common circle.
     """
     counts = (
         [test.of("ccw")[0].angles.size, test.of("cw")[0].angles.size]
@@ -135,8 +133,8 @@ def _unequal(test: CircularTest) -> list[Finding]:
 
 
 def _offset(test: CircularTest, centres: Mapping[str, Point], *, F_given: bool) -> list[Finding]:
-    """Yield the finding CW-C010: F on an arc contains the set-up offset (3.5 a, note 6). CW-C011:
-    an offset for which the kind of angle matters.
+    """Return the finding CW-C010 if F on an arc contains the set-up offset (3.5 a, note 6), and
+    CW-C011 if the offset is so large that the kind of angle matters.
     """
     x, y = centres["common"] if "common" in centres else next(iter(centres.values()))
     offset = float(np.hypot(x, y))
@@ -150,9 +148,7 @@ def _offset(test: CircularTest, centres: Mapping[str, Point], *, F_given: bool) 
 
 
 def _sampling(path: ActualPath) -> list[Finding]:
-    """Yield the finding CW-C004: samples too far apart to catch the spikes that clause 5 wants
-    counted.
-    """
+    """Return the finding CW-C004 if samples are too far apart for reversal spikes (clause 5)."""
     interval = float(np.ptp(path.run.angles)) / (path.run.angles.size - 1)
     if interval <= _COARSE:
         return []
@@ -160,7 +156,7 @@ def _sampling(path: ActualPath) -> list[Finding]:
 
 
 def _holes(test: CircularTest, path: ActualPath) -> list[Finding]:
-    """Yield the finding CW-C005: part of the arc was not measured."""
+    """Return the finding CW-C005 if part of the arc was not measured."""
     angles = np.sort(path.run.angles)
     usual = float(np.median(np.diff(angles)))
     limit = max(_HOLE * usual, _COARSE)
@@ -187,8 +183,8 @@ def _holes(test: CircularTest, path: ActualPath) -> list[Finding]:
 
 
 def _duplicates(path: ActualPath) -> list[Finding]:
-    """Yield the finding CW-C009: several samples at one angle (the two ends of a full circle are
-    not the same sample).
+    """Return the finding CW-C009 if several samples have the same angle. Both ends of a full circle
+    are separate samples.
     """
     repeated = int(np.count_nonzero(np.diff(np.sort(path.run.angles)) <= SAME_ANGLE))
     if repeated == 0:
@@ -197,8 +193,8 @@ def _duplicates(path: ActualPath) -> list[Finding]:
 
 
 def _beyond(test: CircularTest, path: ActualPath) -> list[Finding]:
-    """Yield the finding CW-C007: samples outside the arc; starting and stopping arcs were not
-    removed.
+    """Return the finding CW-C007 if samples lie outside the arc, such as starting and stopping
+    arcs.
     """
     covered = float(np.ptp(path.run.angles))
     if covered <= test.arc[1] + SAME_ANGLE:
@@ -207,8 +203,8 @@ def _beyond(test: CircularTest, path: ActualPath) -> list[Finding]:
 
 
 def _closing(test: CircularTest, path: ActualPath, centre: Point) -> list[Finding]:
-    """Yield the finding CW-C012: the ends of a full circle do not meet: drift, slip, or readings
-    from the starting arc.
+    """Return the finding CW-C012 if the ends of a full circle do not meet, because of drift, slip,
+    or readings from the starting arc.
     """
     ends = np.mod(path.run.angles[[0, -1]] + 45.0, 90.0) - 45.0
     if not test.full_circle or np.any(np.abs(ends) < _NEAR_AXIS):
@@ -221,14 +217,12 @@ def _closing(test: CircularTest, path: ActualPath, centre: Point) -> list[Findin
 
 
 def _scatter(radial: FloatArray) -> float:
-    """Return the standard deviation of a sample, mm, from the median absolute difference of
-    neighbours.
-    """
+    """Return the standard deviation of a sample, mm, from differences of neighbouring samples."""
     return float(1.4826 / np.sqrt(2.0) * np.median(np.abs(np.diff(radial))))
 
 
 def _zeros(path: ActualPath) -> list[Finding]:
-    """Yield the finding CW-C013: several successive samples are exactly zero, so they were not
+    """Return the finding CW-C013 if all deviations of a run are exactly zero: they were not
     measured.
     """
     if np.any(path.run.deviations):

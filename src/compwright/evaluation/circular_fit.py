@@ -1,5 +1,5 @@
-"""The least-squares circle: the sum of squared orthogonal distances is least (Gauss; ISO
-230-4:1996, 3.3 note 1 and 3.5 b).
+"""The least-squares circle, with the least sum of squared distances to the points (ISO 230-4:1996,
+3.3 note 1 and 3.5 b).
 """
 
 from __future__ import annotations
@@ -89,8 +89,8 @@ def _require_curved(x: FloatArray, y: FloatArray, size: float) -> None:
 
 
 def _algebraic_centre(x: FloatArray, y: FloatArray) -> Point:
-    """Return the centre of an algebraic circle fit. It minimises the squares of x² + y² - 2 a x - 2
-    b y - c (Kåsa 1976); x and y have mean 0.
+    """Return the centre of an algebraic circle fit, which minimises the squares of x² + y² - 2 a x
+    - 2 b y - c (Kåsa 1976). The points have mean 0.
     """
     square = x * x + y * y
     scatter = 2.0 * np.array([[x @ x, x @ y], [x @ y, y @ y]])
@@ -99,7 +99,7 @@ def _algebraic_centre(x: FloatArray, y: FloatArray) -> Point:
 
 
 def _refined(x: FloatArray, y: FloatArray, start: Point) -> Point:
-    """Return the centre about which the distances have the least variance, by Gauss-Newton steps.
+    """Return the centre from which the distances of the points vary least, by Gauss-Newton steps.
 
     Near a circle the steps become rounding errors within a few iterations. No damping: in 20 000
     sets of points with a scatter of half the radius it never changed the result. Where the steps
@@ -117,8 +117,8 @@ def _refined(x: FloatArray, y: FloatArray, start: Point) -> Point:
 
 
 def _gauss_newton_step(dx: FloatArray, dy: FloatArray) -> FloatArray:
-    """Return the step (2,) of the centre; ``dx``, ``dy`` are the points as seen from the present
-    one.
+    """Return the change (2,) of the centre in one step. ``dx``, ``dy``: points minus present
+    centre.
     """
     distance = np.hypot(dx, dy)
     safe = np.where(

@@ -23,8 +23,8 @@ SAME_ANGLE: Final = 1e-9
 
 @dataclass(frozen=True, slots=True)
 class ActualPath:
-    """One actual path. ``angles`` (n,) deg as commanded, ``points`` (n, 2) mm as seen from the
-    set-up centre.
+    """One actual path of the tool: commanded ``angles`` (n,) deg, and ``points`` (n, 2) mm relative
+    to the set-up centre.
     """
 
     run: CircularRun
@@ -39,8 +39,7 @@ class ActualPath:
 
 
 def paths(runs: Sequence[CircularRun], nominal_radius: float) -> tuple[ActualPath, ...]:
-    """Return the actual paths of ``runs`` (angles deg, deviations mm) of one set-up;
-    ``nominal_radius`` in mm.
+    """Return the actual path of each of the ``runs`` of one set-up; lengths in mm, angles in deg.
 
     Angles are commanded angles and count from the programmed centre; distances count from the
     set-up centre. The two differ by the set-up offset. The programmed centre is taken as the
@@ -74,7 +73,7 @@ def _placed(run: CircularRun, nominal_radius: float, centre: Point) -> ActualPat
 def hysteresis(
     one: ActualPath, other: ActualPath, centre: Point, arc: tuple[float, float]
 ) -> float:
-    """Return H, mm: the largest difference at one angle between two paths' distances from
+    """Return H, mm: the largest difference, at one angle, of the distances of two paths from
     ``centre``.
 
     ISO 230-4:1996, 3.3 and note 1. Each path is a straight line between its samples, so that the
@@ -97,8 +96,8 @@ def hysteresis(
 
 @dataclass(frozen=True, slots=True)
 class _Curve:
-    """The distances of a path from its centre over ascending angles (deg): the largest and the
-    smallest at each angle.
+    """Smallest and largest distance of a path from its centre at each angle (deg), angles
+    ascending.
     """
 
     angles: FloatArray

@@ -34,9 +34,9 @@ _DIGITS: Final = 12
 def circular_uncertainties(
     test: CircularTest, names: Iterable[str], budget: CircularBudget, thermal: Thermal | None
 ) -> dict[str, ExpandedUncertainty]:
-    """Return U (mm, k = 2) of each of the parameters ``names``. ``thermal``: temperature and
-    coefficient of the machine; without it the coefficient is that of steel, and the term of U_alpha
-    is missing.
+    """Return U (mm, k = 2) of each of the parameters ``names``. ``thermal`` gives temperature and
+    expansion coefficient of the machine. Without it the coefficient of steel is used, and the
+    contribution of U_alpha is missing.
     """
     radius = test.nominal_radius / 1000.0  # m
     of_length = thermal_contributions(radius, budget.U_theta, budget.U_alpha, thermal)

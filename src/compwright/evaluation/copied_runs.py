@@ -1,4 +1,5 @@
-"""Find runs that are copies of each other: equal to the last digit, or with noise added (CW-T031).
+"""Search for runs that are copies of each other: identical readings, or readings with noise added
+(CW-T031).
 
 Repeated runs of a machine differ at every target by their noise. Two runs that agree ten times
 better than other runs of the test do are one run. Where the resolution of the instrument is coarser
@@ -81,8 +82,8 @@ def _groups_of_many(block: FloatArray) -> list[list[int]]:
 
 
 def copied_run_findings(test: PositioningTest) -> list[Finding]:
-    """Return the finding CW-T031 about runs whose readings agree to the last digit or almost, in
-    one direction or between both.
+    """Return the finding CW-T031 if runs of one direction, or of both, agree to the last digit or
+    almost.
     """
     exact = _exact(test)
     if exact and not _by_chance(test):
@@ -124,7 +125,7 @@ def _exact(test: PositioningTest) -> list[Sentence]:
 
 
 def _by_chance(test: PositioningTest) -> bool:
-    """Return whether runs can be equal by chance, because the resolution of the readings is coarse.
+    """Return whether runs may be equal by chance because the readings have a coarse resolution.
 
     In pairs of different runs, the share p of targets with equal readings is the probability that
     two readings are equal. All m targets agree with the probability p^m for each pair.
@@ -142,8 +143,8 @@ def _by_chance(test: PositioningTest) -> bool:
 
 
 def _near(test: PositioningTest) -> tuple[list[Sentence], float]:
-    """Return the pairs of almost equal runs as text, and the rms difference of the runs of a
-    direction (mm or deg).
+    """Return the pairs of almost equal runs as text, and the typical rms difference between runs of
+    a direction (mm or deg).
     """
     if test.positive.shape[1] + test.negative.shape[1] > _MOST_RUNS:
         return [], 0.0
@@ -177,8 +178,8 @@ def _near(test: PositioningTest) -> tuple[list[Sentence], float]:
 
 
 def _all_apart(runs: Sequence[FloatArray]) -> list[tuple[int, int, float]]:
-    """Return the rms difference of each pair of ``runs`` (m,), after a constant and a drift
-    along the run are removed. Pairs with too few common targets are left out.
+    """Return the rms difference of each pair of ``runs`` (m,) after a constant and a linear drift
+    are removed, except for pairs with too few common targets.
     """
     if len(runs) < 2:
         return []
@@ -197,7 +198,9 @@ def _all_apart(runs: Sequence[FloatArray]) -> list[tuple[int, int, float]]:
 def _apart(
     columns: FloatArray, first: NDArray[np.intp], second: NDArray[np.intp]
 ) -> list[tuple[int, int, float]]:
-    """Return the rms differences of ``_all_apart`` for some pairs (p,) of ``columns`` (m, n)."""
+    """Return the rms differences as in `_all_apart` for the pairs (p,) of columns ``first`` and
+    ``second``.
+    """
     gaps = columns[:, first] - columns[:, second]
     patterns, which = np.unique(np.isfinite(gaps), axis=1, return_inverse=True)
     found = []
@@ -210,8 +213,8 @@ def _apart(
 
 
 def _without_drift(gaps: FloatArray, places: NDArray[np.intp]) -> FloatArray:
-    """Return the rms (p,) of differences (c, p) after their mean and their slope over ``places``
-    (c,) are removed.
+    """Return the rms (p,) of differences (c, p) after their mean and slope over ``places`` (c,) are
+    removed.
     """
     along = places - np.mean(places)
     left = gaps - np.mean(gaps, axis=0)

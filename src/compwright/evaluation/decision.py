@@ -1,5 +1,5 @@
-"""Decide whether a value keeps its limit: by simple comparison, or with the measurement uncertainty
-as a guard band.
+"""Decision whether a value keeps its limit: by the value alone, or with the uncertainty as a guard
+band.
 """
 
 from __future__ import annotations
@@ -14,8 +14,8 @@ Rule = Literal["simple", "guarded"]
 
 
 def decide(value: float, limit: float, U: float | None, rule: Rule) -> Decision:
-    """Return the decision about ``value`` <= ``limit``; ``U`` is the expanded uncertainty, all
-    three in one unit.
+    """Return the decision whether ``value`` <= ``limit``, with expanded uncertainty ``U``; same
+    unit.
 
     ``simple`` compares the value alone. ``guarded`` (ISO 14253-1) accepts when value + U <= limit,
     rejects when value - U > limit, and is undecided between. A value that is not a number is

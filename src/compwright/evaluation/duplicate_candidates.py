@@ -1,4 +1,4 @@
-"""Find tests that may be copies of one measurement.
+"""Search for tests that may be copies of one measurement.
 
 Sorting avoids a comparison of every pair; `duplicate_measurements` decides. Two tests that agree
 except for a constant (the zero of the instrument) are found as equal numbers after one of their
@@ -27,8 +27,8 @@ _Numbers = NDArray[np.int64]
 
 @dataclass(frozen=True, slots=True)
 class _CandidateRun:
-    """One run of the test with the index ``owner``: its existing readings (n,), mm or deg, and the
-    numbers of their targets.
+    """One run of the test with index ``owner``: its readings (n,), mm or deg, and the numbers of
+    their targets.
     """
 
     owner: int
@@ -37,8 +37,8 @@ class _CandidateRun:
 
 
 def equal_tests(tests: Sequence[PositioningTest]) -> list[list[int]]:
-    """Return groups of ``tests`` with the same targets and readings that differ only by one
-    constant. A group has at least two indices, ascending; readings agree within `SAME_READING`.
+    """Return groups of ``tests`` (two or more indices, ascending) with the same targets, whose
+    readings differ by one constant, within `SAME_READING`.
     """
     blocks = [np.concatenate([test.positive.ravel(), test.negative.ravel()]) for test in tests]
     made = [np.isfinite(block) for block in blocks]
@@ -53,7 +53,7 @@ def equal_tests(tests: Sequence[PositioningTest]) -> list[list[int]]:
 
 
 def tests_with_equal_run(tests: Sequence[PositioningTest], fewest: int) -> Iterator[list[int]]:
-    """Yield the groups of ``tests`` that may share a run (two or more indices, ascending).
+    """Yield groups of ``tests`` (two or more indices, ascending) that may contain the same run.
 
     Their runs in one direction agree but for a constant at the `_LOOKED_AT` lowest common targets,
     of which there are ``fewest`` or more. All tests with a run that agrees at every common target
@@ -75,7 +75,9 @@ def tests_with_equal_run(tests: Sequence[PositioningTest], fewest: int) -> Itera
 
 
 def _agreeing(runs: Sequence[_CandidateRun], fewest: int) -> Iterator[set[int]]:
-    """Yield the tests whose runs agree at the compared targets, in groups."""
+    """Yield groups of tests that each have a run that agrees with the others at the compared
+    targets.
+    """
     grids: dict[bytes, list[_CandidateRun]] = defaultdict(list)
     for run in runs:
         grids[run.places.tobytes()].append(run)
@@ -91,8 +93,8 @@ def _agreeing(runs: Sequence[_CandidateRun], fewest: int) -> Iterator[set[int]]:
 
 
 def _looked_at(grids: Sequence[_Numbers], fewest: int) -> list[set[bytes]]:
-    """Return the target indices to compare for each grid of targets, within the grid and with other
-    grids.
+    """Return for each list of targets the selections of targets at which its runs are compared: one
+    for its own runs, and one for each other list with enough common targets.
     """
     having: dict[int, list[int]] = defaultdict(list)
     for index, places in enumerate(grids):
@@ -114,7 +116,9 @@ def _common(one: _Numbers, other: _Numbers) -> _Numbers:
 
 
 def _same_there(runs: Sequence[_CandidateRun], part: _Numbers) -> Iterator[set[int]]:
-    """Yield the tests whose runs differ only by a constant at the targets ``part``, in groups."""
+    """Yield groups of tests whose runs differ only by a constant at the targets numbered in
+    ``part``.
+    """
     values = np.stack([run.values[np.searchsorted(run.places, part)] for run in runs])
     columns = (values[:, 1:] - values[:, :1]).T
     rows = np.column_stack([_numbers(column) for column in columns])
@@ -125,12 +129,12 @@ def _same_there(runs: Sequence[_CandidateRun], part: _Numbers) -> Iterator[set[i
 
 
 def _places(tests: Sequence[PositioningTest]) -> list[_Numbers]:
-    """Return the numbers of the targets of each test: the same for the same target."""
+    """Return target numbers for each test; the same target has the same number in all tests."""
     return _numbered([test.targets for test in tests])
 
 
 def _numbered(several: Sequence[FloatArray]) -> list[_Numbers]:
-    """Return `_numbers` of several arrays, numbered together."""
+    """Return `_numbers` of several arrays, with the same number for equal values in all arrays."""
     if not several:
         return []
     ends = np.cumsum([values.size for values in several])[:-1]
@@ -138,8 +142,8 @@ def _numbered(several: Sequence[FloatArray]) -> list[_Numbers]:
 
 
 def _numbers(values: FloatArray) -> _Numbers:
-    """Return a number for each value, ascending with it. Values that differ by at most
-    `SAME_READING` have the same number.
+    """Return a number for each value, in ascending order. Values that differ by at most
+    `SAME_READING` share a number.
     """
     order = np.argsort(values, kind="stable")
     ordered = values[order]

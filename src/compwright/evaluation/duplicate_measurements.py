@@ -1,4 +1,4 @@
-"""Find tests of one job that come from the same measurement: equal files or equal readings."""
+"""Search for tests of a job that come from the same measurement: equal files or equal readings."""
 
 from __future__ import annotations
 
@@ -40,8 +40,8 @@ class NamedTest:
 
 
 def same_measurement(one: NamedTest, other: NamedTest) -> bool:
-    """Return whether two tests come from one measurement. They do if they share a file (by
-    content) or a run, or have the same scattering readings at the same targets.
+    """Return whether two tests come from one measurement: a common file (by content), a common run,
+    or the same readings with scatter at the same targets.
     """
     if share_a_file(one.sources, other.sources):
         return True
@@ -51,8 +51,8 @@ def same_measurement(one: NamedTest, other: NamedTest) -> bool:
 
 
 def same_readings(one: PositioningTest, other: PositioningTest) -> bool:
-    """Return whether all readings of two tests agree except for one constant, the zero of the
-    instrument.
+    """Return whether the readings of two tests agree except for one constant, the instrument's
+    zero.
 
     Readings without any scatter may do so by chance and do not count.
     """
@@ -74,8 +74,8 @@ def same_readings(one: PositioningTest, other: PositioningTest) -> bool:
 
 
 def share_a_run(one: PositioningTest, other: PositioningTest) -> bool:
-    """Return whether two tests have a common run, except for a constant, in every direction that
-    both have.
+    """Return whether two tests have a run in common, except for a constant, in each direction that
+    both contain.
 
     The run number does not matter: a test may contain only some of the runs, or all in another
     order. In pairs of different runs, the share p of targets with the same difference is the
@@ -111,7 +111,7 @@ def share_a_run(one: PositioningTest, other: PositioningTest) -> bool:
 
 
 def _always_by_chance(ours: _Blocks, others: _Blocks) -> bool:
-    """Return whether runs with so few targets always agree by chance.
+    """Return whether runs over so few targets are likely to agree by chance.
 
     One of m differences is the most frequent, so that p is at least 1/m. Only runs without a
     missing reading count.
@@ -129,8 +129,7 @@ def _always_by_chance(ours: _Blocks, others: _Blocks) -> bool:
 
 
 def _zeros(mine: FloatArray, theirs: FloatArray) -> list[float] | None:
-    """Return the constants by which runs (columns) of two blocks differ. Runs that differ by more
-    than a constant are left out.
+    """Return the constants by which equal runs of two blocks of readings differ. A run is a column.
 
     None where no two runs can be compared, as in `_gaps`.
     """
@@ -150,8 +149,8 @@ def _zeros(mine: FloatArray, theirs: FloatArray) -> list[float] | None:
 
 
 def _spread(values: FloatArray, where: NDArray[np.bool_]) -> FloatArray:
-    """Return the largest minus the smallest of the counted values (c, ..). Negative where no value
-    counts.
+    """Return the largest minus the smallest of the values marked in ``where`` (c, ..), negative
+    where none is marked.
     """
     largest = np.where(where, values, -np.inf).max(axis=0)
     smallest = np.where(where, values, np.inf).min(axis=0)
@@ -160,8 +159,8 @@ def _spread(values: FloatArray, where: NDArray[np.bool_]) -> FloatArray:
 
 
 def _gaps(mine: FloatArray, theirs: FloatArray) -> Iterator[FloatArray]:
-    """Yield the differences between the runs (columns) of two blocks, pair by pair, at targets
-    where both have a reading.
+    """Yield the difference of each pair of runs (columns) of two blocks, at targets where both have
+    a reading.
 
     Pairs with too few common readings are left out, and so are runs of zeros that were not made.
     """
@@ -176,7 +175,7 @@ def _gaps(mine: FloatArray, theirs: FloatArray) -> Iterator[FloatArray]:
 
 
 def _in_common(zeros: Sequence[Sequence[float]]) -> bool:
-    """Return whether one constant explains the differences in every direction."""
+    """Return whether the same constant difference occurs in every direction."""
     first, *others = zeros
     return any(
         all(any(abs(zero - each) <= SAME_READING for each in other) for other in others)
@@ -185,15 +184,15 @@ def _in_common(zeros: Sequence[Sequence[float]]) -> bool:
 
 
 def _most_alike(gaps: FloatArray) -> int:
-    """Return how often the most frequent difference occurs."""
+    """Return the number of equal values among the differences, for the most frequent value."""
     ordered = np.sort(gaps)
     beyond = np.searchsorted(ordered, ordered + SAME_READING, side="right")
     return int(np.max(beyond - np.arange(gaps.size)))
 
 
 def repeat_findings(tests: Sequence[PositioningTest]) -> list[Finding | None]:
-    """Return the finding CW-T034 for each test that repeats the measurement of other tests, else
-    None.
+    """Return the finding CW-T034 for each test that repeats the measurement of another test, and
+    None for other tests.
 
     The result equals that of `same_measurement` on all pairs. The time grows with the number of
     tests, not with its square.
@@ -211,7 +210,7 @@ def repeat_findings(tests: Sequence[PositioningTest]) -> list[Finding | None]:
 
 
 def _sharing_runs(tests: Sequence[PositioningTest]) -> list[set[int]]:
-    """Return for each test the other tests that share a run with it. Very long lists are cut."""
+    """Return for each test the other tests with a common run; very large sets are cut off."""
     sharing: list[set[int]] = [set() for _ in tests]
     looked_at: set[tuple[int, int]] = set()
     for group in tests_with_equal_run(tests, _TARGETS):
@@ -226,8 +225,8 @@ def _sharing_runs(tests: Sequence[PositioningTest]) -> list[set[int]]:
 
 
 def _one_of_each(tests: Sequence[PositioningTest]) -> list[list[int]]:
-    """Return the tests (indices, ascending) in groups with the same readings or file. Most groups
-    contain one test.
+    """Return the tests in groups with the same file or readings, as ascending indices. Most groups
+    have one test.
     """
     above = list(range(len(tests)))
 
@@ -250,9 +249,7 @@ def _one_of_each(tests: Sequence[PositioningTest]) -> list[list[int]]:
 
 
 def _top(above: list[int], index: int) -> int:
-    """Return the lowest index of the group that contains ``index`` (union-find with path
-    compression).
-    """
+    """Return the lowest index in the group of ``index`` (union-find with path compression)."""
     while above[index] != index:
         above[index] = above[above[index]]
         index = above[index]
@@ -260,8 +257,8 @@ def _top(above: list[int], index: int) -> int:
 
 
 def repeated_files(tests: Sequence[Sequence[Source]]) -> list[Finding | None]:
-    """Return for each test, given by its files, the finding that it has a file of another test
-    (CW-T034). None for the others.
+    """Return the finding CW-T034 for each test, given as its files, that has a file of another
+    test, and None for other tests.
     """
     having: dict[str, list[int]] = {}
     for index, sources in enumerate(tests):

@@ -1,4 +1,4 @@
-"""Correct the readings of a laser for air and material temperature, with an environment record.
+"""Correction of laser readings for air and material temperature, with an environment record.
 
 Light: an instrument that assumes the refractive index n0 displays p for a length p n0 / n, where n
 is the index of the air (`compwright.evaluation.air`); p counts from the zero of the display.
@@ -131,7 +131,7 @@ def _file(test: PositioningTest) -> str:
 
 
 def _times(test: PositioningTest, environment: Environment) -> FloatArray | None:
-    """Return the time of each reading. None where the times are unknown and not needed."""
+    """Return the time of each reading, or None where times are unknown and not needed."""
     record = environment.record
     if test.times is None:
         if not environment.needs_time:
@@ -199,15 +199,15 @@ def _shown(time: float, record: EnvironmentRecord) -> str:
 
 
 def _usual_distance(record: EnvironmentRecord) -> float:
-    """Return the median time between rows of the record; 0 with one row."""
+    """Return the median time between rows of the record, or 0 if it has one row."""
     return float(np.median(np.diff(record.times))) if record.times.size > 1 else 0.0
 
 
 def _at(
     record: EnvironmentRecord, times: FloatArray | None, readings: FloatArray
 ) -> Mapping[str, FloatArray]:
-    """Return the environment values at each reading, interpolated in time. Readings without times
-    get the mean of all rows.
+    """Return the environment values at each reading, interpolated in time; the mean of all rows if
+    ``times`` is None.
     """
     if times is None:
         return {name: np.full_like(readings, value.mean()) for name, value in record.values.items()}
@@ -220,7 +220,7 @@ def _index(environment: Environment, at: Mapping[str, FloatArray]) -> FloatArray
 
 
 def _counted(environment: Environment) -> float:
-    """Return the refractive index that the display of the instrument assumes."""
+    """Return the refractive index of air that the instrument itself used for its display."""
     air = environment.instrument_air
     if air is None:
         return 1.0
@@ -231,9 +231,7 @@ def _counted(environment: Environment) -> float:
 
 
 def _gap(record: EnvironmentRecord, times: FloatArray) -> Iterator[Finding]:
-    """Yield a finding about the longest gap of the record during the test, if it is unusually
-    long.
-    """
+    """Yield a finding if the record has an unusually long gap during the test."""
     usual = _usual_distance(record)
     within = (record.times[1:] > np.nanmin(times)) & (record.times[:-1] < np.nanmax(times))
     widest = float(np.max(np.diff(record.times)[within], initial=0.0))
@@ -264,7 +262,8 @@ def _light_finding(
 def _untimed(
     environment: Environment, test: PositioningTest, thermal: Thermal | None
 ) -> Iterator[Finding]:
-    """Yield a finding about the unknown variation of the correction for tests without times.
+    """Yield a finding about variations of the environment that tests without times cannot be
+    corrected for.
 
     In µm over the targets; no finding where it is small. ``thermal``: the expansion whose
     temperature is that of the record.
@@ -284,8 +283,8 @@ def _untimed(
 def _changes(
     times: FloatArray, split: int, light: FloatArray, expansion: FloatArray, rest: FloatArray
 ) -> Iterator[Finding]:
-    """Yield a finding about changes during the test, µm: by air, by expansion, and of the other
-    readings.
+    """Yield a finding about the changes during the test, µm: by air, by expansion, and of the
+    remaining readings.
 
     Each change is the slope of a straight line over time through the readings of each target and
     direction, times the duration. Air and expansion: at the target with the largest change. Others:
@@ -315,7 +314,7 @@ def _changes(
 
 
 def _centred(values: FloatArray, split: int) -> FloatArray:
-    """Return values (m, n) minus their mean at each target and direction, 0 where there is none."""
+    """Return values (m, n) minus the mean at each target and direction, 0 where missing."""
     blocks = []
     for block in (values[:, :split], values[:, split:]):
         there = np.isfinite(block)

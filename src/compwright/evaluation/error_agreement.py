@@ -1,5 +1,5 @@
-"""Compare the other tests of an axis with the first one. Only tests that show the same error count
-with it.
+"""Comparison of each further test of an axis with the first one. Only tests that show the same
+error are used together.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ def disagreeing_test(
     names: tuple[str, str],
     unknown: Sequence[float] = (),
 ) -> Finding | None:
-    """Return a doubt (CW-T036) if ``test`` contradicts the error that another test shows, else
+    """Return a doubt (CW-T036) if ``test`` contradicts the error estimated from another test, else
     None.
 
     ``expected``, ``std`` (m,) by direction: the error at the targets of ``test`` according to the
@@ -97,7 +97,7 @@ def disagreeing_test(
 
 
 def _without(values: FloatArray, where: FloatArray, periods: Sequence[float]) -> FloatArray:
-    """Return the values minus the best-fitting waves of some periods."""
+    """Return the values minus the waves of the given ``periods`` that fit them best."""
     if not periods or values.size <= 2 * len(periods) + 1:
         return values
     turns = 2.0 * np.pi * where[:, np.newaxis] / np.asarray(periods)

@@ -1,5 +1,5 @@
-"""Nominal differential expansion (ISO 230-2:1997 and 2006, 3.1): deviations of a linear axis
-referred to 20 °C.
+"""Nominal differential expansion (ISO 230-2:1997 and 2006, 3.1), which refers the deviations of a
+linear axis to 20 °C.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ _MATERIAL_ONLY: Final = re.compile(
 
 
 def instrument_compensated_expansion(compensated_for: str) -> bool:
-    """Return whether the header states that the instrument already removed the material expansion.
+    """Return whether the file header states that the instrument removed the material expansion.
 
     The header is divided at commas, semicolons, ``+`` and ``/``. Parts about the air or the
     wavelength only do not count. An unknown part counts, because removing the expansion twice is
@@ -43,7 +43,7 @@ def instrument_compensated_expansion(compensated_for: str) -> bool:
 
 
 def instrument_compensated_air(compensated_for: str) -> bool:
-    """Return whether the header states that the instrument already compensated for the air.
+    """Return whether the file header states that the instrument compensated for the air.
 
     A part that is not clearly about the material alone counts, because removing the air's effect
     twice is worse than asking.
@@ -53,7 +53,7 @@ def instrument_compensated_air(compensated_for: str) -> bool:
 
 
 def refuse_rotary(test: PositioningTest) -> None:
-    """Raise UsageError for a test of a rotary axis: angles do not expand."""
+    """Raise UsageError for a test of a rotary axis, because angles do not expand."""
     if test.kind is not AxisKind.LINEAR:
         raise UsageError(
             Fault(
@@ -66,7 +66,7 @@ def refuse_rotary(test: PositioningTest) -> None:
 
 
 def refuse_reduced(test: PositioningTest) -> None:
-    """Raise InputError where the expansion was removed already, by the instrument (header
+    """Raise InputError if the expansion was already removed by the instrument (header
     ``compensated_for``) or by an earlier call.
     """
     stated = test.header.get("compensated_for", "")
@@ -95,7 +95,7 @@ def refuse_reduced(test: PositioningTest) -> None:
 
 
 def expansion_finding(thermal: Thermal) -> Finding:
-    """Return the finding CW-T024: how much expansion was removed to refer the readings to 20 °C."""
+    """Return the finding CW-T024: how much expansion was removed to refer readings to 20 °C."""
     return Finding.of(
         "CW-T024",
         "info",
@@ -110,10 +110,9 @@ def expansion_finding(thermal: Thermal) -> Finding:
 
 
 def remove_differential_expansion(test: PositioningTest, thermal: Thermal) -> PositioningTest:
-    """Return ``test`` without its differential thermal expansion, with findings. e20 = e - (x -
-    x_fix)[alpha_m (T_m - 20) - alpha_d (T_d - 20)], with a finding (CW-T024). Where the
-    temperature rose during the test, CW-T025 follows: the mean of start and end is used,
-    because no reading has a time.
+    """Return ``test`` without differential thermal expansion: e20 = e - (x - x_fix)[alpha_m (T_m -
+    20) - alpha_d (T_d - 20)]. It carries the finding CW-T024. If the temperature rose during the
+    test, CW-T025 states that the mean of start and end was used.
 
     x in mm, alpha in µm/(m K), T in °C, deviations in mm. ``thermal.x_fix`` is the fixed point of
     the measurement and ``thermal.refer_to`` says whose expansion alpha_m and T_m are: the machine's

@@ -1,4 +1,5 @@
-"""The time at which a parameter reaches its limit, from the trends of what determines it.
+"""The time at which a parameter will reach its limit, from trends of the parameter or of slope and
+reversal.
 
 A, E, M, R and B are no linear functions of time where slope and reversal are: they follow from the
 mean curve by the standard's formulas F (ISO 230-2:2014, clause 3), in µm or arcsec,
@@ -36,7 +37,8 @@ Ahead = tuple[float | None, float | None, float | None]
 
 @dataclass(frozen=True, slots=True)
 class ErrorCurve:
-    """The mean curve of both directions less its slope and mean reversal value.
+    """The mean deviation in each direction over position, without its slope and mean reversal
+    error.
 
     ``along`` (m,): distance of the targets from their middle in m; ``shape`` (2, m).
     """
@@ -46,7 +48,7 @@ class ErrorCurve:
     shape: FloatArray
 
     def value(self, slope: FloatArray, reversal: FloatArray) -> FloatArray:
-        """Return the parameter (...,) without scatter, for slopes in µm/m and mean reversal values
+        """Return the parameter (...,) without scatter, from slopes (µm/m) and mean reversal errors
         (...,).
         """
         mean = np.multiply.outer(slope, self.along)
@@ -57,8 +59,8 @@ class ErrorCurve:
 
 
 def error_curve(parameter: str, entries: Sequence[HistoryEntry]) -> ErrorCurve | None:
-    """Return the average curve of tests at the same targets. None where the parameter does not
-    follow from it, or a test does not keep its curve.
+    """Return the average error curve of tests at the same targets. None where the ``parameter``
+    does not follow from the curve, or a test did not record its curve.
     """
     along, shapes = np.empty(0), []
     for entry in entries:
@@ -81,8 +83,8 @@ def reached(
     slope: FloatArray | None = None,
     reversal: FloatArray | None = None,
 ) -> Ahead:
-    """Return when a parameter exceeds ``limit``, without the scatter of a single test; no date
-    where it does not grow.
+    """Return when a parameter exceeds ``limit``, scatter of single tests excluded. No date where it
+    does not grow.
 
     ``rest``, ``slope``, ``reversal`` (2, n): draws of level now and rate per year; a limit that is
     exceeded is reached now.

@@ -1,5 +1,5 @@
-"""Test whether lost motion is constant, as backlash compensation assumes, or depends on distance or
-speed of the move.
+"""Test whether lost motion is constant, as backlash compensation assumes, or depends on the
+distance or speed of a move.
 
 Where moves are repeated: between the groups against within them (F law). Else the rank test for a
 trend by Mann (Econometrica 13 (1945) 245) and Kendall (Rank Correlation Methods, 1975), with the
@@ -32,8 +32,8 @@ _UM: Final = shown_unit("mm")
 
 @dataclass(frozen=True, slots=True)
 class LostMotionResult:
-    """The best constant for the lost motion and the largest remaining error (µm). ``depends``:
-    whether the lost motion is not constant.
+    """The best constant for the lost motion and the largest error that it leaves (µm). ``depends``
+    is True if the lost motion is not constant.
     """
 
     constant: float
@@ -87,8 +87,8 @@ def lost_motion_result(test: LostMotionTest) -> LostMotionResult:
 
 
 def _between(values: FloatArray, means: FloatArray, group: NDArray[np.intp]) -> float:
-    """Return the test value for differences between the means of groups, relative to the scatter
-    within the groups.
+    """Return a standard normal score for differences between the means of groups, relative to the
+    scatter within groups.
     """
     dof, within = means.size - 1.0, float(values.size - means.size)
     inner = float(np.sum((values - means[group]) ** 2)) / within
@@ -99,7 +99,7 @@ def _between(values: FloatArray, means: FloatArray, group: NDArray[np.intp]) -> 
 
 
 def _trend(means: FloatArray) -> float:
-    """Return the test value for a trend in the order of the values."""
+    """Return a standard normal score for a rise or fall of the ``means`` in their order."""
     n = means.size
     rise = float(sum(np.sign(later - earlier) for earlier, later in combinations(means, 2)))
     ties = np.unique(means, return_counts=True)[1].astype(np.float64)

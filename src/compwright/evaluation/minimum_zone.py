@@ -1,5 +1,5 @@
-"""The minimum zone: two concentric circles, closest to each other, that hold all points (Chebyshev;
-ISO 230-4:1996, 3.4).
+"""The minimum zone: the narrowest ring between two concentric circles that contains all points
+(Chebyshev; ISO 230-4:1996, 3.4).
 
 The width w(c) = max|p - c| - min|p - c| has a minimum only where two points lie on the outer and
 two on the inner circle and the two pairs alternate around the centre: there the directions to the
@@ -47,8 +47,7 @@ _ROUNDING: Final = 64.0 * float(np.finfo(np.float64).eps)
 def minimum_zone(
     points: FloatArray, least_squares: tuple[Point, float] | None = None
 ) -> tuple[Point, float, float]:
-    """Return centre, inner and outer radius of the narrowest annulus that holds ``points`` (n, 2),
-    all in their unit.
+    """Return centre, inner and outer radius of the narrowest ring that contains ``points`` (n, 2).
 
     ``least_squares``: their least-squares circle, where it is known already.
 
@@ -108,9 +107,7 @@ def minimum_zone(
 
 
 def _around(x: FloatArray, y: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return the points ordered by their direction from the centre, beginning after the largest
-    gap.
-    """
+    """Return the points sorted by their angle about the centre, starting after the largest gap."""
     angle = np.arctan2(y, x)
     order = np.argsort(angle)
     gaps = np.diff(angle[order], append=angle[order[0]] + 2.0 * np.pi)
@@ -119,7 +116,8 @@ def _around(x: FloatArray, y: FloatArray) -> tuple[FloatArray, FloatArray]:
 
 
 def _reach(x: FloatArray, y: FloatArray, distance: FloatArray) -> float:
-    """Return an upper bound of the distance between the least-squares centre and the best centre.
+    """Return an upper bound of the distance from the least-squares centre to the minimum-zone
+    centre.
 
     Moving the centre by s along a unit vector e changes the distances by about s u·e, u the
     directions of the points. Let k be the smallest range of u·e over all e. The width is then at
@@ -136,7 +134,7 @@ def _reach(x: FloatArray, y: FloatArray, distance: FloatArray) -> float:
 
 
 def _outside(distance: FloatArray, low: float, high: float) -> Indices:
-    """Return the outermost and the innermost point of each sector, if it is outside the zone."""
+    """Return the outermost and innermost point of each sector that lies outside the zone."""
     bounds = np.linspace(0, distance.size, _SECTORS + 1).astype(np.intp)
     found = []
     for begin, end in pairwise(bounds):
@@ -156,7 +154,7 @@ def _pairs(n: int) -> tuple[Indices, Indices]:
 
 
 def _narrowest(x: FloatArray, y: FloatArray, reach: float, tolerance: float) -> FloatArray:
-    """Return the centre (2,) of the narrowest ring that encloses a few points.
+    """Return the centre (2,) of the narrowest ring that contains a few points.
 
     Candidates: the origin and the intersections of the points' bisectors, no farther from the
     origin than ``reach``. If several are equally good (two points on a ray determine the width),

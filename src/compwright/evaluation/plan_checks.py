@@ -1,5 +1,5 @@
-"""Checks of the test plan against the edition: targets, runs, rotary positions, spacing, long axes,
-cycle.
+"""Checks of the test plan against the edition: targets, runs, principal positions, spacing, long
+axes, cycle.
 
 Findings, never refusals.
 """
@@ -37,7 +37,7 @@ def plan_findings(
     periods: Sequence[float],
     other_tests: Sequence[PositioningTest] = (),
 ) -> list[Finding]:
-    """Return the findings about the plan of the test: targets, cycle, travel, number of runs.
+    """Return the findings about targets, cycle, travel and number of runs of a test.
 
     ``standard``: its edition (an id such as ``iso230-2:2014``); VDI 3441 is checked by the rules of
     ISO 230-2. ``travel`` of the axis and ``periods`` of known periodic errors in mm or deg;
@@ -73,8 +73,8 @@ def _is_long(test: PositioningTest, travel: tuple[float, float] | None) -> bool:
 
 
 def _runs(test: PositioningTest) -> list[Finding]:
-    """Yield the finding CW-T001: fewer than five approaches per direction; one approach is for axes
-    over 2 000 mm or 360° only.
+    """Return the finding CW-T001 if a direction has fewer than five approaches. A single approach
+    is allowed only for axes over 2 000 mm or 360°.
     """
     counts = {d: int(test.readings(d).max(initial=0.0)) for d in Direction}
     measured = {d: n for d, n in counts.items() if n}
@@ -98,8 +98,8 @@ def _runs(test: PositioningTest) -> list[Finding]:
 
 
 def _linear_targets(test: PositioningTest) -> list[Finding]:
-    """Yield the finding CW-T002: fewer than five targets per metre or five in all (4.3.2). Long
-    axes with n = 1 have another interval.
+    """Return the finding CW-T002 if a linear axis has fewer than five targets per metre, or fewer
+    than five in all (4.3.2). Long axes with one approach have another interval.
     """
     length = _length(test)
     if length > LONG[test.kind] and approaches(test) == 1:
@@ -115,8 +115,8 @@ def _linear_targets(test: PositioningTest) -> list[Finding]:
 
 
 def _rotary_targets(test: PositioningTest, standard: str) -> list[Finding]:
-    """Yield the finding CW-T002 and CW-T004: number of targets and principal positions of rotary
-    axes (1988: 4.3.4; later: 4.3.4, table 1).
+    """Return the findings CW-T002 and CW-T004 if a rotary axis lacks targets or principal positions
+    (4.3.4; from 1997 with table 1).
     """
     length, number = _length(test), test.targets.size
     missing = [p for p in _PRINCIPAL if _within(test, p) and not _has(test.targets, p)]
@@ -141,7 +141,9 @@ def _rotary_targets(test: PositioningTest, standard: str) -> list[Finding]:
 
 
 def _within(test: PositioningTest, principal: float) -> bool:
-    """Return whether some turn of the position ``principal`` is in the measured range."""
+    """Return whether the angle ``principal``, plus any whole number of turns, is in the measured
+    range.
+    """
     first, last = float(test.targets[0]), float(test.targets[-1])
     return (
         first - 1e-9
@@ -161,8 +163,8 @@ def _long_axis(
     travel: tuple[float, float] | None,
     other_tests: Sequence[PositioningTest],
 ) -> list[Finding]:
-    """Yield the finding CW-T005: axes over 2 000 mm or 360° need two tests. One has n = 1 over the
-    whole length, the other n = 5 over 2 000 mm or 360°.
+    """Return the finding CW-T005 if an axis over 2 000 mm or 360° lacks one of its two tests: one
+    approach over the whole length, or five over 2 000 mm or 360°.
 
     No finding where the second test is among ``other_tests``.
     """
@@ -182,13 +184,14 @@ def _long_axis(
 
 
 def _is_single(test: PositioningTest) -> bool:
-    """Whether a test is that of a long axis with one approach per direction."""
+    """Return whether this is the test of a long axis with one approach per direction."""
     return approaches(test) == 1 and _length(test) > LONG[test.kind]
 
 
 def _long_interval(test: PositioningTest, standard: str) -> list[Finding]:
-    """Yield the finding CW-T006: targets at most 250 mm apart (4.3.3). Rotary axes: at most 45°
-    (1997, GOST) or eight targets per turn (2006, 2014), up to 1 800°.
+    """Return the finding CW-T006 if targets of a long axis are over 250 mm apart (4.3.3). Rotary
+    axes need an interval of at most 45° (1997, GOST), or eight targets per turn up to 1 800° (2006,
+    2014).
     """
     length, number = _length(test), test.targets.size
     if test.kind is AxisKind.LINEAR:
@@ -210,8 +213,8 @@ def _long_interval(test: PositioningTest, standard: str) -> list[Finding]:
 
 
 def _travel_covered(test: PositioningTest, travel: tuple[float, float] | None) -> list[Finding]:
-    """Yield the finding CW-T007: targets outside the travel, or an end of the travel without a
-    target for more than one mean interval.
+    """Return the finding CW-T007 if targets lie outside the travel, or more than one mean interval
+    at an end of the travel has no target.
 
     An axis of a full turn may be counted from anywhere.
     """
@@ -245,8 +248,8 @@ def _travel_covered(test: PositioningTest, travel: tuple[float, float] | None) -
 
 
 def _spacing(test: PositioningTest, periods: Sequence[float]) -> list[Finding]:
-    """Yield the finding CW-T008: equally spaced targets, or targets that hide a known period
-    because of their spacing (4.2).
+    """Return the finding CW-T008 if targets are equally spaced, or if their spacing hides a known
+    period of the error (4.2).
     """
     if test.targets.size < 3:
         return []
@@ -281,7 +284,8 @@ def _targets_text(test: PositioningTest) -> Sentence:
 
 
 def _phases_seen(targets: FloatArray, period: float) -> float:
-    """Return how well the targets show a wave of ``period``, from 0 (hidden) to 0.5 (best).
+    """Return how evenly the targets sample the phases of a wave of ``period``, from 0 (hidden) to
+    0.5.
 
     The smaller eigenvalue of the covariance matrix of cosine and sine at the targets.
     """

@@ -1,4 +1,4 @@
-"""Check the readings of a single test for wrong units, wrong directions and copies.
+"""Checks of the readings of a single test for a wrong unit, wrong directions, or copies.
 
 `certain_fault` returns what is certain (a caller refuses the test), `plausibility_findings` what is
 possible (doubts, shown first). The reason of each number is at its constant; lengths in mm, angles
@@ -59,8 +59,8 @@ FEWEST_TARGETS: Final = {AxisKind.LINEAR: 5, AxisKind.ROTARY: 3}
 
 
 def certain_fault(test: PositioningTest) -> str:
-    """Return why these readings cannot be deviations of a machine in the stated unit. Empty where
-    they can.
+    """Return why the readings cannot be deviations of a machine in the stated unit, or an empty
+    text.
 
     Certain are: every reading the same (nothing was measured); all readings within 0.1 µm per metre
     (0.01 arcsec); repeated readings that scatter by less than 2 nm (0.0005 arcsec) while all lie
@@ -114,8 +114,8 @@ def _smaller(test: PositioningTest) -> str:
 
 
 def plausibility_findings(test: PositioningTest) -> list[Finding]:
-    """Return the findings about a wrong unit, origin or direction of a test: CW-T030 to CW-T033,
-    CW-T035.
+    """Return the findings CW-T030 to CW-T033 and CW-T035 about the unit, origin and direction of
+    the readings.
     """
     return [*_small(test), *copied_run_findings(test), *_turned(test), *_inches(test), *_few(test)]
 
@@ -136,8 +136,8 @@ def _small(test: PositioningTest) -> list[Finding]:
 
 
 def _other_unit(test: PositioningTest) -> Finding | None:
-    """Return a finding if the readings are far more typical in another unit, with the odds; else
-    nothing.
+    """Return a finding with the odds if the readings are far more typical in another unit, else
+    None.
     """
     if _positions_measured(test):  # in another unit they would not be near their targets
         return None
@@ -164,7 +164,7 @@ def _positions_measured(test: PositioningTest) -> bool:
 
 
 def reversal_above_zero(test: PositioningTest) -> float:
-    """Return the mean reversal value (mm or deg) if it is positive and larger than on typical
+    """Return the mean reversal error (mm or deg) if it is positive and larger than on typical
     machines, else 0.
     """
     reversal = mean_deviation(test.positive) - mean_deviation(test.negative)
@@ -176,8 +176,8 @@ def reversal_above_zero(test: PositioningTest) -> float:
 
 
 def _turned(test: PositioningTest) -> list[Finding]:
-    """Yield the finding CW-T032: the mean reversal value is above zero, so directions or sign may
-    be reversed.
+    """Return the finding CW-T032 if the mean reversal error is above zero, so that directions or
+    sign may be reversed.
     """
     mean = reversal_above_zero(test)
     if not mean:
@@ -195,9 +195,7 @@ def _turned(test: PositioningTest) -> list[Finding]:
 
 
 def _inches(test: PositioningTest) -> list[Finding]:
-    """Yield the finding CW-T033: the targets may be inches: converted from inches they are whole
-    millimetres.
-    """
+    """Return the finding CW-T033 if targets are whole numbers in inches and not in millimetres."""
     if test.kind is not AxisKind.LINEAR or test.targets.size < 5:
         return []
     as_inches = test.targets * _INCH
@@ -213,7 +211,9 @@ def _inches(test: PositioningTest) -> list[Finding]:
 
 
 def _few(test: PositioningTest) -> list[Finding]:
-    """Yield the finding CW-T035: fewer targets than any edition requires (4.3.2, 4.3.4)."""
+    """Return the finding CW-T035 if there are fewer targets than any edition requires (4.3.2,
+    4.3.4).
+    """
     count, fewest = test.targets.size, FEWEST_TARGETS[test.kind]
     if count >= fewest:
         return []
@@ -228,7 +228,7 @@ _COVERS: Final = (0.5, 1.05)
 
 
 def wrong_target_unit(test: PositioningTest, travel: tuple[float, float]) -> str:
-    """Return the other unit in which the targets fit the ``travel`` (mm). Empty if they fit in mm.
+    """Return the unit in which the targets fit the ``travel`` (mm), or an empty text if mm fits.
 
     Certain, because nothing else brings it about: the targets span less than a tenth of the travel
     (or more than ten times of it), and times 25.4 or 1000 (or divided by it) they span at least

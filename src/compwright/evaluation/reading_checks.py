@@ -1,5 +1,5 @@
-"""Checks of the readings: missing readings, traverses of zeros, drift over the runs, suspect
-traverses and outliers.
+"""Checks of the readings: missing, traverses of zeros, drift from run to run, deviating runs, and
+outliers.
 
 With n = 5 no reading can lie further than 1.789 s from its own mean, so a 3 s rule never fires;
 what is suspect is judged by medians pooled over the targets. Nothing is dropped: each finding shows
@@ -83,7 +83,7 @@ def position_text(position: float, test: PositioningTest) -> Amount:
 
 
 def sign_text(direction: Direction) -> str:
-    """Return the approach direction as a printed sign, + or −."""
+    """Return the approach direction as text, + or −."""
     return "+" if direction is Direction.POSITIVE else "−"
 
 
@@ -95,7 +95,7 @@ def _run_number(test: PositioningTest, direction: Direction, column: int) -> int
 def reading_findings(
     test: PositioningTest, compare: Compare, reported: Collection[str] = ()
 ) -> list[Finding]:
-    """Return the findings about the readings of ``test``.
+    """Return all findings about the readings of ``test``.
 
     ``compare`` returns the result with and without some of the readings as text. ``reported``:
     codes that the noise estimate reports already. With CW-T012 in it, drift is not reported again;
@@ -111,9 +111,7 @@ def reading_findings(
 
 
 def missing_reading_findings(test: PositioningTest) -> list[Finding]:
-    """Return a finding when the number of readings differs between the targets of one direction
-    (CW-T010).
-    """
+    """Return the finding CW-T010 if targets of one direction have different numbers of readings."""
     parts = []
     for direction in _BOTH:
         number = test.readings(direction)
@@ -140,8 +138,8 @@ def missing_reading_findings(test: PositioningTest) -> list[Finding]:
 
 
 def zero_traverse_findings(test: PositioningTest) -> list[Finding]:
-    """Return the findings on readings that are exactly zero (CW-T011). One for each traverse of
-    zeros (two targets or more), one for rows of zeros within a traverse.
+    """Return the finding CW-T011 for each traverse of exact zeros (two targets or more), and one
+    for all shorter rows of zeros.
 
     A file that was read with this finding of its own (CW-R010) does not get the first one twice.
     """
@@ -197,7 +195,7 @@ def _longest_row_of_zeros(values: FloatArray) -> int:
 
 
 def drift_findings(test: PositioningTest) -> list[Finding]:
-    """Return a finding (CW-T012) if the deviations at the targets drift from run to run.
+    """Return the finding CW-T012 if the deviations at the targets drift from run to run.
 
     That is a drift between successive approaches to any particular target position (ISO 230-2:1997,
     3.3), pooled over the targets.
@@ -243,8 +241,8 @@ def _drift_sentence(
     means: FloatArray,
     growths: FloatArray,
 ) -> Sentence:
-    """Return the drift of each direction as text. It is the mean drift, or the drift at both ends
-    of the travel if the mean hides it.
+    """Return the drift of each direction as text: its mean, or its value at both ends of the travel
+    if the mean hides it.
     """
     if np.abs(growths).max() <= np.abs(means).max():
         each = [
@@ -269,15 +267,14 @@ def _drift_sentence(
 
 
 def _along(targets: FloatArray) -> FloatArray:
-    """Return the scaled position of each target (m,) along the travel: mean 0, mean square 1."""
+    """Return the position of each target (m,), scaled to mean 0 and mean square 1."""
     away = targets - np.mean(targets)
     spread: FloatArray = away / max(float(np.sqrt(np.mean(away**2))), _ROUNDING)
     return spread
 
 
 def _chance(table: FloatArray, centred: FloatArray) -> float:
-    """Return the share of run orders whose drift is at least as large as that of the measured
-    order.
+    """Return the probability that runs in random order show at least the measured drift.
 
     In random order, the progressions of many runs are normal with the covariance of their scores
     times the square sum of the places, and the statistic a sum of squares of normals.
@@ -297,8 +294,8 @@ def _chance(table: FloatArray, centred: FloatArray) -> float:
 
 @lru_cache(maxsize=8)
 def _orders(runs: int) -> FloatArray:
-    """Return the possible orders of the runs, as offsets from the middle. Many runs: 20 000 random
-    orders.
+    """Return orders of the runs, as offsets from the middle: all orders, or 20 000 random ones if
+    there are many runs.
     """
     centred: FloatArray = np.arange(runs, dtype=np.float64) - 0.5 * (runs - 1)
     if runs <= 7:
@@ -310,8 +307,8 @@ def _orders(runs: int) -> FloatArray:
 
 
 def suspect_traverse_findings(test: PositioningTest, compare: Compare) -> list[Finding]:
-    """Return a finding for each run that deviates from the others as a whole (CW-T013), in one
-    direction or in both. Needs at least three runs.
+    """Return the finding CW-T013 for each run whose readings in one or both directions deviate as a
+    whole. At least three runs are needed.
     """
     shifts = _shifts(test)
     suspect = _suspect(test, shifts)
@@ -347,8 +344,8 @@ def suspect_traverse_findings(test: PositioningTest, compare: Compare) -> list[F
 
 
 def _shifts(test: PositioningTest) -> dict[Traverse, float]:
-    """Return the offset of each traverse from the others of its direction (median over the targets,
-    mm or deg).
+    """Return the offset of each traverse from the others of its direction (median over targets; mm
+    or deg).
 
     Directions with three runs or more.
     """
@@ -361,7 +358,7 @@ def _shifts(test: PositioningTest) -> dict[Traverse, float]:
 
 
 def _suspect(test: PositioningTest, shifts: Mapping[Traverse, float]) -> dict[int, list[Traverse]]:
-    """Return the suspect traverses of each run.
+    """Return the deviating traverses of each run, by number of the run.
 
     Each run is compared with the scatter of the readings in the other runs, because an outlying run
     would otherwise increase the scatter that it is compared with.
@@ -394,8 +391,8 @@ def _without(test: PositioningTest, traverses: Iterable[Traverse]) -> Positionin
 def suspect_reading_findings(
     test: PositioningTest, compare: Compare, *, reported: bool = False
 ) -> list[Finding]:
-    """Return one finding (CW-T014) for all readings that are outliers at their target and in their
-    traverse; n >= 4.
+    """Return one finding (CW-T014) for all readings that are outliers both at their target and in
+    their traverse. At least four readings per target are needed.
 
     ``reported``: another finding names them; this one gives the result with and without them.
     """
@@ -433,8 +430,8 @@ def suspect_reading_findings(
 
 
 def _run_scores(residual: FloatArray, along: FloatArray, scale: float) -> FloatArray:
-    """Return two drift values of each run, (2, n): the mean residual, and the mean residual times
-    position.
+    """Return two drift scores of each run, (2, n): the mean residual, and the mean of residual
+    times position.
 
     Residuals are clipped at three ``scale``; ``along`` (m,): the place along the travel; 0 for a
     run without readings.

@@ -1,4 +1,4 @@
-"""Readings minus the median of their target, and a robust standard deviation of a reading."""
+"""Readings minus the median at their target, and the robust standard deviation of a reading."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ _BOTH: Final = (Direction.POSITIVE, Direction.NEGATIVE)
 
 
 def pooled_residuals(test: PositioningTest) -> tuple[list[FloatArray], float]:
-    """Return the residuals (m, n) in + and − from the median of each target, and their robust scale
-    for both directions.
+    """Return the readings (m, n) minus the median at their target in + and −, and their common
+    robust standard deviation.
     """
     residuals = [
         test.deviations(direction) - row_medians(test.deviations(direction)) for direction in _BOTH
@@ -47,7 +47,7 @@ def row_medians(values: FloatArray) -> FloatArray:
 
 
 def run_medians(residual: FloatArray) -> FloatArray:
-    """Return the medians (1, n) over the targets of the residuals (m, n) of each run."""
+    """Return the median (1, n) of the residuals (m, n) of each run, over all targets."""
     return row_medians(residual.T).T
 
 
@@ -66,7 +66,7 @@ def robust_scale(residuals: list[FloatArray], test: PositioningTest) -> float:
 
 
 def _unbiased_medians(residual: FloatArray) -> FloatArray:
-    """Return the unbiased median absolute residual of each target with at least three readings."""
+    """Return the unbiased median absolute residual at each target with three readings or more."""
     number = np.count_nonzero(np.isfinite(residual), axis=1)
     enough = number >= 3
     factors = np.array([_MAD_FACTORS.get(int(n), n / (n - 0.8)) for n in number[enough]])

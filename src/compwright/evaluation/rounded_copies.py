@@ -1,4 +1,4 @@
-"""Find a test that is a second record of another test.
+"""Check whether a test is a second record of the same measurement as another test.
 
 It may have fewer digits, another zero of the instrument, its runs in another order, or only some of
 the runs and targets.
@@ -27,7 +27,7 @@ _NEARLY_ALL: Final = 0.9
 
 
 def last_digit(test: PositioningTest) -> float:
-    """Return the resolution step of all readings of a test, mm or deg, at least 0.1 µm."""
+    """Return the common resolution step of all readings of a test, mm or deg, at least 0.1 µm."""
     blocks = [test.deviations(direction).ravel() for direction in Direction]
     values = np.concatenate(blocks)
     gaps = np.diff(np.unique(np.round(values[np.isfinite(values)], 9)))
@@ -64,8 +64,7 @@ def is_rounded_copy(test: PositioningTest, original: PositioningTest) -> bool:
 
 
 def is_coarse(test: PositioningTest, original: PositioningTest) -> bool:
-    """Return whether readings of ``test`` may agree with ``original`` by chance, because they are
-    coarse.
+    """Return whether readings are so coarse that ``test`` and ``original`` may agree by chance.
 
     Coarse: the runs, apart from a constant, scatter by less than a resolution step of ``test``, or
     no target was approached twice.

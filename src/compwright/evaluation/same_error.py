@@ -1,4 +1,4 @@
-"""Find two axes that show the same error: one axis may have been measured twice.
+"""Search for two axes that show the same error, because one axis may have been measured twice.
 
 Compared are the mean readings at common targets. Those of one axis differ only by noise; those of
 two axes differ also by a smooth curve of the size of their errors. Marginal likelihoods (Rasmussen
@@ -31,8 +31,8 @@ _LENGTH: Final = 0.4
 
 
 def same_error_findings(tests: dict[str, list[PositioningTest]]) -> list[Finding]:
-    """Return a doubt (CW-T037) for each pair of axes whose tests show the same error. ``tests``
-    by the name of the axis.
+    """Return a doubt (CW-T037) for each pair of axes that show the same error. ``tests`` are by
+    axis name.
     """
     found = []
     for one, other in combinations(tests, 2):
@@ -55,8 +55,8 @@ def same_error_findings(tests: dict[str, list[PositioningTest]]) -> list[Finding
 
 
 def same_error_odds(one: PositioningTest, other: PositioningTest) -> float:
-    """Return how much more probable one common error of two tests is than two different errors. 0
-    with too few common targets.
+    """Return the odds that two tests show one common error rather than two different ones, 0 with
+    too few common targets.
     """
     if one.kind is not other.kind:
         return 0.0
@@ -82,7 +82,7 @@ def _log_density(values: FloatArray, covariance: FloatArray) -> float:
 
 
 def _common(one: PositioningTest, other: PositioningTest) -> tuple[FloatArray, ...]:
-    """Return the data for comparing two tests at their common targets and directions.
+    """Return the data to compare two tests at their common targets and directions.
 
     Difference of the means, both means, variance of the difference, position and direction (+1,
     -1).

@@ -1,4 +1,4 @@
-"""Draw the readings that a test would have shown without environmental variation.
+"""Random draws of the readings that a test would have shown without environmental variation.
 
 A reading is the position of the axis plus environmental variation of known size, which increases
 the scatter and, because a maximum over many targets picks the largest variation, also the
@@ -34,8 +34,8 @@ _POWERS: Final = (2.0, 4.0)
 def without_environment(
     test: PositioningTest, sigma: float, count: int, rng: np.random.Generator
 ) -> tuple[FloatArray, FloatArray]:
-    """Return ``count`` random draws of the readings in + (count, m, n) and in -, mm or deg, without
-    environmental variation.
+    """Return ``count`` random draws of the readings without environmental variation, in + (count,
+    m, n) and in −; mm or deg.
 
     Its standard deviation is ``sigma``, one draw per reading; NaN where no reading was made.
     """
@@ -62,7 +62,7 @@ def without_environment(
 
 
 def _squares(block: FloatArray) -> FloatArray:
-    """Return the sum of squares (m,) of the readings about the mean of each target."""
+    """Return the sum of squares (m,) of the readings about the mean at each target."""
     return np.asarray(np.nansum((block - mean_deviation(block)[:, np.newaxis]) ** 2, axis=1))
 
 
@@ -93,8 +93,8 @@ def _own_variance(
 
 
 def _populations() -> FloatArray:
-    """Return the weights (h, t) of the possible variances: every mean level with every spread about
-    it. The first is no scatter at all.
+    """Return prior weights (h, t) over the tried variances of the axis' own scatter: a row for each
+    mean level and each spread between targets. The first row means no scatter at all.
     """
     level = np.log(4.0) * np.arange(_TRIED.size)
     off = level[:, np.newaxis] - level
@@ -112,7 +112,7 @@ def _drawn(evidence: FloatArray, count: int, rng: np.random.Generator) -> NDArra
 def _scatter(
     block: FloatArray, own: FloatArray, sigma: float, rng: np.random.Generator
 ) -> FloatArray:
-    """Return random draws (count, m, n) of the axis' own scatter about its means, from ``block``
+    """Return random draws (count, m, n) of the scatter of the axis alone, from readings ``block``
     (m, n).
 
     The share own / (own + sigma²) of a residual belongs to the axis; the uncertainty of this part
@@ -128,7 +128,7 @@ def _scatter(
 def _means(
     test: PositioningTest, own: float | None, sigma: float, count: int, rng: np.random.Generator
 ) -> tuple[FloatArray, FloatArray]:
-    """Return random draws (count, m) of the means in + and in - without environmental variation.
+    """Return random draws (count, m) of the means in + and in − without environmental variation.
 
     ``own``: the variance of the axis' own scatter, None where no reading is repeated.
     """
@@ -154,7 +154,8 @@ def _curve(
     count: int,
     rng: np.random.Generator,
 ) -> FloatArray:
-    """Return random draws (count, m) of ``values`` (m,) without environmental variation.
+    """Return random draws (count, m) of a mean curve ``values`` (m,) without environmental
+    variation.
 
     ``noise``: its variance; ``own``: the variance of the axis' own scatter, which always remains.
     Without its straight line a curve is smooth plus rough: the variance of its cosine coefficients
@@ -179,8 +180,8 @@ def _curve(
 
 
 def _curves_tried(m: int, *, own_known: bool) -> tuple[FloatArray, FloatArray]:
-    """Return the possible variances (h, m - 1) of a curve's cosines, in units of the noise, and log
-    weights.
+    """Return possible variances (h, m - 1) of the cosine coefficients of a curve, relative to the
+    noise, and their log prior weights.
 
     The model without a smooth part has the same prior weight as all models with one. A model
     without a rough part has the same weight as all with one if the scatter of the axis is counted
@@ -198,6 +199,6 @@ def _curves_tried(m: int, *, own_known: bool) -> tuple[FloatArray, FloatArray]:
 
 
 def _cosines(m: int) -> FloatArray:
-    """Return the orthonormal cosines (m - 1, m) over m targets, without the constant."""
+    """Return the orthonormal cosine functions (m - 1, m) over m targets, except the constant."""
     order, target = np.arange(1, m)[:, np.newaxis], np.arange(m)
     return np.asarray(np.sqrt(2.0 / m) * np.cos(np.pi * order * (target + 0.5) / m))

@@ -1,4 +1,4 @@
-"""Find changes in a series of tests of one axis or one plane that exceed the uncertainty."""
+"""Search a series of tests of one axis or plane for changes that exceed the uncertainty."""
 
 from __future__ import annotations
 
@@ -96,8 +96,8 @@ def noted_changes(
 
 
 def _between_tests(others: Sequence[Change]) -> tuple[float, float]:
-    """Return the variance between tests that exceeds their standard errors, and its degrees of
-    freedom.
+    """Return the variance between tests that their standard errors do not explain, and its degrees
+    of freedom.
 
     From other comparisons of the same parameter; 0 with fewer than four. Neighbouring differences
     share a test, so that two thirds of their number count.
@@ -127,8 +127,8 @@ _DAYS: Final = 365.25
 
 
 def noted_trends(entries: Sequence[HistoryEntry]) -> Iterator[NotedTrend]:
-    """Yield the rate per year of each parameter. It uses the dated tests that can be compared
-    with the last one; ``entries`` in order of time.
+    """Yield the rate per year of each parameter, from the dated tests that can be compared with the
+    last one. ``entries`` are in order of time.
 
     A jump of one parameter makes jumps of the others between the same tests likely: else a
     collision that tilts the error curve within the temperature uncertainty looks like growth.
@@ -147,7 +147,7 @@ def noted_trends(entries: Sequence[HistoryEntry]) -> Iterator[NotedTrend]:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _ComparedTests:
-    """The tests of a parameter that can be compared with the last one.
+    """The tests of one parameter that were made in the same way as the last one.
 
     ``places``: theirs in the series; ``odds``: of a jump after each.
     """
@@ -159,11 +159,13 @@ class _ComparedTests:
     odds: Sequence[float]
 
     def values(self, name: str) -> FloatArray:
-        """Return another parameter of the tests, 0 where a test has none."""
+        """Return the parameter ``name`` of each test, 0 where a test lacks it."""
         return np.array([entry.values.get(name, 0.0) for entry in self.entries])
 
     def trend(self, by_curve: FloatArray | None = None) -> Trend | None:
-        """Return the trend of the parameter, or of what its curve leaves of it."""
+        """Return the trend of the parameter, minus the values ``by_curve`` that the error curve
+        explains.
+        """
         name = self.parameter
         of_temperature = [_stated(entry, name) for entry in self.entries]
         return trend_of(
@@ -176,7 +178,7 @@ class _ComparedTests:
         )
 
     def noted(self, jumps: Sequence[TrendJump]) -> tuple[NotedJump, ...]:
-        """Return jumps of a trend by the places of the series."""
+        """Return the jumps of a trend with the places of their tests in the whole series."""
         return tuple(
             NotedJump(
                 before=self.places[jump.before],
@@ -195,8 +197,8 @@ _Course = tuple[_ComparedTests, Trend]
 def _compared_tests(
     entries: Sequence[HistoryEntry], parameter: str, jumps: Sequence[NotedJump]
 ) -> _ComparedTests | None:
-    """Return the tests of one parameter; None where there are fewer than two. ``jumps``: those of
-    parameters estimated before it.
+    """Return the comparable tests of one parameter, or None if there are fewer than two. ``jumps``
+    are those of parameters estimated before.
     """
     having = [
         place for place, entry in enumerate(entries) if entry.day and parameter in entry.values
@@ -226,7 +228,8 @@ def _years(one: datetime, other: datetime) -> float:
 
 
 def _forecast(limit: float, found: Mapping[str, _Course], parameter: str) -> Ahead:
-    """Return when a parameter reaches its limit, by the trends of what determines it.
+    """Return when a parameter reaches its limit, from the trends of the parameter, slope and
+    reversal.
 
     Its curve is that of the tests since the last event (another table, a jump). No date where none
     of these trends is clear.
@@ -275,8 +278,8 @@ def _noted(parameter: str, found: Mapping[str, _Course]) -> NotedTrend:
 
 
 def _stated(entry: HistoryEntry, parameter: str) -> float:
-    """Return the standard uncertainty of a parameter by the temperature. Without a declared value:
-    1 K of steel on a linear axis.
+    """Return the standard uncertainty of a parameter due to temperature. Without a declared value,
+    1 K of a steel axis is assumed.
     """
     if entry.kind == "circular" or parameter not in _OF_LENGTH:
         return 0.0
@@ -289,7 +292,9 @@ def _stated(entry: HistoryEntry, parameter: str) -> float:
 
 
 def _jump_odds(one: HistoryEntry, other: HistoryEntry, parameter: str) -> float:
-    """Return the prior probability that two tests differ by an event other than wear."""
+    """Return the prior probability that an event other than wear changed the parameter between two
+    tests.
+    """
     if parameter not in _SCATTER:
         table = same_table(one, other)
         if table == "changed":
@@ -314,7 +319,7 @@ def _comparable(one: HistoryEntry, other: HistoryEntry, parameter: str) -> bool:
 
 
 def _alike(one: HistoryEntry, other: HistoryEntry, parameter: str) -> bool:
-    """Return whether a parameter was measured in the same way in two tests."""
+    """Return whether two tests measured a parameter in the same way."""
     if one.unit != other.unit:
         return False
     if one.kind == "circular":
@@ -344,7 +349,8 @@ def _compared(
     parameter: str,
     scatter: tuple[float, float] = (0.0, math.inf),
 ) -> tuple[Change, bool]:
-    """Return the difference of a parameter. Also whether its uncertainty includes an assumed slope.
+    """Return the change of a parameter between two tests, and whether its uncertainty includes an
+    assumed slope.
 
     Because no uncertainty is declared. ``scatter``: its variance from test to test, with degrees of
     freedom.
@@ -369,7 +375,9 @@ def _parameter_value(entry: HistoryEntry, parameter: str) -> UncertainValue:
 
 
 def same_table(one: HistoryEntry, other: HistoryEntry) -> SameTable:
-    """Return whether the same table was active in two tests, as far as their files show."""
+    """Return whether the same compensation table was active in two tests, as far as their files
+    show.
+    """
     if not one.acting or not other.acting:
         return "unknown"
     if one.acting == other.acting:
@@ -380,7 +388,7 @@ def same_table(one: HistoryEntry, other: HistoryEntry) -> SameTable:
 
 
 def without_repeats(entries: Sequence[HistoryEntry]) -> Iterator[HistoryEntry]:
-    """Yield each test of one axis or plane once. A later job may use the same test again.
+    """Yield the tests of one axis or plane, without repeated use of the same test by a later job.
 
     An entry that states which table was active takes precedence over one that does not.
     """

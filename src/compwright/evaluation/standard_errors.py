@@ -1,4 +1,4 @@
-"""Standard errors of the parameters of a positioning test: how much they would differ in a test
+"""Standard errors of the parameters of a positioning test: the differences expected if it is
 repeated at once.
 
 They come from the scatter of the test's own readings.
@@ -29,8 +29,8 @@ class StandardError:
 def standard_errors(
     positive: FloatArray, negative: FloatArray, coverage: float
 ) -> dict[str, StandardError]:
-    """Return the standard errors of A, B, B_mean (ISO 230-2:2014) and ``s``, the pooled standard
-    deviation.
+    """Return the standard errors of A, B and B_mean (ISO 230-2:2014), and of ``s``, the pooled
+    standard deviation.
 
     ``positive``, ``negative`` (m, n): readings of each direction in one unit, NaN if missing, width
     0 for a direction not measured; columns are runs. ``coverage``: k of A. Empty without repeated
@@ -59,7 +59,7 @@ def slope_error(
     positions: FloatArray, positive: FloatArray, negative: FloatArray
 ) -> StandardError | None:
     """Return the standard error of the slope of the mean deviation over ``positions`` (m,), per
-    unit of position. None without two whole runs.
+    unit of position. None without two complete runs.
 
     It comes from the scatter of single readings, or of the slopes of the runs where these differ
     more.
@@ -79,7 +79,8 @@ def slope_error(
 
 
 def _scatter(blocks: list[FloatArray]) -> tuple[float, StandardError] | None:
-    """Return the pooled standard deviation and its standard error; None without repeated readings.
+    """Return the pooled standard deviation and its standard error, or None without repeated
+    readings.
 
     The relative variance of s² is 2/ν for normal readings of equal variance; it is larger if
     targets or runs differ in their variance.
@@ -106,8 +107,8 @@ def _scatter(blocks: list[FloatArray]) -> tuple[float, StandardError] | None:
 
 
 def _between_runs(blocks: list[FloatArray]) -> list[float]:
-    """Return the relative variance of s², from the differences between the mean squares of
-    traverses and runs.
+    """Return the relative variance of s² from the differences between traverses, and that between
+    runs.
 
     Needs three of them; each row of n readings loses one degree of freedom to its mean.
     """
@@ -128,7 +129,9 @@ def _between_runs(blocks: list[FloatArray]) -> list[float]:
 
 
 def _relative_variance(parts: Iterable[FloatArray]) -> float | None:
-    """Return the relative variance of an average of mean squares; None for fewer than three."""
+    """Return the relative variance of the mean of several mean squares, or None for fewer than
+    three.
+    """
     found = (part[np.isfinite(part)] for part in parts)
     squares = [float(part @ part) / part.size for part in found if part.size]
     mean = float(np.mean(squares)) if squares else 0.0
@@ -142,7 +145,7 @@ def _dof(cell: FloatArray) -> int:
 
 
 def _ends(blocks: list[FloatArray], coverage: float) -> tuple[FloatArray, FloatArray] | None:
-    """Return the readings at the two targets that determine A.
+    """Return the readings at the highest and the lowest target, which determine A.
 
     The highest mean + k s and the lowest mean - k s. None without repeated readings.
     """
@@ -157,7 +160,7 @@ def _ends(blocks: list[FloatArray], coverage: float) -> tuple[FloatArray, FloatA
 
 
 def _difference(one: FloatArray, other: FloatArray, s: float, dof: float) -> tuple[float, float]:
-    """Return variance and degrees of freedom of the difference of two means."""
+    """Return the variance of the difference of two means, and its degrees of freedom."""
     counts = [int(np.isfinite(cell).sum()) for cell in (one, other)]
     pooled = s**2 * sum(1.0 / count for count in counts)
     width = min(one.size, other.size)
@@ -165,8 +168,8 @@ def _difference(one: FloatArray, other: FloatArray, s: float, dof: float) -> tup
 
 
 def _larger(pooled: float, dof: float, by_run: FloatArray) -> tuple[float, float]:
-    """Return the larger of two variances of a mean: from the pooled scatter, or from its values in
-    each run.
+    """Return the larger variance of a mean, with its degrees of freedom: ``pooled``, or that from
+    the values ``by_run``.
     """
     found = by_run[np.isfinite(by_run)]
     if found.size > 2:
@@ -179,7 +182,7 @@ def _larger(pooled: float, dof: float, by_run: FloatArray) -> tuple[float, float
 def _reversal(
     positive: FloatArray, negative: FloatArray, s: float, dof: float
 ) -> dict[str, StandardError]:
-    """Return the standard errors of B, at its target, and of the mean reversal value."""
+    """Return the standard errors of B at its target, and of the mean reversal error."""
     both = np.isfinite(positive).any(axis=1) & np.isfinite(negative).any(axis=1)
     up, down = positive[both], negative[both]
     if not up.size:
@@ -198,8 +201,8 @@ def _reversal(
 
 
 def _combined(parts: Iterable[tuple[float, float]]) -> StandardError:
-    """Return the standard error of a sum of independent parts (variance, degrees of freedom
-    each).
+    """Return the standard error of a sum of independent ``parts``, each with variance and degrees
+    of freedom.
     """
     parts = [part for part in parts if part[0] > 0.0]
     total = sum(variance for variance, _ in parts)

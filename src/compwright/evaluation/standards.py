@@ -1,5 +1,5 @@
-"""Evaluation of a positioning test to a standard: what each edition defines, for which tests, with
-which factor.
+"""Evaluation of a positioning test to a standard: the parameters that each edition defines, for
+which tests, and with which coverage factor.
 
 The texts of 1988 and 1997 and of GOST 27843-2006 were at hand, of 2006 clauses 1 to 7. The text of
 2014 was not: it is evaluated with the definitions of 2006, whose formulas it keeps under other
@@ -50,8 +50,8 @@ DEFAULT_STANDARD: Final = "iso230-2:2014"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Standard:
-    """One edition of the standard. ``coverage``: its factor k on s; ``undefined``: the reasons why
-    it does not define some parameters.
+    """One edition of a standard. ``coverage`` is its factor k on s; ``undefined`` gives the reason
+    for each parameter that it does not define.
 
     ``single_approach`` is the clause that leaves out s, R and A for n = 1; ``range_factors`` those
     of s = W * factor(n), or None.
@@ -120,8 +120,8 @@ _BOTH: Final = (Direction.POSITIVE, Direction.NEGATIVE)
 
 
 def by_id(name: str, standards: Mapping[str, Entry], kind: str) -> Entry:
-    """Return the standard with an id from ``standards`` of a ``kind``. Raises UsageError for an
-    unknown id.
+    """Return the standard with the id ``name``; ``kind`` names the standards in errors. Raises
+    UsageError for an unknown id.
     """
     if name not in standards:
         raise UsageError(
@@ -137,8 +137,8 @@ def by_id(name: str, standards: Mapping[str, Entry], kind: str) -> Entry:
 
 
 def standard_by_id(name: str, spread: str = "std") -> Standard:
-    """Return the standard of an id. Raises UsageError for an unknown id and for a ``spread`` that
-    the standard does not have.
+    """Return the standard with the id ``name``. Raises UsageError for an unknown id, and for a
+    ``spread`` (estimator of s) that the standard does not have.
     """
     standard = by_id(name, STANDARDS, "standard")
     if spread not in {"std", "range"}:
@@ -314,7 +314,7 @@ def _columns(test: PositioningTest, standard: Standard, spread: str) -> TargetCo
 def _values(
     columns: TargetColumns, standard: Standard, use: np.ndarray[tuple[int, ...], np.dtype[np.bool_]]
 ) -> dict[str, float]:
-    """Return all parameters over the targets marked in ``use``, NaN where data are missing."""
+    """Return all parameters from the targets marked in ``use``, NaN where data are missing."""
     if not np.any(use):
         return dict.fromkeys(standard.names, float("nan"))
     arguments = (
@@ -374,7 +374,9 @@ def _why(
 def _located(
     test: PositioningTest, columns: TargetColumns, given: Mapping[str, float | None]
 ) -> dict[str, float]:
-    """Return the target at which each parameter has its extreme value (the first of several)."""
+    """Return the target at which each parameter has its extreme value, the first if there are
+    several.
+    """
     sources = {
         "R": columns.repeatability,
         "R_positive": columns.repeatability_positive,
@@ -397,7 +399,7 @@ def _extremes(
     at: Mapping[str, float],
     coverage: float,
 ) -> dict[str, tuple[Extreme, Extreme]]:
-    """Return the highest and lowest values behind A, E, M, R, at the first of several targets."""
+    """Return the highest and lowest values that determine A, E, M and R, with their targets."""
     means = dict(zip(_BOTH, (columns.mean_positive, columns.mean_negative), strict=True))
     both = zip(_BOTH, (columns.s_positive, columns.s_negative), strict=True)
     spread = [(way, means[way] + coverage * s, means[way] - coverage * s) for way, s in both]
@@ -422,7 +424,7 @@ def _extremes(
 def _extreme(
     test: PositioningTest, bounds: Sequence[tuple[Direction | None, FloatArray]], sense: float
 ) -> Extreme:
-    """Return the highest value of several curves over the targets, or the lowest with ``sense``
+    """Return the highest value of several curves over the targets, or the lowest if ``sense`` is
     -1.
     """
     places = [(int(np.nanargmax(sense * values)), way, values) for way, values in bounds]
@@ -436,8 +438,8 @@ def _target_findings(
     standard: Standard,
     measured: np.ndarray[tuple[int, ...], np.dtype[np.bool_]],
 ) -> list[Finding]:
-    """Yield the finding CW-T015: targets without any reading; CW-T016: targets without s, with the
-    parameters over the other targets.
+    """Return the finding CW-T015 if targets have no reading, and CW-T016 if targets have no s.
+    CW-T016 states the parameters from the other targets.
     """
     findings = []
     if not np.all(measured):
@@ -470,8 +472,8 @@ def _comparison(
     standard: Standard,
     spread: str,
 ) -> Sentence | None:
-    """Return "A 5.00 µm with it, 4.00 µm without; R ..." for the readings that are missing in
-    ``other``. None if s is missing.
+    """Return a text such as "A 5.00 µm with it, 4.00 µm without" for the readings that ``other``
+    lacks, or None if s is missing.
     """
     try:
         columns = _columns(other, standard, spread)

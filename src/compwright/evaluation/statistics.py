@@ -1,4 +1,4 @@
-"""The numbers of ISO 230-2 clause 2 on plain arrays: means, standard deviations, parameters.
+"""The formulas of ISO 230-2 clause 2 on plain arrays: means, standard deviations, parameters.
 
 Targets run along the last axis of means and s; readings along the last axis of deviations; leading
 batch dimensions are free. Units: whatever the input has (mm or deg inside compwright). A missing
@@ -108,7 +108,9 @@ def mean_and_deviation(deviations: FloatArray) -> tuple[FloatArray, FloatArray]:
 
 
 def _mean(values: FloatArray, number: NDArray[np.intp]) -> FloatArray:
-    """Return the mean of values (..., n), which are 0 where there is no reading."""
+    """Return the mean over ``number`` readings of values (..., n), which are 0 for a missing
+    reading.
+    """
     mean: FloatArray = np.divide(
         _total(values), number, out=np.full(number.shape, np.nan), where=number > 0
     )
@@ -116,8 +118,8 @@ def _mean(values: FloatArray, number: NDArray[np.intp]) -> FloatArray:
 
 
 def _total(values: FloatArray) -> FloatArray:
-    """Return the sum of values (..., n) over n. Small n are added in a loop, which gives the same
-    bits as numpy faster.
+    """Return the sum of values (..., n) over n. For small n a loop is faster than numpy, with the
+    same bits.
     """
     if not 0 < values.shape[-1] < _MANY:
         return np.asarray(values.sum(axis=-1))
@@ -181,8 +183,8 @@ def parameters(
     coverage: float,
     only: str | None = None,
 ) -> dict[str, FloatArray]:
-    """Return the axis parameters of ISO 230-2 (2006, 2.13 to 2.24), each (...), from means and s
-    (..., m). Coverage k = 2 or 3.
+    """Return the axis parameters of ISO 230-2:2006, 2.13 to 2.24, each (...), from means and s
+    (..., m). The coverage factor k is 2 or 3.
 
     ``only``: that one alone, where it is one of them.
 
@@ -218,7 +220,7 @@ def parameters(
 
 
 class _DirectionStatistics:
-    """Means and s (..., m) of one direction. The extremes (...) are computed on first use."""
+    """Means and s (..., m) of one direction, with their extremes (...) over the targets."""
 
     def __init__(self, mean: FloatArray, s: FloatArray, coverage: float) -> None:
         self.mean, self.s, self.coverage = mean, s, coverage
@@ -260,7 +262,7 @@ def vdi_parameters(
     mean_negative: FloatArray,
     s_negative: FloatArray,
 ) -> dict[str, FloatArray]:
-    """Return the parameters of VDI/DGQ 3441, each (...). Input: means and s (..., m); same
+    """Return the parameters of VDI/DGQ 3441, each (...), from means and s (..., m) in the same
     unit.
 
     U_i = abs(B_i), Ps_i = 6 (s+ + s-)/2, Pa = range of the two-direction means,

@@ -22,8 +22,8 @@ Temperatures = Mapping[str, tuple[float, float]]
 
 
 def stated_temperatures(header: Mapping[str, str], file: str) -> Temperatures:
-    """Return the temperatures ``T_m`` and ``T_d`` (°C) at start and end that the header of ``file``
-    states.
+    """Return the temperatures ``T_m`` and ``T_d`` (°C) at start and end of a test from the header
+    of ``file``.
 
     Case, blanks and hyphens of the keys do not count.
 
@@ -60,7 +60,7 @@ def stated_temperatures(header: Mapping[str, str], file: str) -> Temperatures:
 
 
 def temperatures_of(parts: Sequence[PositioningTest]) -> Temperatures:
-    """Return the temperatures of one test from the headers of all its files. Raises InputError.
+    """Return the temperatures of one test from the headers of all its files.
 
     They reach from the start of the first file to the end of the last file that states one.
     """
@@ -93,7 +93,7 @@ def _number(key: str, text: str, file: str, faults: list[Fault]) -> float:
 
 
 def with_temperatures(thermal: Thermal, stated: Temperatures) -> Thermal:
-    """Return ``thermal`` with the temperatures of a test, each the mean of start and end."""
+    """Return ``thermal`` with the mean of the temperatures stated at start and end of a test."""
     for name, (start, end) in stated.items():
         mean, rise = 0.5 * (start + end), end - start
         thermal = (

@@ -56,7 +56,7 @@ _DRAWS: Final = 4000
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TrendJump:
-    """A step of a parameter between the tests ``before`` and ``before + 1``, with its
+    """A step of a parameter between the tests with index ``before`` and ``before + 1``, and its
     ``probability``.
     """
 
@@ -82,11 +82,12 @@ class Trend:
 
     @property
     def clear(self) -> bool:
-        """Whether the rate is larger than the threshold."""
+        """Whether the rate of change is significant: larger than ``threshold`` standard errors."""
         return abs(self.rate) > self.threshold * self.std_error
 
     def lines(self, random: np.random.Generator, ahead: float = 0.0) -> FloatArray:
-        """Return draws (2, n) of the level, ``ahead`` years after the last test, and of the rate.
+        """Return random draws (2, n) of the level ``ahead`` years after the last test, and of the
+        rate.
 
         A rate that is not clear is zero.
         """
@@ -102,7 +103,8 @@ def trend_of(
     jump_odds: Sequence[float],
     threshold: float = 3.0,
 ) -> Trend | None:
-    """Return the rate of change of a parameter; None for fewer than three tests or 0.1 years.
+    """Return the rate of change of a parameter, or None for fewer than three tests or less than 0.1
+    years.
 
     ``years`` (n,): ascending; ``values`` (n,) in any unit of the parameter; ``errors`` (n,): the
     standard error of each by its readings; ``stated`` (n,): its standard uncertainty apart from
@@ -131,7 +133,7 @@ def trend_of(
 
 
 class _Tests:
-    """The tests of one parameter, with the possible sizes of the scatter between tests."""
+    """The tests of one parameter, with the standard deviations between tests that are tried."""
 
     def __init__(
         self,
@@ -177,7 +179,7 @@ class _Tests:
 
 @dataclass(frozen=True, slots=True)
 class _Solution:
-    """A linear model of the trend, solved for each possible scatter (s).
+    """A linear model of the trend, solved for each tried standard deviation between tests (s).
 
     Coefficients (s, p), covariance (s, p, p), logarithm of the evidence (s,) and what each further
     jump adds to it (s, n - 1).
@@ -214,7 +216,9 @@ def _solved(tests: _Tests, design: FloatArray, widths: FloatArray) -> _Solution:
 
 
 def _further(solution: _Solution, size: float) -> tuple[FloatArray, FloatArray]:
-    """Return the increase of the log evidence by one more jump, and the precision of its size."""
+    """Return how much a further jump at each place increases the log evidence, and the precision of
+    its size.
+    """
     precision = np.maximum(solution.precision, 0.0) + size**-2.0
     gain = 0.5 * (solution.residual**2 / precision - np.log(precision)) - math.log(size)
     return gain, precision
@@ -223,7 +227,9 @@ def _further(solution: _Solution, size: float) -> tuple[FloatArray, FloatArray]:
 def _variants(
     tests: _Tests, jumps: Sequence[int], certain: frozenset[int]
 ) -> list[tuple[float, float, _Solution]]:
-    """Return the models with these jumps: size of the free jumps, logarithm of the prior, model."""
+    """Return the models with these jumps, each with the prior size of uncertain jumps, its log
+    prior, and its solution.
+    """
     found = []
     free = [place for place in jumps if place not in certain]
     odds = np.log(tests.odds[free] / (1.0 - tests.odds[free])).sum()
@@ -269,7 +275,7 @@ def _found_jumps(
 
 
 def _evidence(tests: _Tests, certain: Sequence[int], found: Sequence[int], lacking: int) -> float:
-    """Return the log evidence of the jumps ``found`` without one of them."""
+    """Return the log evidence of the ``found`` jumps without the jump ``lacking``."""
     jumps = [*certain, *(place for place in found if place != lacking)]
     return float(
         np.logaddexp.reduce(
@@ -285,8 +291,8 @@ def _evidence(tests: _Tests, certain: Sequence[int], found: Sequence[int], lacki
 
 @dataclass(frozen=True, slots=True)
 class _Mixture:
-    """Weighted normal distributions of level (at the last test) and rate, one for each model and
-    scatter.
+    """Weighted normal distributions of the level at the last test and the rate, one for each model
+    and each scatter between tests.
 
     ``middle`` is added to the level; ``jumps``: which model has which further jump.
     """
@@ -304,7 +310,7 @@ class _Mixture:
         return float(self.weight @ self.rate)
 
     def interval(self) -> tuple[float, float]:
-        """Return the ends of the 95 % interval of the rate."""
+        """Return the two ends of the 95 % interval of the rate."""
         deviation = np.sqrt(self.rate_variance)
         low = np.full(2, float(np.min(self.rate - 9.0 * deviation)))
         high = np.full(2, float(np.max(self.rate + 9.0 * deviation)))
@@ -316,7 +322,7 @@ class _Mixture:
         return float(low[0]), float(high[1])
 
     def lines(self, random: np.random.Generator, *, grows: bool) -> tuple[FloatArray, FloatArray]:
-        """Return draws of level and rate; the rate is 0 unless it ``grows``."""
+        """Return random draws of the level and of the rate. The rate is 0 unless it ``grows``."""
         which = random.choice(len(self.weight), size=_DRAWS, p=self.weight)
         by_rate, own = random.standard_normal((2, _DRAWS))
         deviation = np.sqrt(self.rate_variance[which])
@@ -329,7 +335,7 @@ class _Mixture:
 
 
 def _averaged(tests: _Tests, chosen: Sequence[int], certain: frozenset[int]) -> _Mixture:
-    """Return the average over models: with the chosen jumps, with one fewer, and with one more."""
+    """Return the average over models with the ``chosen`` jumps, one fewer, or one more."""
     parts: list[tuple[FloatArray, ...]] = []
     logs: list[FloatArray] = []
     lacks: list[tuple[int | None, int]] = []
@@ -368,9 +374,7 @@ def _averaged(tests: _Tests, chosen: Sequence[int], certain: frozenset[int]) -> 
 
 
 def _functional(jumps: Sequence[int], width: int) -> FloatArray:
-    """Return the columns (p, 2) that compute level at the last test and rate from the
-    coefficients.
-    """
+    """Return the matrix (p, 2) from coefficients to the level at the last test and the rate."""
     found = np.zeros((width, 2))
     found[0, 0] = 1.0
     found[1, 1] = 1.0
@@ -379,7 +383,9 @@ def _functional(jumps: Sequence[int], width: int) -> FloatArray:
 
 
 def _ends(jumps: Sequence[int], solution: _Solution) -> tuple[FloatArray, ...]:
-    """Return level, rate, their variances and their covariance, for each possible scatter."""
+    """Return level, rate, their variances and their covariance, for each tried scatter between
+    tests.
+    """
     functional = _functional(jumps, solution.coefficients.shape[1])
     means = solution.coefficients @ functional
     spread = functional.T @ solution.covariance @ functional
@@ -393,7 +399,9 @@ def _moved(
     ends: tuple[FloatArray, ...],
     others: Sequence[int],
 ) -> tuple[FloatArray, ...]:
-    """Return the result of `_ends` with each of the ``others`` as one more jump."""
+    """Return the result of `_ends` after one of the ``others`` is added as a jump, for each of
+    them.
+    """
     functional = _functional(jumps, solution.coefficients.shape[1])
     change = np.array([1.0, 0.0]) - solution.loading[:, others] @ functional
     size = (solution.residual / precision)[:, others]
@@ -433,7 +441,7 @@ def _jump(tests: _Tests, mixture: _Mixture, chosen: Sequence[int], place: int) -
 
 
 def _normal_law(score: FloatArray) -> FloatArray:
-    """Return the normal distribution function, accurate to 1e-7 (Abramowitz and Stegun 7.1.26)."""
+    """Return the cumulative normal distribution, accurate to 1e-7 (Abramowitz, Stegun 7.1.26)."""
     size = np.abs(score) / math.sqrt(2.0)
     step = 1.0 / (1.0 + 0.3275911 * size)
     factors = (0.254829592, -0.284496736, 1.421413741, -1.453152027, 1.061405429)

@@ -1,4 +1,4 @@
-"""Compare readings with typical sizes on machine tools. The odds show a wrong unit or reversed
+"""Comparison of readings with typical sizes on machine tools, to detect a wrong unit or reversed
 directions.
 
 Weak priors, stated here because no standard has them. Linear axes in µm, rotary axes in arcsec.
@@ -57,7 +57,7 @@ def _log_square(ratio: float) -> float:
 
 
 def turned_odds(reversal: float, kind: AxisKind) -> float:
-    """Return the odds that a mean reversal value has the opposite sign, from typical values.
+    """Return the odds that a mean reversal error has the opposite sign, from typical values.
 
     ``reversal``: mean(+) - mean(-), mm or deg, negative for lost motion (ISO 230-2:1997, 2.14).
     """
@@ -66,7 +66,7 @@ def turned_odds(reversal: float, kind: AxisKind) -> float:
 
 
 def _density(reversal: float) -> float:
-    """Return the probability density of a mean reversal value (µm, arcsec) on typical machines."""
+    """Return the probability density of a mean reversal error (µm, arcsec) on typical machines."""
     near = math.exp(-0.5 * (reversal / _NONE) ** 2) / (_NONE * math.sqrt(2.0 * math.pi))
     density = _NONE_SHARE * near
     if reversal > 0.0:

@@ -1,5 +1,5 @@
-"""Measurement uncertainty of the parameters, k = 2. The contributors of ISO 230-2:2006 annex A;
-their distributions are propagated as in JCGM 101:2008.
+"""Measurement uncertainty (k = 2) of the parameters: contributors of ISO 230-2:2006 annex A,
+propagated as distributions (JCGM 101:2008).
 
 Readings as the contributors would leave them are drawn and evaluated by the definitions of the
 parameters; no coefficient is quoted from the standard. Only the measurement enters: the
@@ -44,8 +44,8 @@ _STEEL: Final = 11.5
 def contributions(
     test: PositioningTest, budget: UncertaintyBudget, thermal: Thermal | None
 ) -> tuple[Contribution, ...]:
-    """Return the uncertainty contributors (µm, rotary axes: arcsec) that grow with the position and
-    are constant within a test.
+    """Return the contributors to uncertainty that grow with position and are constant in a test
+    (µm; rotary axes: arcsec).
 
     L is the distance of the extreme targets in m: instrument U + per_m L, misalignment R²/(2L) as a
     range (0.289 R²/L expanded, to either side as of any range, though the beam only ever reads too
@@ -77,7 +77,8 @@ def contributions(
 def thermal_contributions(
     length: float, U_theta: float, U_alpha: float, thermal: Thermal | None
 ) -> tuple[Contribution, ...]:
-    """Return the uncertainty of a ``length`` (m) at 20 °C by temperature and expansion.
+    """Return the contributors to the uncertainty of a ``length`` (m) at 20 °C that come from
+    temperature and expansion coefficients.
 
     ``U_theta`` (K) of the temperature and ``U_alpha`` (µm/(m K)) of the coefficient, for the
     machine and for an instrument that expands.
@@ -135,8 +136,8 @@ def _variation(given: float, unit: str) -> Contribution:
 def length_uncertainty(
     test: PositioningTest, budget: UncertaintyBudget, thermal: Thermal | None
 ) -> float:
-    """Return the expanded uncertainty over the measured length (µm; rotary axes: arcsec) of all
-    contributors proportional to position.
+    """Return the expanded uncertainty over the measured length from all contributors proportional
+    to position (µm; rotary axes: arcsec).
     """
     every = contributions(test, budget, thermal)
     return COVERAGE * math.hypot(*(one.standard for one in every if one.per == "length"))
@@ -145,8 +146,8 @@ def length_uncertainty(
 def slope_between_tests(
     test: PositioningTest, budget: UncertaintyBudget | None, first: Thermal | None
 ) -> float:
-    """Return the standard deviation (mm/mm) of the slope by which one test differs from the other
-    tests of its axis.
+    """Return the standard deviation (mm/mm) of slope differences between this test and other tests
+    of its axis.
 
     Drawn per test: the temperature U_theta (sensors are placed and read again, and a hall changes),
     the misalignment of the beam and the set-up. Common to all tests, without effect between them:
@@ -179,7 +180,7 @@ def expanded_uncertainties(
     *,
     table_slope: float = 0.0,
 ) -> tuple[dict[str, ExpandedUncertainty] | None, list[Finding]]:
-    """Return U (mm or deg, k = 2) of each parameter in ``given``, and the assumptions.
+    """Return U (mm or deg, k = 2) of each parameter in ``given``, and the assumptions made.
 
     ``coverage`` is the factor k of the standard on s, ``spread`` gives s (..., m) of deviations
     (..., m, n). U is half the width of the interval about the stated value that holds, in 95.45 of
@@ -208,7 +209,7 @@ def expanded_uncertainties(
 
 
 def _expanded(off: FloatArray) -> float:
-    """Return the half width that contains 95.45 % of the draws ``off``, as two standard deviations
+    """Return the half width that contains 95.45 % of the draws ``off``, as ± 2 standard deviations
     do.
     """
     scores = np.sort(np.abs(_normal_scores(off.size)))
@@ -217,7 +218,7 @@ def _expanded(off: FloatArray) -> float:
 
 
 def _measured(test: PositioningTest) -> PositioningTest:
-    """Return the test without targets that have no reading."""
+    """Return the test without those targets that have no reading."""
     there = np.any([test.readings(direction) > 0 for direction in Direction], axis=0)
     return replace(
         test,
@@ -273,7 +274,7 @@ def _propagated(
     added: _Added,
     spread: Callable[[FloatArray], FloatArray],
 ) -> dict[str, FloatArray]:
-    """Return random draws of the change of each parameter by instrument and environment."""
+    """Return random draws of the change of each parameter that instrument and environment cause."""
     rng = np.random.default_rng(0)  # the same test has the same uncertainty
     readings = max(test.positive.size + test.negative.size, 1)
     count = int(np.clip(_READINGS // readings, *DRAWS))
@@ -315,8 +316,7 @@ def _parameters(
 
 @cache
 def _normal_scores(count: int) -> FloatArray:
-    """Return the means of equally probable slices of the normal distribution. One contributor then
-    keeps its exact standard deviation.
+    """Return ``count`` equally probable values of the standard normal distribution.
 
     McKay, Beckman and Conover, Technometrics 21 (1979) 239.
     """
@@ -327,8 +327,8 @@ def _normal_scores(count: int) -> FloatArray:
 
 
 def _propagation(test: PositioningTest, budget: UncertaintyBudget) -> Finding:
-    """Return the finding CW-T020: how U was computed, and which effect of a misalignment it does
-    not contain.
+    """Return the finding CW-T020: how U was computed, and which effect of a misaligned beam it
+    lacks.
     """
     length = float(test.targets[-1] - test.targets[0]) / 1000.0
     if test.kind is AxisKind.ROTARY or budget.misalignment_mm == 0.0 or length <= 0.0:

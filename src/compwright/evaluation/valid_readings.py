@@ -1,6 +1,4 @@
-"""Remove the parts of a test that are not measurements of the axis: missing traverses shown as
-zeros, and outliers.
-"""
+"""Removal of readings that do not show the axis: missing traverses shown as zeros, and outliers."""
 
 from __future__ import annotations
 
@@ -27,16 +25,14 @@ _BOTH: Final = (Direction.POSITIVE, Direction.NEGATIVE)
 
 
 def valid_part(test: PositioningTest) -> PositioningTest:
-    """Return ``test`` without traverses of zeros (`zero_traverses`) and without outlying readings
-    (CW-T014).
-    """
+    """Return ``test`` without traverses of zeros (`zero_traverses`) and outliers (CW-T014)."""
     made = without_traverses(test, zero_traverses(test))
     return without_readings(made, outlying_readings(made)[0])
 
 
 def zero_traverses(test: PositioningTest) -> list[tuple[Direction, int]]:
-    """Return direction and column of each traverse whose readings are all exactly zero (two targets
-    or more).
+    """Return direction and column of each traverse of two targets or more whose readings are all
+    exactly zero.
 
     The others must scatter so much that this cannot be chance.
     """
@@ -54,7 +50,7 @@ def zero_traverses(test: PositioningTest) -> list[tuple[Direction, int]]:
 def without_traverses(
     test: PositioningTest, traverses: Sequence[tuple[Direction, int]]
 ) -> PositioningTest:
-    """Return ``test`` without some ``traverses``, given as direction and column."""
+    """Return ``test`` without the ``traverses``, which are given by direction and column."""
     for direction in _BOTH:
         keep = np.ones(test.deviations(direction).shape, dtype=bool)
         keep[:, [column for where, column in traverses if where is direction]] = False
@@ -66,8 +62,8 @@ def without_traverses(
 def outlying_readings(
     test: PositioningTest,
 ) -> tuple[list[tuple[float, Direction, int, int]], float]:
-    """Return the outlying readings, the farthest first, and the robust standard deviation of a
-    reading, mm or deg.
+    """Return the outliers, largest first, and the robust standard deviation of a reading, mm or
+    deg.
 
     Each outlier: distance from the other readings (mm or deg), direction, index of the target,
     column of the run.
@@ -98,8 +94,8 @@ def without_readings(
 
 
 def chance_of_zero(test: PositioningTest) -> float:
-    """Return the probability that a scattering reading is exactly zero: the resolution step divided
-    by the width of the scatter.
+    """Return the probability that a reading is exactly zero by chance: resolution step divided by
+    width of the scatter.
 
     Scatter: the median of s over the targets that show one, so that the zeros themselves do not
     count.
