@@ -1,3 +1,1 @@
-"""From test results to decisions: the wanted correction, the table, and the change that it will
-make.
-"""
+"""From test results to decisions: wanted correction, table, and the improvement to expect."""

@@ -1,4 +1,4 @@
-"""The tables of a job's axes under the limits of the control."""
+"""Fitting of the compensation tables of all axes of a job, within the limits of the control."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def fit_all(
     each: Each = in_turn,
     rule: Literal["simple", "guarded"] = "simple",
 ) -> dict[str, AxisWork]:
-    """Fit the tables of all axes under the limits of the control. Raises CapacityError with the
+    """Fit the tables of all axes within the limits of the control. Raises CapacityError with the
     faults of all axes.
 
     ``rule``: how the job decides, for the tests that judge a goal.
@@ -120,8 +120,8 @@ def _fit(
 
 
 def _holds_drift(work: AxisWork, found: _Fitted, rule: Literal["simple", "guarded"]) -> bool:
-    """Return whether separate tables for + and −, which the job did not request, may contain the
-    drift of the test.
+    """Return whether separate tables for + and −, which the fit chose itself, may contain drift of
+    the test instead of reversal error.
     """
     planned = work.planned
     if planned.request.mode != "auto" or found.table.mode != "bidirectional":
@@ -133,8 +133,8 @@ def _holds_drift(work: AxisWork, found: _Fitted, rule: Literal["simple", "guarde
 def _requested_fit(
     work: AxisWork, capacity: Capacity, rule: Literal["simple", "guarded"]
 ) -> _Fitted | CapacityError:
-    """Return the wanted correction of an axis and its tables, or the reason why the control cannot
-    hold a table.
+    """Return the wanted correction and the fitted tables of an axis, or the CapacityError that
+    states why the control cannot hold a table.
 
     The table for a goal is taken where the tests of the prediction show that it gains, or where it
     is the usual one.
@@ -165,8 +165,8 @@ def _requested_fit(
 
 
 def _shown(work: AxisWork, rule: Literal["simple", "guarded"]) -> Shown:
-    """Return the function that predicts a new test like the first one of an axis, with a given
-    table.
+    """Return a function that predicts, for a given table, a repetition of the first test of an
+    axis.
     """
     drawn: list[FreshTests] = []
     like = RepeatConditions(0, fresh_slope(rule, work.planned.tests[0]))
@@ -184,8 +184,8 @@ def _shown(work: AxisWork, rule: Literal["simple", "guarded"]) -> Shown:
 def _pays(
     work: AxisWork, table: FittedTable, usual: FittedTable, rule: Literal["simple", "guarded"]
 ) -> bool:
-    """Return whether the ``table`` for the job's goal is worth using. It is the ``usual`` table, or
-    simulated tests show a gain.
+    """Return whether to use the ``table`` fitted for the job's goal instead of the ``usual`` table:
+    both are equal, or simulated tests show a gain.
     """
     goal = work.planned.request.goal
     if goal == "expected" or same_tables(table, usual):
@@ -195,7 +195,8 @@ def _pays(
 
 
 def _not_held(error: CapacityError, name: str, work: AxisWork, file: str) -> CapacityError:
-    """Return why the control cannot hold a table of an axis. Doubts about the readings come first.
+    """Return the error that the control cannot hold a table of an axis. Doubts about the readings
+    come first in it.
 
     Readings with a wrong unit or sign are the usual cause.
     """

@@ -1,5 +1,4 @@
-"""The work on one axis in stages. Each stage is a function of one argument that a second process
-can run.
+"""Work on one axis in stages, as functions of one argument that another process can run.
 
 Arguments and results need only this room, neither commands nor formats, so that such a process
 starts quickly.
@@ -35,14 +34,14 @@ from compwright.words.sentences import Sentence
 def start_task(
     task: tuple[Job, AxisJob, tuple[PlannedTest, ...], Mapping[str, ControlState]],
 ) -> AxisWork:
-    """Return an axis with its tests evaluated and its error estimated. The present correction is
-    not needed for that.
+    """Return an axis with its tests evaluated and its error estimated (arguments of `start_axis`,
+    without the control's present correction).
     """
     return start_axis(*task, no_correction)
 
 
 def gain_task(task: tuple[AxisWork, Correction]) -> Sentence | None:
-    """Return why a table would not improve its axis; the arguments are those of `why_no_gain`."""
+    """Return why a table would not improve an axis. The tuple: arguments of `why_no_gain`."""
     return why_no_gain(*task)
 
 
@@ -50,7 +49,7 @@ def predict_task(
     task: tuple[AxisWork, Correction, AxisCompensation | None, Job],
 ) -> AxisPrediction:
     """Return the prediction of new tests of an axis, its limiting causes, and whether a table
-    helps. Arguments as those of `predict_axis`.
+    helps. The tuple has the arguments of `predict_axis`.
     """
     work, new, _, job = task
     fitted = work.planned.fitted

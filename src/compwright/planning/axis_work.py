@@ -1,4 +1,4 @@
-"""One axis on its way through a job: evaluated, estimated, fitted, predicted."""
+"""The data of one axis while a job runs: evaluated, estimated, fitted, predicted."""
 
 from __future__ import annotations
 
@@ -57,13 +57,13 @@ from compwright.words.sentences import Sentence, say
 
 
 class CapacityOf(Protocol):
-    """A function that returns the limits of one axis' table. It raises CapacityError where the
-    control can hold no table.
+    """A function that returns the control's limits on the table of an axis. It raises CapacityError
+    if the control can hold no table.
     """
 
     def __call__(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
-        """Return the limits of the control for an axis. ``one_curve``: the job requires one table
-        and a backlash value.
+        """Return the control's limits on the table of an axis. ``one_curve``: the job requires one
+        table with a backlash value.
         """
 
 
@@ -92,8 +92,8 @@ class AxisWork:
     at_targets: ErrorEstimate | None = None
 
     def estimate_at(self, positions: FloatArray) -> ErrorEstimate:
-        """Return mean and standard deviation of the deviation at ``positions`` (g,), mm or
-        deg. At targets of the first test the values that are already known are used.
+        """Return mean and standard deviation of the deviation at ``positions`` (g,), mm or deg.
+        Values at targets of the first test are not computed again.
         """
         known = self.at_targets
         if known is None or not np.all(np.isin(positions, known.positions)):
@@ -102,19 +102,19 @@ class AxisWork:
 
     @property
     def active(self) -> Correction:
-        """The correction that was active during the first test. Zero where it is unknown."""
+        """The correction that was active during the first test, or zero where it is unknown."""
         active = self.planned.active
         return no_correction if active is None else active.at
 
     @property
     def stops(self) -> bool:
-        """Whether the job's table was left out, because no test would show its gain."""
+        """Whether the table of this axis was discarded because no test would show its gain."""
         made = self.capacity is not None
         return made and bool(self.refused) and self.planned.request.gain == "seen"
 
     @property
     def findings(self) -> tuple[Finding, ...]:
-        """The findings about this axis that belong to no single test."""
+        """The findings about this axis that do not belong to a single test."""
         fitted = self.planned.fitted
         own = (
             *self._longer_tests(),
@@ -136,7 +136,7 @@ class AxisWork:
         return tuple(dict.fromkeys(own))
 
     def _longer_tests(self) -> list[Finding]:
-        """Return the doubts about tests that are longer than the tests in use."""
+        """Return the findings about unused tests that cover more travel than the tests in use."""
         tests = self.planned.tests
         fitted = [planned.test for planned in tests if planned.acted is not None]
         others = [planned.test for planned in tests if planned.acted is None]
@@ -159,7 +159,7 @@ def evaluate_test(
     reported: Collection[str] = (),
     other_tests: Sequence[PositioningTest] = (),
 ) -> PositioningResult:
-    """Return a test of an axis evaluated with the settings of its job.
+    """Return the evaluation of a test of an axis with the settings of the job.
 
     ``reported``: see `evaluate`; ``other_tests``: other tests of the axis.
     """
@@ -182,7 +182,7 @@ def start_axis(
     states: Mapping[str, ControlState],
     as_found: Correction,
 ) -> AxisWork:
-    """Evaluate the tests of an axis, and estimate its error from the tests that agree.
+    """Evaluate the tests of an axis, and estimate its error from those tests that agree.
 
     ``states``: the known states, by name; ``as_found``: the correction that is active at present.
     Raises UsageError for tolerances that fit no test, InputError where the tests that count cover
@@ -239,9 +239,7 @@ def start_axis(
 
 
 def _reported_checks(posterior: MeasuredError) -> Iterator[frozenset[str]]:
-    """Yield the findings about each test's readings that the estimate also reports. None for a test
-    that does not count.
-    """
+    """Yield, for each test, the codes of reading checks that the estimate already reports."""
     for noise, place in zip(posterior.noises, posterior.counted, strict=True):
         found = () if noise is None or place is None else noise.findings
         yield frozenset(_REPORTED_BY[each.code] for each in found if each.code in _REPORTED_BY)
@@ -254,7 +252,7 @@ def predict_axis(
     job: Job,
     fresh: FreshTests | None = None,
 ) -> AxisPrediction:
-    """Return the prediction of new tests of an axis with the correction ``new``.
+    """Return the prediction of repeated tests of an axis under the correction ``new``.
 
     ``table``: the written table, as read back; None where none was written. ``fresh``: tests like
     the first one at new targets, where they are drawn already.
@@ -287,8 +285,8 @@ def predict_axis(
 def _predicted_test(
     work: AxisWork, place: int, new: Correction, job: Job, fresh: FreshTests | None
 ) -> TestPrediction:
-    """Return the prediction of a new test like the one with the index ``place``, with the
-    correction ``new``.
+    """Return the prediction of a repetition of the test with index ``place``, under the correction
+    ``new``.
 
     It has guard bands where a guarded decision needs them.
     """
@@ -306,7 +304,7 @@ def _predicted_test(
 
 
 def repeats_of_first(work: AxisWork, rule: Literal["simple", "guarded"] = "simple") -> FreshTests:
-    """Return simulated tests like the first one of an axis, at new targets."""
+    """Return simulated repetitions of the first test of an axis, at new targets."""
     like = RepeatConditions(0, fresh_slope(rule, work.planned.tests[0]))
     return fresh_tests(work.results[0], work.posterior, work.planned.axis, like)
 
@@ -317,8 +315,8 @@ def _offered(
     fresh: FreshTests,
     rule: Literal["simple", "guarded"],
 ) -> Iterator[Finding]:
-    """Yield the finding about the gain of a freely chosen grid over the existing grid, which
-    stays.
+    """Yield the finding that states how much better a free choice of table points would be than the
+    existing points, which are kept.
     """
     capacity, chosen = work.capacity, work.chosen
     if chosen is None or capacity is None:
@@ -340,8 +338,8 @@ def _offered(
 
 
 def why_no_gain(work: AxisWork, new: Correction) -> Sentence | None:
-    """Return why the table ``new``, as read back, would not improve the axis enough; None where it
-    does.
+    """Return why the table ``new``, as read back, would not improve the axis enough, or None if it
+    would.
 
     It is compared with the present correction of the control and with the gain that the job
     requires. Outlying readings, which no table changes, and traverses that were not made do not

@@ -1,5 +1,5 @@
-"""Compare circles with positioning tests: lost motion and scale of an axis from both, each with its
-uncertainty.
+"""Comparison of circular and positioning tests: lost motion and scale of an axis from both, each
+with its uncertainty.
 """
 
 from __future__ import annotations
@@ -24,8 +24,8 @@ _UM, _PPM = 1e3, 1e6
 
 @dataclass(frozen=True, slots=True)
 class LaserValues:
-    """Lost motion and scale of an axis over a circle, from its positioning test. In the state of
-    the control during the circle.
+    """Lost motion and scale of an axis over the diameter of a circle, from its positioning test,
+    under the corrections that were active during the circle.
     """
 
     lost_motion: ValueWithError
@@ -35,8 +35,8 @@ class LaserValues:
 def laser_values(
     work: CircleWork, axis: AxisWork, index: int, during: ActiveCorrections
 ) -> LaserValues:
-    """Return lost motion (mm, positive for lag) and scale of an axis from its positioning test, at
-    both ends of a circle.
+    """Return lost motion (mm, positive for lag) and scale of an axis at both ends of a circle, from
+    its positioning test.
 
     ``index`` 0: the axis is the circle's first one. The laser's own uncertainty per metre counts
     where the job gives it.
@@ -58,26 +58,28 @@ def laser_values(
 
 
 def lost_motion(work: CircleWork, index: int) -> ValueWithError | None:
-    """Return the lost motion, mm, of the circle's first (``index`` 0) or second axis."""
+    """Return the lost motion, mm, of a circle's first (``index`` 0) or second axis, or None."""
     found = effect_of(work.result, f"backlash_{ENDS[index]}")
     return None if found is None else ValueWithError(found.value / _UM, found.std_error / _UM)
 
 
 def scale_error(work: CircleWork, index: int) -> ValueWithError | None:
-    """Return the scale error (mm/mm) of the first or second axis. None without a calibrated bar."""
+    """Return the scale error (mm/mm) of the first (``index`` 0) or second axis of a circle, or None
+    without a calibrated bar.
+    """
     found = effect_of(work.result, f"scale_error_{ENDS[index]}")
     return None if found is None else ValueWithError(found.value / _PPM, found.std_error / _PPM)
 
 
 def mismatch(work: CircleWork) -> ValueWithError | None:
-    """Return the scale of the first axis minus that of the second, mm/mm."""
+    """Return the scale error of the circle's first axis minus that of its second axis, mm/mm."""
     found = effect_of(work.result, "scale_mismatch")
     across = 2.0 * work.planned.test.nominal_radius * _UM
     return None if found is None else ValueWithError(found.value / across, found.std_error / across)
 
 
 class CircleChecks:
-    """Compares every circle of a job with the positioning tests of its axes."""
+    """Comparison of every circle of a job with the positioning tests of its axes."""
 
     def __init__(
         self, job: Job, works: Mapping[str, AxisWork], states: Mapping[str, ActiveCorrections]
@@ -87,8 +89,8 @@ class CircleChecks:
         self.states = states
 
     def laser(self, work: CircleWork, index: int) -> LaserValues | None:
-        """Return the values of the positioning test for one axis of a circle. None for an
-        axis without a positioning test in both directions.
+        """Return lost motion and scale of one axis of a circle from its positioning test, or None
+        without a positioning test in both directions.
         """
         axis = self.works.get(work.planned.test.axes[index])
         if axis is None or not axis.results[0].test.bidirectional:
@@ -103,7 +105,7 @@ class CircleChecks:
         )
 
     def findings(self, circles: Sequence[CircleWork]) -> Iterator[Finding]:
-        """Yield findings where laser and circle differ by more than both uncertainties."""
+        """Yield findings where circle and positioning test differ beyond both uncertainties."""
         for work in circles:
             both = [self.laser(work, index) for index in (0, 1)]
             for index, laser in enumerate(both):
@@ -162,8 +164,8 @@ class CircleChecks:
     def with_circle_backlash(
         self, circles: Sequence[CircleWork]
     ) -> tuple[dict[str, AxisWork], tuple[Finding, ...]]:
-        """Return the axes with the lost motion from their circles instead of their positioning
-        tests, where the job requires it.
+        """Return the axes, with lost motion from their circles instead of their positioning tests
+        where the job requires it.
         """
         works = dict(self.works)
         findings: list[Finding] = []
@@ -189,16 +191,16 @@ class CircleChecks:
         return Finding.of("CW-P130.no_test", "error", axis=name)
 
     def _not_taken(self, name: str, circles: Sequence[CircleWork]) -> Finding:
-        """Return why an axis keeps the lost motion of its laser test. An axis without a circle is
-        no failure.
+        """Return the finding why an axis keeps the lost motion of its positioning test. It is a
+        warning if no circle moves the axis, else an error.
         """
         if not _on(circles, name):
             return Finding.of("CW-P130.no_circle", "warning", axis=name)
         return Finding.of("CW-P130.unknown", "error", axis=name)
 
     def _shift(self, name: str, circles: Sequence[CircleWork]) -> ValueWithError | None:
-        """Return how much larger the lost motion (mm) of an axis is in its circles than in its
-        laser test, as a weighted mean.
+        """Return the weighted mean difference of lost motion (mm): circles minus positioning test
+        of an axis.
         """
         values, weights = [], []
         for work in circles:
@@ -217,13 +219,13 @@ class CircleChecks:
 
 
 def _on(circles: Sequence[CircleWork], name: str) -> bool:
-    """Return whether a circle moves an axis."""
+    """Return whether any of the circles moves the axis ``name``."""
     return any(name in work.planned.test.axes for work in circles)
 
 
 def _shifted(work: AxisWork, more: float) -> AxisWork:
-    """Return the axis with its estimated lost motion increased by ``more`` (mm), against the
-    direction of the reference return.
+    """Return the axis with its estimated lost motion increased by ``more`` (mm). Only the direction
+    opposite to the reference return changes.
     """
     axis: Axis = work.planned.axis
     estimate = work.planned.estimate

@@ -1,4 +1,4 @@
-"""Evaluate a circular test and find the causes of its deviations."""
+"""Evaluation of a circular test with the causes of its deviations."""
 
 from __future__ import annotations
 
@@ -32,8 +32,8 @@ def diagnose_circle(test: CircularTest, standard: str) -> CircularResult:
 
 
 def _diagnosed(test: CircularTest) -> Diagnosis:
-    """Return the causes of a circular test. Raises InputError where they cannot be determined, as
-    for computed samples without noise.
+    """Return the causes of a circular test. Raises InputError where they cannot be found, as for
+    noise-free computed samples.
     """
     with np.errstate(invalid="ignore"):  # a variance below zero is found by its root
         try:

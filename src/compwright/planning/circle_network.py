@@ -1,4 +1,4 @@
-"""Combine several circles of one machine (planes, radii, feeds) in one system of equations.
+"""Combination of several circles of one machine (planes, radii, feeds) in one system of equations.
 
 Every circle gives a squareness, two scales, two lost motions and a servo mismatch. The machine has
 one squareness per plane, and one scale, one lost motion, one lag and one shrinking per axis. The
@@ -50,8 +50,8 @@ Unknown = tuple[str, str]
 
 @dataclass(frozen=True, slots=True)
 class Observation:
-    """One measured value of a circle as an equation: its ``kind`` and the coefficients of the
-    unknowns.
+    """One value measured by a circle as an equation: the ``kind`` of value, and the coefficients of
+    the unknown machine errors.
     """
 
     kind: str
@@ -61,21 +61,22 @@ class Observation:
 
     @property
     def group(self) -> tuple[str, str]:
-        """The key of all values that are compared with this one. For squareness: those of its
+        """The key of the values that this one is compared with: its kind and, for squareness, its
         plane.
         """
         return self.kind, next(iter(self.parts))[1] if self.kind == "squareness" else ""
 
     @property
     def axes(self) -> str:
-        """The axes of the value as text: ``X - Y`` for a difference, ``X and Y`` for a mean."""
+        """The axes of this value as text: ``X - Y`` for a difference, ``X and Y`` for a mean."""
         shares = {axis: share for (kind, axis), share in self.parts.items() if kind != "shrinking"}
         return (" - " if min(shares.values()) < 0.0 else " and ").join(shares)
 
 
 @dataclass(frozen=True, slots=True)
 class CircleNetwork:
-    """The machine errors that fit all ``circles`` best, and the circles that contradict each other.
+    """The machine errors that fit all ``circles`` best, with the values in which circles contradict
+    each other.
 
     ``values`` by unknown; ``contradictions``: the observations in which the circles contradict each
     other, by kind and, of squareness, plane.
@@ -86,7 +87,7 @@ class CircleNetwork:
     contradictions: Mapping[tuple[str, str], tuple[Observation, ...]]
 
     def values_of(self, kind: str) -> dict[str, ValueWithError]:
-        """Return the values of one kind from the circles, by axis or plane."""
+        """Return the machine errors of a ``kind`` that the circles determine, by axis or plane."""
         most = _TELLS * _PRIOR[kind][1]
         return {
             name: value
@@ -95,7 +96,7 @@ class CircleNetwork:
         }
 
     def position_loops(self) -> dict[str, ValueWithError]:
-        """Return the lag of the position loops, ms, by axis, where the circles determine one."""
+        """Return the lag of the position loop of each axis, ms, where the circles determine it."""
         loops = {}
         for name, value in self.values_of("shrinking").items():
             if value.value > SIGNIFICANT * value.std_error:
@@ -180,8 +181,8 @@ def _observations(result: CircularResult) -> Iterator[Observation]:
 def _mean_scale(
     result: CircularResult, of_mismatch: float, turning: float
 ) -> Iterator[Observation]:
-    """Yield the mean scale of both axes with the standard error of the fit. The shrinkage by the
-    servo loop is a separate unknown here.
+    """Yield the mean scale error of both axes of a circle. The shrinkage of the radius by the servo
+    loops is a separate unknown of the equation.
     """
     found = [effect_of(result, f"scale_error_{side}") for side in ("first", "second")]
     # What is taken off for unequal lags has opposite signs and is not in the mean.
@@ -201,7 +202,7 @@ def _mean_scale(
 
 
 def network_findings(circles: Sequence[CircleWork]) -> Iterator[Finding]:
-    """Yield the common result of circles of one state, and their contradictions.
+    """Yield the common machine errors of circles in one state of the control, and contradictions.
 
     What ``run`` says of the squareness of a plane is in `planning.cross`.
     """
@@ -215,9 +216,7 @@ def network_findings(circles: Sequence[CircleWork]) -> Iterator[Finding]:
 
 
 def machine_findings(network: CircleNetwork) -> Iterator[Finding]:
-    """Yield the machine errors from all circles, and their contradictions except those of
-    squareness.
-    """
+    """Yield the machine errors from all circles, and contradictions other than of squareness."""
     circles, machine = list(network.circles), list(_machine(network))
     yield Finding.of("CW-P135", "info", circles=circles, machine=machine)
     for (kind, _), seen in network.contradictions.items():
@@ -243,8 +242,8 @@ def machine_findings(network: CircleNetwork) -> Iterator[Finding]:
 
 
 def squareness_findings(network: CircleNetwork) -> Iterator[Finding]:
-    """Yield a finding for each plane in which circles of one state contradict each other about the
-    squareness.
+    """Yield a finding for each plane about whose squareness circles of one state of the control
+    contradict each other.
     """
     for (kind, plane), seen in network.contradictions.items():
         if kind == "squareness":
@@ -254,8 +253,8 @@ def squareness_findings(network: CircleNetwork) -> Iterator[Finding]:
 
 
 def squareness_contradiction(axes: tuple[str, str], values: Iterable[tuple[str, float]]) -> Finding:
-    """Return the finding that circles contradict each other about the squareness (um/m, by circle)
-    of a plane.
+    """Return the finding that circles contradict each other about the squareness of a plane.
+    ``values``: um/m, by circle.
     """
     each = [say("CW-P110.circle", circle=circle, squareness=value) for circle, value in values]
     return Finding.of("CW-P110", "warning", axes, plane="".join(axes), values=each)

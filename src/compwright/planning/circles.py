@@ -1,5 +1,5 @@
 """The circular tests of a job: evaluation, diagnosis, position in the machine, and prediction with
-the changed tables.
+new tables.
 """
 
 from __future__ import annotations
@@ -42,8 +42,8 @@ DRAWS: Final = 100
 
 @dataclass(frozen=True, slots=True)
 class CircleWork:
-    """One circular test of a job: its evaluation with diagnosis, and where and in which state it
-    was measured.
+    """One circular test of a job: its evaluation, where it was measured, and the state of the
+    control then.
     """
 
     result: CircularResult
@@ -57,15 +57,15 @@ class CircleWork:
 
 
 def effect_of(result: CircularResult, name: str) -> CircularEffect | None:
-    """Return one cause of a circle. None where the diagnosis does not determine it."""
+    """Return one cause of a circle's deviations, or None if the diagnosis does not determine it."""
     if result.diagnosis is None or name in result.diagnosis.undetermined:
         return None
     return result.diagnosis.effects.get(name)
 
 
 def as_shown_at_feed(effect: CircularEffect) -> CircularEffect:
-    """Return a scale or a scale mismatch as measured at the feed of the circle. The effect of a
-    servo lag is not removed.
+    """Return a scale error or mismatch as measured at the feed of the circle, with the effect of
+    servo lag left in.
 
     The standard error is that of the fit alone.
     """
@@ -75,8 +75,8 @@ def as_shown_at_feed(effect: CircularEffect) -> CircularEffect:
 
 
 def why_undetermined(works: Iterable[CircleWork], name: str) -> Iterator[Sentence]:
-    """Yield the reasons why these circles do not give the value of a cause, with the name of the
-    circle.
+    """Yield, for each circle that does not determine the cause ``name``, the reason with the name
+    of the circle.
     """
     for work in works:
         diagnosis = work.result.diagnosis
@@ -88,7 +88,7 @@ def why_undetermined(works: Iterable[CircleWork], name: str) -> Iterator[Sentenc
 
 
 def _without_causes(name: str, test: CircularTest) -> Sentence:
-    """Return the reason that a circle has no causes, with its number of samples."""
+    """Return the reason that a circle was not diagnosed, with its number of samples."""
     return say(
         "undetermined.causes",
         circle=name,
@@ -105,8 +105,8 @@ def start_circle(
     budget: CircularBudget | None = None,
     thermal: Thermal | None = None,
 ) -> CircleWork:
-    """Evaluate and diagnose one circular test. Raises InputError where it cannot be evaluated or
-    its centre does not fit.
+    """Evaluate and diagnose one circular test. Raises InputError if it cannot be evaluated, or its
+    centre does not match its axes.
     """
     test = in_job_names(test, axes)
     given = request.centre if request.centre is not None else test.centre
@@ -126,8 +126,8 @@ def start_circle(
 def with_uncertainty(
     result: CircularResult, budget: CircularBudget | None, thermal: Thermal | None
 ) -> CircularResult:
-    """Return the result with the expanded uncertainty of each parameter, if the job declares
-    contributors.
+    """Return the result with the expanded uncertainty of each parameter, if the job declares an
+    uncertainty budget.
     """
     if budget is None:
         return result
@@ -163,7 +163,7 @@ def start_circles(
 
 
 def in_job_names(test: CircularTest, axes: Iterable[str]) -> CircularTest:
-    """Return the test with its axis names spelt as in the job. Upper and lower case count as
+    """Return the test with its axis names spelt as in the job, where upper and lower case are
     equal.
     """
     known = {name.upper(): name for name in axes}
@@ -174,7 +174,7 @@ def in_job_names(test: CircularTest, axes: Iterable[str]) -> CircularTest:
 def _centre(
     test: CircularTest, given: tuple[float, ...] | None, axes: Mapping[str, Axis]
 ) -> tuple[tuple[float, float], bool]:
-    """Return the centre of the circle on its two axes, and whether the centre is known."""
+    """Return the centre of the circle on its two axes, and whether the job states it."""
     if given is not None and len(given) == 2:
         return (given[0], given[1]), True
     if given is not None:
@@ -207,8 +207,8 @@ def _middle_assumed(test: CircularTest, centre: tuple[float, float]) -> Finding:
 
 
 def travel_findings(work: CircleWork, axes: Mapping[str, Axis]) -> tuple[Finding, ...]:
-    """Return findings about a circle outside the travel of its axes, or on axes that are not
-    linear.
+    """Return findings about a circle that is outside the travel of its axes, or on axes that are
+    not linear.
     """
     test, found = work.result.test, []
     for name, middle in zip(test.axes, work.planned.centre, strict=True):
@@ -257,7 +257,7 @@ def undecided_circle_findings(predictions: Mapping[str, CirclePrediction]) -> tu
 
 
 def _growing(circle: CirclePrediction) -> str | None:
-    """Return the circular deviation that becomes larger with the tables. None where none does.
+    """Return the name of the circular deviation that the new tables increase, or None.
 
     That of both runs together counts: lag and squareness may cancel in one run, which alone then
     looks worse when one of them goes.
@@ -299,8 +299,8 @@ def predicted_circle(
     change_from: ActiveCorrections,
     change_to: ActiveCorrections,
 ) -> CirclePrediction:
-    """Return the prediction of a circular test when the correction ``change_to`` replaces
-    ``change_from``.
+    """Return the prediction of a circular test after corrections ``change_from`` are replaced by
+    ``change_to``.
     """
     axes = planned.test.axes
     old, new = change_from.displacement(axes), change_to.displacement(axes)

@@ -1,5 +1,5 @@
-"""Select the tests of an axis that agree with its first test. Each must have been taken in a known
-state of the control.
+"""Selection of the tests of an axis that agree with its first test and were made in a known state
+of the control.
 
 The correction that was active in each is subtracted before the comparison.
 """
@@ -32,8 +32,8 @@ _SAME: Final = 0.02
 def with_active_corrections(
     tests: Sequence[PlannedTest], axis: Axis, states: Mapping[str, ControlState]
 ) -> tuple[PlannedTest, ...]:
-    """Return the tests, each with its active correction from its state (``states``, by name) and
-    its motion.
+    """Return the tests, each with the correction that was active in it, from its motion and the
+    state of the control (``states`` by name).
 
     None where its difference from the first test is unknown, or where a test after the first has
     readings at a single target, which say nothing about the error. Tests in one unknown state and
@@ -50,8 +50,8 @@ def with_active_corrections(
 def active_at(
     test: PlannedTest, axis: Axis, states: Mapping[str, ControlState]
 ) -> Correction | None:
-    """Return the correction that was active in a test, by position and direction. None where it is
-    unknown.
+    """Return the correction that was active in a test, as a function of position and direction, or
+    None where it is unknown.
     """
     state = states.get(test.measured_in)
     if state is None:
@@ -87,7 +87,8 @@ def select_consistent(
     axis: Axis,
     active: AxisCompensation | None,
 ) -> tuple[tuple[PlannedTest, ...], MeasuredError, tuple[Finding, ...]]:
-    """Return the tests with contradicting ones excluded, the estimated error, and the doubts.
+    """Return the tests with contradicting ones marked as unused, the error estimated from the
+    others, and the doubts.
 
     ``observed``: the same tests with the active correction subtracted; ``active``: the correction
     during the first.
@@ -110,8 +111,8 @@ def select_consistent(
 def _disagreeing(
     tests: Sequence[PlannedTest], alone: Callable[[int], MeasuredError]
 ) -> Iterator[tuple[int, Finding]]:
-    """Yield index and doubt of each test that contradicts the first. ``alone``: the error estimated
-    from each single test.
+    """Yield index and doubt of each test that contradicts the first test. ``alone`` returns the
+    error estimated from a single test.
 
     Each of the two tests predicts the other: a short test predicts little of a long one, the long
     one much of it.
@@ -131,8 +132,8 @@ def _doubt(
     shown: tuple[PlannedTest, MeasuredError],
     names: tuple[str, str],
 ) -> Finding | None:
-    """Return the doubt about the test ``shown``, which contradicts the test ``telling``. Both come
-    with the error estimated from that test alone.
+    """Return the doubt about the test ``shown`` if it contradicts the test ``telling``. Each is a
+    test with the error estimated from it alone.
 
     Only the directions in which a test was taken count. Each test has its own noise.
     """
@@ -159,8 +160,7 @@ def _doubt(
 def _only_there(
     shown: tuple[PlannedTest, MeasuredError], telling: tuple[PlannedTest, MeasuredError]
 ) -> tuple[float, ...]:
-    """Return the periods that only one of two tests can show, so that the other does not contradict
-    it.
+    """Return the periods that ``shown`` found and that ``telling`` cannot show or did not find.
 
     Its targets hide them or it found none there, so it predicts nothing about them.
     """
@@ -176,7 +176,7 @@ def _only_there(
 
 
 def _counted_out(tests: Sequence[PlannedTest], places: Container[int]) -> tuple[PlannedTest, ...]:
-    """Return the tests with those at the indices ``places`` marked as not in use."""
+    """Return the tests, with those at the indices ``places`` marked as unused."""
     return tuple(
         replace(test, acted=None) if place in places else test for place, test in enumerate(tests)
     )

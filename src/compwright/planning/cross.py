@@ -42,8 +42,8 @@ _PPM = 1e6
 
 @dataclass(frozen=True, slots=True)
 class Squareness:
-    """The squareness of a plane in its present state, rad, with its standard error. Also its
-    circles and the largest diameter, mm.
+    """The squareness of a plane under the present corrections, rad, with its standard error, its
+    circles, and the largest diameter, mm.
     """
 
     value: float
@@ -53,14 +53,14 @@ class Squareness:
 
     @property
     def words(self) -> Sentence:
-        """The value with its unit as text for messages."""
+        """The squareness as text with unit, for messages."""
         error = SIGNIFICANT * self.std_error * _PPM
         return say("value_with_error", value=self.value * _PPM, error=error, unit="µm/m")
 
 
 @dataclass(frozen=True, slots=True)
 class CrossPlan:
-    """The changes of the corrections between axes, and their findings."""
+    """The planned changes of corrections between axes, with their findings."""
 
     planned: tuple[PlannedCross, ...] = ()
     findings: tuple[Finding, ...] = ()
@@ -104,14 +104,14 @@ class _Planner:
     def find(
         self, name: str, severity: Severity, axes: tuple[str, ...] = (), /, **values: object
     ) -> None:
-        """Add a finding to the list (arguments of `Finding.of`)."""
+        """Add a finding to the list. The arguments are those of `Finding.of`."""
         self.findings.append(Finding.of(name, severity, axes, **values))
 
     # --- direct measurements
     # ----------------------------------------------------------------------------------------------
 
     def measured(self) -> Iterator[PlannedCross]:
-        """Yield the correction from every direct measurement between axes of the job."""
+        """Yield the correction for every direct measurement between two axes in the job."""
         for request in self.job.cross:
             if request.input not in self.axes or request.output not in self.axes:
                 continue  # CW-J004 says so
@@ -122,7 +122,7 @@ class _Planner:
             yield planned
 
     def _measured(self, request: CrossRequest) -> PlannedCross:
-        """Return the change of a correction from a direct measurement.
+        """Return the change of the correction between two axes, from a direct measurement.
 
         Minus the deviation, plus the correction during the measurement, minus the present one.
         """
@@ -160,8 +160,8 @@ class _Planner:
         curves: Mapping[Direction, FloatArray],
         slope: float,
     ) -> CrossCompensation:
-        """Return the table over the travel of the input axis, zero at its reference. Beyond
-        the measured range it continues with the mean slope.
+        """Return the table over the travel of the axis ``given``, zero at its reference. Beyond the
+        measured range it continues with ``slope``.
         """
         axis = self.axes[given]
         nodes = _nodes(axis, where)
@@ -207,8 +207,8 @@ class _Planner:
     # ----------------------------------------------------------------------------------------------
 
     def squareness(self) -> Iterator[PlannedCross]:
-        """Yield the correction for every plane that ``apply`` names. Other planes that need one get
-        a finding.
+        """Yield the correction for every plane listed in the job's ``apply``, and add findings
+        about other planes that need one.
         """
         requested = {
             frozenset({bent, other_axis(plane, bent)}): (plane, bent)
@@ -240,8 +240,8 @@ class _Planner:
                 self.find("CW-P108", "info", plane=plane, squareness=angle.words, tests=angle.tests)
 
     def _not_corrected(self, plane: str, pair: frozenset[str], angle: Squareness | None) -> None:
-        """Return the finding why the squareness of a plane is not corrected, and what to
-        measure.
+        """Return the finding that states why the squareness of a plane is not corrected, and what
+        to measure.
         """
         mine = (work for work in self.circles if frozenset(work.planned.test.axes) == pair)
         if angle is not None:
@@ -279,8 +279,8 @@ class _Planner:
         )
 
     def _angles(self, circles: Sequence[CircleWork]) -> Iterator[tuple[frozenset[str], Squareness]]:
-        """Yield the squareness of each pair of axes, as the weighted mean of its circles under the
-        present corrections.
+        """Yield the squareness of each pair of axes under the present corrections, as weighted mean
+        of its circles.
         """
         by_pair: dict[frozenset[str], list[CircleWork]] = {}
         for work in circles:
@@ -307,8 +307,8 @@ class _Planner:
         return Squareness(mean, error, tuple(work.name for work in works), diameter)
 
     def _as_found(self, work: CircleWork) -> tuple[float, float]:
-        """Return the squareness (rad) of one circle as it would be with the present corrections,
-        and its standard error.
+        """Return the squareness (rad) from one circle, converted to the present corrections, and
+        its standard error.
         """
         effects = work.result.diagnosis.effects if work.result.diagnosis is not None else {}
         effect = effects["squareness"]
@@ -338,9 +338,7 @@ class _Planner:
 
 
 def angle_of(work: CircleWork, state: ActiveCorrections) -> float:
-    """Return the squareness, rad, that the corrections between the axes remove over the circle of
-    ``work``.
-    """
+    """Return the squareness, rad, that corrections between axes remove over a circle."""
     test = work.planned.test
     crossing = replace(state, along={}).displacement(test.axes)
     degrees: FloatArray = np.linspace(0.25, 359.75, 720)
@@ -359,8 +357,8 @@ def angle_of(work: CircleWork, state: ActiveCorrections) -> float:
 
 
 def _nodes(axis: Axis, where: FloatArray) -> FloatArray:
-    """Return equally spaced nodes over the travel that fit the measured points. Their step is a
-    whole number of micrometres.
+    """Return equally spaced table points over the travel that match the measured points. Their
+    interval is a whole number of micrometres.
 
     They hold the points as well as such a step allows.
     """
@@ -376,7 +374,9 @@ def _nodes(axis: Axis, where: FloatArray) -> FloatArray:
 def _continued(
     where: FloatArray, positions: FloatArray, values: FloatArray, slope: float
 ) -> FloatArray:
-    """Return values at ``where``, linear between ``positions``, and with ``slope`` beyond them."""
+    """Return values at ``where``: linear between ``positions``, and continued with ``slope`` beyond
+    them.
+    """
     beyond = np.minimum(where - positions[0], 0.0) + np.maximum(where - positions[-1], 0.0)
     return np.asarray(np.interp(where, positions, values) + slope * beyond, dtype=np.float64)
 

@@ -1,5 +1,5 @@
-"""Doubts about measurements and the state of the control. A doubt blocks the decision about an axis
-unless the job acknowledges it.
+"""Doubts about measurements and the state of the control. They make every decision about an axis
+undecided until the job acknowledges them.
 """
 
 from __future__ import annotations
@@ -14,8 +14,8 @@ from compwright.records.prediction import AcceptDecision
 
 @dataclass(frozen=True, slots=True)
 class ScopedFinding:
-    """A finding with the axes of the job that it concerns (None: all axes). ``circle``: the
-    circular test that it concerns.
+    """A finding with the ``axes`` of the job that it concerns (None: all axes), and the name of its
+    circular test in ``circle``.
     """
 
     finding: Finding
@@ -23,14 +23,14 @@ class ScopedFinding:
     circle: str | None = None
 
     def concerns(self, axis: str) -> bool:
-        """Return whether the finding concerns an axis."""
+        """Return whether the finding concerns the given axis."""
         return self.axes is None or axis in self.axes
 
 
 @dataclass(frozen=True, slots=True)
 class Doubts:
-    """The ``open`` doubts, the ``acknowledged`` ones, and the ``unused`` acknowledgements of a
-    job.
+    """The doubts of a job: ``open``, ``acknowledged``, and acknowledgements that match no doubt
+    (``unused``).
     """
 
     open: tuple[ScopedFinding, ...] = ()
@@ -38,18 +38,21 @@ class Doubts:
     unused: tuple[Acknowledgement, ...] = ()
 
     def about(self, axis: str) -> bool:
-        """Return whether a doubt about an axis is left that the job does not acknowledge."""
+        """Return whether an axis has a doubt that the job does not acknowledge."""
         return any(one.concerns(axis) for one in self.open)
 
     def about_circle(self, name: str, axes: Iterable[str]) -> bool:
-        """Return whether such a doubt is left about a circular test or one of its axes."""
+        """Return whether a circular test, or one of its axes, has a doubt that the job does not
+        acknowledge.
+        """
         return any(one.circle == name for one in self.open) or any(map(self.about, axes))
 
 
 def find_doubts(
     noticed: Iterable[ScopedFinding], given: Sequence[Acknowledgement], axes_of_job: Iterable[str]
 ) -> Doubts:
-    """Return the findings that are doubts, each once. ``given``: the acknowledgements of the job.
+    """Return the doubts among the findings ``noticed``, each once. ``given``: the acknowledgements
+    of the job.
 
     An acknowledgement for one axis leaves a doubt open that concerns other axes too. A doubt about
     all axes concerns those of the job.
@@ -73,5 +76,5 @@ def find_doubts(
 
 
 def mark_undecided(accept: Mapping[str, AcceptDecision]) -> dict[str, AcceptDecision]:
-    """Return the decisions as undecided, for an axis or circle with a doubt that is left."""
+    """Return the decisions of an axis or circle with an open doubt, all changed to undecided."""
     return {name: replace(entry, decision="undecided") for name, entry in accept.items()}

@@ -1,5 +1,5 @@
-"""Findings about drift within a run, which looks like a reversal error that varies along the
-travel.
+"""Findings about drift within a run, which has the same effect as a reversal error that varies
+along the travel.
 
 A run goes up through the m targets and down again (ISO 230-2, standard test cycle): 2 m readings at
 equal times, target i (0 .. m - 1) in + as number i, in - as number 2 m - 1 - i. An axis that drifts
@@ -42,7 +42,8 @@ _MATTERS: Final = 0.1
 
 
 def drift_or_reversal(work: AxisWork, fresh: FreshTests) -> Iterator[Finding]:
-    """Yield a finding if the table may contain the drift of the test.
+    """Yield a finding if a table may contain the drift of the test instead of the error of the
+    axis.
 
     CW-P153: the second table that the job requires; CW-P154: the constant between the directions,
     which is the backlash value, or that of two curves where the control has none.
@@ -66,8 +67,8 @@ def drift_or_reversal(work: AxisWork, fresh: FreshTests) -> Iterator[Finding]:
 
 
 def drift_of_one_test(work: AxisWork, new: Correction, fresh: FreshTests) -> Iterator[Finding]:
-    """Yield the finding CW-P165: a second test would show whether the drift repeats, as the
-    prediction assumes.
+    """Yield the finding CW-P165 if a second test is needed to show whether the drift of the first
+    one repeats.
     """
     noise, name = fresh.draws.noise, judged_parameter(work.results[0])
     certain = float(np.mean(noise.drift != 0.0)) >= _CERTAIN
@@ -98,7 +99,7 @@ def drift_of_one_test(work: AxisWork, new: Correction, fresh: FreshTests) -> Ite
 
 
 def _second_table(work: AxisWork, drift: float, within: float) -> Iterator[Finding]:
-    """Yield CW-P153: separate tables for + and − may contain the drift.
+    """Yield the finding CW-P153 if the difference of the tables for + and − may come from drift.
 
     ``drift`` from the first run to the last, ``within`` a run; mm or deg.
     """
@@ -112,7 +113,7 @@ def _second_table(work: AxisWork, drift: float, within: float) -> Iterator[Findi
 
 
 def _backlash_value(work: AxisWork, drift: float, moved: float) -> Iterator[Finding]:
-    """Yield CW-P154: the backlash value may contain the drift.
+    """Yield the finding CW-P154 if drift may have changed the backlash value.
 
     ``drift`` from the first run to the last, by which the mean reversal is ``moved``; mm or deg.
     """

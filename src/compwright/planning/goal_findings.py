@@ -1,4 +1,4 @@
-"""Findings about the costs and gains of a goal of the fit, judged by separate simulated tests."""
+"""Findings about what the goal of a fit gains and costs in separate simulated tests."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _REPORTED: Final = (
 
 def goal_findings(work: AxisWork, new: Correction, fresh: FreshTests) -> Iterator[Finding]:
     """Yield the finding CW-P152: A, E and M of simulated tests with the table ``new`` and with the
-    rejected one.
+    alternative that was rejected.
 
     ``fresh`` tests at new targets. Only where the job has another goal than the least
     expected square.

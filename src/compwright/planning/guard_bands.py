@@ -1,5 +1,5 @@
-"""The guard band for the decision about a future test: the expanded uncertainty of its parameters
-(ISO 14253-1).
+"""Guard bands for decisions about a future test: the expanded uncertainty of its parameters (ISO
+14253-1).
 
 It includes the share that earlier tests have put into the table.
 """
@@ -31,8 +31,8 @@ def guard_bands(
     posterior: MeasuredError,
     change: Correction,
 ) -> Mapping[str, ExpandedUncertainty] | None:
-    """Return U (mm or deg, k = 2) of the parameters of a new test like ``result``, after a
-    ``change`` of the correction.
+    """Return the expanded uncertainty U (mm or deg, k = 2) of each parameter of a repeated test,
+    after a ``change`` of the correction.
 
     ``result``: the test at ``place`` of its axis. None where the job declares no uncertainty, and
     for VDI 3441.
@@ -73,7 +73,7 @@ def guard_bands(
 
 
 def _moved(narrow: Quantiles, wide: Quantiles) -> float:
-    """Return how much wider the range ``wide`` is than ``narrow``, at the end with the larger
-    difference.
+    """Return how far the range ``wide`` extends beyond ``narrow``, at the end where it extends
+    more.
     """
     return max(wide.p95 - narrow.p95, narrow.p05 - wide.p05)

@@ -1,4 +1,4 @@
-"""Compare the statements in the headers of the test files with the job and with each other."""
+"""Comparison of statements in the headers of test files with the job and with each other."""
 
 from __future__ import annotations
 
@@ -32,8 +32,8 @@ _OFF: Final = re.compile(
 def statement_findings(
     tests: Sequence[PlannedTest], axis: Axis, states: Mapping[str, ControlState]
 ) -> Iterator[Finding]:
-    """Yield findings where headers of an axis' files contradict the state in the job, or each
-    other.
+    """Yield a finding where the headers of an axis' files contradict each other or the job's state
+    of the control.
 
     ``states``: by name, those whose content is known.
     """
@@ -48,7 +48,9 @@ def statement_findings(
 def with_statements(
     works: Iterable[CircleWork], axes: Mapping[str, Axis], states: Mapping[str, ControlState]
 ) -> tuple[CircleWork, ...]:
-    """Return circular tests, with a finding where the header contradicts the state in the job."""
+    """Return the circular tests, with a finding where a header contradicts the state of the control
+    in the job.
+    """
     checked = []
     for work in works:
         test = work.result.test
@@ -83,8 +85,8 @@ def _contradiction(
     axes: Sequence[Axis],
     states: Mapping[str, ControlState],
 ) -> Sentence | None:
-    """Return the contradiction between a header and the state of its test, with the next step. None
-    if there is none.
+    """Return the sentence that a header contradicts the state of its test, with the next step, or
+    None.
 
     It is compared only as far as ``axes`` show the state.
     """
@@ -107,14 +109,14 @@ def _is_active(state: ControlState, axis: Axis) -> bool:
 
 
 def _stated(header: Mapping[str, str]) -> set[bool]:
-    """Return the state of compensation in the headers: on, off, both, or no known statement."""
+    """Return the set of states of compensation in a header: True for on, False for off."""
     texts = [text for key, text in header.items() if key.strip().lower() == _KEY]
     lines = [line.strip() for text in texts for line in text.splitlines()]
     return {_OFF.match(line) is None for line in lines if _ON.match(line) or _OFF.match(line)}
 
 
 def _differences(test: PositioningTest, axis: Axis) -> Iterator[Finding]:
-    """Yield the header items that differ between the files of one test."""
+    """Yield the header entries that differ between the files of one test."""
     if len(test.sources) < 2:
         return
     differing = [

@@ -1,6 +1,4 @@
-"""The limits of a job: whether the tests have these parameters, and the decision about each
-limit.
-"""
+"""The limits of a job: whether tests yield these parameters, and the decision about each limit."""
 
 from __future__ import annotations
 
@@ -31,8 +29,7 @@ def accept_decisions(
     predictions: tuple[TestPrediction, ...],
     rule: Literal["simple", "guarded"],
 ) -> Mapping[str, AcceptDecision]:
-    """Return the decision about each tolerance of the job from the predicted values (limits in µm
-    or arcsec).
+    """Return the decision about each limit of an axis (µm or arcsec) from the predicted values.
 
     Accepted is what keeps its limit at the same targets and at new ones, where the prediction
     includes the periods that the test cannot show. ``guarded``: with the uncertainty of the
@@ -55,7 +52,7 @@ def accept_decisions(
 def circle_decisions(
     accept: Acceptance | None, circle: CirclePrediction, rule: Literal["simple", "guarded"]
 ) -> Mapping[str, AcceptDecision]:
-    """Return the decision about each limit of a circle from the predicted values (limits in µm).
+    """Return the decision about each limit of a circle (µm) from the predicted values.
 
     As `accept_decisions` does. Its U is that of the measured circle, because the tables hardly
     change its size. Undecided where the causes in the circle are not known (CW-P134).
@@ -78,8 +75,8 @@ def _predicted(
     factor: float,
     elsewhere: Mapping[str, Quantiles] | None = None,
 ) -> dict[str, AcceptDecision]:
-    """Return the decisions about limits from predicted values. ``factor``: to the unit of the
-    limits; ``elsewhere``: the prediction at new targets.
+    """Return decisions about limits from predicted values. ``factor`` converts them to the unit of
+    the limits; ``elsewhere`` is the prediction at new targets.
     """
     decisions = {}
     for name, limit in accept.limits.items():
@@ -106,8 +103,7 @@ def measured_decisions(
     believed: bool,
     proven: bool,
 ) -> dict[str, AcceptDecision]:
-    """Return the decision about each tolerance of the job from the test after loading (limits in µm
-    or arcsec).
+    """Return the decision about each limit of an axis (µm or arcsec) from the test after loading.
 
     A guarded decision needs the uncertainty of this test only: the tests before are contained in
     the table, which is active and measured with it. Readings that are not ``believed`` give no
@@ -131,9 +127,7 @@ def measured_circle_decisions(
     believed: bool,
     proven: bool,
 ) -> dict[str, AcceptDecision]:
-    """Return the decision about each limit of a circle from its test after loading (limits in
-    µm).
-    """
+    """Return the decision about each limit of a circle (µm) from its test after loading."""
     if accept is None:
         return {}
     factor = MICROMETRES_PER_MILLIMETRE
@@ -169,13 +163,13 @@ def _measured(
 
 
 def unguarded(accept: Mapping[str, AcceptDecision]) -> list[str]:
-    """Return the parameters whose guarded decision lacks an uncertainty."""
+    """Return the parameters that have a guarded decision but no uncertainty."""
     return [name for name, entry in accept.items() if entry.rule == "guarded" and entry.U is None]
 
 
 def lacking_guard(axis: Axis, standard: str, names: Iterable[str]) -> tuple[Finding, ...]:
-    """Return the finding CW-P132: which uncertainties the job must give for guarded decisions about
-    the parameters ``names``.
+    """Return the finding CW-P132: which uncertainties the job must state for guarded decisions
+    about the parameters ``names`` of an axis.
     """
     if standard == "vdi3441":
         give = (
@@ -196,7 +190,7 @@ def lacking_guard(axis: Axis, standard: str, names: Iterable[str]) -> tuple[Find
 
 
 def lacking_circle_guard(name: str, accept: Mapping[str, AcceptDecision]) -> tuple[Finding, ...]:
-    """Return the finding CW-P132 for a circle: which uncertainties the job must give for guarded
+    """Return the finding CW-P132 for a circle: which uncertainties the job must state for guarded
     decisions.
     """
     give = (
@@ -214,8 +208,8 @@ def _without_guard(what: str, names: Iterable[str], give: str) -> tuple[Finding,
 
 
 def magnitude(quantiles: Quantiles) -> Quantiles:
-    """Return the quantiles of the absolute value of a parameter, because a limit bounds the size
-    and a reversal value has a sign.
+    """Return the quantiles of the absolute value of a parameter. A limit bounds the size, but
+    parameters such as the mean reversal error have a sign.
     """
     low, high = sorted((abs(quantiles.p05), abs(quantiles.p95)))
     spans_zero = quantiles.p05 < 0.0 < quantiles.p95
@@ -223,7 +217,7 @@ def magnitude(quantiles: Quantiles) -> Quantiles:
 
 
 def check_limits(job: Job, entry: AxisJob, results: tuple[PositioningResult, ...]) -> None:
-    """Raise UsageError for every limit on a parameter that the test does not have, and for a
+    """Raise UsageError for every limit on a parameter that the tests do not yield, and for a
     guarded decision without uncertainty.
     """
     accept = entry.accept
@@ -236,7 +230,7 @@ def check_limits(job: Job, entry: AxisJob, results: tuple[PositioningResult, ...
 def limit_faults(
     job: Job, accept: Acceptance, result: PositioningResult | CircularResult, place: str
 ) -> list[Fault]:
-    """Return a fault for each limit on a parameter that ``result`` does not have.
+    """Return a fault for each limit on a parameter that ``result`` does not contain.
 
     Also for a guarded decision without uncertainty; ``place``: the section of the job.
     """
@@ -269,7 +263,7 @@ def limit_faults(
 
 
 def accepted_index(accept: Acceptance, names: tuple[str, ...]) -> int:
-    """Return the index of the test to which the limits apply: the first test, or the one named in
-    the job.
+    """Return the index of the test to which the limits apply: the one named in the job, or the
+    first.
     """
     return 0 if accept.test is None else names.index(accept.test)

@@ -1,4 +1,4 @@
-"""The causes that limit an axis: the contribution of each to its predicted parameter.
+"""Causes that limit an axis, with the contribution of each to the predicted parameter.
 
 Each cause is computed from the same draws with and without it.
 """
@@ -42,7 +42,8 @@ _WORTH_SAYING: Final = 0.005
 
 
 def what_limits(work: AxisWork, new: Correction, fresh: FreshTests) -> LimitingCauses | None:
-    """Return the contribution of each cause to a parameter of an axis after the correction ``new``.
+    """Return how much each cause contributes to a parameter of an axis under the correction
+    ``new``.
 
     It is the first of A, E, ... that the first test has; None where it has none.
 
@@ -91,7 +92,7 @@ def what_limits(work: AxisWork, new: Correction, fresh: FreshTests) -> LimitingC
 
 
 class _ShownParameter(Protocol):
-    """The parameter of simulated tests that is examined, with the arguments of
+    """A function that returns one parameter of the simulated tests, with the arguments of
     `FreshTests.quantiles`.
     """
 
@@ -110,8 +111,8 @@ def _without(
     shown: _ShownParameter,
     without_outliers: Quantiles,
 ) -> Iterator[tuple[str, Quantiles, float | None]]:
-    """Yield each cause with the parameter of simulated tests without this cause, and the size that
-    the fit reports.
+    """Yield each cause with the parameter of simulated tests that lack this cause, and the size of
+    the cause according to the fit.
 
     ``without_outliers``: the parameter without outlying readings.
     """

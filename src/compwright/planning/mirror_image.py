@@ -1,5 +1,5 @@
-"""Detect a table in the control that is the mirror image of a test that was taken with it. Then the
-table was probably not active.
+"""Detection of a table in the control that is the mirror image of a test made with it. Such a table
+was probably not active.
 
 Then the table was made from this very test: it was not active in the test, and a further table
 would remove the same error twice.
@@ -62,7 +62,8 @@ def mirror_image_doubts(
     axis: Axis,
     states: Mapping[str, ControlState],
 ) -> Iterator[tuple[int, Finding]]:
-    """Yield index and doubt (CW-P161) of each test that is the mirror image of a table.
+    """Yield index and doubt (CW-P161) of each test whose deviations mirror the table that was
+    active.
 
     The table is that of its state, or what that one has more than the table of another state.
     ``observed``: the same tests.
@@ -90,7 +91,7 @@ def mirror_image_doubts(
 def chance_of_mirror(
     table: FloatArray, shown: FloatArray, targets: FloatArray, noise: float
 ) -> float:
-    """Return the probability that ``table`` (m,) is the mirror image of ``shown`` (m,) by chance.
+    """Return the probability that ``table`` (m,) mirrors the deviations ``shown`` (m,) by chance.
 
     1 where it is none. Both at ``targets`` (m,), mm or deg; ``noise``: standard deviation of a
     mean. By chance: a curve of as many bends, in a random direction of their space (the cap of a
@@ -115,7 +116,7 @@ def chance_of_mirror(
 
 
 def _number_of_bends(*curves: FloatArray) -> float:
-    """Return in how many waves (of half a turn more each) the curves (m,) lie, by their power."""
+    """Return the effective number of cosine waves in the curves (m,), weighted by their power."""
     m = curves[0].size
     waves = np.cos(np.pi * np.outer(np.arange(2, m), (np.arange(m) + 0.5) / m))
     power = sum(np.square(waves @ curve) for curve in curves)
@@ -123,8 +124,8 @@ def _number_of_bends(*curves: FloatArray) -> float:
 
 
 def mean_of_directions(test: PositioningTest) -> FloatArray | None:
-    """Return the mean (m,) of both directions at each target, or of the measured direction. None
-    where a target has no reading.
+    """Return the mean (m,) of the measured directions at each target, or None if a target has no
+    reading.
     """
     means = [
         mean_deviation(test.deviations(direction))
@@ -147,7 +148,7 @@ def _middle_of_table(state: ControlState, axis: Axis, test: PositioningTest) -> 
 
 
 def _noise(bare: ObservedTest) -> float:
-    """Return the standard deviation of the mean of both directions."""
+    """Return the standard deviation of the mean over all readings at a target."""
     counts = sum(count_readings(bare.test.deviations(direction)) for direction in Direction)
     return 0.0 if bare.noise is None else float(bare.noise.sigma / np.sqrt(np.max(counts)))
 

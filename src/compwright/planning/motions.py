@@ -1,5 +1,5 @@
-"""Tests of one axis at cutting feed and at rapid traverse. The control may use a different backlash
-value for each.
+"""Tests of one axis at cutting feed and at rapid traverse, for which a control may use different
+backlash values.
 
 A table is made for the motion of the first test (``Axis.motion``). A new one changes both values
 equally, so that their difference is active in a test at the other motion before and afterwards.
@@ -21,8 +21,8 @@ from compwright.records.plan import PlannedTest
 
 
 def backlash_more(axis: Axis, motion: Motion, state: ControlState | None) -> float:
-    """Return how much larger the active backlash value is in a test than for the motion of the
-    axis, mm or deg. 0 where unknown.
+    """Return the backlash value active in a test minus that for the axis' usual ``motion``, mm or
+    deg, 0 if unknown.
     """
     if state is None or motion == axis.motion:
         return 0.0
@@ -31,7 +31,7 @@ def backlash_more(axis: Axis, motion: Motion, state: ControlState | None) -> flo
 
 
 def with_motion(correction: Correction, axis: Axis, more: float) -> Correction:
-    """Return a correction with the backlash increased by ``more``, mm or deg, against the reference
+    """Return a correction with backlash larger by ``more``, mm or deg, opposite to the reference
     return.
     """
 
@@ -45,8 +45,8 @@ def with_motion(correction: Correction, axis: Axis, more: float) -> Correction:
 def with_backlash(
     tests: tuple[PlannedTest, ...], axis: Axis, states: Mapping[str, ControlState]
 ) -> tuple[PlannedTest, ...]:
-    """Return the tests, each with the difference between its backlash value and that for the motion
-    of the axis.
+    """Return the tests, each with the difference of its backlash value from that for the axis'
+    usual motion.
 
     The values come from the control's present state, else from the state of the test.
     """
@@ -62,8 +62,8 @@ def with_backlash(
 
 
 def unknown_motions(job: Job, states: Mapping[str, ControlState]) -> Iterator[Fault]:
-    """Yield the tests with a different motion than the first, if the control's files do not state
-    their backlash.
+    """Yield faults for tests at a different motion than the first, if the control's files do not
+    state the backlash value for it.
     """
     for name, entry in job.axes.items():
         for request in entry.before:

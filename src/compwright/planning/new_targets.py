@@ -1,4 +1,4 @@
-"""Findings about periodic errors that new targets may show but the measured targets hide.
+"""Findings about periodic errors that new targets may show but the measured targets may hide.
 
 These are periods that are possible or that the readings do not exclude.
 """
@@ -30,8 +30,8 @@ def decide_limits(
     rule: Literal["simple", "guarded"],
     tests: tuple[TestPrediction, ...],
 ) -> tuple[Mapping[str, AcceptDecision], tuple[Finding, ...]]:
-    """Return the decisions about the limits of an axis, from the prediction for each of its
-    ``tests``.
+    """Return the decisions about the limits of an axis from the predictions ``tests``, and
+    findings.
     """
     if entry.accept is None:
         return {}, ()
@@ -41,7 +41,9 @@ def decide_limits(
 
 
 def further_targets_finding(axis: Axis, posterior: AxisPosterior) -> Iterator[Finding]:
-    """Yield the finding CW-P164: a few further targets that would show the possible periods."""
+    """Yield the finding CW-P164: a few further targets that would show periods that are possible
+    now.
+    """
     hidden = posterior.hidden
     found = further_targets(posterior) if hidden.probability >= _NAMED else None
     if found is None:
@@ -66,8 +68,8 @@ def _undecided(
     test: TestPrediction,
     posterior: AxisPosterior,
 ) -> Iterator[Finding]:
-    """Yield the finding CW-P133: a limit is kept at the same targets but open at new ones; and what
-    to measure.
+    """Yield the finding CW-P133 if a limit is kept at the same targets but undecided at new
+    targets, with what to measure.
     """
     factor, unit = outside_factor(axis.kind.unit), shown_unit(axis.kind.unit)
     new, hidden = test.predicted_new_targets, posterior.hidden

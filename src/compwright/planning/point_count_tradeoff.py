@@ -1,4 +1,4 @@
-"""The benefit of further table points: the predicted parameter over the number of points."""
+"""The predicted parameter of an axis as a function of the number of table points."""
 
 from __future__ import annotations
 
@@ -28,8 +28,8 @@ _MOST: Final = 400
 def point_count_tradeoff(
     work: AxisWork, new: Correction, fresh: FreshTests, name: str
 ) -> tuple[PointCountOption, ...]:
-    """Return the parameter ``name`` of simulated tests for tables with different numbers of points,
-    ascending.
+    """Return the parameter ``name`` of simulated tests for tables with increasing numbers of
+    points.
 
     At new targets; ``new`` is the table that is written. Empty where there is no choice: no
     table, or only one grid.
@@ -62,8 +62,8 @@ def point_count_tradeoff(
 
 
 def _spread(grids: Sequence[FloatArray]) -> list[FloatArray]:
-    """Return a few grids whose numbers of points grow by nearly the same factor. First and last are
-    included.
+    """Return a few of the ``grids``, with numbers of points that grow by nearly equal factors. The
+    first and the last grid are included.
     """
     if not grids:
         return []
@@ -76,7 +76,9 @@ def _spread(grids: Sequence[FloatArray]) -> list[FloatArray]:
 def _table_on(
     nodes: FloatArray, work: AxisWork, capacity: Capacity, request: TableRequest
 ) -> Correction | None:
-    """Return the correction by a table on ``nodes``. None where the control cannot hold one."""
+    """Return the correction by a table with points at ``nodes``, or None if the control cannot hold
+    it.
+    """
     wanted = work.planned.wanted
     if wanted is None:
         return None

@@ -1,4 +1,5 @@
-"""Replace the best table by one that is easier to load, if tests show almost no difference.
+"""Replacement of the best table by one that is easier to load, if tests would show almost no
+difference.
 
 With the magnification that the control has, and with fewer points where somebody types them.
 """
@@ -40,8 +41,8 @@ def practical_table(
     axis: Axis,
     shown: Shown,
 ) -> tuple[Capacity, FittedTable]:
-    """Return the table that is easiest to load, and the limits of its fit. Raises CapacityError
-    where the control can hold no table.
+    """Return the control's limits for the easiest table to load that is good enough, and that
+    table. Raises CapacityError if the control can hold no table.
     """
     capacity, table = _with_kept_magnification(wanted, capacity, request, axis, shown)
     if capacity.typed and request.named_spacing is None:
@@ -52,7 +53,7 @@ def practical_table(
 def planned_request(
     capacity: Capacity, request: TableRequest, planned: FittedTable
 ) -> tuple[Capacity, TableRequest]:
-    """Return the limits and the request that reproduce the table of a plan.
+    """Return limits and request with which the fit reproduces the table of a plan.
 
     They have the magnification that stayed, and the few points that are typed.
     """
@@ -68,7 +69,7 @@ def planned_request(
 def _with_kept_magnification(
     wanted: WantedCorrection, capacity: Capacity, request: TableRequest, axis: Axis, shown: Shown
 ) -> tuple[Capacity, FittedTable]:
-    """Return the best table with the existing magnification of the control, if a test would show
+    """Return the best table that keeps the magnification set in the control, if a test would show
     almost no difference.
 
     A new magnification is a risk: loaded without its increments, or these without it, it multiplies
@@ -95,8 +96,8 @@ def _with_fewest_points(
     shown: Shown,
     best: FittedTable,
 ) -> FittedTable:
-    """Return the table with the fewest points whose test is almost as good as that of the ``best``
-    table. An existing grid stays.
+    """Return the table with the fewest points that is almost as good as the ``best`` table in a
+    test. Existing table points are kept.
     """
     nodes = best.compensation.positions
     if best.keeps_grid or capacity.nodes is not None or capacity.line is not None or nodes.size < 3:
@@ -125,8 +126,8 @@ def _with_fewest_points(
 def _fewest(
     grids: Sequence[FloatArray], enough: Callable[[FloatArray], _Found | None]
 ) -> _Found | None:
-    """Return the table on the coarsest of ``grids`` for which ``enough`` returns one. None: no grid
-    is good enough.
+    """Return the table on the coarsest of the ``grids`` that is good enough: ``enough`` returns the
+    table on a grid, or None.
 
     By halving, then as far down as the next few go: more points are better but for single ones.
     """
@@ -148,8 +149,8 @@ def _fewest(
 
 
 def _covering(request: TableRequest, grid: FloatArray, cover: int) -> TableRequest:
-    """Return the request for a grid that reaches ``cover`` spacings beyond the travel where the job
-    names no end.
+    """Return the request for points at the spacing of ``grid``, up to ``cover`` spacings beyond it
+    where the job states no end.
     """
     spacing = float(grid[-1] - grid[0]) / (grid.size - 1)
     start, end = float(grid[0]) - cover * spacing, float(grid[-1]) + cover * spacing

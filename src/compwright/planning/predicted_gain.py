@@ -1,4 +1,4 @@
-"""Predict the next positioning test, and decide whether a table is worth loading."""
+"""Prediction of the next positioning test, and the decision whether a table is worth loading."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def predict(
     like: RepeatConditions = FIRST,
     fresh: FreshTests | None = None,
 ) -> TestPrediction:
-    """Return the prediction of a new test like ``result`` with the changed correction, at its
+    """Return the prediction of a repeated test after a ``change`` of the correction, at the same
     targets and at new ones.
 
     ``fresh``: tests at new ones, where they are drawn already.
@@ -54,7 +54,7 @@ def predict_same_targets(
     axis: Axis,
     like: RepeatConditions = FIRST,
 ) -> Mapping[str, Quantiles]:
-    """Return the prediction of a new test like ``result`` with the changed correction, at the same
+    """Return the prediction of a repeated test after a ``change`` of the correction, at the same
     targets.
     """
     targets = result.test.targets
@@ -77,7 +77,9 @@ def predict_same_targets(
 def _drawn(
     result: PositioningResult, posterior: MeasuredError, axis: str, like: RepeatConditions
 ) -> tuple[FloatArray, FloatArray, FreshScatter]:
-    """Return random draws (s, m) of the deviation at the targets in + and -, and their scatter."""
+    """Return random draws (s, m) of the deviation at the targets in + and −, and of the scatter of
+    the readings.
+    """
     targets = result.test.targets
     rng = generator(axis, result.test.name, "draws")
     count = draws_like(result)
@@ -94,7 +96,7 @@ def why_not_better(
     old: Mapping[str, Quantiles],
     new: Mapping[str, Quantiles],
 ) -> Sentence | None:
-    """Return why a table would not improve the axis. None: it does.
+    """Return why a table would not improve the axis, or None if it would.
 
     ``before``, ``after``: the measured test re-evaluated with what the control does now and with
     what the new files give; ``old``, ``new``: what newly dithered targets will show, from the same
@@ -122,7 +124,7 @@ def why_not_better(
 def why_not_seen(
     before: PositioningResult, old: Mapping[str, Quantiles], new: Mapping[str, Quantiles]
 ) -> Sentence | None:
-    """Return why no test would show the gain of a table. None: a test does.
+    """Return why no test would show the gain of a table, or None if a test would.
 
     The parameter that judges tables has to fall by more than the standard deviation by which it
     differs from test to test.
@@ -152,13 +154,13 @@ def _amount(result: PositioningResult, value: float) -> Amount:
 
 
 def parameter_spread(shown: Quantiles) -> float:
-    """Return the standard deviation of a parameter between tests, from the half below its median.
-    Outliers widen the half above.
+    """Return the standard deviation of a parameter between tests, from the quantiles below its
+    median, because outliers widen the upper half.
     """
     return 2.0 * (shown.median - shown.p05) / BAND
 
 
 def judged_parameter(result: PositioningResult) -> str | None:
-    """Return the parameter by which tables are judged: the first of A, E, ... that a test has."""
+    """Return the name of the parameter by which tables are compared, such as A or E."""
     names = ("A", "E", "A_positive", "A_negative", "E_positive", "E_negative", "P", "R", "B_mean")
     return next((name for name in names if result.parameters.get(name) is not None), None)

@@ -1,4 +1,4 @@
-"""Positions for a quick check of a loaded table at the machine, with the expected readings."""
+"""Positions for a quick check of a loaded table at the machine, with the readings to expect."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ STOP_SCATTER = 5.0
 
 @dataclass(frozen=True, slots=True)
 class CheckReading:
-    """One reading of the quick check, mm or deg: the expected reading, and the difference at which
-    to stop.
+    """One reading of the quick check, mm or deg: expected value, and the difference from it at
+    which to stop.
 
     The correction that the control ``adds`` there, the ``expected`` reading, and the difference
     from it at which to ``stop``.
@@ -33,7 +33,7 @@ class CheckReading:
 
 
 def check_positions(work: AxisWork, new: Correction) -> FloatArray:
-    """Return the positions of the quick check: three targets of the first test, inside the travel.
+    """Return the three positions of the quick check: targets of the first test within the travel.
 
     The two ends and, between them, where the new correction leaves the straight line through the
     ends most: there its sign shows.
@@ -53,8 +53,8 @@ def check_positions(work: AxisWork, new: Correction) -> FloatArray:
 
 
 def quick_check(work: AxisWork, new: Correction) -> Iterator[CheckReading]:
-    """Yield the expected readings at the check positions, up and down. The instrument is zeroed at
-    the first position going up.
+    """Yield the expected readings at the check positions in + and then −. The instrument is zeroed
+    at the first position in +.
     """
     change = difference(new, work.active)
     chosen = check_positions(work, new)
@@ -75,7 +75,7 @@ def quick_check(work: AxisWork, new: Correction) -> Iterator[CheckReading]:
 
 
 def moved_by(work: AxisWork, new: Correction, position: float) -> float:
-    """Return by how much a fixed position of an axis moves, mm or deg, when ``new`` replaces the
+    """Return how far a fixed position of an axis moves, mm or deg, when ``new`` replaces the
     present correction.
 
     Where homing counts the correction at the reference as zero, a change there moves nothing.

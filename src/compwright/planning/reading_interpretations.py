@@ -1,4 +1,4 @@
-"""Alternative interpretations of a test: other signs, directions, units or active tables than
+"""Alternative interpretations of a test: signs, directions, units or active tables other than
 stated.
 """
 
@@ -29,8 +29,8 @@ _SHAPELESS: Final = 0.5
 
 @dataclass(frozen=True, slots=True)
 class InterpretedTest:
-    """One interpretation of a test. ``error``: the resulting error of the axis; ``table``: the
-    known table at the targets, (m,) by direction, mm or deg.
+    """One interpretation of a test: the resulting ``error`` of the axis, and the known ``table`` at
+    the targets, (m,) by direction, mm or deg.
     """
 
     way: Interpretation
@@ -42,7 +42,7 @@ class InterpretedTest:
 def reading_interpretations(
     bare: ObservedTest, axis: Axis, active_at: ActiveAt | None
 ) -> tuple[InterpretedTest, ...]:
-    """Return the interpretations between which the readings can decide. The stated one comes first.
+    """Return the interpretations of a test that its readings can distinguish, the stated one first.
 
     ``bare``: the test with the active correction subtracted; ``active_at``: that correction by
     position and direction, mm or deg, None where it is unknown.
@@ -77,8 +77,8 @@ def _at(active_at: ActiveAt, targets: FloatArray) -> Acted:
 
 
 def _has_shape(bare: ObservedTest, table: Acted) -> bool:
-    """Return whether a table is clearly more than a straight line and a backlash, compared with the
-    noise of a mean.
+    """Return whether a table differs clearly, relative to noise, from a straight line with
+    backlash.
     """
     test = bare.test
     along = np.linspace(-1.0, 1.0, test.targets.size)
@@ -108,7 +108,7 @@ def _smooth(test: PositioningTest, axis: Axis, table: Acted) -> Acted:
 
 
 def add_to_readings(observed: ObservedTest, more: Acted) -> ObservedTest:
-    """Return a test with values (m,) for each direction added to its readings."""
+    """Return a test with the values ``more``, (m,) by direction, added to its readings."""
     test, noise = observed.test, observed.noise
     added = np.concatenate(more)
     return replace(
@@ -163,7 +163,7 @@ def _in_opposite_order(observed: ObservedTest) -> ObservedTest:
 
 
 def _counted_against(observed: ObservedTest, ends: float) -> ObservedTest:
-    """Return the test with the sign and direction of its instrument reversed. ``ends``: the sum of
+    """Return the test as if its instrument counted in the opposite direction. ``ends``: the sum of
     both ends of the travel.
     """
     turned = _exchanged(_turned(_in_opposite_order(observed)))

@@ -1,5 +1,5 @@
-"""Put a short period that the grid cannot hold into a separate table, if the control has a
-repeating table.
+"""Separate table for a short period that the points of the main table cannot hold, if the control
+has a repeating table.
 
 The sections of the period take whole increments whose sum is zero; their aim is the residual of the
 main table, folded over the period.
@@ -38,7 +38,7 @@ def with_repeating_table(
     request: TableRequest,
     plain: FittedTable,
 ) -> FittedTable:
-    """Return the table together with a second one that repeats with a known short period.
+    """Return the table together with a second table that repeats with a known short period.
 
     Only where that leaves clearly less error than ``plain``; else ``plain``. Both state both
     errors.
@@ -85,7 +85,8 @@ def with_repeating_table(
 def _left(
     wanted: WantedCorrection, table: AxisCompensation, periods: Sequence[float]
 ) -> FloatArray:
-    """Return the remaining error (g,) at the positions of ``wanted``, the mean of both directions.
+    """Return the mean error (g,) of both directions that ``table`` leaves, at the positions of
+    ``wanted``.
 
     The main table counts as straight between its nodes, so that its steps are no wave.
 
@@ -104,8 +105,8 @@ def _left(
 def _wave(
     wanted: WantedCorrection, rest: FloatArray, plain: FittedTable, period: float, limits: Wave
 ) -> AxisCompensation | None:
-    """Return the table of one period, beginning at the reference. None where the control cannot
-    hold it or all values are zero.
+    """Return the table of one period, starting at the reference, or None if the control cannot hold
+    it or all its values are zero.
     """
     sections = next((n for n in _SECTIONS if limits.holds(period / n)), None)
     if sections is None or sections + 1 > limits.room:

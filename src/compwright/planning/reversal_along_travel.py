@@ -1,4 +1,4 @@
-"""The reversal error of an axis along its travel, and whether the drift of the test explains its
+"""The reversal error of an axis along its travel, and whether drift of the test explains its
 variation.
 """
 
@@ -20,8 +20,8 @@ _ALIKE: Final = 2.0
 
 
 def reversal_curve(estimate: ErrorEstimate, active: Correction) -> tuple[FloatArray, FloatArray]:
-    """Return positions (k,) over the measured range and the axis' own reversal error there, mm or
-    deg.
+    """Return positions (k,) in the measured range, and the reversal error of the uncorrected axis
+    there, mm or deg.
 
     It is the mean in + minus the mean in -, without the ``active`` correction.
 
@@ -42,8 +42,8 @@ def reversal_curve(estimate: ErrorEstimate, active: Correction) -> tuple[FloatAr
 
 
 def reversal_rise(estimate: ErrorEstimate, active: Correction) -> float:
-    """Return how much the axis' own reversal error rises over the measured range, mm or deg, from a
-    straight line.
+    """Return how much a straight line through the reversal error of the uncorrected axis rises over
+    the measured range, mm or deg.
     """
     where, reversal = reversal_curve(estimate, active)
     slope = np.polyfit(where - where[0], reversal, 1)[0]
@@ -52,13 +52,13 @@ def reversal_rise(estimate: ErrorEstimate, active: Correction) -> float:
 
 
 def drift_within_run(test: PositioningTest, noise: NoiseDraws) -> float:
-    """Return the drift of the axis within a run, mm or deg. 0 where nothing shows one."""
+    """Return the drift of the axis within a run, mm or deg, or 0 if the readings show none."""
     runs = min(int(np.max(test.readings(way), initial=0.0)) for way in Direction)
     return 0.0 if runs < 2 else rounded_number(np.median(noise.drift)) / (runs - 1)
 
 
 def explained_by_drift(rise: float, within: float) -> bool:
-    """Return whether the drift ``within`` a run may explain a reversal error that rises by
+    """Return whether a drift ``within`` each run may explain a reversal error that rises by
     ``rise``.
     """
     return within != 0.0 and 1.0 / _ALIKE <= rise / within <= _ALIKE

@@ -1,4 +1,4 @@
-"""Determine the scale of an axis without a positioning test from circles, if possible.
+"""Scale error of an axis without a positioning test, from circles.
 
 The radius of a circle also shrinks by the lag of the position loop, v²/(2 Kv² R). A scale is
 therefore taken from a calibrated bar at a low feed, from two feeds extrapolated to zero, or from
@@ -48,8 +48,8 @@ _LEAST = 0.05
 
 @dataclass(frozen=True, slots=True)
 class ScaleCorrection:
-    """The scale correction of an axis from circles, or the reason for none (``planned`` is
-    None).
+    """The correction of an axis' scale error from circles. ``planned`` is None if there is none,
+    and ``finding`` states why.
     """
 
     name: str
@@ -58,7 +58,7 @@ class ScaleCorrection:
 
     @property
     def findings(self) -> tuple[Finding, ...]:
-        """The findings about the scale. If a grid moves, that is included."""
+        """The findings about the scale correction, and about table points that move."""
         fitted = None if self.planned is None else self.planned.fitted
         moved = () if fitted is None else fitted.findings
         return (self.finding, *(one for one in moved if one.code == NEW_GRID))
@@ -71,8 +71,8 @@ def correct_scales(
     capacity: CapacityOf,
     state: ControlState,
 ) -> tuple[ScaleCorrection, ...]:
-    """Return the scale correction for every axis of ``apply.scale``. The slope of a positioning
-    test takes precedence.
+    """Return the scale correction of each axis listed in ``apply.scale``. A positioning test, if
+    there is one, takes precedence.
 
     ``state``: the present contents of the control.
     """
@@ -141,7 +141,9 @@ def _scaled(
 def _values(
     name: str, circles: Sequence[CircleWork], checks: CircleChecks
 ) -> Iterator[tuple[ValueWithError, Sentence] | Sentence]:
-    """Yield the present scale with its source, or the reason why a circle does not give it."""
+    """Yield the scale error under the present corrections with its source, or the reason why a
+    circle does not determine it.
+    """
     mine = [work for work in circles if name in work.planned.test.axes]
     slow = [
         work
@@ -188,7 +190,9 @@ def _by_mismatch(
 
 
 def shrinking(work: CircleWork) -> float:
-    """Return the relative shrinkage of a circle's radius by the softest usual position loop."""
+    """Return the relative shrinkage of a circle's radius by the softest position loop that is
+    usual.
+    """
     test = work.planned.test
     return float((test.feed / 60.0) ** 2 / (2.0 * SOFTEST_LOOP**2 * test.nominal_radius**2))
 
@@ -196,7 +200,8 @@ def shrinking(work: CircleWork) -> float:
 def _two_feeds(
     works: Sequence[CircleWork], name: str
 ) -> Iterator[tuple[CircleWork, CircleWork, ValueWithError]]:
-    """Yield pairs of circles at clearly different feeds, as (fast, slow, scale at no feed).
+    """Yield pairs of circles at clearly different feeds, as (fast, slow, scale error extrapolated
+    to feed 0).
 
     They have the same size and centre and were taken in one state.
     """
@@ -223,8 +228,8 @@ def _two_feeds(
 
 
 def _seen(work: CircleWork, name: str) -> ValueWithError | None:
-    """Return the scale as the circle shows it, with the standard error of its fit alone. Only two
-    feeds determine the lag.
+    """Return the scale error as measured at the feed of a circle, with servo lag left in, and the
+    standard error of the fit alone.
     """
     effect = effect_of(work.result, f"scale_error_{ENDS[_index(work, name)]}")
     if effect is None:
@@ -242,7 +247,7 @@ def _index(work: CircleWork, name: str) -> int:
 def _now(
     stated: ValueWithError, work: CircleWork, name: str, checks: CircleChecks
 ) -> ValueWithError:
-    """Return a scale from a circle, converted to the present corrections."""
+    """Return a scale error from a circle, converted to the present corrections."""
     radius, middle = work.planned.test.nominal_radius, work.planned.centre[_index(work, name)]
     during = checks.states.get(work.planned.measured_in, NO_CORRECTIONS)
     now = checks.states.get(AS_FOUND, NO_CORRECTIONS)
@@ -264,9 +269,7 @@ def _slope(state: ActiveCorrections, name: str, middle: float, radius: float) ->
 def _planned(
     entry: AxisJob, scale: ValueWithError, capacity: CapacityOf, state: ControlState
 ) -> PlannedAxis:
-    """Return the table that removes a scale error, about the reference of the axis. Raises
-    CapacityError.
-    """
+    """Return the table that corrects a scale error and is zero at the reference of the axis."""
     axis: Axis = entry.axis
     positions = dense_positions(axis, ())
     away = np.abs(positions - axis.reference) * scale.std_error
@@ -305,7 +308,7 @@ def _planned(
 
 
 def scale_steps(scaled: Sequence[ScaleCorrection]) -> tuple[Mapping[str, str], ...]:
-    """Return the steps on the card for axes whose table comes from circles."""
+    """Return the steps on the card for axes whose table was computed from circles."""
     return tuple(
         {
             "title": f"{entry.name}: scale from circles",

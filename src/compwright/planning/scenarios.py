@@ -1,4 +1,4 @@
-"""Simulated tests for optimising and judging a goal of the fit.
+"""Simulated tests with which a goal of the fit is optimised, and others with which it is judged.
 
 They are drawn as predictions are, from separate draws; a third set, that of the prediction,
 confirms the result or not.
@@ -41,8 +41,8 @@ _SHOWN_BY: Final = {
 def scenarios_of(
     result: PositioningResult, posterior: MeasuredError, estimate: ErrorEstimate, axis: Axis
 ) -> Scenarios:
-    """Return simulated tests like ``result`` at new random targets, as deviations from the
-    ``estimate``.
+    """Return simulated repetitions of the test ``result`` at new random targets, as deviations
+    minus the ``estimate``.
     """
     test = result.test
     m = test.targets.size
@@ -73,8 +73,8 @@ def scenarios_of(
 def goal_improves(
     goal: Literal["A", "E", "M"], with_it: Correction, without: Correction, fresh: FreshTests
 ) -> bool:
-    """Return whether the ``fresh`` tests show a clearly smaller ``goal`` (median) after the change
-    ``with_it`` than after ``without``.
+    """Return whether the median of ``goal`` over the ``fresh`` tests is clearly smaller after the
+    change ``with_it`` than after ``without``.
     """
     one, other = fresh.quantiles(with_it), fresh.quantiles(without)
     name = next(name for name in _SHOWN_BY[goal] if name in one)

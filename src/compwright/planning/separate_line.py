@@ -1,5 +1,5 @@
-"""Put a slope into a separate straight line, if whole increments hold it badly and the control has
-such a line.
+"""Separate straight line for a slope that whole increments reproduce badly, if the control has such
+a line.
 
 The line takes a whole number of units per section, so that it is exact at every node; the table
 takes the rest, with smaller increments and a smaller step.
@@ -37,8 +37,8 @@ def with_line(
     request: TableRequest,
     plain: FittedTable,
 ) -> FittedTable:
-    """Return the table together with a separate straight line, if that clearly reduces the error at
-    the nodes.
+    """Return the table together with a separate straight line, if the line clearly reduces the
+    error at the table points.
 
     Else ``plain``, the table alone. Both state both errors.
     """
@@ -79,8 +79,8 @@ def with_line(
 def _line(
     table: AxisCompensation, nodes: FloatArray, unit: float, reference: float
 ) -> AxisCompensation | None:
-    """Return a line with the slope of ``table``, from the second of ``nodes`` on, zero at the
-    reference. None where it is less than one unit per section.
+    """Return a straight line with the slope of ``table``, zero at the reference, or None if it
+    rises by less than one unit per interval.
     """
     mean = (table.positive + table.negative) / 2
     if mean.size < 3:
@@ -94,7 +94,7 @@ def _line(
 
 
 def _left(wanted: WantedCorrection, table: AxisCompensation) -> float:
-    """Return the root mean square of the remaining error at the nodes within the travel, over both
+    """Return the rms error that ``table`` leaves at its points within the travel, over both
     directions.
     """
     nodes, places = table.positions, wanted.positions

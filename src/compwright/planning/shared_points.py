@@ -1,4 +1,4 @@
-"""Divide the table points of a control among its axes, if all axes share one store of points."""
+"""Division of a control's table points among its axes, if all axes share one store of points."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ _TO_SPARE: Final = 2
 def share_points(
     capacities: Mapping[str, Capacity], planned: Mapping[str, PlannedAxis]
 ) -> dict[str, Capacity]:
-    """Return the limits of the axes after the common points are divided. Axes with a spacing from
-    the job keep their points.
+    """Return the limits of each axis after the shared points are divided. Axes whose spacing the
+    job states keep their points.
 
     An axis whose spacing the job names gets the points that it needs; two tables need twice as
     many. That request is not changed: where it does not fit, writing refuses it. An existing grid
@@ -51,7 +51,7 @@ def share_points(
 
 
 def _named_points(planned: PlannedAxis) -> int:
-    """Return the number of points for the spacing in the job, counted from the reference."""
+    """Return the number of table points at the spacing in the job, counted from the reference."""
     request, axis = planned.request, planned.axis
     spacing = request.named_spacing or 1.0
     low = min(axis.travel[0] if request.start is None else request.start, axis.reference)

@@ -1,4 +1,5 @@
-"""The parts of the wanted correction that the table of an axis cannot hold, one curve per cause.
+"""The parts of the wanted correction that the table of an axis cannot reproduce, one curve per
+cause.
 
 Their sum is the whole shortfall.
 
@@ -43,8 +44,7 @@ _FINE: Final = 1e-9
 
 @dataclass(frozen=True, slots=True)
 class Shortfall:
-    """The part of the difference between table and wanted correction, mm or deg, that comes from
-    one ``cause``.
+    """The part of the wanted correction that a table lacks for one ``cause``, mm or deg.
 
     ``rms``: what the fit reports for this cause, None where it reports nothing.
     """
@@ -57,8 +57,7 @@ class Shortfall:
 def shortfalls(
     wanted: WantedCorrection, fitted: FittedTable, capacity: Capacity
 ) -> tuple[Shortfall, ...]:
-    """Return the differences between the ``fitted`` table and the ``wanted`` correction (totals),
-    by cause.
+    """Return what the ``fitted`` table lacks of the ``wanted`` correction (totals), by cause.
 
     Without a constant, which only moves the datum, and without those that are zero.
     """
@@ -73,8 +72,8 @@ def shortfalls(
 def unheld_period(
     wanted: WantedCorrection, capacity: Capacity, request: TableRequest
 ) -> tuple[Shortfall, Finding] | None:
-    """Return the part of short periods that no table on the requested grid can hold, with its
-    finding. None without such a part.
+    """Return the part by short periods that no table at the requested points can reproduce, with
+    its finding, or None.
     """
     if capacity.line is not None or not wanted.periods:
         return None
@@ -126,8 +125,8 @@ def _parts(
 def _alone(
     held: AxisCompensation, wanted: WantedCorrection
 ) -> tuple[AxisCompensation, WantedCorrection]:
-    """Return the table without the existing tables that stay, and the correction that it must then
-    give.
+    """Return the table without existing tables that stay active, and the wanted correction minus
+    them.
     """
     if not held.others:
         return held, wanted
@@ -137,8 +136,8 @@ def _alone(
 def _best(
     wanted: WantedCorrection, table: AxisCompensation, capacity: Capacity
 ) -> AxisCompensation:
-    """Return the two curves (+ and −) on the nodes of ``table`` that fit best, without limits on
-    their values.
+    """Return the best curves for + and − at the points of ``table``, without limits on their
+    values.
     """
     free = replace(
         capacity,
@@ -165,7 +164,7 @@ def as_curve(wanted: WantedCorrection) -> Correction:
 
 
 def _half(curve: Correction, positions: FloatArray) -> FloatArray:
-    """Return half of the difference of ``curve`` between + and -."""
+    """Return half the difference of ``curve`` between + and − at ``positions``."""
     plus, minus = (curve(positions, way) for way in Direction)
     return 0.5 * (plus - minus)
 

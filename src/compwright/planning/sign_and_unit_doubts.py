@@ -1,4 +1,5 @@
-"""Compare the readings of a test with the sign, unit and state that its file and job state.
+"""Comparison of the readings of a test with the sign, unit and state that its file and the job
+state.
 
 The readings as stated are compared with the same readings under another assumption: opposite sign,
 + and - exchanged, targets in the opposite order, positions counted against the machine, or the
@@ -75,7 +76,7 @@ def reading_doubts(
     axis: Axis,
     states: Mapping[str, ControlState],
 ) -> tuple[Finding, ...]:
-    """Return the doubts about the tests of an axis (CW-P160, and CW-P161 of `mirror_image_doubts`).
+    """Return the doubts CW-P160 and CW-P161 about the tests of an axis.
 
     ``observed``: the same tests with the correction that was active in them subtracted, as far as
     ``states`` (by name) give it. A test that made its table gets no second doubt.
@@ -97,8 +98,8 @@ def reading_doubts(
 
 
 def with_known_backlash(result: PositioningResult, bare: ObservedTest) -> PositioningResult:
-    """Return the result with CW-T032 (reversal above zero) as information only, if the active
-    backlash value explains it.
+    """Return the result with CW-T032 (mean reversal above zero) reduced to information, if the
+    active backlash value explains it.
 
     That is: in ``bare``, the test with the active correction subtracted, the reversal is not above
     zero.
@@ -121,8 +122,8 @@ def with_known_backlash(result: PositioningResult, bare: ObservedTest) -> Positi
 def misreading_doubts(
     bare: ObservedTest, axis: Axis, active: ActiveAt | None
 ) -> tuple[Finding, ...]:
-    """Return the doubt CW-P160 about readings that fit another sign or unit far better than the
-    stated one, with the odds.
+    """Return the doubt CW-P160, with the odds, if the readings fit another sign or unit far better
+    than the stated one.
 
     ``bare``: the test with the active correction subtracted; ``active``: that correction by
     position and direction, mm or deg, None where it is unknown.

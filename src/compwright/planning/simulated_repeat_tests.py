@@ -42,8 +42,8 @@ BAND: Final = 3.29
 
 @dataclass(frozen=True, slots=True)
 class RepeatConditions:
-    """The conditions of a simulated test: its noise, and its slope by an uncertain temperature
-    (mm/mm).
+    """The conditions of a simulated test: the index ``place`` of the test with the same noise, and
+    the standard deviation of a slope from uncertain temperature (mm/mm).
 
     It has the noise of a test of the axis (its ``place`` among them).
     """
@@ -95,8 +95,8 @@ class FreshTests:
         only: str | None = None,
         waves: FloatArray | None = None,
     ) -> Mapping[str, Quantiles]:
-        """Return the quantiles of the tests' parameters after a ``change`` of the correction, by
-        name.
+        """Return quantiles of each parameter of the simulated tests after a ``change`` of the
+        correction.
 
         ``known``: whether to include the estimated error and the change, ``unknown``: the
         uncertainty of the estimate, ``warm``: the slopes; ``cured``: parts of the noise to leave
@@ -130,8 +130,8 @@ class FreshTests:
         }
 
     def band(self, change: Correction, *, only: str | None = None) -> Mapping[str, Quantiles]:
-        """Return the quantiles of the tests' parameters after a ``change`` of the correction,
-        including all possible periods.
+        """Return quantiles of each parameter of the simulated tests after a ``change`` of the
+        correction, with all possible periods of the error included.
 
         Those that the readings show at all are in the draws, each as often as it is probable. Those
         that they leave open count for the upper end alone: the axis may have none of them.
@@ -150,8 +150,8 @@ class FreshTests:
         }
 
     def open_waves(self) -> FloatArray | None:
-        """Return random draws (s, m) of the possible hidden periods, mm or deg. None where there
-        are none.
+        """Return random draws (s, m) of periods that the readings may hide, mm or deg, or None if
+        there are none.
         """
         if not self.waves:
             result, (count, _) = self.result, self.draws.positive.shape
@@ -160,11 +160,11 @@ class FreshTests:
         return self.waves[0] if np.any(self.waves[0]) else None
 
     def with_noise(self, noise: NoiseDraws) -> FreshTests:
-        """Return the same simulated tests with another ``noise``."""
+        """Return the same simulated tests with ``noise`` instead of their own."""
         return replace(self, draws=replace(self.draws, noise=noise), drawn={})
 
     def has(self, parts: Sequence[NoisePart]) -> bool:
-        """Return whether any draw of the noise contains one of its ``parts``."""
+        """Return whether any draw of the noise contains one of the ``parts``."""
         noise = self.draws.noise
         bare = without(noise, *parts)
         return any(
@@ -185,7 +185,8 @@ class FreshTests:
 
 
 def draws_like(result: PositioningResult) -> int:
-    """Return the number of tests like ``result`` to simulate. Tests with many readings need fewer.
+    """Return the number of repetitions of the test ``result`` to simulate, fewer if it has many
+    readings.
 
     Time and memory of all of them grow no more than its own readings do, and many readings scatter
     less from test to test.
@@ -197,8 +198,8 @@ def draws_like(result: PositioningResult) -> int:
 def fresh_tests(
     result: PositioningResult, posterior: MeasuredError, axis: Axis, like: RepeatConditions = FIRST
 ) -> FreshTests:
-    """Return simulated tests of ``axis`` like ``result`` at new random targets. The same names of
-    axis and test give the same draws.
+    """Return simulated repetitions of the test ``result`` of ``axis`` at new random targets. Equal
+    names of axis and test give equal draws.
     """
     return _fresh_tests(result, posterior, axis.name, axis.kind, axis.travel, like)
 
@@ -263,8 +264,8 @@ def _scatter(
 
 
 def generator(*names: str) -> np.random.Generator:
-    """Return a random generator that depends only on the names, so that the same job predicts the
-    same numbers.
+    """Return a random generator that depends only on the given names, so that a job always predicts
+    the same numbers.
     """
     digest = hashlib.sha256("\x1f".join(names).encode("utf-8", "surrogatepass")).digest()
     return np.random.default_rng(int.from_bytes(digest[:8], "big"))

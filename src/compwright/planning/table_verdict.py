@@ -1,4 +1,4 @@
-"""Decide whether a table helps an axis, what no table corrects, and what else would help."""
+"""Decision whether a table helps an axis, what no table corrects, and what else would help."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ _REMAINING: Final = "what no table of this control takes away"
 def verdict(
     axis: Axis, limiting: LimitingCauses, *, tabled: bool, refused: bool
 ) -> Iterator[Finding]:
-    """Yield a finding if a table improves an axis little (CW-P150), or if most of the rest is
-    scatter (CW-P151).
+    """Yield the finding CW-P150 if a table improves an axis little, and CW-P151 if most of the
+    remaining error is scatter.
 
     ``tabled``: a table is written; ``refused``: one was made and improves nothing. A gain counts
     when it is more than one standard deviation of the parameter between tests.
@@ -60,8 +60,8 @@ def verdict(
 
 
 def no_table_finding(axis: Axis, limiting: LimitingCauses) -> Finding:
-    """Return the finding (CW-P155) that an axis gets no new table because a test would show no
-    gain. It names the largest remaining cause.
+    """Return the finding CW-P155: an axis gets no new table because a test would show no gain. It
+    names the largest remaining cause.
     """
     factor, unit = outside_factor(axis.kind.unit), shown_unit(axis.kind.unit)
     name, left = limiting.parameter, limiting.now
@@ -85,7 +85,7 @@ def no_table_finding(axis: Axis, limiting: LimitingCauses) -> Finding:
 
 
 def _what_remains(axis: Axis, limiting: LimitingCauses, scatter: float) -> Iterator[Finding]:
-    """Yield the largest remaining cause of the parameter after a table that helps."""
+    """Yield a finding about the largest cause that remains after a table that helps."""
     factor, unit = outside_factor(axis.kind.unit), shown_unit(axis.kind.unit)
     main = _main_cause(limiting, 0.0)
     if main is not None and main.cause != NOISE:
@@ -114,7 +114,7 @@ def _what_remains(axis: Axis, limiting: LimitingCauses, scatter: float) -> Itera
 
 
 def _main_cause(limiting: LimitingCauses, scatter: float) -> LimitingCause | None:
-    """Return the main cause why a table does not help. None where there is no advice about it."""
+    """Return the main cause why a table does not help, or None if there is no advice about it."""
     known = [cause for cause in limiting.causes if cause.cause in _CURED_ELSEWHERE]
     largest = max(known, key=lambda cause: cause.value, default=None)
     if largest is None or not limiting.then > 0.0:

@@ -1,4 +1,4 @@
-"""Fit the best table of one axis under the limits of the control.
+"""Fitting of the best table of one axis within the limits of the control.
 
 It uses the existing grid where that is suitable, else a new one, and states what a new one would
 gain.
@@ -39,7 +39,7 @@ NEXT_TO_NOTHING: Final = 0.1
 def fit_within(
     wanted: WantedCorrection, capacity: Capacity, request: TableRequest, axis: Axis
 ) -> FittedTable:
-    """Return the fitted table of an axis. Existing tables that stay are taken into account.
+    """Return the fitted table of an axis, given the existing tables that stay active.
 
     A line and a wave are used where the control has them and they help. Raises CapacityError where
     the control cannot hold it by more than the noise of a reading.
@@ -67,7 +67,8 @@ def fit_remaining(
     *,
     costs: bool = True,
 ) -> FittedTable:
-    """Return the table that gives the wanted correction together with the tables that stay.
+    """Return the table that gives the wanted correction together with existing tables that stay
+    active.
 
     ``costs``: whether to compute what each limit costs. Raises CapacityError where the control
     cannot hold it.
@@ -83,8 +84,8 @@ def fit_keeping_grid(
     request: TableRequest,
     axis: Axis,
 ) -> FittedTable:
-    """Return the result of ``fit`` for the ``request``. If the existing grid is not suitable, a new
-    one is used with a warning.
+    """Return the result of ``fit`` on the existing table points, or on new points with a warning if
+    these are not suitable.
 
     Raises CapacityError as ``fit`` does, for the new grid where there is one.
     """
@@ -119,8 +120,8 @@ def free_grid_table(
     table: FittedTable,
     axis: Axis,
 ) -> FittedTable | None:
-    """Return the table on a freely chosen grid, if ``table`` loses too much on the existing grid.
-    Else None.
+    """Return a table on freely chosen points if ``table`` loses too much on the existing points,
+    else None.
     """
     held = table.compensation
     own = without_kept_tables(wanted, held.others)
@@ -133,7 +134,7 @@ def free_grid_table(
 
 
 def negligible_loss(kept: TestPrediction, best: TestPrediction) -> bool:
-    """Return whether a table is almost as good as the ``best`` one in tests.
+    """Return whether tests with a table are almost as good as with the ``best`` table.
 
     At the same targets and at new ones, by the parameter that judges tables.
     """
@@ -151,7 +152,7 @@ def negligible_loss(kept: TestPrediction, best: TestPrediction) -> bool:
 
 
 def grid_text(nodes: FloatArray, unit: str) -> Sentence:
-    """Return a grid as text: "25 points from 0 to 960 mm, every 40 mm"."""
+    """Return the points of a table as text: "25 points from 0 to 960 mm, every 40 mm"."""
     if nodes.size < 2:
         return say("grid.few", points=nodes.size)
     steps = np.diff(nodes)
@@ -180,8 +181,8 @@ def new_grid_offer(
     quantum: float,
     written: bool,
 ) -> Finding | None:
-    """Return the finding about the gain of the ``chosen`` table over one on the existing grid
-    ``there`` (nodes, mm or deg). None without a gain.
+    """Return the finding about the gain of the ``chosen`` table over one at the existing points
+    ``there`` (mm or deg), or None without a gain.
 
     ``kept``, ``offered``: the first test's predictions with both; ``written``: False where no table
     on the existing grid improves the axis, and ``kept`` is the prediction without one. A gain

@@ -1,4 +1,4 @@
-"""Uncertain temperatures and set-ups of the job as slopes that differ from test to test.
+"""Uncertain temperatures and set-ups in the job, as slopes that differ from test to test.
 
 Counted once: under the decision rule ``simple`` in the band of the prediction, under ``guarded`` in
 the guard band U alone.
@@ -19,7 +19,7 @@ from compwright.records.positioning import PositioningTest
 
 
 def with_temperature_slopes(job: Job, tests: Sequence[PlannedTest]) -> tuple[PlannedTest, ...]:
-    """Return the tests of an axis, each with the standard deviation of its slope (mm/mm) by
+    """Return the tests of an axis, each with the standard deviation of its slope (mm/mm) from
     temperature and set-up.
 
     ``guarded``: the slope relative to the first test, because the slope of the first test is part
@@ -37,8 +37,8 @@ def with_temperature_slopes(job: Job, tests: Sequence[PlannedTest]) -> tuple[Pla
 
 
 def relative_to_first(tests: Sequence[PlannedTest]) -> tuple[PlannedTest, ...]:
-    """Return the tests with the standard deviation of their slope relative to the first test, from
-    which the table is made.
+    """Return the tests with the standard deviation of their slope relative to the first test, whose
+    slope the table contains.
 
     It is zero for the first and the combination of both for the others.
     """
@@ -50,15 +50,15 @@ def relative_to_first(tests: Sequence[PlannedTest]) -> tuple[PlannedTest, ...]:
 
 
 def fresh_slope(rule: Literal["simple", "guarded"], test: PlannedTest) -> float:
-    """Return the standard deviation of the slope (mm/mm) of a new test like ``test``, for the band
-    of its prediction.
+    """Return the standard deviation of the slope (mm/mm) of a repeated test, as used in its
+    prediction.
     """
     return 0.0 if rule == "guarded" else test.slope_std
 
 
 def slope_in_table(job: Job, tests: Sequence[PlannedTest], coming: PositioningTest) -> float:
-    """Return the standard deviation of the slope error (mm/mm) that the first of ``tests`` has put
-    into the table.
+    """Return the standard deviation (mm/mm) of the slope error that the table has from the first of
+    the ``tests``.
 
     Relative to a test like ``coming``.
 
@@ -74,8 +74,8 @@ def slope_in_table(job: Job, tests: Sequence[PlannedTest], coming: PositioningTe
 
 
 def slope_after(job: Job, tests: Sequence[PlannedTest], after: PositioningTest) -> float:
-    """Return the standard deviation of the slope difference (mm/mm) between the first of the
-    ``tests`` and a test ``after`` loading.
+    """Return the standard deviation (mm/mm) of the slope difference between the first of the
+    ``tests`` and the test ``after`` loading.
     """
     budget, first = job.budget(after.kind), tests[0].test
     own = (slope_between_tests(each, budget, first.thermal) for each in (first, after))

@@ -1,4 +1,4 @@
-"""Finding about steps of the correction that the control never applies."""
+"""Finding about steps in a table that the control never applies."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from compwright.records.correction import AxisCompensation
 
 
 def unapplied_step_findings(axis: Axis, table: AxisCompensation) -> Iterator[Finding]:
-    """Yield CW-P156 if an axis reverses where the control never applies a step of its table. It
-    names the axis accelerations that would help.
+    """Yield the finding CW-P156 if an axis reverses where the control does not apply a step of its
+    table. The finding states helpful axis accelerations.
     """
     found = unapplied_range(table, axis)
     if found is None or axis.unapplied_steps is None:

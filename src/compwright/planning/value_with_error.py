@@ -24,20 +24,20 @@ class ValueWithError:
     std_error: float
 
     def differs(self, other: ValueWithError) -> bool:
-        """Return whether two values differ by more than both uncertainties allow."""
+        """Return whether two values differ by more than both of their uncertainties allow."""
         return abs(self.value - other.value) > SIGNIFICANT * float(
             np.hypot(self.std_error, other.std_error)
         )
 
     def words(self, factor: float, unit: str) -> Sentence:
-        """The value as text, with its 95 % uncertainty."""
+        """Return the value as text with its 95 % uncertainty."""
         error = SIGNIFICANT * self.std_error * factor
         return say("value_with_error", value=self.value * factor, error=error, unit=unit)
 
 
 def contradictory(scatter: float, free: float) -> bool:
-    """Return whether several values contradict each other, from their sum of squares with ``free``
-    degrees of freedom.
+    """Return whether several values contradict each other, from the weighted sum of squares
+    ``scatter`` with ``free`` degrees of freedom.
 
     The cube root of chi-square is nearly normal (Wilson and Hilferty, Proceedings of the National
     Academy of Sciences 17, 1931).

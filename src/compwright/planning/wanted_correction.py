@@ -1,4 +1,4 @@
-"""From tests and the state of the control to the wanted correction of an axis."""
+"""The wanted correction of an axis, from its tests and the state of the control."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ UNDECLARED_SLOPE = 11.5e-6
 
 @dataclass(frozen=True, slots=True, eq=False)
 class MeasuredError:
-    """The error of an axis, estimated from its tests, and the known correction during the first
+    """The error of an axis estimated from its tests, with the known correction during the first
     test.
 
     A table may have any shape: it is subtracted before the smooth error is estimated, and added
@@ -68,23 +68,23 @@ class MeasuredError:
 
     @property
     def reversal_log_odds(self) -> float:
-        """The natural logarithm of the evidence that the axis' reversal error varies with
-        position.
+        """The log odds that the reversal error of the axis varies with position rather than being
+        constant.
         """
         return self.own.reversal_log_odds
 
     @property
     def hidden(self) -> HiddenPeriods:
-        """The possible periods that the readings do not show."""
+        """The periods that the error may have although the readings do not show them."""
         return self.own.hidden
 
     @property
     def findings(self) -> tuple[Finding, ...]:
-        """The findings of the estimation, about noise, periods and jumps."""
+        """The findings of the estimation about noise, periods and jumps of the error."""
         return self.own.findings
 
     def summary(self, positions: FloatArray) -> ErrorEstimate:
-        """Return mean and standard deviation of the deviation at ``positions`` (g,) with the
+        """Return mean and standard deviation of the deviation at ``positions`` (g,), with the
         correction of the first test active.
         """
         estimate = self.own.summary(positions)
@@ -126,8 +126,7 @@ class MeasuredError:
 def observed_tests(
     tests: Sequence[PlannedTest], active: AxisCompensation | None
 ) -> tuple[ObservedTest, ...]:
-    """Return the tests as input of the estimation, with the noise inferred from their repeated
-    readings.
+    """Return the tests as input of the estimation, with noise inferred from repeated readings.
 
     Subtracted from each: the correction that was active in it (``acted``; ``active`` for the
     first). Left out: the traverses that were not made.
@@ -151,7 +150,7 @@ def measured_error(
     axis: Axis,
     active: AxisCompensation | None,
 ) -> MeasuredError:
-    """Return the error of ``axis``, estimated from the tests that are in use.
+    """Return the error of ``axis``, estimated from those tests that are in use.
 
     These are tests with a known active correction (``acted``), or the first test if none has it.
 
@@ -179,7 +178,8 @@ def measured_error(
 
 
 def _taken_alike(tests: Sequence[PlannedTest], observed: Sequence[ObservedTest]) -> tuple[int, ...]:
-    """Return the tests in use that were taken in the same way as the first, with known noise.
+    """Return the indices of tests in use that were made in the same way as the first, with known
+    noise.
 
     Same motion, numbers of targets and of readings, so that they lasted as long. Where the scatter
     differs by more than `_ANOTHER_DAY`, it is not the day that differs.
@@ -203,7 +203,7 @@ def _taken_alike(tests: Sequence[PlannedTest], observed: Sequence[ObservedTest])
 
 
 def _nodes_of(active: AxisCompensation) -> tuple[float, ...]:
-    """Return the nodes of the active tables."""
+    """Return the points of the active compensation tables."""
     tables = [
         each
         for each in (active, *active.others)
@@ -214,7 +214,8 @@ def _nodes_of(active: AxisCompensation) -> tuple[float, ...]:
 
 
 def _with_own_slopes(tests: Sequence[ObservedTest]) -> list[ObservedTest]:
-    """Return the tests, each with its own slope in addition to the slope of the axis.
+    """Return the tests, each with the standard deviation of a slope that it has in addition to the
+    axis.
 
     Its standard deviation is the declared one, else `UNDECLARED_SLOPE` relative to the first test
     that covers more than half of the measured range (a short test does not determine a slope).
@@ -239,8 +240,7 @@ def _at(active: AxisCompensation, test: PositioningTest) -> Acted:
 
 
 def check_coverage(file: str, axis: Axis, tests: Sequence[PositioningTest]) -> None:
-    """Raise InputError if the targets of all tests together cover less than half of the axis'
-    travel.
+    """Raise InputError if the targets of all tests together cover less than half of the travel.
 
     The rest is extrapolated, and a table over less than half of the travel would be a guess. A gap
     between two tests is not covered. For an endless axis, the turn minus the largest gap between
@@ -293,16 +293,16 @@ def covered_travel(tests: Sequence[PositioningTest], low: float, high: float) ->
 
 
 def axis_compensation(state: ControlState, axis: Axis) -> AxisCompensation:
-    """Return the compensation of an axis in a state of the control. An axis that the state does not
-    mention has none.
+    """Return the compensation of an axis in a state of the control. It is zero for an axis that the
+    state does not contain.
     """
     none = no_compensation(axis.address, axis.kind, axis.reference_return)
     return applied_compensation(state.axes.get(axis.address, none), axis)
 
 
 def dense_positions(axis: Axis, periods: Sequence[float]) -> FloatArray:
-    """Return closely and equally spaced positions over the travel (endless axis: one turn from the
-    reference).
+    """Return closely and equally spaced positions over the travel, or over one turn from the
+    reference for an endless axis.
 
     They are close enough for the shortest of the ``periods`` (mm or deg).
     """
@@ -346,7 +346,7 @@ def wanted_correction(
 def without_kept_tables(
     wanted: WantedCorrection, stays: Sequence[AxisCompensation]
 ) -> WantedCorrection:
-    """Return the wanted correction without the part of the tables that stay, zero at the
+    """Return the wanted correction minus the existing tables that stay active, zero at the
     reference.
     """
     if not stays:
@@ -364,8 +364,8 @@ def without_kept_tables(
 def with_change(
     test: PositioningTest, positive: FloatArray, negative: FloatArray
 ) -> PositioningTest:
-    """Return the test as it would have been measured with the correction changed by ``positive``
-    and ``negative`` (m,).
+    """Return the test as measured if the correction were changed by ``positive`` and ``negative``
+    (m,).
     """
     return replace(
         test,
