@@ -231,7 +231,7 @@ class TestCross:
         assert control.addresses() == ("2",)
         with pytest.raises(
             UsageError,
-            match="no table that corrects motor 1 over the position of motor 2; expected 1 and 2",
+            match="no table that corrects motor 1 over the position of motor 2; expected 2 over 1",
         ):
             control.cross_correction("2", "1", at, UP)
 

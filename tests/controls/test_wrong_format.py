@@ -64,7 +64,7 @@ def test_a_wrong_format_is_refused_with_the_right_one(
         (line,) = capsys.readouterr().err.splitlines()
         assert exit_code == 3, line
         assert re.search(rf"of {re.escape(DEFINITIONS[right].maker)}, not of {wrong}\.", line)
-        ids = line.partition(". Next: use `--format` with ")[2].split(" or ")
+        ids = re.findall(r"`--format ([^`]+)`", line.partition(". Next: give ")[2])
         assert right in ids, line
         assert {_form(one) for one in ids} == {_form(right)}, line
         assert not out.exists()

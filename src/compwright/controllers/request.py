@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TypeVar
 
@@ -72,14 +72,7 @@ class Request:
         options = self.options_of(address)
         option = options.get("reference_return", Direction.POSITIVE)
         if option not in ("+", "-"):
-            raise UsageError(
-                Fault(
-                    message="the option reference_return has a wrong value",
-                    expected="+ or -",
-                    found=repr(option),
-                    hint=("give `--option reference_return=+` or `--option reference_return=-`"),
-                )
-            )
+            raise wrong_choice("reference_return", option, ("+", "-"))
         direction = Direction(str(option))
         evidence = "option" if "reference_return" in options else "default"
         return direction, Assumption(f"reference_return of {address}", direction.value, evidence)
@@ -130,6 +123,20 @@ def by_address(table: Mapping[str, Entry], address: str) -> Entry | None:
         return table[address]
     return next(
         (value for key, value in table.items() if key.casefold() == address.casefold()), None
+    )
+
+
+def wrong_choice(name: str, found: object, choices: Iterable[str], owner: str = "") -> UsageError:
+    """Return the error for an option whose value is none of ``choices``. ``owner``: of which
+    axis.
+    """
+    return UsageError(
+        Fault(
+            message=f"the option {name}{owner} has a wrong value",
+            expected=" or ".join(choices),
+            found=repr(found),
+            hint="give " + " or ".join(f"`--option {name}={one}`" for one in choices),
+        )
     )
 
 

@@ -381,9 +381,9 @@ def _check_meaning(control: Control, state: ControlState, axes: Sequence[Axis]) 
                 expected=str(stated),
                 found=str(given),
                 hint=(
-                    f"set `{TABLE_VALUES}: {stated}`; if the check of the sign showed "
-                    "the opposite, change the line `# value` of the sheet or take "
-                    "the table out of the control first"
+                    f"set `{TABLE_VALUES}: {stated}`; if the check of the sign showed {given}, "
+                    f"write `# value: {given}` into the sheet, or remove the table from the "
+                    "control and measure again"
                 ),
             )
         )

@@ -110,14 +110,14 @@ def files_of_definition(texts: Texts) -> dict[str, bytes]:
         if PureWindowsPath(name).anchor or ".." in PureWindowsPath(name).parts:
             raise InputError(
                 Fault(
-                    message="the definition extends one outside of its own folder; a "
-                    "definition that is copied with its results cannot do this",
+                    message="the definition extends a file outside of its own folder, which would "
+                    "be missing in the copy with the results",
                     file=file,
                     place=EXTENDS,
                     found=name,
                     hint=(
-                        "correct `extends` in the definition; `compwright formats list` "
-                        "shows the known ids"
+                        "write a file of the same folder, or an id from `compwright formats "
+                        "list`, as `extends`"
                     ),
                 )
             )

@@ -101,8 +101,8 @@ def loadable_files(
     small = decode(control, delivery.files, axes, written=True)
     faults = [
         Fault(
-            message="an internal error of compwright: the small files do not have the same "
-            "effect as the whole archive",
+            message="an internal error of compwright: the files of `files: small` do not have the "
+            "same effect as the whole archive",
             place=f"axis {axis.address}, direction {direction.value}",
             hint=(
                 "set `files: patched` in the options, and report this line with "

@@ -71,7 +71,7 @@ def partner_questions(
                     place=place,
                     expected=_ANSWERS.format(address=axis.gantry),
                     found=f"a different {' and '.join(words)}",
-                    hint=("add `table: same` or `table: change` to `gantry` of the axis, as shown"),
+                    hint=f"write one of these two answers into axis {name} of the job",
                 )
                 for state, words in own.items()
             ]
@@ -79,9 +79,9 @@ def partner_questions(
             faults.append(
                 Fault(
                     message=(
-                        f"the compensation of {axis.gantry} minus that of {axis.address} (gantry) "
-                        f"is not the same in `states: {measured_in[0]}` (first test) and in "
-                        f"`states: {AS_FOUND}`"
+                        f"`table: change` keeps the difference between the compensation of "
+                        f"{axis.address} and {axis.gantry}, which is not the same in `states: "
+                        f"{measured_in[0]}` (first test) and in `states: {AS_FOUND}`"
                     ),
                     file=job.file,
                     place=place,
@@ -89,7 +89,7 @@ def partner_questions(
                     found="table: change",
                     hint=(
                         f"set `measured_in: {AS_FOUND}` for the first test if it was "
-                        "taken so, or use `table: same`"
+                        "taken in that state, or set `table: same`"
                     ),
                 )
             )

@@ -222,18 +222,16 @@ def unknown_zeros(job: Job, control: Control, state: ControlState | None) -> Ite
         if state is None or not state.facts_of(entry.axis.address).homing:
             yield Fault(
                 message=(
-                    f"the reference position of axis {name} is needed for its fixed "
-                    "positions, but neither the job nor the control's files state it"
+                    f"the reference position of axis {name} is needed because the job has "
+                    "`fixed_positions`, but neither the job nor the control's files state it"
                 ),
                 file=job.file,
                 place=f"axes.{name}.reference",
-                expected=(
-                    f"the whole INI among the control's files, or reference: the {offset} of its"
-                    f" joint, and reference_return: the sign of its {latch}"
-                ),
+                expected="the whole INI among the control's files",
                 hint=(
                     "add the whole INI to the control's files (`states` or `--state`), or set "
-                    "`reference` and `reference_return` of the axis as shown"
+                    f"`reference` of the axis to the {offset} of its joint, and "
+                    f"`reference_return` to the sign of its {latch}"
                 ),
             )
 
@@ -246,8 +244,8 @@ def _other_zero(job: Job, name: str, key: str, axis: Axis, place: float, home: D
     expected, found = words[key]
     return Fault(
         message=(
-            f"the key {key} of axis {name} contradicts the control's homing, which sets the "
-            "correction to zero elsewhere"
+            f"the key {key} of axis {name} contradicts the control's homing, which sets where "
+            "the correction is zero"
         ),
         file=job.file,
         place=f"axes.{name}.{key}",
@@ -285,13 +283,13 @@ def other_joints(axis: Axis, facts: AxisFacts, state: str) -> Iterator[Fault]:
     lettered = all(map(_AXIS_NAME.fullmatch, (letter, own)))
     if lettered and letter[0] != own[0]:
         yield Fault(
-            message="the axis at `address` has another letter in the control's files "
+            message=f"address {axis.address} is another axis in the control's files "
             f"(`states: {state}`)",
             place=f"{place}.address",
             expected=f"the axis {axis.name} of the control",
             found=stated,
-            hint=f"set `address` to that of {axis.name}; if {letter} was measured, name the axis "
-            f"{letter} in the job and in `# axis:` of its measurement files",
+            hint=f"set `address` to that of axis {axis.name} in the control; if {letter} was "
+            f"measured, name the axis {letter} in the job and in `# axis:` of its files",
         )
     if not letters or (lettered and letter[0] != own[0]):
         return
@@ -307,7 +305,7 @@ def other_joints(axis: Axis, facts: AxisFacts, state: str) -> Iterator[Fault]:
             place=f"{place}.gantry",
             expected=" or ".join(f'gantry: "{other}"' for other in others),
             found=stated,
-            hint="add `gantry` to the axis, as shown",
+            hint=f'add `gantry: "{others[0]}"` to axis {axis.name} of the job',
         )
 
 

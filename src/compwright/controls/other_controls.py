@@ -49,7 +49,7 @@ def refuse_other_control(
     alike = [one for one, count in counts.items() if count >= _ALIKE * most]
     ids = " or ".join(one.id for one in alike)
     if place == COMMAND_LINE.format_place:
-        hint = f"use `--format` with {ids}"
+        hint = "give " + " or ".join(f"`--format {one.id}`" for one in alike)
     elif place == JOB_PLACE:
         hint = f"write {ids} as `{place}`, or give files of {given.id}"
     else:

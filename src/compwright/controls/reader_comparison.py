@@ -25,6 +25,10 @@ EVERYWHERE = np.linspace(-5000.0, 5000.0, 2001)
 #: The findings of tables that were left out: their axis was not requested, they cannot be read, or
 #: their sign is unknown.
 LEFT_OUT = frozenset({"CW-S011", "CW-S050", "CW-S051"})
+_HINT = (
+    "report this line with the files; until this is mended, give another file of the control that"
+    " contains the same tables"
+)
 
 
 def disagreements(state: ControlState, judge: VirtualControl) -> list[Fault]:
@@ -44,10 +48,7 @@ def disagreements(state: ControlState, judge: VirtualControl) -> list[Fault]:
                 ),
                 expected=", ".join(unseen),
                 found=", ".join(sorted(judge.addresses())) or "no axis",
-                hint=(
-                    "report this line with the files; until then give the table as "
-                    "an export of another kind"
-                ),
+                hint=_HINT,
             )
         )
     alone = "the two independent file readers of compwright do not agree on them"
@@ -84,10 +85,7 @@ def _apart(
                 message=f"the files can be read in two ways: {words}",
                 place=f"{name}, position {where[worst]:g}, direction {direction.value}",
                 found=f"a difference of {off[worst]:.3g} {unit}",
-                hint=(
-                    "report this line with the files; until then give the table as "
-                    "an export of another kind"
-                ),
+                hint=_HINT,
             )
 
 
@@ -109,10 +107,7 @@ def _cross_disagreements(state: ControlState, judge: VirtualControl) -> list[Fau
                 "compwright find different cross-axis tables"
             ),
             place=" on ".join(pair),
-            hint=(
-                "report this line with the files; until then give the table as "
-                "an export of another kind"
-            ),
+            hint=_HINT,
         )
         for pair in sorted(seen - set(theirs))
     ]

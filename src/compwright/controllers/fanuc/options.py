@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from compwright.controllers.fanuc.memory import BYTE
 from compwright.controllers.fanuc.series import ControlSeries
-from compwright.controllers.request import finite_number
+from compwright.controllers.request import finite_number, wrong_choice
 from compwright.foundations.errors import Fault
 
 #: Additional functions that an option of their name makes counted.
@@ -47,14 +47,7 @@ def read_options(
     def choice(name: str, choices: tuple[str, ...]) -> str:
         value = given.get(name, choices[0])
         if value not in choices:
-            faults.append(
-                Fault(
-                    message=f"the option {name} of axis {address} has a wrong value",
-                    expected=" or ".join(choices),
-                    found=repr(value),
-                    hint=f"give one of these values for `{name}`",
-                )
-            )
+            faults.extend(wrong_choice(name, value, choices, f" of axis {address}").faults)
             return choices[0]
         return str(value)
 
@@ -68,7 +61,7 @@ def read_options(
                 message=f"the option increment_limit of axis {address} has a wrong value",
                 expected=f"a whole number 1 to {BYTE[1]}",
                 found=repr(given.get("increment_limit")),
-                hint="give a number in this range for `increment_limit`",
+                hint=f"give `--option increment_limit={series.increment_limit}`, or less",
             )
         )
         limit = float(series.increment_limit)

@@ -89,13 +89,12 @@ class HeidenhainControl:
         """
         pair = (self.generation.address(input), self.generation.address(output))
         if pair not in self.crossed:
-            known = ", ".join(f"{corrected} by {moving}" for moving, corrected in self.crossed)
+            known = ", ".join(f"{corrected} over {moving}" for moving, corrected in self.crossed)
             raise UsageError(
                 Fault(
-                    message="the files contain no table that corrects the first of these axes "
-                    "over the position of the second",
-                    expected=known,
-                    found=f"{output} by {input}",
+                    message=f"the files contain no table that corrects {output} over the "
+                    f"position of {input}",
+                    expected=known or "an active table",
                     hint=("correct the entry `cross` of the job, or give the file with this table"),
                 )
             )

@@ -15,8 +15,8 @@ import numpy as np
 from compwright.controllers.heidenhain.elements import ITNC530, LETTERS, Generation, Parameter
 from compwright.controllers.heidenhain.sheet import JudgedSheet
 from compwright.controllers.heidenhain.table import Cma, Com
-from compwright.controllers.request import Request, by_address
-from compwright.foundations.errors import Fault, UsageError
+from compwright.controllers.request import Request, by_address, wrong_choice
+from compwright.foundations.errors import Fault
 from compwright.records.axis import AxisKind
 from compwright.records.correction import Assumption
 
@@ -68,14 +68,7 @@ class LoadedContents:
         """
         value = self.request.options_of(address).get(name, allowed[0])
         if value not in allowed:
-            raise UsageError(
-                Fault(
-                    message=f"the option {name} has a wrong value",
-                    expected=" or ".join(allowed),
-                    found=repr(value),
-                    hint=f"give one of these values for `{name}`",
-                )
-            )
+            raise wrong_choice(name, value, allowed)
         return str(value)
 
 

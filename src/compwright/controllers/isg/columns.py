@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from compwright.controllers.isg.lists import AxisLists, ListStatement
-from compwright.controllers.request import Request, finite_number
+from compwright.controllers.request import Request, finite_number, wrong_choice
 from compwright.foundations.errors import Fault, UsageError
 from compwright.records.axis import FloatArray
 
@@ -79,14 +79,7 @@ def largest_value(request: Request, address: str, axis: AxisLists, section: str)
     if chosen is None:
         return LARGEST
     if chosen not in _LIMITS:
-        raise UsageError(
-            Fault(
-                message="the option value_type has a wrong value",
-                expected=" or ".join(_LIMITS),
-                found=repr(chosen),
-                hint="give one of these values for `value_type`",
-            )
-        )
+        raise wrong_choice("value_type", chosen, _LIMITS)
     if chosen != "real64":
         for name, statement in axis.section(section).items():
             value = statement.number()

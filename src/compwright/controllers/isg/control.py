@@ -94,7 +94,7 @@ class IsgControl:
                 Fault(
                     message=f"the lists contain no table that corrects axis {output} over the "
                     f"position of axis {input}",
-                    expected=" or ".join(f"{a} and {b}" for a, b in self.tables)
+                    expected=" or ".join(f"{b} over {a}" for a, b in self.tables)
                     or "an active table kw.crosscomp, and the option cross_values",
                     hint=("correct the entry `cross` of the job, or give the list with this table"),
                 )

@@ -21,8 +21,7 @@ from compwright.controllers.isg.columns import (
 )
 from compwright.controllers.isg.leadscrew import SIGNS, switched
 from compwright.controllers.isg.lists import AxisLists, ListStatement
-from compwright.controllers.request import Request
-from compwright.foundations.errors import Fault, UsageError
+from compwright.controllers.request import Request, wrong_choice
 from compwright.records.axis import FloatArray
 from compwright.records.correction import Assumption
 
@@ -142,14 +141,7 @@ def cross_sign(request: Request, slave: str) -> float | None:
     """
     chosen = request.options_of(slave).get("cross_values")
     if chosen is not None and chosen not in SIGNS:
-        raise UsageError(
-            Fault(
-                message="the option cross_values has a wrong value",
-                expected=" or ".join(SIGNS),
-                found=repr(chosen),
-                hint="give one of these values for `cross_values`",
-            )
-        )
+        raise wrong_choice("cross_values", chosen, SIGNS)
     return None if chosen is None else SIGNS[str(chosen)]
 
 

@@ -22,8 +22,7 @@ from compwright.controllers.isg.columns import (
     unit_of,
 )
 from compwright.controllers.isg.lists import AxisLists
-from compwright.controllers.request import Request, by_address
-from compwright.foundations.errors import Fault, UsageError
+from compwright.controllers.request import Request, by_address, wrong_choice
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.correction import Assumption
 
@@ -219,14 +218,7 @@ def _sign(request: Request, address: str, assumed: list[Assumption]) -> float:
     options = request.options_of(address)
     chosen = options.get("table_values", "error")
     if chosen not in SIGNS:
-        raise UsageError(
-            Fault(
-                message="the option table_values has a wrong value",
-                expected=" or ".join(SIGNS),
-                found=repr(chosen),
-                hint="give one of these values for `table_values`",
-            )
-        )
+        raise wrong_choice("table_values", chosen, SIGNS)
     why = (
         "option"
         if "table_values" in options

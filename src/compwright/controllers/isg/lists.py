@@ -122,7 +122,7 @@ class AxisLists:
                 file=", ".join(dict.fromkeys(self.files)),
                 expected=f"a line {name}",
                 found="none",
-                hint="add this line to the list of the axis, or export the list again",
+                hint="add this line with its value to the list, or export the list again",
             )
         )
 
@@ -288,8 +288,8 @@ def _address(
                 file=name,
                 expected=expected,
                 hint=(
-                    "add the line kopf.achs_nr with the axis number to the list, or name the "
-                    "file as the start-up list does"
+                    "add the line kopf.achs_nr with the axis number to the list, or give the "
+                    "file the name that the start-up list has for it"
                 ),
             )
         )

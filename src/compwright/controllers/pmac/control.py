@@ -87,7 +87,7 @@ class PmacControl:
                 Fault(
                     message=f"the scripts contain no table that corrects motor {output} over the "
                     f"position of motor {input}",
-                    expected=" or ".join(f"{a} and {b}" for a, b in self.tables) or "a table",
+                    expected=" or ".join(f"{b} over {a}" for a, b in self.tables) or "a table",
                     hint=(
                         "correct the entry `cross` of the job, or give the script with this table"
                     ),

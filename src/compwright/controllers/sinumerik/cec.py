@@ -17,14 +17,13 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from compwright.controllers.request import Request
+from compwright.controllers.request import Request, wrong_choice
 from compwright.controllers.sinumerik.axes import MachineAxisNames
 from compwright.controllers.sinumerik.cec_tables import CecTableLoader
 from compwright.controllers.sinumerik.lengths import Lengths
 from compwright.controllers.sinumerik.sag import Pair, Sag, SagTable
 from compwright.controllers.sinumerik.tables import Remarks
 from compwright.controllers.sinumerik.text import VariableAssignment
-from compwright.foundations.errors import Fault, UsageError
 from compwright.records.correction import Assumption
 
 #: Default of MD32720, mm or deg (as in a real archive).
@@ -96,14 +95,7 @@ def _sign(request: Request) -> int:
     if option is None:
         return 0
     if option not in _SIGNS:
-        raise UsageError(
-            Fault(
-                message="the option cec_sign has a wrong value",
-                expected=" or ".join(_SIGNS),
-                found=repr(option),
-                hint="give `--option cec_sign=correction` or `--option cec_sign=error`",
-            )
-        )
+        raise wrong_choice("cec_sign", option, _SIGNS)
     return _SIGNS[str(option)]
 
 

@@ -156,7 +156,7 @@ class SinumerikControl:
                 Fault(
                     message=f"the files contain no table that corrects axis {output} over the "
                     f"position of axis {input}",
-                    expected=" or ".join(f"{base} on {corrected}" for base, corrected in crossing)
+                    expected=" or ".join(f"{corrected} over {base}" for base, corrected in crossing)
                     or "cross tables in the files",
                     hint=("correct the entry `cross` of the job, or give the file with this table"),
                 )

@@ -266,8 +266,8 @@ def _members(file: ControlFile) -> Iterator[_Member]:
         if size is None:
             raise InputError(
                 Fault(
-                    message="the archive is damaged: no other member (file of the archive) "
-                    f"begins where {before} ends by its stated size",
+                    message=f"the archive is damaged: {before} (a file in it) does not have the "
+                    "size that the archive states",
                     file=file.name,
                     place=f"byte {start}",
                     expected="an archive as the control wrote it",

@@ -96,12 +96,12 @@ def _always(file: str, lines: Sequence[int]) -> Fault:
     more = ", ".join(str(line) for line in lines[1:])
     return Fault(
         message=(
-            "active: no is stated, but every run of the program assigns a compensation "
-            f"other than 0 in this line{f' and in line {more}' if more else ''}"
+            "`active: no` (never executed) is stated, but every run of the program assigns a "
+            f"compensation other than 0 in this line{f' and in line {more}' if more else ''}"
         ),
         file=file,
         place=f"line {lines[0]}",
-        expected=f"{_EXPORT}; active: no is for programs that were never executed",
+        expected=_EXPORT,
         hint=(
             "export the compensation data from the control, then give that "
             "file instead of the program"
@@ -206,15 +206,12 @@ def _question(file: str, first: Doubt, calls: ProgramCalls) -> Fault:
     program = f"the file of {first.call} too, where it is a program, or " if unknown else ""
     return Fault(
         message=(
-            "it is uncertain whether the control executed the assignments of this program: "
-            "this line can skip them, or shows that another program has to call this one"
+            "the control may not have executed the assignments of this program: this line can "
+            "skip them, or shows that another program has to call this one"
         ),
         file=file,
         place=f"line {first.line}",
-        expected=(
-            f"{program}{_EXPORT}, or active: yes where all of them were carried out, active: no"
-            " where none was"
-        ),
+        expected=f"{program}{_EXPORT}",
         found=first.text,
         hint=(
             "export the compensation data from the control and give that file, or answer "

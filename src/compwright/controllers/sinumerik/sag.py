@@ -107,7 +107,7 @@ class Sag:
                         f"the effect of the CEC tables of axis {axis} over its own position "
                         f"is unknown: {self.odd[axis]}"
                     ),
-                    hint=("export the CEC tables from the control again, or leave this axis out"),
+                    hint="export the CEC tables again, or leave the axis out of the job",
                 )
             )
         if self.sign:
