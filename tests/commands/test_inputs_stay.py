@@ -289,7 +289,7 @@ def test_nothing_is_removed_behind_a_link_that_leads_out(tmp_path: Path) -> None
     (tmp_path / "out").mkdir()
     (tmp_path / "out" / "set").symlink_to(tmp_path / "control", target_is_directory=True)
     out, new = tmp_path / "out", {"b.txt": b"new"}
-    with pytest.raises(StorageError, match=r"A\.INI: .* is not one that the command writes"):
+    with pytest.raises(StorageError, match=r"A\.INI: .*; this file is not one of them"):
         storage.write_files(Session(), out, new, force=True, whole=["set"])
     storage.write_files(Session(), out, new, force=True, renewed=["set"])
     assert (tmp_path / "control" / "A.INI").read_bytes() == b"mine"
@@ -308,7 +308,8 @@ def test_the_notes_of_the_user_stay(folder: Path, capsys: pytest.CaptureFixture[
     said = refused(folder, capsys, "run", "job.yaml")
     for place in ("tables", "rollback"):
         assert (
-            f"{place}/{CONTROL}/notes.txt: everything in this folder is loaded or passed on" in said
+            f"{place}/{CONTROL}/notes.txt: this folder may contain only the files of this command"
+            in said
         )
         assert "move it to another folder" in said
 

@@ -202,7 +202,7 @@ def test_a_grid_that_cannot_take_it_along_is_refused_by_name(
     assert bench.run("X", axes={"X": f"table: {{spacing: {spacing}}}"}) == 4
     told = capsys.readouterr().err
     assert named in told
-    assert "leave out spacing" in told
+    assert "leave `spacing`, `start` and `end` out of `table`" in told
 
 
 def test_a_table_that_is_off_does_not_wake_what_stands_beside_it(

@@ -54,7 +54,7 @@ def test_a_number_that_the_job_takes_from_its_axis_is_asked_about_and_both_ways_
     tables = {1: "X", 2: "Y"}
     assert run(tmp_path, "axis_number: 2, ", tables) == 2
     text = " ".join(capsys.readouterr().err.split())
-    assert "axes.X.axis_number: the files use axis number 1, and the job gives it to no" in text
+    assert "axes.X.axis_number: the files use axis number 1, which no axis of the job has" in text
     assert "remove `axis_number: 2`" in text
     assert "`address: Y`" in text
     assert run(tmp_path, "", tables) == 0

@@ -121,5 +121,5 @@ def test_redact_names_the_right_format_too(
     out = tmp_path / "out"
     assert compwright(["redact", folder, "--format", "linuxcnc", "--out", str(out)]) == 3
     (line,) = capsys.readouterr().err.splitlines()
-    assert "these are files of FANUC, not of linuxcnc. Next: use `--format` with fanuc-" in line
+    assert "these are files of FANUC, not of linuxcnc. Next: give `--format fanuc-" in line
     assert not out.exists()

@@ -255,7 +255,7 @@ def test_the_active_line_says_which_table_acts() -> None:
     ]
     with pytest.raises(InputError, match=r"axis Y: the active table was not given; expected Y"):
         itnc(file("new.com", new), file("c.cma", lines))
-    with pytest.raises(InputError, match="for which moving axis this table is"):
+    with pytest.raises(InputError, match="to which moving axis this table belongs"):
         itnc(file("new.com", new))
     with pytest.raises(InputError, match="axis X is in two columns"):
         itnc(file("new.com", new), file("c.cma", lines.replace("2         3", "1=F()     3")))
@@ -353,7 +353,7 @@ BAD_SHEETS = {
     "kinds mixed": ("MP710,,3,um", "MP710,,0.003,deg", "units of the entry sheet"),
     "implausible value": ("-4.0,um", "-40,mm", "not plausible"),
     "decimal comma": ("0.0020,mm", '"0,0020",mm', "wrong number of columns"),
-    "an axis that cannot be": ("# address: X", "# address: X-1", "address of the axis"),
+    "an axis that cannot be": ("# address: X", "# address: X-1", "cannot have this address"),
 }
 
 
@@ -453,7 +453,7 @@ def test_an_endless_table_is_written_from_zero_wherever_the_reference_is() -> No
         positive=np.array([0, 0.001, 0.002, -0.003, 0.001]),
         negative=np.array([0, 0.001, 0.002, -0.003, 0.001]),
     )
-    with pytest.raises(CapacityError, match="ends with the value"):
+    with pytest.raises(CapacityError, match="have the same value at both ends"):
         control_format(ITNC, {}).write([open_ended], [axis])
     off = replace(axis, reference=10.0)
     shifted = replace(wanted, positions=np.array(nodes, dtype=float) - 80)

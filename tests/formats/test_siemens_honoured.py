@@ -109,7 +109,7 @@ def test_an_axis_is_one_by_its_place_and_by_its_name(address: str) -> None:
 
 
 def test_two_addresses_of_one_axis_are_refused() -> None:
-    with pytest.raises(UsageError, match="X1 and AX1 mean one and the same axis"):
+    with pytest.raises(UsageError, match="X1 and AX1 are the same axis"):
         both_readers(NAMES + eec(), axis_of("X1"), axis_of("AX1"))
 
 
@@ -130,7 +130,7 @@ def test_names_that_no_list_tells_apart_are_refused(address: str, other: str, na
     """MD10000 is not among the files, or not for these: the old table of AX1 may stand under X1 and
     go on acting.
     """
-    with pytest.raises(InputError, match=rf"speak of {other} too.*MD10000"):
+    with pytest.raises(InputError, match=rf"active values of {other} too.*MD10000"):
         both_readers(f"{names}\n{eec(address)}$MA_BACKLASH[0,{other}]=0.003\n", axis_of(address))
     assert both_readers(
         f"{names}\n{eec(address)}$MA_BACKLASH[0,Y1]=0\n" if names else eec(address),
@@ -176,7 +176,7 @@ def test_another_name_that_holds_nothing_stops_nothing(quiet: str) -> None:
     ],
 )
 def test_another_name_that_acts_says_the_way_out(acting: str) -> None:
-    with pytest.raises(InputError, match=r"SP1.*MD10000.*among the files, or address: SP1"):
+    with pytest.raises(InputError, match=r"SP1.*MD10000.*set `address: SP1` in the job"):
         both_readers(f"{eec()}{acting}\n", axis_of("AX1"))
 
 

@@ -341,7 +341,7 @@ def test_a_whole_folder_holds_what_was_written_and_nothing_else(tmp_path: Path) 
     (fault,) = faults_of(
         lambda: storage.write_files(Session(), tmp_path, {"set/e": b"new"}, whole=["set"]) and None
     )[:1]
-    assert "is not one that" in fault
+    assert "this file is not one of them" in fault
     assert tree(tmp_path) == before
     storage.write_files(Session(), tmp_path, {"set/a": b"new"}, force=True, whole=["set", "none"])
     after = tree(tmp_path)

@@ -83,7 +83,10 @@ def test_a_file_of_means_that_was_cut() -> None:
             "is not the mean of the two directions; expected -0.0015",
         ),
         ({"Forward Directional": [("0.000", "x")]}, "is not a number"),
-        ({"Forward Directional": [("x", "0.1"), *FORWARD]}, "is below no title of means"),
+        (
+            {"Forward Directional": [("x", "0.1"), *FORWARD]},
+            "is not below the title of a block of means",
+        ),
         ({"Forward Directional": [("0.000", "0.001 3")]}, "is not a row of position and mean"),
         ({"Forward Directional": [*FORWARD, FORWARD[0]]}, "a position is given twice"),
     ],

@@ -102,7 +102,9 @@ def test_a_way_back_of_zeros_was_not_made(flags: str | None) -> None:
 
 
 def test_rows_that_contradict_the_directions() -> None:
-    assert "contradicts its direction" in refused(laser_file(TARGETS, READINGS, flags="0 1 2 0"))
+    assert "contradicts the direction of the run" in refused(
+        laser_file(TARGETS, READINGS, flags="0 1 2 0")
+    )
     mirrored = {(run, 7 - index): READINGS[run, index] for run, index in READINGS}
     lines = laser_file(TARGETS, mirrored).split("\r\n")
     first = next(at for at, line in enumerate(lines) if line.startswith("   1     1 "))

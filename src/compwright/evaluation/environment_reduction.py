@@ -116,7 +116,7 @@ def _refuse_compensated_air(test: PositioningTest) -> None:
                 ),
                 file=_file(test),
                 place="compensated_for",
-                expected="a blank value, or the material only",
+                expected="no `compensated_for`, or the material only",
                 found=stated,
                 hint=(
                     f"remove the columns {', '.join(AIR)} from the record of `environment`, or"

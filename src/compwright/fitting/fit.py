@@ -143,7 +143,7 @@ def _refuse(capacity: Capacity, request: TableRequest) -> None:
                 place="value range",
                 expected="a range that contains 0",
                 found=f"{capacity.value_range[0]:g} to {capacity.value_range[1]:g}",
-                hint="correct the value range in the options of the control",
+                hint=f"correct the `range` of the table values in the definition {capacity.format}",
             )
         )
     if faults:

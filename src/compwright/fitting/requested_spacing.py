@@ -103,7 +103,8 @@ def _check_count(count: int, span: Span, capacity: Capacity, unit: str) -> None:
         fits = f"; a spacing of {least:.10g} {unit} or more fits" if least else ""
         raise CapacityError(
             Fault(
-                message=f"this spacing gives a table of {length:.10g} {unit} too many points{fits}",
+                message=f"with this spacing a table of {length:.10g} {unit} has too many "
+                f"points{fits}",
                 place="table.spacing",
                 expected=f"at most {most} points",
                 found=f"{count} points",
@@ -113,7 +114,7 @@ def _check_count(count: int, span: Span, capacity: Capacity, unit: str) -> None:
     if count < capacity.min_points:
         raise CapacityError(
             Fault(
-                message=f"this spacing gives a table of {length:.10g} {unit} too few points",
+                message=f"with this spacing a table of {length:.10g} {unit} has too few points",
                 place="table.spacing",
                 expected=f"at least {capacity.min_points} points",
                 found=f"{count} points",

@@ -42,8 +42,8 @@ def truncation_faults(
             yield Fault(
                 message=(
                     "the correction is larger than the control can store "
-                    f"({limit.cause}): the best table leaves "
-                    f"{significant(limit.value * factor, 3)} {unit} rms of it"
+                    f"({limit.cause}): with the best table, an error of "
+                    f"{significant(limit.value * factor, 3)} {unit} rms remains"
                 ),
                 place="table",
                 expected=_held(limit.cause, capacity, factor, unit),

@@ -204,7 +204,7 @@ def fit_whole_increments(
                 place="table",
                 expected="increment limits with 0 between them",
                 found=f"{lattice.increments[0]} to {lattice.increments[1]}",
-                hint=("correct the limits of the increments in the options of the control"),
+                hint="correct the option `increment_limit` of the control",
             )
         )
     table = _table(fit, parts, solution, address)

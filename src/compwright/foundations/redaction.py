@@ -147,8 +147,8 @@ def not_the_same(file: str, found: str) -> InputError:
     """Return the error that the reader finds other numbers in a copy than in the original."""
     return InputError(
         Fault(
-            message="the file was not copied: without its texts a reader would find other "
-            "numbers in the copy",
+            message="the file was not copied: without the names, other numbers would be read in "
+            "the copy than in the file",
             file=file,
             expected="the same numbers in the copy",
             found=found,
@@ -184,7 +184,7 @@ def refuse_left_over(
                 "number of the file",
                 file=file,
                 place=_lines(lines),
-                expected="names that are neither",
+                expected="names that differ from keywords and numbers",
                 found=f"{len(left)} texts ({', '.join(kinds)})",
                 hint="remove the names by hand",
             )

@@ -275,7 +275,7 @@ def _value_column(table: CsvTable, faults: FaultList) -> str:
                 place=place,
                 expected="direction, angle_deg and a value",
                 found=found,
-                hint=f"name that column {column} in the header row",
+                hint=f"name the column with these values `{column}` in the header row",
             )
     values = [column for column in table.columns if column in CIRCULAR_VALUES]
     inches = in_inches(table.columns)

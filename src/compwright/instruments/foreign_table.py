@@ -68,7 +68,7 @@ def foreign_table(
     """
     if header_line > len(text):
         faults.add(
-            "has no such header row",
+            "is beyond the end of the file, so it cannot be the header row",
             place=f"line {header_line}",
             expected=f"header_line of at most {len(text)}",
             hint="correct `header_line` in the profile",

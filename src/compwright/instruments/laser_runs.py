@@ -330,7 +330,7 @@ def _directions(
     ):
         wrong = next(run for run in (*odd, *even) if runs.order(run) < 0)
         faults.add(
-            "the order of its rows contradicts its direction",
+            "the order of the rows contradicts the direction of the run",
             place=place(runs.rows[wrong].lines[0]),
             expected=(
                 "rows from the first target to the last in odd runs, and in all runs of a test"

@@ -163,7 +163,7 @@ def _blocks(
                 continue
             if current is None:
                 faults.add(
-                    "is below no title of means",
+                    "is not below the title of a block of means",
                     place=f"line {number}",
                     expected="rows directly below 'Position  Forward Directional Avg Error'",
                     found=shown(line),
@@ -236,7 +236,7 @@ def _both_ways(
         return {}, {}, False
     if out is None:
         faults.add(
-            "contains no means of the way out alone, so the directions cannot be separated",
+            "contains no means of the forward direction, so the directions cannot be separated",
             expected="a block 'Forward Directional Avg Error'",
             hint="export the file again with the block 'Forward Directional Avg Error'",
         )

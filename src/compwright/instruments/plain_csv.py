@@ -179,7 +179,7 @@ def _note_missing(table: CsvTable, faults: FaultList) -> None:
                     " traverses (+1, -1, ...)"
                 ),
                 found=f"columns {_listed(table.columns)}",
-                hint=f"name that column {column} in the header row",
+                hint=f"name the column with these values `{column}` in the header row",
             )
 
 
@@ -367,6 +367,6 @@ def _rows_of_new_targets(
             place=table.place(target)(row),
             expected="one row per target",
             found=f"{shown(table.of(target)[row])} also in line {table.lines[above]}",
-            hint="remove one of the two rows, or move the target of one of them",
+            hint="remove one of the two rows, or correct the target of one of them",
         )
     return rows

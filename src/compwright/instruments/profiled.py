@@ -149,10 +149,10 @@ def _refuse_contradictions(
     ):
         if stated and mine and stated != mine:
             faults.add(
-                f"the text above the table and the profile contradict each other: {what}",
+                f"the text above the table states another {what} than the profile",
                 expected=f"{mine} as in {profile.file}",
                 found=stated,
-                hint="correct the profile, or the text in the file",
+                hint=f"correct `{what}` in the profile, or the text in the file",
             )
 
 

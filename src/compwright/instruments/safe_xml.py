@@ -81,7 +81,7 @@ class _Builder:
 
     def document_type(self, *_: object) -> None:
         raise _Refused(
-            "declares a document type (DOCTYPE), in which entities could grow without end",
+            "the file declares a document type (DOCTYPE), in which entities could grow without end",
             "XML without DOCTYPE",
         )
 
@@ -89,7 +89,7 @@ class _Builder:
         self.count += 1
         if self.count > MOST_ELEMENTS or len(self.open) >= MOST_LEVELS:
             raise _Refused(
-                "has more elements than any measurement",
+                "the file has more elements than any measurement",
                 f"{MOST_ELEMENTS} elements, {MOST_LEVELS} levels at most",
             )
         element = Element(tag, attributes, self.parser.CurrentLineNumber)

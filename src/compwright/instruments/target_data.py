@@ -376,9 +376,9 @@ def _check_count(
         return
     if count != found:
         faults.add(
-            "disagrees with the entries",
+            f"is not {what}",
             place=f"line {line}, {key}",
-            expected=f"{found}, {what}",
+            expected=str(found),
             found=str(count),
             hint="export the whole test again",
         )

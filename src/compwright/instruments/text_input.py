@@ -70,7 +70,7 @@ def read_any_lines(content: bytes, file: str, encoding: str | None = None) -> tu
                 file=file,
                 expected="the encoding in which the file was written: utf-8, utf-16, cp1252, ..",
                 found=f"{name}{'' if known else ', which is not known'}",
-                hint="give the encoding in which the file was written",
+                hint="correct `encoding` in the profile, or save the file as UTF-8",
             )
         ) from error
     return _lines(text, file), name

@@ -85,7 +85,7 @@ def sheets_of(content: bytes, file: str) -> tuple[WorkbookSheet, ...]:
             Fault(
                 message="the file is an Excel workbook that cannot be opened",
                 file=file,
-                expected="it saved anew by a spreadsheet program, or the sheet as CSV UTF-8",
+                expected="a workbook as a spreadsheet program saves it, or the sheet as CSV UTF-8",
                 hint=(
                     "save the workbook again in a spreadsheet program, or save the "
                     "sheet as CSV UTF-8"

@@ -37,12 +37,10 @@ class Required(dict[str, _T]):
         """Raise InputError that names the entry which the definition lacks."""
         raise InputError(
             Fault(
-                message=f"the section {self._section} of the definition lacks the entry {name}, "
-                "which files of this shape need",
+                message=f"the definition lacks the entry {name} in its section {self._section}, "
+                "which its kind of files needs",
                 file=self._file,
                 place=f"{self._section}.{name}",
-                expected="an entry",
-                found="none",
                 hint=f"add `{name}` to the section `{self._section}` of the definition",
             )
         )
@@ -76,8 +74,9 @@ def resolve_options(
                 Fault(
                     message=f"{definition.id} has no option {name}",
                     place=name,
-                    expected=f"{near}?" if near else f"one of {', '.join(known)}",
-                    hint=f"leave this option out, or see `compwright formats show {definition.id}`",
+                    expected=near or f"one of {', '.join(known)}",
+                    hint=f"{f'write `{near}`, or ' if near else ''}leave this option out; see "
+                    f"`compwright formats show {definition.id}`",
                 )
             )
     values: dict[str, object] = {

@@ -85,21 +85,20 @@ class Activity:
                 Fault(
                     message=(
                         f"{label}: its table is not zero, and the control's files "
-                        f"{ends}. Was it "
-                        "active during the test?"
+                        f"{ends}. Was it active during the test?"
                     ),
                     file=place.occurrence.file if place is not None else "",
                     place=place.occurrence.place if place is not None else "",
                     expected=(
-                        "states: {as_found: {files: [...], active: yes}} or active: no (without "
-                        "a job: --option active=yes); the answer applies to all these tables; "
-                        "if some were on and others off, give the files with their switches as "
-                        "they were during the test"
+                        "states: {as_found: {files: [...], active: yes}} or active: no, one answer"
+                        " for all these tables; or files that contain their switches as they were"
+                        " during the test"
                     ),
                     found="no answer",
                     hint=(
                         "answer with `active: yes` or `active: no` in this entry of `states` in "
-                        "the job (without a job: `--option active=yes`)"
+                        "the job (without a job: `--option active=yes`); if some tables were on "
+                        "and others off, give the files with the switches"
                     ),
                 )
             )

@@ -50,11 +50,10 @@ def axis_names(
         if place in mine:
             faults.append(
                 Fault(
-                    message=f"the addresses {mine[place]} and {address} mean one and the same "
-                    f"axis of the control, {place}",
+                    message=f"the addresses {mine[place]} and {address} are the same axis of "
+                    f"the control, {place}",
                     place="address",
                     expected="each axis once",
-                    found=f"{mine[place]} and {address}",
                     hint="give each axis of the job an `address` of its own",
                 )
             )

@@ -69,7 +69,10 @@ def tables_with_axes(
             )
         elif address in pairs:
             faults.append(
-                Fault(message=f"axis {address} has two tables", hint="remove one of the two tables")
+                Fault(
+                    message=f"axis {address} has two tables",
+                    hint=f"give only one table for axis {address}",
+                )
             )
         else:
             pairs[address] = (address, by_address[address], compensation)

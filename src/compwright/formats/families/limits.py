@@ -99,7 +99,7 @@ def turn(capacity: Capacity, compensation: AxisCompensation, label: str) -> list
             Fault(
                 message=f"{label}: the table repeats, but the axis is not endless",
                 expected="an axis with `modulo`",
-                hint="remove the repetition, or set `modulo` of the axis in the job",
+                hint="give a table without `period`, or set `modulo` of the axis in the job",
             )
         ]
     span = (

@@ -32,7 +32,7 @@ def normal_text(definition: Definition, address: str) -> str:
         )
         raise UsageError(
             Fault(
-                message=f"the address of the axis has a form that {definition.id} does not have",
+                message=f"an axis of {definition.id} cannot have this address",
                 expected=expected,
                 found=repr(address)[:40],
                 hint=(

@@ -201,8 +201,8 @@ def _in_the_way(
             )
             yield Fault(
                 message=(
-                    "everything in this folder is loaded or passed on later, but this file is "
-                    "not one that the command writes"
+                    "this folder may contain only the files of this command, because all of them "
+                    "are loaded or passed on; this file is not one of them"
                 ),
                 file=str(path),
                 hint=hint,

@@ -244,8 +244,8 @@ def _proposed(content: bytes, file: str) -> tuple[Profile, bool]:
                 "columns is uncertain",
                 file=file,
                 expected="a mapping profile that states the columns",
-                found=", ".join(dict.fromkeys(one.partition(":")[0] for one in proposed.open))
-                + " open",
+                found="no certain "
+                + ", ".join(dict.fromkeys(one.partition(":")[0] for one in proposed.open)),
                 hint=f"describe its columns with {by_profile(file)}",
             )
         ) from error

@@ -270,7 +270,7 @@ def _unsaid(name: str, address: str, loaded: Sequence[Path]) -> Fault:
         ),
         file=", ".join(map(str, loaded)),
         expected="the data of each axis of the plan, as read back from the control",
-        hint=f"give `--loaded` the file with the data of {address} too",
+        hint=f"add the file with the data of {address} to `--loaded`",
     )
 
 

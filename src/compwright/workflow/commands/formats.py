@@ -88,7 +88,7 @@ def check_formats(session: Session, paths: Sequence[Path]) -> tuple[str, ...]:
                 message="this path contains no definition of a control",
                 file=", ".join(str(path) for path in paths),
                 expected="a file *.yaml",
-                hint="give the path of a definition (*.yaml), or no path for those that ship",
+                hint="give the path of a definition (*.yaml), or no path for those in compwright",
             )
         )
     return tuple(lines)

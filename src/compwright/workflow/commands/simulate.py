@@ -161,9 +161,7 @@ def _loaded(
         InputError,
         [
             Fault(
-                message=(
-                    f"the tables contain one for axis {address}, which this machine does not have"
-                ),
+                message=(f"there is a table for axis {address}, which this machine does not have"),
                 file=str(tables),
                 expected=", ".join(known),
                 hint="give tables for the axes of this machine",

@@ -249,7 +249,7 @@ def _first_test(job: Job, axis: str, spec: str, names: Mapping[str, str]) -> tup
     if not before:
         raise UsageError(
             Fault(
-                message=f"the job has no test of axis {axis} to compare it with",
+                message=f"the job has no test of axis {axis}, so this test cannot be compared",
                 place="--after",
                 expected=f"a test of {' or '.join(names.values()) or 'an axis with before'}",
                 found=spec,

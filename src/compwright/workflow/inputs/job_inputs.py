@@ -233,8 +233,8 @@ def _check_axis(axis: Axis, test: PositioningTest) -> None:
                 file=file,
                 place="key axis",
                 hint=(
-                    f"give it to axis {test.axis}, or rename axis {axis.name} of the job to "
-                    f"{test.axis} and keep its `address`, or correct `# axis:` in the file"
+                    f"list the file under axis {test.axis} of the job, or rename axis {axis.name} "
+                    f"to {test.axis} and keep its `address`, or correct `# axis:` in the file"
                 ),
             )
         )
@@ -277,7 +277,7 @@ def _other_neighbours(job: Job, states: Mapping[str, DecodedState]) -> list[Faul
                         expected="the same in all of them",
                         found="; ".join(f"{state}: {words}" for state, words in found.items()),
                         hint=(
-                            "give files that agree in it under `states`, or set `measured_in` "
+                            "give files that agree in this under `states`, or set `measured_in` "
                             "to the same entry of `states` for all tests"
                         ),
                     )
@@ -319,11 +319,11 @@ def _other_tables_between(job: Job, states: Mapping[str, DecodedState]) -> Itera
                     ),
                     file=job.file,
                     place=f"states.{state}",
-                    expected=f"{help_}, or a measurement in as_found",
+                    expected=f"a measurement in {AS_FOUND}, or {help_}",
                     found=f"{AS_FOUND}: {tables[0]}; {state}: {tables[1]}",
                     hint=(
                         f"measure the circle or the cross measurement again in {AS_FOUND}, or "
-                        f"{help_}"
+                        f"set {help_}"
                     ),
                 )
 
@@ -366,8 +366,8 @@ def _unsaid_units(
             if max(ratio, 1 / ratio) > MILLIMETRES_PER_INCH / _SAME_RANGE:
                 yield Fault(
                     message=(
-                        f"axis {axis.name}: the unit of the machine is not given, and its table "
-                        f"in the files of `states: {name}`, read in {control.options[rule.name]}, "
+                        f"axis {axis.name}: the unit of the machine is not given. In "
+                        f"{control.options[rule.name]}, the table in the files of `states: {name}` "
                         "does not fit the travel"
                     ),
                     file=job.file,
@@ -377,7 +377,7 @@ def _unsaid_units(
                         f"a table from {found.positions[0]:g} to {found.positions[-1]:g} mm, a"
                         f" travel from {axis.travel[0]:g} to {axis.travel[1]:g} mm"
                     ),
-                    hint=f"set `{rule.name}` in `controller.options`, or {whole_file}",
+                    hint=f"set `{rule.name}` in `controller.options`, or give {whole_file}",
                 )
 
 

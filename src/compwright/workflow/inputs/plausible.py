@@ -54,7 +54,7 @@ def _faults(job: Job, axis: str, index: int, planned: PlannedTest) -> Iterator[F
         yield Fault(
             message=(
                 f"the targets are in {unit}: read in mm they span {span}, read in {unit} "
-                "they fit it"
+                "they fit the travel"
             ),
             file=file,
             place="targets",

@@ -274,7 +274,7 @@ def _runs(session: Session, paths: Iterable[Path], folder: str, copies: _Copies)
     if sorted(map(sorted, senses)) != [["ccw"], ["cw"]]:
         raise InputError(
             Fault(
-                message="these are not one file for each direction, so a job cannot use them "
+                message="the files are not one for each direction, so a job cannot use them "
                 "as one circle",
                 file=", ".join(map(str, files)),
                 hint="report this line with the files",

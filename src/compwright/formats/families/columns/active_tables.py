@@ -163,7 +163,7 @@ def _named_axis(
     if len(fitting) != 1:
         faults.append(
             Fault(
-                message="the files do not show for which moving axis this table is active",
+                message="the files do not show to which moving axis this table belongs",
                 file=table.file,
                 place="line 1",
                 expected="the .CMA file too, or a table with the name of its axis",

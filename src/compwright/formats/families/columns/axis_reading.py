@@ -286,14 +286,14 @@ class ColumnAxisReader:
             self.notes.ask(
                 Fault(
                     message=(
-                        f"{self.label}: {name} is not zero, and {self._switch} is in no file. "
-                        f"{name} is active only if no table is selected"
+                        f"{self.label}: {name} is not zero, but is active only if no table is "
+                        f"selected, and the switch {self._switch} is in no file"
                     ),
                     file=slope.occurrence.file,
                     place=slope.occurrence.place,
                     expected=(
                         f"{self._switch} among the files, or states: {{as_found: {{files: [...],"
-                        " active: yes}} (the table was selected) or active: no"
+                        " active: yes}} or active: no"
                     ),
                     found=slope.text,
                     hint=(

@@ -116,7 +116,8 @@ def _impossible(
             expected="spacing_rule: free, or a table that is typed in by hand",
             found="spacing_rule: power_of_two",
             hint=(
-                "set `spacing_rule: free` in the options of this axis, or load the values by hand"
+                "set `spacing_rule: free` in the options of this axis, or type the values in by "
+                "hand"
             ),
         )
 
@@ -224,8 +225,8 @@ def _grid_faults(label: str, unit: str, steps: np.ndarray, capacity: Capacity) -
             expected="equally spaced points, in the existing table too",
             found=f"{np.min(steps):.10g} to {np.max(steps):.10g} {unit}",
             hint=(
-                "correct the rows so that they are equally spaced, measure again, then run "
-                "the job again"
+                "correct the rows of the table in the control so that they are equally spaced, "
+                "measure again, then run the job again"
             ),
         )
     elif capacity.spacings is not None and capacity.nodes is None:
@@ -248,8 +249,8 @@ def _turn_faults(label: str, compensation: AxisCompensation, capacity: Capacity)
         if nodes[0] < 0 or nodes[-1] > TURN:
             yield Fault(
                 message=(
-                    f"{label}: of a rotary axis the control uses only the entries from 0 to 360"
-                    " degrees"
+                    f"{label}: the control uses only the entries from 0 to 360 degrees of a rotary"
+                    " axis"
                 ),
                 expected="a travel within 0 to 360, or modulo: 360 in the job",
                 found=f"a table from {nodes[0]:g} to {nodes[-1]:g}",
@@ -262,11 +263,11 @@ def _turn_faults(label: str, compensation: AxisCompensation, capacity: Capacity)
     ):
         yield Fault(
             message=(
-                f"{label}: the table of an endless axis spans one turn and ends with the value with"
-                " which it begins"
+                f"{label}: the table of an endless axis must span one turn and have the same value"
+                " at both ends"
             ),
-            expected=f"{TURN:g} degrees, equal ends",
-            found=f"{nodes[-1] - nodes[0]:g} degrees, {ends[0][0]:g} and {ends[0][1]:g}",
+            expected=f"{TURN:g} degrees, equal end values",
+            found=f"{nodes[-1] - nodes[0]:g} degrees, end values {ends[0][0]:g} and {ends[0][1]:g}",
             hint="run the job again, so that the table is made for a whole turn",
         )
 

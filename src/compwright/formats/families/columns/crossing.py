@@ -87,7 +87,7 @@ class CrossFiller(Patches):
         if table.column(column) is None:
             raise NotHeld(f"{table.file} has no column {column}")
         if added.input_kind is not AxisKind.LINEAR:
-            raise NotHeld(f"{added.input} turns")
+            raise NotHeld(f"{added.input} is a rotary axis")
         if table.head["unit"].text.upper() != "MM":
             raise NotHeld(f"{table.file} is in inch")
         moving = [address for address, known in self.sources.tables.items() if known is table]
@@ -124,7 +124,9 @@ def _on_rows(added: CrossCompensation, rows: FloatArray, file: str) -> FloatArra
     Raises NotHeld.
     """
     if not np.array_equal(added.positive, added.negative):
-        raise NotHeld(f"a column of {file} serves both directions, the correction has one each")
+        raise NotHeld(
+            f"a column of {file} is for both directions, but the correction has two curves"
+        )
     if rows[0] > added.positions[0] + EXACTNESS or rows[-1] < added.positions[-1] - EXACTNESS:
         raise NotHeld(
             f"{file} reaches from {rows[0]:g} to {rows[-1]:g}, the correction from"
@@ -136,5 +138,5 @@ def _on_rows(added: CrossCompensation, rows: FloatArray, file: str) -> FloatArra
         return np.asarray(straight, dtype=float)
     apart = [float(np.min(np.abs(rows - position))) for position in added.positions]
     if max(apart) > EXACTNESS:
-        raise NotHeld(f"the rows of {file} are not where the correction bends")
+        raise NotHeld(f"{file} has no row at a position where the correction bends")
     return np.interp(rows, added.positions, added.positive)

@@ -160,7 +160,7 @@ class TableFiller:
         ):
             raise NotHeld(
                 f"{self.table.file} has {extra} rows too many, and there is no room behind 360"
-                " degrees; delete them"
+                " degrees; delete these rows"
             )
         held = np.concatenate([np.arange(nodes.size), np.full(extra, nodes.size - 1)])
         self._head(grid)
@@ -176,8 +176,8 @@ class TableFiller:
         if len(moving) > 1:
             raise NotHeld(
                 f"{self.table.file} is active for the motion of several axes "
-                f"({', '.join(moving)}): a"
-                " change for one changes all"
+                f"({', '.join(moving)}), and a"
+                " change for one of them changes all"
             )
         second = self.table.column(SECOND)
         if second is None and not np.array_equal(self.entry.positive, self.entry.negative):

@@ -134,12 +134,12 @@ def _number_faults(axes: Sequence[Axis], mentioned: Sequence[str]) -> Iterator[F
         other_letter = dict(enumerate(LETTERS, start=1)).get(axis.axis_number or 0, "U")
         if usual in free and axis.axis_number not in numbers[:index]:
             yield Fault(
-                message=f"the files use axis number {usual}, and the job gives it to no axis",
+                message=f"the files use axis number {usual}, which no axis of the job has",
                 place=place,
-                expected=f"{usual} (without other answers X is 1, Y 2, .. C 6)",
+                expected=f"{usual} for {letter} (default: X is 1, Y 2, .. C 6)",
                 found=found,
                 hint=f"remove `axis_number: {found}` if the control's list of axes shows "
-                f"{letter} as number {usual}; else add `address: {other_letter}` to "
+                f"{letter} as number {usual}; otherwise add `address: {other_letter}` to "
                 f"{axis.name}, with the letter that the control gives to number {found}",
             )
 

@@ -191,7 +191,7 @@ class _OwnTables(Patches):
         ]
         if others:
             name = name_of(self.control.definition, "enabled")
-            what = "would wake what sleeps" if awake else "would switch off what is active"
+            what = "would activate the values" if awake else "would switch off the active values"
             raise NotHeld(
                 f"the bit of {address} in {name} has to become {int(awake)}, which {what} in"
                 f" {', '.join(others)}; empty that column first, or set the bit and measure again"

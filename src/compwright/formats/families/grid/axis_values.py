@@ -68,7 +68,7 @@ def basic_system(gathered: Gathered, notes: Notes) -> str | None:
             "basic system",
             f"one place says inch, {by_word['mm'].where} says metric (MD10240, METRIC, INCH)",
             by_word["inch"],
-            expected="one basic system",
+            expected="inch or metric in all files",
             hint=KEEP_ONE,
         )
     lengths = gathered.singles.get((None, None), {}).get("inch_length", [])

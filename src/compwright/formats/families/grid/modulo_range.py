@@ -55,8 +55,8 @@ def in_modulo_range(
             Fault(
                 message=(
                     f"axis {name}: the table must have a point at {start:g} deg, where the "
-                    "control's modulo range begins (MD30340), but none lies there; one "
-                    f"lies at the reference position, {positions[0]:g} deg"
+                    "control's modulo range begins (MD30340), but its points are counted from "
+                    f"the reference position, {positions[0]:g} deg"
                 ),
                 expected=f"a `spacing` that divides {common:g} deg",
                 found=f"{step:g} deg",

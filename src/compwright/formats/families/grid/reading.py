@@ -223,17 +223,14 @@ class GridReader:
         names = ", ".join(others)
         self.notes.refuse(
             f"axis {address}",
-            f"the files speak of {names} too, with active values that may be meant for the"
-            " same axis: no list of names is among them (MD10000 $MN_AXCONF_MACHAX_NAME_TAB)",
+            f"the files contain active values of {names} too, which may be another name of the"
+            " same axis: the list of names (MD10000 $MN_AXCONF_MACHAX_NAME_TAB) is in no file",
             active[others[0]],
-            expected=(
-                "the machine data with MD10000 among the files, or address: "
-                f"{' or '.join(others)} in the job where that is the axis"
-            ),
+            expected="the machine data with MD10000 among the files",
             found=names,
             hint=(
                 "give the file with MD10000 with the control's other files; or set"
-                f" `address: {others[0]}` in the job, if that is the axis"
+                f" `address: {others[0]}` in the job, if {others[0]} is the axis"
             ),
         )
 
@@ -366,8 +363,8 @@ class GridReader:
                 expected=f"a table that names its axis, a file with the name {name}, or the "
                 "file that refers to the table",
                 hint=(
-                    f"give `address` of the axis, rename the file to {name}, or add the file "
-                    "that refers to it"
+                    f"set `address` of the axis in the job, rename the file to {name}, or add the "
+                    "file that refers to it"
                 ),
             )
         )

@@ -129,7 +129,7 @@ class SystemChoice:
                         "encoder: {system: 1} or {system: 2} (index 0 or 1 in the "
                         "files; without a job: --option encoder_system=1)"
                     ),
-                    found="nothing in the job, MD30200 and MD32700 that shows it",
+                    found="no answer in the job, MD30200 and MD32700",
                     hint=(
                         "set `encoder: {system: 1}` or `encoder: {system: 2}` for this axis "
                         "(without a job: `--option encoder_system=1`)"

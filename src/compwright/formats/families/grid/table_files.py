@@ -191,7 +191,7 @@ def offset_at_run_time(files: Sequence[ControlFile], axes: Collection[str]) -> I
                 continue
             line = file.content.count(b"\n", 0, match.start()) + 1
             yield Fault(
-                message="a HAL file adds an external offset to the position of an axis under work",
+                message="a HAL file adds an external offset to the position of an axis",
                 file=file.name,
                 place=f"line {line}",
                 expected="eoffset-enable of this axis at 0 in every test, and in the HAL file",

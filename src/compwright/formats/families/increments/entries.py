@@ -274,8 +274,8 @@ class _WholeNumbers:
         if covers(old, stage) and not covers(count, stage):
             raise NotHeld(
                 f"1848 = {stage} is the part of the backlash that comes out at once (smooth"
-                f" backlash); a new backlash of {count} instead of {old} does not hold it: set 1848"
-                " to 0 and measure again"
+                f" backlash); a new backlash of {count} instead of {old} does not contain it: set"
+                " 1848 to 0 and measure again"
             )
         low, high = self.definition.measure("backlash").range
         if not low <= count <= high:
@@ -326,13 +326,12 @@ class _WholeNumbers:
             )
         if two and self.axis.modulo is not None:
             raise NotHeld(
-                "two tables on an endless axis: nothing confirmed is known about how the control"
-                " closes them"
+                "two tables on an endless axis: it is not known how the control joins their ends"
             )
         if self.axis.modulo is not None and own[0] != own[-1]:
             raise NotHeld(
-                f"the table of an endless axis must close: it creeps by {own[-1] - own[0]:g}"
-                " detection units each turn"
+                f"the two ends of the table of an endless axis must be equal: they differ by"
+                f" {own[-1] - own[0]:g} detection units"
             )
         check_sets(self.facts, two=two)
         stated, home = self.axis_facts.reference_return, self.compensation.reference_return

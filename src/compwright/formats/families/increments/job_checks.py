@@ -95,17 +95,16 @@ def points_question(axis: Axis, answer: object) -> Iterator[Fault]:
         + (
             "a table whose points are counted from machine zero cannot be made"
             if wrong
-            else "the manuals do not state from which of the two the control counts its points"
+            else "the manuals do not state from which of the two positions the control counts its "
+            "points"
         ),
         place="points_from",
-        expected=(
-            "points_from: reference, or --option points_from=reference, once one test value next"
-            " to the reference position has moved the axis there"
-        ),
+        expected="points_from: reference, after a test with one value",
         found=str(answer) if wrong else "nothing",
         hint=(
-            "move the axis with one test value next to the reference position, then "
-            "answer `points_from: reference` in the options if it moved there"
+            "write one test value into the point next to the reference position; if the axis "
+            "moves by it there, set `points_from: reference` in the options (without a job: "
+            "`--option points_from=reference`)"
         ),
     )
 

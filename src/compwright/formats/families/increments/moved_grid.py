@@ -17,8 +17,8 @@ from compwright.records.axis import Axis
 #: Tolerance of a position at a node, in spacings: rounding of floating point.
 _ON_GRID = 1e-6
 _HELP = (
-    "leave out spacing, start and end of the table, so that the grid that is there stays, or take"
-    " it out and measure again"
+    "leave `spacing`, `start` and `end` out of `table`, so that the existing points stay, or"
+    " remove the function from the control and measure again"
 )
 
 
@@ -53,8 +53,8 @@ def check_sets(facts: IncrementFacts, *, two: bool) -> None:
         raise NotHeld(
             f"{each.label}, is active with {_sets(two=facts.two_sets)}; whether it is the same with"
             f" {_sets(two=two)} is not known: 3605#0 would change from"
-            f" {int(facts.two_sets)} to {int(two)}; table: {{mode: {mode}}} keeps it, or take the"
-            " function out and measure again"
+            f" {int(facts.two_sets)} to {int(two)}; table: {{mode: {mode}}} keeps it, or"
+            " remove the function from the control and measure again"
         )
 
 

@@ -311,8 +311,8 @@ class StateReader:
             if first.whole != multiplier.whole:
                 yield replace(
                     multiplier.fault(
-                        f"{own.label}: its 1820 differs, so that one detection_unit does not fit"
-                        " both",
+                        f"the 1820 of {own.label} differs, so one detection_unit does not fit both"
+                        " axes",
                         f"{first.label}, or the increment system (1013) among the files",
                     ),
                     hint=(

@@ -348,8 +348,8 @@ def increment_sheets(family: Family, own: Sequence[AxisTable]) -> tuple[ControlF
         raise UsageError(
             Fault(
                 message=(
-                    "the program cannot be written: it has no letter for the unit, and the "
-                    "intervals in mm are not whole numbers on an inch machine (1001#0)"
+                    "the program cannot be written for an inch machine (1001#0): it cannot state "
+                    "its unit, and the intervals in mm are not whole numbers in inch"
                 ),
                 place="program",
                 expected="no option `program`: load the files or type in the sheet",

@@ -60,7 +60,8 @@ def _own_limits(
             "control's list",
             expected=f"{low:g} to {high:g}",
             found=f"{max(values, key=abs):g}",
-            hint="reduce the value to this range",
+            hint="set the option `value_type` to the type of the values in the control, or correct "
+            "the axis mechanically and measure again",
         ),
     ]
 

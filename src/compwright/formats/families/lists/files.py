@@ -154,9 +154,7 @@ class _Sorter:
                 )
         for index, found in {**self.axes, **self.names}.items():
             if counts and index >= int(counts[0].text):
-                message = (
-                    f"an entry beyond {name} {counts[0].text}: whether it is loaded is not clear"
-                )
+                message = f"this entry is beyond {name} {counts[0].text}, so it may not be loaded"
                 expected = f"{name} {index + 1}, or no such entry"
                 self.notes.refuse(
                     "start-up list", message, found, expected=expected, hint=CORRECT_VALUE

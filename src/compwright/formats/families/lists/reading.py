@@ -201,7 +201,7 @@ class ListStateReader:
 
     def _missing(self, lists: ListsByAxis, address: str) -> None:
         place = lists.missing[address]
-        message = "the list that the start-up list names was not given"
+        message = "the list that the start-up list names in this line was not given"
         self.notes.refuse(
             f"axis {address}", message, place, expected="this file too", hint=ADD_FILE
         )

@@ -59,12 +59,12 @@ def write_cross(
     if not available(control.options):
         raise CapacityError(
             Fault(
-                message=f"{definition.id} has cross-axis tables (CEC) only if the control has "
-                "this option",
+                message=f"{definition.id} has cross-axis tables only if the control has the CEC "
+                "option",
                 place="option cec",
                 expected="cec: available",
                 hint=(
-                    "set `cec: available` in the options if the control has this option, or "
+                    "set `cec: available` in the options if the control has it, or "
                     "remove the cross entries from the job"
                 ),
             )

@@ -261,7 +261,7 @@ class TableLines(SingleValues):
             Fault(
                 message=(
                     f"{owner}: `active: yes` does not show which of two tables was active "
-                    f"during the test. This one is {off if word == 'no' else unsaid} "
+                    f"during the test. This table is {off if word == 'no' else unsaid} "
                     f"({_SWITCHES}); the leadscrew table is {leadscrew} (MD32700 "
                     "$MA_ENC_COMP_ENABLE)"
                 ),

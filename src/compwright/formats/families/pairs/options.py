@@ -21,9 +21,9 @@ from compwright.words.sentences import control_text
 
 #: The check that answers the option cec_sign, in words.
 _SIGN_CHECK = (
-    "Ten minutes show it: with a dial gauge on the axis, MD32710 and SD41300 on, write +0.1 into"
-    " every point of one table that is known to be free: an axis that moves by 0.1 in + has"
-    " cec_sign: correction, one that moves in - has cec_sign: error; write 0 again"
+    "check the sign in ten minutes: with a dial gauge on the axis, MD32710 and SD41300 on, write"
+    " +0.1 into every point of one table that is known to be free, then 0 again. The axis moves by"
+    " 0.1 in +: `cec_sign: correction`; it moves in -: `cec_sign: error`"
 )
 
 
@@ -52,15 +52,12 @@ def sign_question(why: str, moved: str = "the axis") -> Fault:
             f"{why}: a wrong answer doubles the error. Siemens' manual (Extended "
             f"Functions 03/2009, page 372) states that a positive value moves {moved} "
             "in -, which is cec_sign: error. The existing values may have been made "
-            f"the other way round. {_SIGN_CHECK}"
+            "the other way round"
         ),
         place="option cec_sign",
         expected="cec_sign: correction or cec_sign: error",
         found="not given",
-        hint=(
-            "check the sign so, then set `cec_sign: correction` or `cec_sign: error` "
-            "in the options (without a job: `--option cec_sign=error`)"
-        ),
+        hint=(f"{_SIGN_CHECK}. Set this in the options (without a job: `--option cec_sign=error`)"),
     )
 
 
@@ -138,15 +135,15 @@ def too_few(name: str, format_id: str, needed: int, found: int, allowed: tuple[i
             "already belong to this axis"
         ),
         place="option cec_tables",
-        expected=f"{needed} such indices",
+        expected=f"{needed} indices of such tables in `cec_tables`",
         found=(
-            f"{found} among {', '.join(map(str, allowed))}"
+            f"{found} in `cec_tables` ({', '.join(map(str, allowed))})"
             if allowed
             else "none: the option is not given"
         ),
         hint=(
-            f"look in the control for {needed} unused tables, the machine's builder"
-            " included, then give their indices as `cec_tables` in the options"
+            f"look in the control for {needed} unused tables, and ask the machine's builder; then"
+            " give their indices as `cec_tables` in the options"
         ),
     )
 

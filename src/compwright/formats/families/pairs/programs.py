@@ -366,14 +366,13 @@ def _question(found: Found) -> Fault:
         file=file,
         place=f"line {doubts[0].line}",
         expected=(
-            f"{files}{EXPORTED}; or, where every value of the program was carried out, states:"
-            " {as_found: {files: [...], active: yes}} (without a job: --option active=yes);"
-            " active: no where none was"
+            f"{files}{EXPORTED}; or states: {{as_found: {{files: [...], active: yes}}}} or active:"
+            " no"
         ),
         found=repr(doubts[0].text),
         hint=(
             "export the compensation data from the control and give that file, or answer "
             "`active: yes` (every value was executed) or `active: no` (none was) in this entry "
-            "of `states` in the job"
+            "of `states` in the job (without a job: `--option active=yes`)"
         ),
     )

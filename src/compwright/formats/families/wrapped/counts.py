@@ -97,11 +97,11 @@ def wrong_counts(counts: Counts, defined: float, place: CouplingStatement) -> It
             message=f"{COUNTS} contradicts the definition of the axis",
             file=place.file,
             place=f"line {place.line}",
-            expected=f"{defined:g} (or per mm of an axis in inches)",
+            expected=f"{defined:g} ({defined / MILLIMETRES_PER_INCH:g} if the axis is in inches)",
             found=f"{counts.per_unit:g} ({place.words} in the script)",
             hint=(
                 f"correct `{COUNTS}`: counts per mm or deg, negative where the motor counts against"
-                " the axis; leave this line out of the files where its unit is a different one"
+                " the axis; if this line of the script counts per another unit, leave it out"
             ),
         )
 

@@ -180,9 +180,8 @@ class WrappedStateReader:
                 file=word.file,
                 place=f"line {block.line}",
                 expected=(
-                    "the script as it was sent, without conditional blocks; or, where all of it was"
-                    " sent, states: {as_found: {files: [...], active: yes}} (without a job:"
-                    " --option active=yes)"
+                    "the script as it was sent, without conditional blocks; or states: {as_found:"
+                    " {files: [...], active: yes}}"
                 ),
                 found=repr(block.text[:60]),
                 hint=(
@@ -210,13 +209,12 @@ class WrappedStateReader:
             ),
             file=", ".join(file.name for file in self.files),
             expected=(
-                f"a table of #{address}, or I{address}86 as it is (I{address}86=0 alone: it has"
-                " neither), or `none` instead of files"
+                f"a table of #{address}, or its backlash I{address}86, or `none` instead of files"
             ),
             found=f"motors {', '.join(named)}" if named else "no motor at all",
             hint=(
-                "correct the `address` of the axis, or add the file with its table; add "
-                f"the line `I{address}86=0` if it has none"
+                "correct the `address` of the axis, or add the file with its table; if it has "
+                f"neither table nor backlash, add the line `I{address}86=0`"
             ),
         )
 
@@ -349,7 +347,7 @@ class WrappedStateReader:
                 "of the table's length",
                 expected=f"{turn:g} or a part of it",
                 found=f"a table that repeats after {period:.10g}",
-                hint="correct this in the control and save its script again",
+                hint="correct the length of the table in the control and save its script again",
             )
         )
 

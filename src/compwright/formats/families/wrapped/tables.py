@@ -205,7 +205,7 @@ def _beyond_shape(compensation: AxisCompensation, label: str) -> list[Fault]:
     return [
         Fault(
             message=f"{message} its points",
-            expected="one table",
+            expected="such tables only",
             hint="make the plan again with `compwright run`: one table for each direction, "
             "without a line or a backlash value",
         )

@@ -313,8 +313,8 @@ def _read_otherwise(before: Script, after: Script, tables: Sequence[MotorTable])
                 Fault(
                     message=f"motor {motor}: the new table cannot be put into this script",
                     hint=(
-                        "give the script with this table among the control's files (`states` or"
-                        " `--state`)"
+                        "give the script with the existing table of this motor among the control's"
+                        " files (`states` or `--state`)"
                     ),
                 )
             )
