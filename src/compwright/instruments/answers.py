@@ -1,4 +1,4 @@
-"""The user's answers about a file of a known form, for facts that the file does not state."""
+"""Facts that a measurement file does not state and the user gives: the unit and the sign."""
 
 from __future__ import annotations
 
@@ -10,9 +10,7 @@ Sign = Literal["measured minus target", "target minus measured"]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Answers:
-    """The user's answers, None where not given. ``unit`` of the deviations (a key of
-    `foreign_units`) and their ``sign``.
-    """
+    """Unit and sign of a file's deviations as the user states them; None if not stated."""
 
     unit: str | None = None
     sign: Sign | None = None

@@ -22,7 +22,7 @@ _MOST_ONE_SIDED = 0.25
 
 @dataclass(frozen=True, slots=True)
 class ReadingGrid:
-    """The readings of a test as arrays.
+    """The readings of a positioning test as one array per direction: targets by runs.
 
     ``targets`` (m,) ascending; per direction ``deviations`` (m, n), NaN for none, and ``runs``
     (n,).
@@ -44,7 +44,7 @@ def as_text(position: float) -> str:
 
 
 def grid_of(readings: Readings, kind: AxisKind, faults: FaultList) -> ReadingGrid:
-    """Return the readings as arrays. The readings may come in any order.
+    """Return the readings, which may come in any order, as arrays of targets by runs.
 
     Raises InputError (with the faults noted before) when there are no readings or too many, a
     reading is given twice, or a bidirectional test does not have the same targets in both
@@ -129,8 +129,7 @@ def _first_of(readings: Readings, direction: Direction) -> dict[float, int]:
 def _check_both_directions(
     readings: Readings, kind: AxisKind, faults: FaultList
 ) -> dict[float, str]:
-    """Return as text the targets that only one direction of a bidirectional test has, if they are
-    few.
+    """Return as text the few targets of a bidirectional test that lack one direction.
 
     If they are many, each is a fault; so is one near a different target of the opposite direction.
     """

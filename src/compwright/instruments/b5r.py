@@ -1,5 +1,4 @@
-"""The ballbar file ``.b5r`` of Renishaw (Ballbar 5 and Ballbar 20; QC10, QC20-W): XML, one test
-with its runs and printed results.
+"""Reader of Renishaw ballbar files ``.b5r`` (QC10, QC20-W): XML with the runs of a test.
 
 Reading rules from six published files, whose own results are reproduced to 0.1 µm: samples
 START_INDEX to END_INDEX inclusive, at half steps of the arc; length = NOMINAL_LENGTH + reading,
@@ -56,7 +55,7 @@ _FEED_SHARE: Final = 0.05
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Spec:
-    """The plan of the test: mm, mm/min, deg. NaN after a fault."""
+    """The planned radius (mm), feed (mm/min), arc (deg) and plane of a test; NaN if invalid."""
 
     length: float
     feed: float
@@ -69,9 +68,7 @@ class _Spec:
 
 @dataclass(frozen=True, slots=True)
 class _FeedRun:
-    """A run with its true feed (mm/min), None where the sample rate is missing. ``stray``: number
-    of irregular samples.
-    """
+    """A circular run with its feed (mm/min) by the sample rate; None without a sample rate."""
 
     run: CircularRun
     feed: float | None
@@ -79,8 +76,7 @@ class _FeedRun:
 
 
 def read_b5r(content: bytes, file: str, name: str) -> CircularTest:
-    """Return the circular test in a ``.b5r`` file, without its source; raises InputError with every
-    fault at once.
+    """Return the circular test in a ``.b5r`` file. Raises InputError with every fault at once.
 
     Faults have the line of the element and its path as place: XML that is broken or declares a
     document type, another instrument's file, a file without readings, a missing or invalid number,
@@ -197,9 +193,7 @@ def _spec(bar: Element, faults: FaultList) -> _Spec:
 
 
 def _plane(bar: Element, faults: FaultList) -> tuple[str, tuple[str, str]]:
-    """Return the plane and its axes: A, B as the file names them (in ZX A is Z), else the letters
-    of the plane.
-    """
+    """Return the plane, such as ``XY``, and its axis names: as in the file, else X and Y."""
     element = bar.first("PLANE")
     plane = element.attributes.get("TEST_PLANE", "").upper() if element else ""
     letters = axes_of_plane(plane)
@@ -313,7 +307,7 @@ def _readings(element: Element, faults: FaultList) -> FloatArray | None:
 def _indices(
     element: Element, readings: FloatArray | None, faults: FaultList
 ) -> tuple[int, int] | None:
-    """Return the first and last sample of the arc. None after a fault."""
+    """Return the indices of the first and last sample of the arc, or None if they are invalid."""
     found: list[int] = []
     for tag in ("START_INDEX", "END_INDEX"):
         text, place = text_of(element, faults, tag)
@@ -384,7 +378,7 @@ def _findings(
 
 
 def _elsewhere(root: Element, elements: Sequence[Element]) -> list[Finding]:
-    """Return the finding about runs at places in the file that are not read."""
+    """Return the finding about runs in parts of the file that compwright does not read."""
     read = {element.line for element in elements}
     lines = [
         (run.line, run.tag)

@@ -26,7 +26,7 @@ def text_of(parent: Element, faults: FaultList, *path: str) -> tuple[str, str]:
 
 
 def finite(text: str) -> float | None:
-    """Return a finite number of plausible size. None for anything else."""
+    """Return the number in a text if it is finite and of plausible size, else None."""
     value = float(text) if _NUMBER.fullmatch(text) else math.nan
     return value if abs(value) <= LARGEST else None
 
@@ -34,9 +34,7 @@ def finite(text: str) -> float | None:
 def number_of(
     parent: Element, tag: str, faults: FaultList, *, above: float = -LARGEST, most: float = LARGEST
 ) -> float:
-    """Return a number with above < number <= most. If there is none, note a fault and return
-    NaN.
-    """
+    """Return an element's number between ``above`` and ``most``; else note a fault, return NaN."""
     text, place = text_of(parent, faults, tag)
     if not text:
         return math.nan

@@ -57,7 +57,7 @@ class Sweep:
 
     @property
     def name(self) -> str:
-        """The name of the run in messages."""
+        """The name of the run in messages, such as ``ccw run 1``."""
         return f"{self.sense} run {self.number}"
 
 
@@ -136,8 +136,7 @@ def run_of(sweep: Sweep, deviations: FloatArray, start: float) -> CircularRun:
 
 
 def common_arc(sweeps: Sequence[Sweep], faults: FaultList) -> tuple[float, float]:
-    """Return (smallest angle, extent) of the common arc, deg. A run with a different arc gives a
-    fault.
+    """Return start and extent (deg) of the common arc of all runs. Different arcs are a fault.
 
     Runs may differ by one sample at either end.
     """

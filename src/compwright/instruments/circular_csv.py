@@ -1,4 +1,4 @@
-"""The plain CSV form of a circular test (contract, "Plain CSV").
+"""The plain CSV form of a circular test: a row per sample with direction, run, angle and radius.
 
 Columns ``direction`` (``ccw``, ``cw``), optional ``run``, ``angle_deg`` and one of ``radius_mm``,
 ``deviation_um``; rows in any order. Comment keys ``plane`` (first and second axis),
@@ -68,9 +68,7 @@ _RADII: Final = {
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Samples:
-    """The samples of one run in the order of the file: commanded angles (n,) deg, values (n,) as
-    written, and lines.
-    """
+    """The samples of one run in file order: angles (n,) deg, values (n,) and line numbers."""
 
     angles: FloatArray
     values: FloatArray
@@ -79,7 +77,7 @@ class _Samples:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Keys:
-    """The values in the comment lines, in mm and mm/min. NaN after a fault."""
+    """Axes, radius (mm), feed (mm/min) and centre (mm) in the comment lines; NaN if invalid."""
 
     axes: tuple[str, str]
     radius: float
@@ -89,9 +87,7 @@ class _Keys:
 
 
 def read_circular_csv(content: bytes, file: str, name: str) -> CircularTest:
-    """Return the circular test in a plain CSV file, without its source; raises InputError with
-    every fault at once.
-    """
+    """Return the circular test in a plain CSV file. Raises InputError with every fault at once."""
     faults = FaultList(file)
     text, code_page = read_plain_lines(content, file)
     comment_lines, lines = split_lines(text)
@@ -263,9 +259,7 @@ def centre_of(text: str) -> tuple[float, ...] | None:
 
 
 def _value_column(table: CsvTable, faults: FaultList) -> str:
-    """Return the column with the samples. Raises InputError when a column is missing, because every
-    row would repeat the fault.
-    """
+    """Return the name of the column with the measured values. Raises InputError without one."""
     place = f"line {table.line}"
     found = f"columns {', '.join(table.columns[:8])}"
     for column in ("direction", "angle_deg"):
@@ -311,7 +305,7 @@ def _value_column(table: CsvTable, faults: FaultList) -> str:
 def _samples(
     table: CsvTable, value: str, marks: DecimalMarks, faults: FaultList
 ) -> dict[tuple[Sense, int], _Samples]:
-    """Return the rows by direction and run."""
+    """Return the samples of each run, by direction (ccw, cw) and run number."""
     _check_size(table, faults)
     senses = table.which("direction", _SENSES, str.lower, faults)
     numbered = "run" in table.columns
@@ -393,7 +387,7 @@ def _assembled(
     keys: _Keys,
     faults: FaultList,
 ) -> tuple[list[Sweep], list[CircularRun], tuple[float, float]]:
-    """Return the sorted samples, the runs and the arc. Raises InputError after the last check."""
+    """Return the samples sorted by angle, the runs, and their common arc. Raises InputError."""
     sweeps: list[Sweep] = []
     deviations: list[FloatArray] = []
     for (sense, number), ours in sorted(samples.items(), key=lambda item: item[0]):

@@ -29,8 +29,7 @@ _ENOUGH: Final = 2  # partners that make a file doubtful; more need not be sough
 
 
 def paired(tests: Sequence[CircularTest]) -> tuple[CircularTest, ...]:
-    """Return the tests in their order. Files with one direction are joined to a test of both, if
-    the pair is certain.
+    """Return the tests in their order, with certain pairs of a ccw file and a cw file joined.
 
     A file of only ccw and one of only cw fit when plane, axes, radius, feed, arc, and (if both
     state them) centre and machine are the same (`merge_circular`). First those of one folder are
@@ -83,7 +82,7 @@ def _partners(tests: Mapping[int, CircularTest], *, by_name: bool) -> dict[int, 
 
 
 def _only(test: CircularTest) -> Sense | None:
-    """Return the only direction of the test. None if it has both."""
+    """Return the direction of a test with only one direction (ccw or cw), else None."""
     senses = {run.sense for run in test.runs}
     return senses.pop() if len(senses) == 1 else None
 
@@ -130,7 +129,7 @@ def _file_of(test: CircularTest) -> str:
 
 
 def _doubtful(test: CircularTest, others: Sequence[CircularTest]) -> CircularTest:
-    """Return the test with a finding that several files may be its second direction."""
+    """Return the test with a finding: several files may contain its runs in the other direction."""
     return replace(
         test,
         findings=(*test.findings, Finding.of("CW-R039", "warning", files=map(_file_of, others))),

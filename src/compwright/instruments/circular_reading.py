@@ -43,8 +43,7 @@ _SAME_CENTRE: Final = 0.01  # mm
 
 @dataclass(frozen=True, slots=True)
 class CircularForm:
-    """A file form of circular tests. ``read``: its reader; ``grammar``: the meaning of each part of
-    its text.
+    """A file form of circular tests. ``grammar``: what each part of its text means.
 
     ``read`` takes content, name of the file and name of the test; by the grammar `redact` keeps and
     replaces.
@@ -61,13 +60,13 @@ CIRCULAR_FORMS: Final = (BALLBAR, PLAIN_CIRCLE)
 
 
 def circular_form(content: bytes) -> CircularForm:
-    """Return the form of a circular test, recognised by the first character of the file."""
+    """Return the form of a circular test: ballbar XML if it begins with ``<``, else plain CSV."""
     start = content[:64].lstrip(codecs.BOM_UTF8 + codecs.BOM_UTF16_LE + b" \t\r\n\x00")
     return BALLBAR if start.startswith(b"<") else PLAIN_CIRCLE
 
 
 def is_circular(content: bytes, file: str) -> bool:
-    """Return whether ``content`` is a circular test or XML, by its first lines.
+    """Return whether the first lines of a file are those of XML or of a plain CSV circular test.
 
     XML is a ballbar's file, or is refused later. The file name decides only if the content is
     neither: an empty or broken ``.b5r`` is still a ballbar's file.
@@ -223,7 +222,7 @@ def _joined_header(tests: Sequence[CircularTest]) -> dict[str, str]:
 
 
 def _joined_vendor(tests: Sequence[CircularTest]) -> Mapping[str, object]:
-    """Return the vendor's printed results: those of the only file that has any, else by file."""
+    """Return the results printed by the vendor's software, by file name if in several files."""
     printed = {_file_of(test): test.vendor for test in tests if test.vendor}
     return next(iter(printed.values())) if len(printed) == 1 else printed
 

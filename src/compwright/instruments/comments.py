@@ -56,20 +56,18 @@ _SIGNS = {"measured minus target": 1.0, "target minus measured": -1.0}
 
 @dataclass(frozen=True, slots=True)
 class Comments:
-    """The contents of the comment lines. ``header``: text by key; ``places``: the line of each
-    decisive key.
-    """
+    """The keys and texts in the comment lines. ``places``: lines of keys that affect the result."""
 
     header: dict[str, str] = field(default_factory=dict)
     places: dict[str, str] = field(default_factory=dict)
 
     def get(self, key: str) -> str:
-        """Return the value of a key. Empty where the file does not have it."""
+        """Return the value of a key, or an empty text if the file does not have the key."""
         return self.header.get(key, "")
 
 
 def comment_text(line: str) -> str | None:
-    """Return the text of a comment line. None for any other line.
+    """Return the text of a comment line, or None for any other line.
 
     A spreadsheet that saves a comment as one cell of a row adds quotes and trailing delimiters;
     both are removed. A line ``sep=;``, which sets the delimiter for a spreadsheet, is a comment
@@ -108,7 +106,7 @@ def read_comments(
     any_key: bool = True,
     decisive: frozenset[str] = DECISIVE_KEYS,
 ) -> Comments:
-    """Return the contents of comment lines. ``decisive``: the keys on which the form depends.
+    """Return the keys and texts of comment lines. ``decisive``: the keys that affect the result.
 
     Number of the line, text without ``#``.
 
@@ -151,9 +149,7 @@ def _take_decisive(comments: Comments, key: str, value: str, place: str, faults:
 
 
 def cycle_of(comments: Comments, faults: FaultList) -> Cycle | None:
-    """Return the test cycle stated in the file (ISO 230-2, standard or step cycle). None where it
-    is not stated.
-    """
+    """Return the test cycle of ISO 230-2 that the file states (standard or step cycle), or None."""
     value = comments.get("cycle").lower()
     if value == "standard":
         return "standard"
@@ -171,9 +167,7 @@ def cycle_of(comments: Comments, faults: FaultList) -> Cycle | None:
 
 
 def sign_of(comments: Comments, faults: FaultList) -> float | None:
-    """Return the sign factor from the stated deviations to measured minus target. None where it is
-    not stated.
-    """
+    """Return the factor (1, -1) from stated deviations to measured minus target, else None."""
     value = " ".join(comments.get("deviation").lower().split())
     if value and value not in _SIGNS:
         faults.add(

@@ -1,5 +1,4 @@
-"""The text form ``.ren`` of laser software for error compensation: keys without a colon, then a
-list or table of values.
+"""Reader of ``.ren`` files, in which laser software exports an error compensation table as text.
 
 ``Sign convention`` states whether the values are errors (measured minus target) or corrections; it
 is an option of that software and is never assumed. Values and positions in mm. Source: two readers
@@ -73,16 +72,14 @@ class _Text:
 
 
 def is_compensation_text(text: Sequence[str]) -> bool:
-    """Return whether the lines of a file have this form."""
+    """Return whether the lines of a file are a ``.ren`` error compensation table."""
     keys = (_KEY.fullmatch(line) for line in text if "compensation" in line.lower())
     found = {match["key"].lower() for match in keys if match is not None}
     return len(found & {"compensation start", "compensation end", "compensation spacing"}) >= 2
 
 
 def spans_of(text: Sequence[str]) -> Iterator[Spans]:
-    """Yield the meaning of the parts of each line: rows below ``Compensation output`` or a header
-    row.
-    """
+    """Yield the meaning of the parts of each line: key and value, row of the table, or remark."""
     rows = False
     for line in text:
         match = _KEY.fullmatch(line)
@@ -101,7 +98,7 @@ def spans_of(text: Sequence[str]) -> Iterator[Spans]:
 
 
 def read_compensation_text(text: Sequence[str], faults: FaultList, answers: Answers) -> Parsed:
-    """Return the table as one run per direction, as measured minus target.
+    """Return the table of a ``.ren`` file as deviations, with one run per direction.
 
     Every fault is added to ``faults``.
 
@@ -181,15 +178,13 @@ def _text(text: Sequence[str]) -> _Text:
 
 
 def _header(line: str) -> tuple[str, ...]:
-    """Return the columns of a table's header row. Empty for any other line."""
+    """Return the column names if the line is the table's header row, else nothing."""
     names = [_COLUMNS.get(cell.lower(), "") for cell in re.split(r"\s{2,}|\t|;", line) if cell]
     return tuple(names) if "axis position" in names and "" not in names else ()
 
 
 def _sign(found: _Text, answers: Answers, faults: FaultList) -> float:
-    """Return the sign factor to measured minus target, from the file, else from the user's
-    answers.
-    """
+    """Return 1 or -1, the factor from the table's values to measured minus target."""
     written = found.get("sign convention").lower()
     if written in _SIGNS:
         return _SIGNS[written]
@@ -235,7 +230,7 @@ def _length(
 
 
 def _grid(found: _Text, marks: DecimalMarks, faults: FaultList) -> list[float]:
-    """Return the positions from start, end and spacing."""
+    """Return the positions of the table's points (mm), from the stated start, end and spacing."""
     start, end, spacing = (
         _length(found, f"compensation {what}", marks, faults)
         for what in ("start", "end", "spacing")
@@ -258,7 +253,7 @@ def _grid(found: _Text, marks: DecimalMarks, faults: FaultList) -> list[float]:
 def _columns(
     found: _Text, grid: Sequence[float], marks: DecimalMarks, faults: FaultList
 ) -> dict[str, list[tuple[float, float, int]]]:
-    """Return position, value and line of each row, by column."""
+    """Return the rows of each column (combined, forward, reverse): position, value and line."""
     names = found.columns or ("combined",)
     columns: dict[str, list[tuple[float, float, int]]] = {
         name: [] for name in names if name in {"combined", "forward", "reverse"}
@@ -309,9 +304,7 @@ def _unit(
     answers: Answers,
     faults: FaultList,
 ) -> float:
-    """Return the factor from the values to mm. It is 1 unless the values are counts of the
-    resolution.
-    """
+    """Return the factor from the table's values to mm. Values may be counts of a resolution."""
     if answers.unit is not None:
         if answers.unit not in LENGTHS:
             faults.add(

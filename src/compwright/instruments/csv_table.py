@@ -1,4 +1,4 @@
-"""Rows below a header row, for any delimiter: comma, semicolon or tab, quoted or not."""
+"""Read the rows below a header row, separated by comma, semicolon or tab, quoted or not."""
 
 from __future__ import annotations
 
@@ -70,8 +70,7 @@ INCHES = (
 
 @dataclass(frozen=True, slots=True)
 class CsvTable:
-    """A table with its columns. ``columns``: names as `column_name` makes them; ``line``: the line
-    of the header row.
+    """The cells of a CSV table by column, with the line numbers of its rows and of its header.
 
     The rows are stored by column, because there may be a million: ``lines`` of the file, and for
     each name the ``cells``, stripped.
@@ -88,14 +87,13 @@ class CsvTable:
         return self.cells[self.columns.index(column)]
 
     def place(self, column: str) -> Callable[[int], str]:
-        """Return a function from the index of a row to the place of its cell in a column."""
+        """Return a function that gives line and column of a row's cell as text."""
         return lambda index: f"line {self.lines[index]}, column {column}"
 
     def which(
         self, column: str, words: tuple[str, str], spelt: Callable[[str], str], faults: FaultList
     ) -> IntArray:
-        """Return for each row the index (0 or 1) in ``words`` of its cell. -1 after a fault if it
-        is neither.
+        """Return for each row which of two ``words`` its cell contains: 0 or 1, -1 for neither.
 
         In the form of ``spelt``.
         """
@@ -128,8 +126,7 @@ def plain_signs(text: str) -> str:
 
 
 def traverse_of(column: str) -> tuple[str, int] | None:
-    """Return direction and run of a column such as ``+1``, ``- 2``, ``3+`` or ``run 3 +``. None for
-    any other column.
+    """Return direction and run of a column named like ``+1``, ``- 2`` or ``run 3 +``, or None.
 
     One sign or one arrow gives the direction; words for a direction may repeat it, but ``up 3`` is
     not a traverse, and ``+3 down`` contradicts itself.
@@ -167,7 +164,7 @@ def like_traverse(column: str) -> bool:
 
 
 def in_inches(names: Iterable[str]) -> str:
-    """Return the first column or unit in inches. Empty when there is none."""
+    """Return the first name of a column or unit in inches, or "" if there is none."""
     return next((name for name in names if _INCH.fullmatch(name)), "")
 
 
@@ -189,8 +186,7 @@ def split_lines(lines: Sequence[str]) -> tuple[list[tuple[int, str]], list[tuple
 def rows_as_comments(
     lines: Sequence[str], header_line: int, cells_of: Callable[[str], list[str] | None], width: int
 ) -> list[tuple[int, str]]:
-    """Return comment lines below the header row that look like data rows, as spreadsheets or users
-    make them.
+    """Return number and text of comment lines below the header row that look like data rows.
 
     Rows that were commented out, and rows whose target a spreadsheet shows as ``#####`` or
     ``#REF!``.
@@ -205,9 +201,7 @@ def rows_as_comments(
 
 
 def first_row(lines: Sequence[str]) -> tuple[int, str] | None:
-    """Return the first line that is neither blank nor a comment, with its number. None where there
-    is none.
-    """
+    """Return the number and text of the first line that is neither blank nor a comment, or None."""
     return next(
         (
             (number, line)
@@ -234,8 +228,7 @@ def header_names(header: str) -> tuple[str, list[str], int]:
 
 
 def read_table(lines: Sequence[tuple[int, str]], faults: FaultList) -> CsvTable:
-    """Return header row and rows. ``lines`` are the lines of the file that are neither blank nor
-    comments, the header first.
+    """Return the table in the lines of a file, given without comments and blank lines.
 
     Notes rows with fewer or more cells than the header, a quote that is not closed, values below a
     column without a name and a column name given twice. Raises InputError when the header row
@@ -342,9 +335,7 @@ def is_number(text: str) -> bool:
 
 
 def _without_unnamed(table: CsvTable, faults: FaultList) -> CsvTable:
-    """Remove columns without a name, which spreadsheets add at the end. A value in one of them is a
-    fault.
-    """
+    """Remove nameless columns, which spreadsheets add at the end. A value in one is a fault."""
     for index, name in enumerate(table.columns):
         if not name and any(table.cells[index]):
             for line, cell in zip(table.lines, table.cells[index], strict=True):
@@ -365,9 +356,7 @@ def _without_unnamed(table: CsvTable, faults: FaultList) -> CsvTable:
 
 
 def row_cells(line: str, delimiter: str) -> list[str] | None:
-    """Return the stripped cells of one line. None for an unclosed quote or a cell of absurd
-    length.
-    """
+    """Return the stripped cells of a line, or None for an unclosed quote or a huge cell."""
     if '"' not in line and len(line) < csv.field_size_limit():
         return [cell.strip() for cell in line.split(delimiter)] if line else []
     if line.count('"') % 2:

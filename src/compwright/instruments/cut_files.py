@@ -53,8 +53,7 @@ def _unfinished(readings: Readings, kind: AxisKind) -> Sentence | None:
 
 
 def _lacking(groups: IntArray, others: IntArray) -> tuple[int, int] | None:
-    """Return how many readings are missing, if only the group of the last reading is incomplete at
-    its end.
+    """Return how many readings the last traverse (or target) lacks, if it alone is incomplete.
 
     ``groups``, ``others`` (n,): traverse and target of each reading, or the reverse, or run and
     approach to a target, from 0. Groups go through the others in one order, or back and forth. A

@@ -1,5 +1,4 @@
-"""The two plain CSV forms with two columns and one row per reading: drift tests and lost
-motion.
+"""Readers of two plain CSV forms with two columns: drift tests and lost motion of small moves.
 
 In any order. Comment keys are kept as for other tests, and other columns are ignored.
 
@@ -42,13 +41,13 @@ def is_drift(text: Sequence[str]) -> bool:
 
 
 def is_lost_motion(text: Sequence[str]) -> bool:
-    """Return whether the lines of a file are a table of lost motion."""
+    """Return whether the lines of a file are a table of lost motion over distance or speed."""
     lines = (line.lower().lstrip('"') for line in text)
     return any(LOST_MOTION in line and line.startswith((DISTANCE, SPEED)) for line in lines)
 
 
 def is_two_columns(text: Sequence[str]) -> bool:
-    """Return whether the lines of a file have one of the two forms."""
+    """Return whether the lines of a file are a drift test or a table of lost motion."""
     return is_drift(text) or is_lost_motion(text)
 
 
@@ -132,7 +131,7 @@ def _columns(
 def _pairs(
     table: CsvTable, columns: tuple[str, str], what: str, faults: FaultList
 ) -> list[tuple[float, float]]:
-    """Return the rows of two columns. ``what``: the message for a table without one of them."""
+    """Return the pairs of numbers in two columns. ``what``: the fault when a column is missing."""
     if any(name not in table.columns for name in columns):
         faults.add(
             what,

@@ -18,7 +18,7 @@ _LINE = re.compile(r"line ([0-9]{1,9})")
 
 
 class FaultList:
-    """The faults found in ``file``. Faults with the same message are of one kind."""
+    """The faults found in ``file``, grouped by message."""
 
     def __init__(self, file: str) -> None:
         self.file = file
@@ -38,7 +38,7 @@ class FaultList:
         found: str = "",
         hint: str = "",
     ) -> None:
-        """Note one fault. Of each kind the first `SHOWN_PER_KIND` are kept with their places.
+        """Add a fault. Of faults with one message the first `SHOWN_PER_KIND` keep their places.
 
         Without a ``hint`` the next step is to correct the place.
         """
@@ -57,7 +57,7 @@ class FaultList:
             )
 
     def raise_if_any(self) -> None:
-        """Raise InputError with the faults in the order of lines. Do nothing without faults."""
+        """Raise InputError with the faults in the order of their lines, if there are any."""
         if not self._shown:
             return
         more = [
@@ -73,13 +73,13 @@ class FaultList:
 
 
 def _line(fault: Fault) -> float:
-    """The line of a fault. Faults without a line come last."""
+    """The line number of a fault, for sorting. Faults without a line come last."""
     match = _LINE.match(fault.place)
     return int(match[1]) if match else float("inf")
 
 
 def by_profile(file: str) -> str:
-    """Return the commands that read a table of another program with a profile."""
+    """Return the commands that make a mapping profile for a file and read the file by it."""
     return f"`compwright profile {shlex.quote(file)} --out P.yaml`, then `--profile P.yaml`"
 
 

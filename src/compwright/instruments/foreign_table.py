@@ -20,7 +20,7 @@ DELIMITERS: Final = {"semicolon": ";", "tab": "\t", "comma": ",", "bar": "|", "b
 
 @dataclass(frozen=True, slots=True)
 class ForeignTable:
-    """``columns``: a name for each; ``before``: the non-blank lines above the header row.
+    """A table of another program: columns, cells, line numbers, and the lines above its header.
 
     The rows are stored by column: ``lines`` of the file, and the ``cells`` of each column.
     """
@@ -36,7 +36,7 @@ class ForeignTable:
 
 
 def cells_of(line: str, delimiter: str) -> list[str] | None:
-    """Return the stripped cells of one line. None for an unclosed quote.
+    """Return the stripped cells of one line, or None for an unclosed quote.
 
     ``delimiter`` is the character; a blank stands for any number of blanks.
     """

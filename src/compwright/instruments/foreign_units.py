@@ -1,4 +1,4 @@
-"""Units in which instruments and spreadsheets print, and their factors to mm and deg."""
+"""Units that instruments and spreadsheets print, with their factors to mm or deg."""
 
 from __future__ import annotations
 

@@ -137,7 +137,7 @@ _AXIS: Final = re.compile(r"[A-Z][0-9]{0,2}")
 
 
 def axis_above(lines: Iterable[str]) -> str:
-    """Return the axis in a line above a table, such as ``Achse: X``; empty without one."""
+    """Return the axis in a line above a table, such as ``Achse: X``, else ""."""
     for line in lines:
         words = [word for word in line.replace(";", " ").replace(":", " ").split() if word]
         for one, other in pairwise(words):
@@ -155,7 +155,7 @@ def plain(text: str) -> str:
 
 
 def role_of(header: str) -> Role | None:
-    """Return the contents of a column from its header. None if no word of it is known."""
+    """Return what a column contains, such as targets, by the words of its header, else None."""
     words = _WORD.findall(plain(without_unit(header)))
     for role, beginnings in _ROLES.items():
         for word in words:
@@ -174,7 +174,7 @@ def without_unit(header: str) -> str:
 
 
 def unit_of(text: str) -> str:
-    """Return the unit in a text: the whole text, in brackets, or at its end. Empty without one."""
+    """Return the unit at the end of a text, in brackets, or as the whole text; else ""."""
     text = text[:_LONGEST]
     inside = re.findall(r"[\[({]\s*([^\])}]+?)\s*[\])}]", text)
     for part in (text, *inside, text.rpartition(" ")[2], text.rpartition("_")[2]):
@@ -190,7 +190,7 @@ def is_unit(text: str) -> bool:
 
 
 def stated_unit(line: str) -> str:
-    """Return the unit in a line above a table, such as ``Einheit: µm``. Empty for other lines.
+    """Return the unit in a line above a table, such as ``Einheit: µm``, else "".
 
     Or ``Abweichungen in µm``.
     """
@@ -205,9 +205,7 @@ def stated_unit(line: str) -> str:
 
 
 def sign_word(text: str) -> str:
-    """Return ``+`` or ``-`` for a word that means a sign, ``out`` or ``back`` for a word that means
-    a way. Else empty.
-    """
+    """Return the direction that a word means: ``+``, ``-``, ``out`` or ``back``; else ""."""
     found = {
         sign
         for word in re.findall(r"[^\W\d_]+|[+-](?![0-9])|[↑↓]|(?<![0-9])[+-]1$", plain(text))
@@ -218,7 +216,7 @@ def sign_word(text: str) -> str:
 
 
 def difference_of(text: str) -> str:
-    """Return the sign of deviations stated in a text, such as ``Ist - Soll``. Empty without one."""
+    """Return the sign of deviations that a text such as ``Ist - Soll`` states, else ""."""
     for match in _DIFFERENCE.finditer(plain(text)):
         roles = (role_of(match["first"]), role_of(match["second"]))
         if roles == ("measured", "target"):

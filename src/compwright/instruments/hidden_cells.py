@@ -72,7 +72,7 @@ def hidden_of(archive: zipfile.ZipFile) -> dict[str, Hidden]:
 
 
 def _link(sheet: Element) -> str:
-    """Return the id that links a sheet, in any XML name space."""
+    """Return the id by which the workbook refers to a sheet, in any XML name space."""
     return next((text for key, text in sheet.attributes.items() if key.endswith(":id")), "")
 
 
@@ -101,8 +101,7 @@ def _span(attributes: Mapping[bytes, bytes]) -> range:
 
 
 def hidden_finding(hidden: Hidden, lines: Sequence[str]) -> Finding | None:
-    """Return the finding about hidden rows and columns with contents, which were read too. None
-    without any.
+    """Return the finding about hidden rows and columns whose contents were read too, or None.
 
     ``lines``: those of the sheet, cells separated by tabs.
     """

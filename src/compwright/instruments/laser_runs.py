@@ -70,9 +70,7 @@ _LEAST_MICRORADIAN = 5.0
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _RunRows:
-    """The rows of a file in order: ``indices`` (n,) of targets from 1, ``values`` (n,) as written,
-    and their ``lines``.
-    """
+    """The rows of one run: target ``indices`` (n,) from 1, ``values`` (n,) and line numbers."""
 
     indices: IntArray
     values: FloatArray
@@ -98,7 +96,7 @@ class _Runs:
 
 
 def is_laser_runs(text: Sequence[str]) -> bool:
-    """Return whether the lines of a file have this form."""
+    """Return whether the lines of a file are a ``.rtl`` or ``.rta`` positioning test."""
     return has_section(text, [_ROWS, _RUNS]) or (
         has_section(text, ["HEADER", _TARGETS]) and not is_mean_blocks(text)
     )
@@ -146,9 +144,7 @@ def read_laser_runs(text: Sequence[str], faults: FaultList, answers: Answers) ->
 def _readings(
     runs: _Runs, directions: Mapping[int, tuple[Direction, int]], factor: float
 ) -> Readings:
-    """Return the readings of the runs that count. ``factor``: to mm or deg, measured minus
-    target.
-    """
+    """Return the readings of the runs with a known direction. ``factor``: to mm or deg."""
     used = [(rows, *directions[run]) for run, rows in runs.rows.items() if run in directions]
     sizes = [rows.lines.size for rows, _, _ in used]
     indices = np.concatenate([rows.indices for rows, _, _ in used])
@@ -300,8 +296,7 @@ def _check_counts(sections: FileSections, runs: _Runs, faults: FaultList) -> Non
 def _directions(
     sections: FileSections, runs: _Runs, faults: FaultList
 ) -> tuple[Mapping[int, tuple[Direction, int]], tuple[str, ...], list[Finding]]:
-    """Return direction and run number of each traverse, the assumption as text, and findings about
-    it.
+    """Return direction and run number of each traverse, assumptions as text, and findings.
 
     Odd traverses go from the first target to the last, even ones back. Evidence, in this order: an
     even half of only zeros was not made; rows of an even traverse in falling order went back; flags
@@ -356,7 +351,7 @@ def _directions(
 
 
 def _other_version(sections: FileSections) -> list[str]:
-    """Return a text if the layout belongs to another version than the file states."""
+    """Return an assumption as text if the file states a version with a possibly other layout."""
     version = sections.value("HEADER", "Version no")[0]
     if version.startswith(_KNOWN_VERSION) or not version:
         return []
@@ -378,7 +373,7 @@ def _fewer_runs(runs: _Runs) -> Finding | None:
 def _unit(
     kind: AxisKind, runs: _Runs, answers: Answers, faults: FaultList
 ) -> tuple[float, tuple[str, ...], Finding | None]:
-    """Return the factor to mm or deg, the assumption as text, and the doubt about it."""
+    """Return the factor to mm or deg, the assumed unit as text, and a finding if doubtful."""
     units = LENGTHS if kind is AxisKind.LINEAR else ANGLES
     if answers.unit is not None:
         if answers.unit not in units:

@@ -57,12 +57,12 @@ _Block = dict[float, tuple[float, int]]
 
 
 def is_mean_blocks(text: Sequence[str]) -> bool:
-    """Return whether the lines of a file have this form."""
+    """Return whether the lines of a file are a ``.pos`` file with blocks of means."""
     return any("Avg" in line and _TITLE.fullmatch(line) for line in text)
 
 
 def spans_of(text: Sequence[str]) -> Iterator[Spans]:
-    """Yield the meaning of the parts of each line, from a title to the next section."""
+    """Yield the meaning of the parts of each line; rows of numbers follow the title of a block."""
     block = False
     for line, found in zip(text, spans_of_sections(text), strict=True):
         title = _TITLE.fullmatch(line)
@@ -141,7 +141,7 @@ def read_mean_blocks(text: Sequence[str], faults: FaultList, answers: Answers) -
 def _blocks(
     text: Sequence[str], marks: DecimalMarks, faults: FaultList
 ) -> tuple[Mapping[str, _Block], int]:
-    """Return the blocks of means by kind, and the number of decimals of the means."""
+    """Return the blocks of means (forward, backward, both), and their number of decimals."""
     blocks: dict[str, _Block] = {}
     current: _Block | None = None
     decimals = 0
@@ -220,7 +220,7 @@ def _row(
 def _both_ways(
     blocks: Mapping[str, _Block], half_digit: float, faults: FaultList
 ) -> tuple[_Block, _Block, bool]:
-    """Return the means of the way out and of the way back, and whether the latter was computed."""
+    """Return the forward and the backward means, and whether the latter were computed."""
     both, out, back = (blocks.get(which) for which in (_BOTH, _FORWARD, _BACK))
     given = [block for block in (both, out, back) if block is not None]
     if not any(given):

@@ -1,6 +1,4 @@
-"""Read numbers with a decimal point or a decimal comma, one of them throughout a file, whatever the
-locale is.
-"""
+"""Read numbers with a decimal point or a decimal comma; a file must not mix the two."""
 
 from __future__ import annotations
 
@@ -63,9 +61,7 @@ def parse_count(text: str) -> int:
 
 
 def plain_numbers(cells: Sequence[str], mark: str) -> FloatArray | None:
-    """Return the numbers (n,) in cells that are short and have only the decimal mark ``mark``. None
-    for other cells.
-    """
+    """Return the numbers (n,) in cells whose only decimal mark is ``mark``, else None."""
     if not all(map(_PLAIN[mark].fullmatch, cells)):
         return None
     texts = cells if mark == "." else [text.replace(mark, ".") for text in cells]
@@ -75,9 +71,7 @@ def plain_numbers(cells: Sequence[str], mark: str) -> FloatArray | None:
 def counts_of(
     cells: Sequence[str], place: Callable[[int], str], what: str, faults: FaultList
 ) -> IntArray:
-    """Return the whole numbers of at least 1 in a column. A different cell is a fault and becomes
-    0.
-    """
+    """Return the whole numbers of at least 1 in a column. Other cells are a fault and become 0."""
     known: dict[str, int] = {}
     reasons: dict[str, str] = {}
     for text in set(cells):
@@ -124,9 +118,7 @@ class DecimalMarks:
     def parse(
         self, text: str, *, place: str, column: str, expected: str = "a number"
     ) -> float | None:
-        """Return the number in a cell. After a fault: None. ``column`` groups numbers with the same
-        print format.
-        """
+        """Return the number in a cell, or None after a fault. ``column`` names its print format."""
         try:
             value = parse_number(text)
         except ValueError as reason:
@@ -159,9 +151,7 @@ class DecimalMarks:
         column: str,
         expected: str = "a number",
     ) -> FloatArray:
-        """Return the numbers (n,) in a column. NaN after a fault. ``place``: of a cell by its
-        index.
-        """
+        """Return the numbers (n,) in a column, NaN for invalid cells. ``place`` locates a cell."""
         for mark in _PLAIN:
             plain = plain_numbers(cells, mark)
             if plain is not None:
@@ -182,7 +172,7 @@ class DecimalMarks:
         place: Callable[[int], str],
         column: str,
     ) -> None:
-        """Record the decimal marks of several plain numbers at once."""
+        """Count the numbers of a column that contain the decimal mark ``mark``."""
         at = [index for index, text in enumerate(cells) if mark in text]
         if len(at) < len(cells):
             self._unmarked_columns.add(column)
@@ -198,9 +188,7 @@ class DecimalMarks:
         seen.columns.add(column)
 
     def check(self, *, comma_is_delimiter: bool = False) -> None:
-        """Note a fault for mixed points and commas, for a comma that is also the delimiter, and for
-        possible thousands marks.
-        """
+        """Add a fault for mixed decimal marks, or a decimal comma that is also the delimiter."""
         point, comma = self._marked["."], self._marked[","]
         if comma.count and comma_is_delimiter:
             self._faults.add(
@@ -234,8 +222,7 @@ class DecimalMarks:
             )
 
     def doubtful_point(self) -> str:
-        """Return a number such as ``1.250``, which was read as a fraction but may mean 1250. Empty
-        without one.
+        """Return a number such as ``1.250``, read as a fraction, that may mean 1250; else "".
 
         The point is the decimal mark of this form. It is doubtful if no number of the file proves
         it and whole numbers are in the same column (500, 750, 1.000); 100.000, 200.000 throughout

@@ -1,4 +1,4 @@
-"""Compwright's own two text forms, plain CSV and target data, read as `Parsed` like all others."""
+"""Readers of plain CSV and target data files; like all readers they return a `Parsed`."""
 
 from __future__ import annotations
 
@@ -163,7 +163,7 @@ def _of_column(name: str) -> Meaning:
 
 
 def _in_cells(line: str, delimiter: str, meanings: Sequence[Meaning]) -> Spans:
-    """Return the parts of a line that belong to its cells, with their quotes and blanks."""
+    """Return the cells of a line as spans of characters, each with the meaning of its column."""
     spans: list[TextSpan] = []
     start, cell = 0, _cell(delimiter)
     names: Iterator[Meaning] = chain(meanings, repeat("other cell"))

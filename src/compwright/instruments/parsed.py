@@ -15,8 +15,7 @@ from compwright.records.positioning import Cycle
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Parsed:
-    """The readings of one test: targets and deviations (measured minus target) in mm or deg, by the
-    ``kind`` of axis.
+    """The readings of one test: targets and deviations (measured minus target) in mm or deg.
 
     ``header`` keeps the facts in the file as text, under the known keys of `comments.KNOWN_KEYS` if
     it is one of them. ``assumed``: facts that the file leaves open and their assumed values, in

@@ -16,7 +16,7 @@ AXIS_COLUMN = "axis"
 
 @dataclass(frozen=True, slots=True)
 class TestPart:
-    """The lines of one test. Lines of other axes are blank, so that line numbers stay.
+    """The lines of one test in a file. Other tests' lines are blank, so that line numbers stay.
 
     ``axis``: from the column of axes, else empty. ``sheet``: the name of the sheet, else empty.
     """

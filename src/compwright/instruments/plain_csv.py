@@ -1,4 +1,4 @@
-"""The plain CSV forms of a positioning test, long and wide (contract, "Plain CSV").
+"""The plain CSV forms of a positioning test: long (row per reading) and wide (row per target).
 
 Long: columns ``target_mm`` or ``target_deg``, ``direction`` (``+``, ``-``), ``run`` and one of
 ``deviation_um``, ``deviation_mm``, ``deviation_arcsec``, ``deviation_deg``, ``measured_mm``,
@@ -249,7 +249,7 @@ def _value_column(table: CsvTable, target: str, faults: FaultList) -> str:
 
 
 def _wide_factor(target: str, comments: Comments, faults: FaultList) -> float:
-    """Return the factor from the key ``unit`` to mm or deg. 1 after a fault."""
+    """Return the factor from the unit in the comment lines to mm or deg, 1 if it is invalid."""
     unit = comments.get("unit")
     wanted = (
         f"a comment line such as '# unit: {'arcsec' if target == 'target_deg' else 'um'}' above the"
@@ -310,7 +310,7 @@ def _long(
 
 
 def _timed(table: CsvTable, readings: Readings) -> Readings:
-    """Return the readings with the times in a column ``time``. NaN where a row has no time."""
+    """Return the readings with the times in the column ``time``, NaN for a row without a time."""
     if TIME not in table.columns:
         return readings
     clock, times = times_of(table.of(TIME), table.place(TIME), FaultList(""))
@@ -324,7 +324,7 @@ def _wide(
     marks: DecimalMarks,
     faults: FaultList,
 ) -> tuple[Readings, FloatArray]:
-    """Return the readings and the targets of all rows. NaN after a fault."""
+    """Return the readings and targets of a table with one row per target; NaN if invalid."""
     target, traverses = columns
     names = list(traverses)
     positions = marks.parse_all(table.of(target), table.lines, table.place(target), target)
@@ -354,7 +354,7 @@ def _wide(
 def _rows_of_new_targets(
     table: CsvTable, target: str, positions: Sequence[float], faults: FaultList
 ) -> list[int]:
-    """Return the rows without repeated targets, which are faults."""
+    """Return the rows, and note a fault for each row that repeats the target of an earlier one."""
     first: dict[float, int] = {}
     rows = []
     for row, position in enumerate(positions):

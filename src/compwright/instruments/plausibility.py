@@ -1,4 +1,4 @@
-"""Checks during the reading of a positioning file. Nothing is changed or dropped; the user decides.
+"""Findings about implausible readings in a positioning file. No reading is changed or dropped.
 
 Codes of this room:
 
@@ -204,9 +204,7 @@ def _near_targets(grid: ReadingGrid, kind: AxisKind) -> Finding | None:
 
 
 def skipped_finding(names: Sequence[str]) -> Finding | None:
-    """Return the finding about files in a folder that are no measurements, by their endings. None
-    without any.
-    """
+    """Return the finding about skipped files that are no measurements, by extension, or None."""
     if not names:
         return None
     return Finding.of("CW-R052", "info", files=names)

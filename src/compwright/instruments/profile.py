@@ -24,8 +24,7 @@ SIGNS: Final = ("measured minus target", "target minus measured")
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Profile:
-    """A mapping profile. ``layout``: long (one row per reading), wide (one column per traverse) or
-    own.
+    """The meaning of a table's columns. ``layout``: long (a row per reading), wide or own.
 
     Own: a form that has its own reader; only ``unit`` and ``sign`` count.
 
@@ -66,5 +65,5 @@ class Profile:
 
     @property
     def answers(self) -> Answers:
-        """The profile's answers about a file whose form has its own reader."""
+        """The unit and sign in the profile, for a file whose form has its own reader."""
         return Answers(unit=self.unit, sign=self.sign)

@@ -1,4 +1,4 @@
-"""Propose a profile for the bytes of a file, or state that it needs none."""
+"""Propose a mapping profile from the bytes of a file, or state that the file needs none."""
 
 from __future__ import annotations
 

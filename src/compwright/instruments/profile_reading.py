@@ -81,7 +81,7 @@ def read_profile(content: bytes, file: str) -> Profile:
 
 
 def _empty(data: Mapping[str, Any]) -> Iterator[KeyFault]:
-    """Yield the empty keys that this profile needs."""
+    """Yield a fault for each key that is empty although the profile's layout needs it."""
     layout = data.get("layout")
     needed = ["layout", *_NEEDED.get(layout if isinstance(layout, str) else "", ())]
     if layout in ("long", "wide") and data.get("value_is") != "measured":
@@ -109,7 +109,7 @@ def _version(value: Any) -> None:
 
 
 def _choice(key: str, convert: Callable[[str], Any] = str) -> cs.CoreSchema:
-    """Return the schema of a choice of words. An empty word means none."""
+    """Return the schema of a key with a fixed list of words; an empty text becomes None."""
     word = cs.no_info_after_validator_function(convert, cs.literal_schema([*_CHOICES[key]]))
     return cs.no_info_before_validator_function(
         lambda value: None if value == "" else value, cs.nullable_schema(word)
@@ -168,7 +168,7 @@ def _left_out(names: list[Any]) -> frozenset[str]:
 
 
 def _own(values: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the contents of a profile as fields of the record. Empty keys keep their default."""
+    """Return the fields of a `Profile` whose layout is ``own``; empty keys are left out."""
     names = {key: key for key in values if key != MARK} | {"value_is": "measured"}
     return {name: values[key] for key, name in names.items() if values.get(key) is not None}
 

@@ -43,7 +43,7 @@ _MEANINGS: Final[dict[str, str]] = {
 
 
 def profile_text(proposal: Proposal, file: str) -> str:
-    """Return the profile as YAML with a comment after each key. Open keys are empty and marked.
+    """Return the profile as YAML with comments. Unknown keys are empty and marked FILL IN.
 
     ``file``: the name of the table that it was made for.
     """
@@ -72,7 +72,7 @@ def profile_text(proposal: Proposal, file: str) -> str:
 
 
 def worked_rows(proposal: Proposal, text: Sequence[str], file: str) -> list[str]:
-    """Return three readings as text, as the proposed profile reads them.
+    """Return three readings as sentences, read from the table with the proposed profile.
 
     If only the sign or directions are open: with an assumed answer, which is named. If more is
     open: as written in the file.
@@ -96,9 +96,7 @@ def worked_rows(proposal: Proposal, text: Sequence[str], file: str) -> list[str]
 
 
 def _with_answers(proposal: Proposal) -> tuple[Proposal | None, list[str]]:
-    """Return the proposal with one answer to an open sign and open directions, and that answer as
-    text.
-    """
+    """Return the proposal with an assumed sign and assumed directions, and these as text."""
     keys, words = dict(proposal.keys), []
     for key in sorted(proposal.why, key=lambda one: one != "sign"):
         section, _, name = key.partition(": ")
@@ -120,7 +118,7 @@ def _with_answers(proposal: Proposal) -> tuple[Proposal | None, list[str]]:
 
 
 def _as_written(proposal: Proposal) -> list[str]:
-    """Return three rows as written in the file, for the case that too much is open."""
+    """Return the first three rows as in the file, for a proposal with too many unknown keys."""
     keys, lines = proposal.keys, []
     names = [keys.get(key) for key in ("target", "value", "direction", "run")]
     names += list(keys.get("traverses") or ())[:2]
@@ -132,9 +130,7 @@ def _as_written(proposal: Proposal) -> list[str]:
 
 
 def _filled(proposal: Proposal) -> list[tuple[str, Proposal]]:
-    """Return the proposal, or two variants with the possible answers to its first open sign or
-    direction.
-    """
+    """Return the proposal if complete, or with each of the two signs if only the sign is open."""
     if not proposal.why:
         return [("", proposal)]
     if set(proposal.why) != {"sign"}:

@@ -56,8 +56,7 @@ class _ProfiledRows:
 
 
 def at_its_header(text: Sequence[str], profile: Profile) -> Profile:
-    """Return the profile with the header line of this file, because the amount of text above the
-    table varies.
+    """Return the profile with the header row's line in this file, which may be a different one.
 
     Unchanged if its own line has all columns, if there is no header row, and if no line or more
     than one has them all.
@@ -136,9 +135,7 @@ def read_by_profile(text: Sequence[str], profile: Profile, faults: FaultList) ->
 def _refuse_contradictions(
     before: Sequence[str], axis: str, profile: Profile, faults: FaultList
 ) -> None:
-    """Note where the text above a table contradicts the profile. The profile may belong to another
-    file.
-    """
+    """Note a fault where the text above a table contradicts the profile."""
     named = any(map(unit_of, (profile.value, *profile.traverses)))  # the column says it itself
     unit = "" if named else next(filter(None, map(stated_unit, before)), "")
     sign = next(filter(None, map(difference_of, before)), "")
@@ -190,7 +187,7 @@ class _Cells:
         self.table, self.profile, self.faults = table, profile, faults
 
     def text(self, rows: Sequence[int], name: str) -> list[str]:
-        """Return the cells of a column in these rows. Empty cells where it has no name."""
+        """Return the cells of a column in the given rows; empty texts if no column is named."""
         if not name:
             return [""] * len(rows)
         cells = self.table.of(name)
@@ -200,7 +197,7 @@ class _Cells:
         return any(self.table.of(name))
 
     def numbers(self, rows: Sequence[int], name: str) -> FloatArray:
-        """Return the numbers (n,) of a column in these rows. NaN after a fault."""
+        """Return the numbers (n,) of a column in the given rows, NaN for an invalid cell."""
         texts = self.text(rows, name)
         plain = plain_numbers(texts, self.profile.decimal)
         if plain is not None:
@@ -228,13 +225,11 @@ class _Cells:
             return np.nan
 
     def targets(self, rows: Sequence[int]) -> FloatArray:
-        """Return the targets (n,) in mm or deg."""
+        """Return the targets (n,) in the given rows, in mm or deg."""
         return self.numbers(rows, self.profile.target) * _factor(self.profile.target_unit) + 0.0
 
     def deviations(self, rows: Sequence[int], name: str, targets: FloatArray) -> FloatArray:
-        """Return the deviations measured minus target (n,), mm or deg, from the values in a column.
-        ``targets`` in mm or deg.
-        """
+        """Return the deviations (n,), measured minus target, in mm or deg, of the given rows."""
         values = self.numbers(rows, name) * _factor(self.profile.unit or "")
         if self.profile.measured:
             return values - targets
@@ -276,7 +271,7 @@ def _wide(rows: Sequence[int], cells: _Cells, profile: Profile) -> tuple[Reading
 def _long(
     rows: Sequence[int], cells: _Cells, profile: Profile, faults: FaultList
 ) -> tuple[Readings, FloatArray]:
-    """Return the readings and the targets of all rows of a table with one column per traverse."""
+    """Return the readings and the targets of all rows of a table with one row per reading."""
     targets = of_rows = cells.targets(rows)
     values = cells.text(rows, profile.value)
     # an empty value is a reading that was not made; `plausibility` counts them
@@ -306,9 +301,7 @@ def _long(
 
 
 def _refuse_steps(rows: _ProfiledRows, profile: Profile, faults: FaultList) -> None:
-    """Note a fault for values that are the distances between targets, which some programs print in
-    a column.
-    """
+    """Note a fault for a column of distances between targets instead of deviations."""
     steps = np.diff(rows.targets)
     if profile.measured or steps.size < 2 or not np.any(steps):
         return
@@ -344,17 +337,13 @@ def _directions(
 
 
 def traverses_of(targets: FloatArray) -> list[slice]:
-    """Return the traverses of targets (n,) in the order of time. A new one begins where a target
-    repeats immediately.
-    """
+    """Return the traverses in a series of targets (n,). A repeated target begins a new one."""
     ends = (np.flatnonzero(np.diff(targets) == 0.0) + 1).tolist()
     return [slice(a, b) for a, b in pairwise([0, *ends, len(targets)])]
 
 
 def _by_order(rows: _ProfiledRows, faults: FaultList) -> Iterator[Direction | None]:
-    """Yield the direction of each row: + for rising targets, - for falling ones. The axis reverses
-    where a target repeats.
-    """
+    """Yield the direction of each row: + where the targets rise, - where they fall."""
     for part in traverses_of(rows.targets):
         targets = rows.targets[part]
         steps = np.unique(np.sign(np.diff(targets))).tolist()
@@ -375,7 +364,7 @@ def _by_order(rows: _ProfiledRows, faults: FaultList) -> Iterator[Direction | No
 def _runs(
     rows: _ProfiledRows, directions: Sequence[Direction], profile: Profile, faults: FaultList
 ) -> list[int]:
-    """Return the run of each row, by its column or by counting. 0 after a fault."""
+    """Return the run number of each row, from its column or counted; 0 for an invalid cell."""
     if not profile.run:
         times: Counter[tuple[float, Direction]] = Counter()
         counted = []
@@ -408,9 +397,7 @@ def _count(text: str) -> int:
 
 
 def _above(text: Sequence[str], table: ForeignTable, profile: Profile) -> list[tuple[int, str]]:
-    """Return the lines above the header row with numbers in the target column and in a reading
-    column.
-    """
+    """Return the lines above the header row with numbers in the target and reading columns."""
     if not profile.header_line:
         return []
     target = table.columns.index(profile.target)

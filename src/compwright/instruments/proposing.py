@@ -44,7 +44,7 @@ _MOST_WORDS = 6
 
 @dataclass(slots=True)
 class Proposal:
-    """A proposed profile. ``keys``: None where unknown; ``why``: what the user should look for.
+    """A proposed mapping profile. ``why``: for each unknown key, where the user finds its value.
 
     In their order; ``notes``: observations, in words. ``table`` as it was read.
     """
@@ -55,7 +55,7 @@ class Proposal:
     notes: list[str] = field(default_factory=list)
 
     def leave_open(self, key: str, why: str) -> None:
-        """Leave a key empty for the user to fill in."""
+        """Leave a key empty for the user to fill in, with the reason."""
         self.keys[key] = None
         self.why[key] = why
 
@@ -136,7 +136,7 @@ def _decimal(table: ForeignTable, proposal: Proposal) -> str | None:
 
 
 class _ProposedColumns:
-    """The columns of a table, sorted by their contents."""
+    """The columns of a table, grouped by their probable contents, such as targets or deviations."""
 
     def __init__(self, table: ForeignTable, decimal: str) -> None:
         self.table, self.decimal = table, decimal
@@ -159,7 +159,7 @@ class _ProposedColumns:
         return [name for name in self.table.columns if self.roles[name] == role]
 
     def numbers_rows(self, name: str) -> bool:
-        """Return whether no value of a column comes twice: it numbers the rows, not the runs."""
+        """Return whether a column probably contains row numbers: none of its values is repeated."""
         texts = [text for text in self.texts[name] if text]
         return len(texts) > 2 and len(set(texts)) == len(texts)
 
@@ -343,7 +343,7 @@ def _both_orders(
 
 
 def _steps_of(columns: _ProposedColumns, target: str | None, name: str, word: str) -> set[int]:
-    """Return the signs of the steps between successive targets with the same word."""
+    """Return the signs (-1, 0, 1) of the steps between targets whose direction is ``word``."""
     if target is None:
         return set()
     values, texts = columns.numbers(target), columns.texts[name]
@@ -355,9 +355,7 @@ def _steps_of(columns: _ProposedColumns, target: str | None, name: str, word: st
 
 
 def _order(columns: _ProposedColumns, target: str | None) -> str:
-    """Return the order of the targets: alternately up and down (``turns``), only rising, or
-    neither.
-    """
+    """Return ``turns`` if targets go up and down in turn, ``rising`` if they rise, else ""."""
     if target is None:
         return ""
     values = columns.numbers(target)
@@ -371,9 +369,7 @@ def _order(columns: _ProposedColumns, target: str | None) -> str:
 
 
 def _run_counts(columns: _ProposedColumns, keys: Mapping[str, Any]) -> str:
-    """Return ``traverses`` if no run has both directions, so that runs count each traverse
-    separately.
-    """
+    """Return ``traverses`` if each run number belongs to one direction only, else ``runs``."""
     direction = keys.get("direction")
     if not direction:
         return "runs"
@@ -421,9 +417,7 @@ def _sign(
 def _proven_sign(
     columns: _ProposedColumns, target: str | None, value: str | None, keys: Mapping[str, Any]
 ) -> str:
-    """Return the sign that a third column of measured positions proves. Empty without such a
-    column.
-    """
+    """Return the sign of the deviations if a column of measured positions proves it, else ""."""
     measured = [name for name in columns.of("measured") if name != value]
     if target is None or value is None or len(measured) != 1 or not keys.get("unit"):
         return ""

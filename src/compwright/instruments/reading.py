@@ -52,7 +52,7 @@ _DYNAMIC: Final = re.compile(
 
 @dataclass(frozen=True, slots=True)
 class _Read:
-    """One test of a file before it becomes a record: the parsed contents, and their lines."""
+    """The parsed contents of one test in a file, and its lines, before it becomes a record."""
 
     parsed: Parsed
     part: TestPart
@@ -183,9 +183,7 @@ def _listed(names: Sequence[str]) -> str:
 
 
 def _source(read: _Read, content: bytes, file: str, *, several: bool) -> Source:
-    """Return the source of a test. If a file has several tests, each has the hash of its own
-    lines.
-    """
+    """Return file name and SHA-256 of a test: of its own lines if the file has ``several``."""
     if not several:
         return source_of(file, content)
     own = "\n".join((read.part.sheet, read.part.axis, *read.part.text))
@@ -233,9 +231,7 @@ def _test_of(read: _Read, source: Source, name: str) -> PositioningTest:
 
 
 def _with_axis(parsed: Parsed, part: TestPart) -> tuple[dict[str, str], tuple[str, ...]]:
-    """Return the header with the axis of the part, and the assumption for it. A sheet name is not a
-    statement.
-    """
+    """Return header and assumptions of a test, with the axis from its column or sheet name."""
     header = dict(parsed.header)
     if part.axis:
         return {**header, "axis": part.axis}, parsed.assumed
@@ -256,7 +252,7 @@ def _mapped(test: PositioningTest, profile: Profile | None) -> PositioningTest:
 
 
 def stem(file: str) -> str:
-    """Return the name of a file without folder and ending."""
+    """Return a file name without its folder and extension."""
     name = re.split(r"[\\/]", file)[-1]
     return name.rpartition(".")[0] or name
 

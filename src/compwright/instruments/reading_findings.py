@@ -20,17 +20,17 @@ _NOTHING = frozenset({"", "no", "none", "nothing", "-"})
 
 
 def assumed_finding(assumed: Sequence[str]) -> Finding | None:
-    """Return the finding about facts that the file does not state. None without any."""
+    """Return the finding about assumed facts, which the file does not state, or None."""
     return Finding.of("CW-R001", "info", assumed=assumed) if assumed else None
 
 
 def left_out_finding(columns: Sequence[str]) -> Finding | None:
-    """Return the finding about columns that are not part of the form. None without any."""
+    """Return the finding about columns that are not part of the form, or None if there are none."""
     return Finding.of("CW-R005", "warning", columns=columns) if columns else None
 
 
 def stray_finding(lines: Sequence[tuple[int, str]]) -> Finding | None:
-    """Return the finding about lines that look like readings but are not read. None without any."""
+    """Return the finding about lines that look like readings but are not read, or None."""
     if not lines:
         return None
     listed = [f"{number} {shown(text)}" for number, text in lines[:_LISTED]]
@@ -38,7 +38,7 @@ def stray_finding(lines: Sequence[tuple[int, str]]) -> Finding | None:
 
 
 def unread_finding(targets: FloatArray, readings: Readings, kind: AxisKind) -> Finding | None:
-    """Return the finding about targets of rows (n,) without any reading. None without such targets.
+    """Return the finding about targets (n,) without any reading, or None.
 
     In the unit of ``kind``.
     """
@@ -51,19 +51,17 @@ def unread_finding(targets: FloatArray, readings: Readings, kind: AxisKind) -> F
 
 
 def missing_finding(sentence: Sentence) -> Finding:
-    """Return the finding about readings that are missing."""
+    """Return the finding about missing readings. ``sentence``: which ones are missing."""
     return Finding("CW-R006", "warning", sentence)
 
 
 def sheets_finding(sentence: Sentence) -> Finding:
-    """Return the finding about sheets of a workbook that were left out."""
+    """Return the finding about left-out sheets of a workbook. ``sentence``: which ones."""
     return Finding("CW-R061", "warning", sentence)
 
 
 def unfinished_finding(lines: Sequence[str]) -> Finding | None:
-    """Return the finding about a file that may have been cut off inside its last number. None if it
-    was not.
-    """
+    """Return the finding that a file may have been cut off inside its last number, or None."""
     number = unfinished_number(lines)
     if not number:
         return None
@@ -71,7 +69,7 @@ def unfinished_finding(lines: Sequence[str]) -> Finding | None:
 
 
 def doubtful_finding(number: str) -> Finding | None:
-    """Return the finding about a point that may mark thousands. None for an empty ``number``."""
+    """Return the finding about a point that may be a thousands separator, None without one."""
     if not number:
         return None
     return Finding.of("CW-R015", "warning", number=shown(number))

@@ -62,7 +62,7 @@ class Readings:
         )
 
     def only(self, chosen: BoolArray | IntArray) -> Readings:
-        """Return the readings chosen by a mask or by indices, in that order."""
+        """Return the readings selected by a mask or by indices, in the order of the indices."""
         indices = np.arange(len(self))[chosen]
         place = self.place
         return Readings(

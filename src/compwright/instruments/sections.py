@@ -81,9 +81,7 @@ class FileSections:
     last: Line = (0, "")
 
     def value(self, section: str, key: str) -> tuple[str, str]:
-        """Return the value of a key (upper or lower case) and its place. Both are empty if it is
-        missing.
-        """
+        """Return the value of a key (in any case) and its line, or two empty texts."""
         for number, text in self.lines.get(section, ()):
             match = _KEY.fullmatch(text)
             if match and match["key"].lower() == key.lower():
@@ -105,9 +103,7 @@ def spans_of(text: Sequence[str]) -> Iterator[Spans]:
 
 
 def spans_in(line: str, *, rows: bool) -> Spans:
-    """Return the meaning of the parts of a line in a section. ``rows``: it may contain rows of
-    numbers.
-    """
+    """Return the meaning of the parts of a line. ``rows``: it may be a row of numbers."""
     match = _KEY.fullmatch(line)
     meaning = KEYS.get(" ".join(match["key"].lower().split())) if match is not None else None
     if match is None or meaning is None:
@@ -185,17 +181,13 @@ def header_of(sections: FileSections, names: Iterable[str]) -> dict[str, str]:
 
 
 def axis_name(text: str) -> str:
-    """Return the axis name in a free text such as ``X``, ``X axis`` or ``Achse X``. Empty if it is
-    uncertain.
-    """
+    """Return the axis in a text such as ``X``, ``X axis`` or ``Achse X``, "" if uncertain."""
     match = _AXIS.fullmatch(text.strip())
     return match["name"].upper() if match else ""
 
 
 def with_axis(header: Mapping[str, str], text: str) -> dict[str, str]:
-    """Return ``header`` with the file's text about its axis. A clear axis name gets the key
-    ``axis``.
-    """
+    """Return ``header`` with the file's text about its axis; a clear name as key ``axis``."""
     name = axis_name(text)
     if name:
         return {**header, "axis": name}
@@ -203,7 +195,7 @@ def with_axis(header: Mapping[str, str], text: str) -> dict[str, str]:
 
 
 def check_units(sections: FileSections, names: Iterable[str], faults: FaultList) -> None:
-    """Note a line with a unit other than that of this form, because its meaning is unclear."""
+    """Note a fault for a line that states an unexpected unit, such as inches."""
     for name in names:
         for number, text in sections.lines.get(name, ()):
             match = _KEY.fullmatch(text)
@@ -218,7 +210,7 @@ def check_units(sections: FileSections, names: Iterable[str], faults: FaultList)
 
 
 def no_end_finding(sections: FileSections) -> Finding | None:
-    """Return the finding about a file without ``EOF::``. None if it is there."""
+    """Return the finding that the last line ``EOF::`` is missing, or None if the file has it."""
     if sections.ended:
         return None
     number, text = sections.last

@@ -63,18 +63,18 @@ SpansOf = Callable[[Sequence[str]], Iterator[Spans]]
 
 
 def by_key(keys: Mapping[Meaning, Sequence[str]]) -> Mapping[str, Meaning]:
-    """Return the meaning of each key's value."""
+    """Return the meaning of each key, from the keys that are listed by meaning."""
     return {key: meaning for meaning, names in keys.items() for key in names}
 
 
 def whole(line: str, meaning: Meaning) -> Spans:
-    """Return the whole line as one part with a meaning."""
+    """Return one span with the given meaning that covers the whole line."""
     return (TextSpan(0, len(line), meaning),)
 
 
 @dataclass(frozen=True, slots=True)
 class Elements:
-    """The meaning of the elements of an XML form.
+    """The meaning of texts and attributes in an XML file, by name of element or attribute.
 
     Their own text by ``tags``, their ``attributes`` by name in capitals. ``names``: the meaning of
     the attribute NAME where it is no result.

@@ -78,9 +78,7 @@ def _header_line(lines: Sequence[str], first: int, delimiter: str, width: int) -
 
 
 def number_in(text: str, decimal: str | None) -> float | None:
-    """Return the number in a cell. None for other text. ``decimal``: the allowed decimal mark,
-    None: any.
-    """
+    """Return the number in a cell, None for other text. ``decimal``: its mark, None for any."""
     if decimal is not None and {".": ",", ",": "."}[decimal] in text:
         return None
     try:

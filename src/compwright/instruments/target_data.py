@@ -51,8 +51,7 @@ _DEGREES = {"degree": "deg", "degrees": "deg", "°": "deg"}
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TargetData:
-    """The contents of the file: kind of axis, readings in mm or deg (deviations), header keys, and
-    remarks.
+    """The contents of a target data file: kind of axis, readings (mm or deg) and header.
 
     ``alone``: the name of the readings if they are those of one direction; else empty.
     """
@@ -67,7 +66,7 @@ class TargetData:
 
 @dataclass(slots=True)
 class _TargetColumn:
-    """The entries with one name in the order of the file: indices, values as text, and lines.
+    """The entries ``NAME[i,j]=value`` of one name, in the order of the file, with their lines.
 
     ``j`` 0 if there is only one index.
     """
@@ -80,9 +79,7 @@ class _TargetColumn:
 
 @dataclass(frozen=True, slots=True)
 class _Entries:
-    """The entries with one name as arrays (n,), each index pair once, sorted by index. NaN for an
-    unreadable value.
-    """
+    """The entries of one name as arrays (n,) sorted by index; NaN for an unreadable value."""
 
     i: IntArray
     j: IntArray
@@ -92,7 +89,7 @@ class _Entries:
 
 @dataclass(slots=True)
 class _Found:
-    """The contents of the lines: columns by name, and all other keys with their lines."""
+    """The entries of a target data file by name, and its other keys with their lines."""
 
     columns: dict[str, _TargetColumn] = field(
         default_factory=lambda: {name: _TargetColumn() for name in (_TARGET, *_DIRECTIONS)}
@@ -102,7 +99,7 @@ class _Found:
     known: dict[str, int] = field(default_factory=dict)
 
     def index(self, written: str) -> int:
-        """Return an index as a number. Raises ValueError for other text."""
+        """Return the index in square brackets as a number. Raises ValueError for other text."""
         found = self.known.get(written)
         if found is None:
             found = self.known[written] = parse_count(written)
@@ -130,7 +127,7 @@ def split_target_data(
 
 
 def is_target_data(lines: Iterable[str]) -> bool:
-    """Return whether the lines (without comments) have this form."""
+    """Return whether the lines (without comments) are a target data file."""
     return any(
         _DATA.match(line) or (index == 0 and _KEYS_OF_FORM.match(line))
         for index, line in enumerate(lines)
@@ -308,7 +305,7 @@ def _unit(keys: Mapping[str, tuple[str, int]], faults: FaultList) -> tuple[str, 
 def _check_complete(
     entries: Mapping[str, _Entries], keys: Mapping[str, tuple[str, int]], faults: FaultList
 ) -> None:
-    """Note counts that disagree with the entries, and missing entries."""
+    """Add faults for missing entries, and for stated counts that differ from the entries."""
     targets = entries[_TARGET].i
     positions = int(targets.max(initial=0))
     cycles = max(int(entries[name].j.max(initial=0)) for name in _DIRECTIONS)
@@ -331,7 +328,7 @@ def _check_complete(
 def _check_block(
     name: str, block: _Entries, positions: int, cycles: int, faults: FaultList
 ) -> None:
-    """Note readings without a target, and missing readings of the grid."""
+    """Add faults for readings without a target, and for targets without a reading in some cycle."""
     inside = block.i <= positions
     for at in np.flatnonzero(~inside):
         faults.add(

@@ -151,7 +151,7 @@ def _lines(text: str, file: str) -> list[str]:
 
 
 def unfinished_number(lines: Sequence[str]) -> str:
-    """Return the last number of a file without a final line end, if it may lack digits. Else empty.
+    """Return the number at the end of a file without a final line end, if digits may be missing.
 
     A number is complete if all others at the end of a line like it have the same number of
     decimals, at least one.
@@ -175,7 +175,7 @@ def _last_cell(line: str) -> str:
 
 
 def _kind(line: str) -> str:
-    """Return the key of a line ``KEY[index]=value``. Empty for a row of a table."""
+    """Return the key of a line ``KEY[index]=value``, or an empty text for a row of a table."""
     return line.partition("[")[0].strip() if "=" in line else ""
 
 

@@ -100,9 +100,7 @@ def sheets_of(content: bytes, file: str) -> tuple[WorkbookSheet, ...]:
 
 
 def _check_size(content: bytes, file: str) -> bool:
-    """Return whether a workbook contains formulas. Raises InputError for an invalid or a huge
-    workbook.
-    """
+    """Check the size of a workbook, and return whether it contains formulas. Raises InputError."""
     try:
         with zipfile.ZipFile(BytesIO(content)) as archive:
             parts = archive.infolist()
@@ -136,9 +134,7 @@ def _check_size(content: bytes, file: str) -> bool:
 
 
 def _check_parts(parts: Sequence[zipfile.ZipInfo], file: str) -> None:
-    """Raise InputError for parts whose stated size is too large. No part is unpacked beyond its
-    stated size.
-    """
+    """Raise InputError if the parts of a workbook are too large when unpacked."""
     tables = sum(part.file_size for part in parts if part.filename.startswith(_TABLES))
     others = sum(part.file_size for part in parts if part.filename.endswith(_XML)) - tables
     for size, most, what in (
@@ -158,9 +154,7 @@ def _check_parts(parts: Sequence[zipfile.ZipInfo], file: str) -> None:
 
 
 def _look_into(archive: zipfile.ZipFile, names: Sequence[str], file: str) -> bool:
-    """Return whether the sheets contain formulas. Raises InputError for too many cells or a
-    document type.
-    """
+    """Return whether sheets contain formulas. Raises InputError for too many cells, or DOCTYPE."""
     cells, formulas = 0, False
     for name in names:
         if not name.endswith(_XML):

@@ -35,16 +35,14 @@ def worked_readings(readings: Readings, kind: AxisKind) -> list[str]:
 
 
 def read_so_finding(readings: Readings, kind: AxisKind, by: str = "") -> Finding | None:
-    """Return the finding that shows readings as sentences. None without any. ``by``: the source of
-    the reading rules.
-    """
+    """Return the finding with some readings as sentences, or None. ``by``: the profile used."""
     if not len(readings):
         return None
     return Finding.of("CW-R060", "info", by=by, readings=worked_readings(readings, kind))
 
 
 def in_words(reading: ApproachReading, kind: AxisKind) -> str:
-    """Return a reading as a sentence: position, side of approach, and deviation of the axis."""
+    """Return a reading as a sentence: position, direction of approach, and deviation."""
     size = abs(reading.deviation) * outside_factor(kind.unit)
     verb = "went" if kind is AxisKind.LINEAR else "turned"
     forth = (reading.deviation > 0.0) == (reading.direction is Direction.POSITIVE)

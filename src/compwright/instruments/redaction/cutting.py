@@ -70,9 +70,7 @@ def redacted_lines(lines: Sequence[str], spans_of: SpansOf, cuts: Cuts) -> list[
 
 
 def _line(line: str, spans: Spans, cuts: Cuts) -> str:
-    """Return a line without private data, by its known parts. Between them only marks and blanks
-    stay.
-    """
+    """Return a line without private data. Outside its known parts only marks and blanks stay."""
     if spans and spans[0].meaning == "comment":
         return redacted_comment(line, cuts)
     made, end = [], 0
@@ -97,7 +95,7 @@ def _between(text: str, cuts: Cuts) -> str:
 
 
 def kept_or_cut(text: str, meaning: Meaning, cuts: Cuts) -> str:
-    """Return a text if its meaning allows that, else its replacement."""
+    """Return a text unchanged if its meaning allows, else a neutral replacement."""
     bare = _bare(text)
     if not bare or (meaning in KEPT and KEPT[meaning](bare)):
         return text if bare else ""
@@ -109,7 +107,7 @@ def kept_or_cut(text: str, meaning: Meaning, cuts: Cuts) -> str:
 
 
 def _bare(text: str) -> str:
-    """Return a text without surrounding blanks, and a cell without its quotes."""
+    """Return a text without surrounding blanks; if it is a quoted cell, also without the quotes."""
     bare = text.strip()
     if not bare.startswith('"') or bare.count('"') % 2:
         return bare

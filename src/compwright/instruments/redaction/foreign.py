@@ -68,7 +68,7 @@ SIGN_TO_FILL_IN: Final = (
 
 
 def profile_lines(profile: Profile, *, sign_open: bool) -> str:
-    """Return a profile as YAML without remarks. A remark about an open sign stays.
+    """Return a profile as YAML without remarks. ``sign_open``: leave the sign to be filled in.
 
     ``sign_open``.
     """
@@ -155,7 +155,7 @@ class _Words:
         return cell if is_keywords(cell) else self.cuts.name(cell)
 
     def renamed(self, names: Mapping[str, str]) -> Profile:
-        """Return the profile for a table with renamed columns."""
+        """Return the profile adapted to the redacted table, in which columns have neutral names."""
         profile = self.profile
         return replace(
             profile,
@@ -194,7 +194,7 @@ def _header(cell: str, cuts: Cuts) -> str:
 
 
 def _above(line: str, cuts: Cuts) -> str:
-    """Return the necessary parts of a line above the table, and its date."""
+    """Return a line above the table with only its axis, unit, sign and dates."""
     dates, rest = without_dates(line)
     if not rest.strip() or is_keywords(rest):
         return line

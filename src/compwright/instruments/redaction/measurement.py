@@ -62,7 +62,7 @@ def _lines(element: Element, depth: int, known: Elements, cuts: Cuts) -> list[st
 
 
 def _meaning(tag: str, name: str, value: str, known: Elements, cuts: Cuts) -> Meaning | None:
-    """Return the meaning of an attribute. None for an unknown one, which is removed."""
+    """Return the meaning of an XML attribute, or None if it is unknown and removed."""
     if name == "NAME":
         return known.names.get(tag, "result")
     meaning = known.attributes.get(name.upper())
@@ -104,7 +104,7 @@ ALLOWED: frozenset[str] = (
 
 @dataclass(frozen=True, slots=True)
 class Redacted:
-    """The bytes of a copy without private data, with the profile that reads it.
+    """A copy of a file without private data, and the mapping profile that reads the copy.
 
     ``profile``: the text of the profile that reads it, if its original needs one, and ``read_by``
     the one that read the original. An unknown sign is left to be filled in.
@@ -116,9 +116,7 @@ class Redacted:
 
     @property
     def answered(self) -> str:
-        """The profile with an arbitrary sign, because the comparison of the copy's numbers does not
-        depend on it.
-        """
+        """The profile as text, with a sign filled in to compare the copy with the original."""
         return self.profile.replace(SIGN_TO_FILL_IN, f"sign: {SIGNS[0]}")
 
 
@@ -214,7 +212,7 @@ class _Lines:
 
 
 def _lines_of(content: bytes, file: str, encoding: str | None = None) -> _Lines:
-    """Return the lines of a text file. Raises InputError for other files."""
+    """Return the lines of a text file. Raises InputError for a file that is not text."""
     read_any_lines(content, file, encoding)  # raises for faults
     mark, name = next(
         ((mark, name) for mark, name in _MARKS if content.startswith(mark)),
@@ -225,9 +223,7 @@ def _lines_of(content: bytes, file: str, encoding: str | None = None) -> _Lines:
 
 
 def _proposed(content: bytes, file: str) -> tuple[Profile, bool]:
-    """Return the proposed profile for a table, and whether its sign is open. Raises InputError if
-    more is open.
-    """
+    """Return the proposed profile, and whether its sign is unknown. Raises InputError."""
     proposed = proposed_profile(content, file)
     sign_open = any(one.startswith("sign:") for one in proposed.open)
     lines = [
