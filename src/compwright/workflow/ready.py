@@ -1,6 +1,4 @@
-"""Load the modules that a second process needs for its work, and no others, so that it starts
-quickly.
-"""
+"""Load only the modules that a parallel process needs, so that the process starts quickly."""
 
 from __future__ import annotations
 

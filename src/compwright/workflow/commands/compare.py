@@ -42,9 +42,7 @@ _Refused = InputError | UsageError
 
 @dataclass(frozen=True, slots=True)
 class CompareOutcome:
-    """The result of a comparison: document and exit code (0 where the control's values equal the
-    plan, else 1).
-    """
+    """The result of ``compare``; exit code 0 if the control's values equal the plan's, else 1."""
 
     exit_code: int
     document: Mapping[str, Any]
@@ -129,14 +127,14 @@ _NEW_IN_CONTROL = frozenset({"CW-S012", "CW-S081"})
 
 
 def _unread(planned: ComparedSide, back: ComparedSide) -> tuple[Finding, ...]:
-    """Return why axes cannot be read back that the plan's files make known."""
+    """Return why axes in the plan's files cannot be read in the files read back."""
     all_lost = back.state is None and planned.state is not None
     lost = all_lost or back.unread - planned.unread
     return tuple(one for one in back.findings if one.code == "CW-S080") if lost else ()
 
 
 def _new_doubts(found: Sequence[Finding], known: Collection[str]) -> Iterator[Finding]:
-    """Yield the doubts that only what was read back raises. ``known``: codes of the plan's."""
+    """Yield the doubts about the files read back that the plan (codes ``known``) does not have."""
     for one in found:
         new_in_control = one.code in _NEW_IN_CONTROL and one.severity != "info"
         if (one.is_doubt or new_in_control) and one.code not in known:
@@ -146,8 +144,7 @@ def _new_doubts(found: Sequence[Finding], known: Collection[str]) -> Iterator[Fi
 def _found(
     control: Control, files: Sequence[ControlFile], axes: Sequence[Axis], loaded: Sequence[Path]
 ) -> tuple[dict[str, DecodedState | _Refused], _Refused | None]:
-    """Return the corrections in the files that were read back, by address, and why parts are
-    unreadable.
+    """Return the corrections read back from the control, by address, or why they are unreadable.
 
     Where axes can be read alone, a fault of one hides no other. Raises InputError where the files
     contain no data of an axis.
@@ -175,7 +172,7 @@ def _found_alone(
 
 
 def _axes_in(control: Control, side: ComparedSide) -> set[str]:
-    """Return the addresses of which files contain data."""
+    """Return the addresses of the axes about which the files contain data."""
     whereabouts = control.format.listing.value_location
     return {
         address
@@ -188,7 +185,7 @@ def _axes_in(control: Control, side: ComparedSide) -> set[str]:
 def planned_files(
     control: Control, plan: Plan, as_found: DecodedState
 ) -> tuple[tuple[ControlFile, ...], DecodedState | None]:
-    """Return all files that should be in the control, and the corrections by their tables.
+    """Return the files that should be in the control by the plan, and the corrections they make.
 
     The plan's files in the place of those that were patched.
     """
@@ -253,9 +250,7 @@ def _partly(load: PartialLoad) -> str:
 
 
 def _look_at(control: Control, entry: PlannedAxis, verdict: str) -> tuple[str, ...]:
-    """Return what to check on the control. Nothing if its values are right or no single mistake
-    explains the difference.
-    """
+    """Return what the user should check on the control to find the cause of a difference."""
     if entry.fitted is None or verdict == "loaded":
         return ()
     sentences = control.look_at(entry.axis, entry.fitted.compensation)
@@ -284,7 +279,7 @@ def _nodes(entry: PlannedAxis) -> tuple[FloatArray, float]:
 def _values(
     entry: PlannedAxis, wish: DecodedState | None, found: DecodedState
 ) -> Iterator[Difference]:
-    """Yield each node and direction at which the correction differs."""
+    """Yield each table point and direction at which the correction differs from the plan."""
     axis = entry.axis
     if entry.fitted is None:
         return

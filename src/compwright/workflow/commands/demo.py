@@ -23,9 +23,7 @@ from compwright.workflow.results.own_files import write_listed
 
 @dataclass(frozen=True, slots=True)
 class DemoStep:
-    """A step of the demo: description, folder, number and size (bytes) of its files, and its
-    duration in seconds.
-    """
+    """A step of the demo, with its folder, number and size (bytes) of files, and its duration."""
 
     what: str
     folder: Path
@@ -36,7 +34,7 @@ class DemoStep:
 
 @dataclass(frozen=True, slots=True)
 class DemoOutcome:
-    """The steps of the demo, and the results of its two halves."""
+    """The steps of the demo, and the results of its ``run`` and its ``verify``."""
 
     steps: tuple[DemoStep, ...]
     run: RunOutcome
@@ -93,7 +91,7 @@ class _Clock:
         self._began = perf_counter()
 
     def step(self, what: str, folder: Path, files: Sequence[Path]) -> DemoStep:
-        """Return the step that ends now, with the time since the last one."""
+        """Return a finished step of the demo with its duration since the previous step."""
         now = perf_counter()
         seconds, self._began = now - self._began, now
         return DemoStep(what, folder, len(files), storage.size_of(files), seconds)

@@ -16,9 +16,7 @@ from compwright.foundations.session import Session
 
 @dataclass(frozen=True, slots=True)
 class DiffOutcome:
-    """The result of a comparison: document and exit code (0 where both backups contain the same,
-    else 1).
-    """
+    """The result of ``diff``; exit code 0 if both backups contain the same values, else 1."""
 
     exit_code: int
     document: Mapping[str, Any]
@@ -61,7 +59,7 @@ def diff_files(
 
 
 def entry_difference(placed: Placed) -> EntryDifference:
-    """Return a differing entry in the form of the documents."""
+    """Return an entry that differs between two backups as plain data for the JSON document."""
     entry, change = placed.entry, placed.change
     return EntryDifference(
         quantity=entry.name,

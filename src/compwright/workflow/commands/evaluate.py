@@ -68,8 +68,7 @@ Watch = Callable[[str, int, int], None]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class EvaluationRun:
-    """The result of ``evaluate``: its JSON ``document``. ``many``: there are too many tests for a
-    page each.
+    """The result of ``evaluate``. ``many``: too many tests for one report page each.
 
     ``exit_code`` is 0, 3 for a file that cannot be read, 2 where the standard asked for does not
     fit a test and all else is read, 70 where compwright itself failed at one.
@@ -284,7 +283,7 @@ _WITH_PAGES: Final = ("positioning", "circular")
 
 
 def _with_pages(document: Mapping[str, Any]) -> Mapping[str, Any]:
-    """Return the document with only those tests that have a page and a figure.
+    """Return the document with only those tests that have a report page and a figure.
 
     A drift test and lost motion over distance or speed have neither.
     """
@@ -436,7 +435,7 @@ def _with_circles(
     crew: Crew,
     watch: Watch,
 ) -> tuple[list[Evaluated], list[Noted]]:
-    """Return the tests, with the circular ones joined and evaluated, each in its place."""
+    """Return all tests in order, with circular tests joined from their files and evaluated."""
     from compwright.workflow.inputs.circles import pairs_joined
 
     joined = pairs_joined(found)
@@ -465,9 +464,7 @@ def _with_circles(
 
 
 def _with_repeats(tests: Sequence[Evaluated]) -> list[dict[str, Any]]:
-    """Return the entries of the tests. Those that repeat the measurement of another test have a
-    finding.
-    """
+    """Return the document's entries, with a finding for tests with the readings of another test."""
     readings = [one.test for one in tests if one.test is not None]
     circles = [one.circle.test for one in tests if one.circle is not None]
     if max(len(readings), len(circles)) < 2:

@@ -179,14 +179,12 @@ def _axes_here(
 
 
 def _every(plan: Plan) -> dict[str, Axis]:
-    """Return the axes of a plan by name. Axes without a test come last."""
+    """Return all axes of a plan by name: first those with a test, then those without."""
     return {name: entry.axis for name, entry in plan.axes.items()} | dict(plan.untested)
 
 
 def _addressed(entry: PlannedCross, axes: Mapping[str, Axis]) -> PlannedCross:
-    """Return a correction between axes with the addresses of this control, where the plan contains
-    the axes.
-    """
+    """Return a correction between axes with the addresses that the axes have on this control."""
     given, bent = axes.get(entry.input), axes.get(entry.output)
     added = entry.added if given is None else replace(entry.added, input=given.address)
     return replace(entry, added=added if bent is None else replace(added, output=bent.address))
@@ -216,9 +214,7 @@ def _state(
     *,
     active: bool | None,
 ) -> DecodedState:
-    """Return the contents of the control, from its files. ``axes``: with their names on this
-    control.
-    """
+    """Return the contents of the control, read from its files. ``axes``: those of this control."""
     if list(states) == ["none"]:
         return decode(control, (), axes)
     if "none" in states:

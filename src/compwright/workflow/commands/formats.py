@@ -37,8 +37,7 @@ def shipped_ids(session: Session) -> list[str]:
 
 
 def show_format(session: Session, name: str) -> tuple[str, ...]:
-    """Return the facts about a control as lines of text: form, quantities, limits, options, with
-    their evidence.
+    """Return facts about a control as lines of text: files, limits, options, and their evidence.
 
     ``name``: an id that ships, or the path of a definition of one's own.
 

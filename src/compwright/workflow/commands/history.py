@@ -24,7 +24,7 @@ from compwright.workflow.results.single_files import refuse_other_kinds
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class HistoryOutcome:
-    """The result of ``history``.
+    """The result of ``history``: the JSON document, the written files and the exit code.
 
     ``exit_code`` is 3 where something could not be read and the rest was; ``read``: how many
     folders were read, the others were known to the index.
@@ -84,7 +84,7 @@ def history_of(
 def _read(
     session: Session, folders: Sequence[Path], database: HistoryIndex, faults: list[Fault]
 ) -> tuple[list[HistoryEntry], list[dict[str, Any]], int]:
-    """Return the tests of all folders, the notes about each folder, and the number of folders read.
+    """Return the tests and notes of all folders, and the number of folders that were read.
 
     ``faults`` grows by the folders that cannot be read.
     """
@@ -148,7 +148,7 @@ def _series(entries: Iterable[HistoryEntry], tops: Sequence[Path]) -> list[TestS
 
 
 def _machine(entry: HistoryEntry, tops: Sequence[Path]) -> str:
-    """Return the identity of a machine: its serial number, else its name, else the folder.
+    """Return what identifies a machine: its serial number, else its name, else the folder.
 
     Without both, the results of one folder belong together.
     """
@@ -163,8 +163,7 @@ def _machine(entry: HistoryEntry, tops: Sequence[Path]) -> str:
 
 
 def _in_time(group: Iterable[HistoryEntry]) -> Callable[[HistoryEntry], tuple[object, ...]]:
-    """Sort tests by date. A test without a date is next to the dated ones of its folder: before
-    them, or after them where it was taken after loading. Without these it is among the last.
+    """Return a sort key by date; undated tests are next to the dated tests of their folder.
 
     Tests of one day are in the order of the folders, unless each of them says its time.
     """
@@ -227,7 +226,7 @@ def _notes(series: Sequence[TestSeries]) -> list[str]:
 
 
 def _turned_dates(entries: Sequence[HistoryEntry]) -> Iterator[str]:
-    """Yield a finding where a test after loading has an earlier date than a test before."""
+    """Yield a note if a test after loading has an earlier date than a test before loading."""
     by_folder: dict[str, dict[str, list[str]]] = {}
     for entry in entries:
         dated = by_folder.setdefault(entry.folder, {"before": [], "after": []})
@@ -283,7 +282,7 @@ def _requested_files(
 def _written(
     session: Session, requested: Mapping[Path, bytes], index: Mapping[Path, bytes], *, force: bool
 ) -> tuple[Path, ...]:
-    """Write the requested files and the index, all or none. The index is always renewed."""
+    """Write the requested files and the index, all or none. The index may always be replaced."""
     storage.refuse_overwriting(session, requested, force=force)
     refuse_other_kinds(session, requested, force=force)
     files = {**requested, **index}

@@ -28,9 +28,7 @@ _SHOWN = ("CW-S072",)
 
 @dataclass(frozen=True, slots=True)
 class NewOutcome:
-    """The result of ``new``: the job file, the keys that the user must fill in, and the omitted
-    axes, one line each.
-    """
+    """The result of ``new``: the job file, keys the user must fill in, and axes left out."""
 
     path: Path
     open: tuple[str, ...]
@@ -97,9 +95,7 @@ def new_job(
 
 
 def _unknown_option(control: Control) -> UnansweredOption | None:
-    """Return the option that the user must still give, because the files do not state it. None
-    where it is given.
-    """
+    """Return the option that the files do not state and the user must give, or None."""
     open_option = control.format.unanswered_option
     if open_option is None or open_option.name not in control.definition.options:
         return None
@@ -107,14 +103,14 @@ def _unknown_option(control: Control) -> UnansweredOption | None:
 
 
 def _unanswered(unknown: UnansweredOption, drafts: Sequence[AxisDraft]) -> dict[str, Prefilled]:
-    """Return the controller option that the user must fill in. None where every axis has it."""
+    """Return the option that the user must fill in for the control, if some axis lacks it."""
     if all("options" in draft.values for draft in drafts):
         return {}
     return {unknown.name: Prefilled(None, f"{unknown.words}; nothing in the files says it")}
 
 
 def _without_lengths(draft: AxisDraft, unknown: UnansweredOption) -> AxisDraft:
-    """Return a draft job without lengths that were read with an assumed unit."""
+    """Return the draft of an axis without the lengths that were read with an assumed unit."""
     hanging = {
         key: Prefilled(None, f"mm or deg, by {unknown.name}; {entry.source}")
         for key, entry in draft.values.items()
@@ -126,7 +122,7 @@ def _without_lengths(draft: AxisDraft, unknown: UnansweredOption) -> AxisDraft:
 def _read(
     control: Control, files: Sequence[ControlFile], *, active: bool | None
 ) -> tuple[ControlState, tuple[str, ...]]:
-    """Return the contents of the files, and the axes that are left out because of doubts.
+    """Return the contents of the files, and messages about axes that cannot be read.
 
     Raises InputError where nothing is left.
     """
@@ -208,7 +204,7 @@ def _drafts(
 
 
 def _partners(address: str, name: str, facts: AxisFacts) -> list[str]:
-    """Return the other joints of the same axis, by the control's files."""
+    """Return the numbers of the other joints that move the same axis, by the control's files."""
     return [
         str(index)
         for index, letter in enumerate(facts.letters)
@@ -217,7 +213,7 @@ def _partners(address: str, name: str, facts: AxisFacts) -> list[str]:
 
 
 def _idle(control: Control, state: ControlState, drafts: Sequence[AxisDraft]) -> Iterator[str]:
-    """Yield the axes in the files that are not in the job, because they have no compensation."""
+    """Yield a message about axes in the files that are not in the job, having no compensation."""
     held = {
         str(entry.value)
         for draft in drafts
@@ -299,7 +295,7 @@ def _values(
 def _travel(
     address: str, axis: AxisCompensation, facts: AxisFacts, messages: str, *, turns: bool
 ) -> Iterator[tuple[str, Prefilled]]:
-    """Yield the lines about the travel of an axis, its address and its turn.
+    """Yield the job's keys for the travel of an axis, or for the full turn of a rotary axis.
 
     ``turns``: a table that repeats says that its axis has none, whatever else the files say.
     """

@@ -48,9 +48,7 @@ class RedactedFile:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RedactOutcome:
-    """The copies in the order of their files, the faults of other files, and the inner ``folders``,
-    which are not searched.
-    """
+    """The result of ``redact``: copies, faults of other files, and inner folders not searched."""
 
     files: tuple[RedactedFile, ...]
     faults: tuple[Fault, ...]
@@ -89,9 +87,7 @@ class RedactOutcome:
 
 @dataclass(slots=True)
 class _FileToCopy:
-    """One file to copy. ``name``: its own, or for a text in an archive one below the archive's
-    name.
-    """
+    """One file to copy. ``name``: its name, after that of the archive if it is in one."""
 
     path: Path
     name: str
@@ -168,7 +164,7 @@ def redact_files(
 
 
 def _inner_folders(paths: Sequence[Path], out: Path) -> tuple[Path, ...]:
-    """Return the folders inside the given folders, except the given ones and that of the copies."""
+    """Return the folders inside the given folders, except the folder of the copies."""
     known = {storage.resolved(path) for path in (*paths, out)}
     inner = dict.fromkeys(one for path in paths for one in storage.folders_in(path))
     return tuple(one for one in inner if storage.resolved(one) not in known)
@@ -177,8 +173,7 @@ def _inner_folders(paths: Sequence[Path], out: Path) -> tuple[Path, ...]:
 def _read(
     session: Session, paths: Sequence[Path], names: Names, faults: list[Fault]
 ) -> list[_FileToCopy]:
-    """Return the files to copy, with archives replaced by their texts. Two files with the same name
-    are a fault.
+    """Return the files to copy, archives as their texts. Two files with one name are a fault.
 
     A file that is given twice is copied once.
     """

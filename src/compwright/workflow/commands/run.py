@@ -57,7 +57,7 @@ class RunOutcome:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PlannedJob:
-    """A job after all stages, with the files of its results. Nothing is written yet.
+    """A job after all stages of ``run``, with the contents of its result files, not yet written.
 
     ``folder``: what the job's paths are relative to; ``stated``: what the command line says of a
     job without a file, which then is among the results.
@@ -71,9 +71,7 @@ class PlannedJob:
 
     @property
     def exit_code(self) -> int:
-        """The exit code: 0 where every limit is predicted to be met without doubt, else 1; 2
-        without a state of the control.
-        """
+        """0 if every limit is predicted to be met without doubt, else 1; 2 if no state is known."""
         return _exit_code(self.finished)
 
     def finding_documents(self) -> list[dict[str, Any]]:
@@ -185,9 +183,7 @@ def write_planned(
 
 
 def _assumed_job(stated: Mapping[str, Any], finished: Finished) -> dict[str, bytes]:
-    """Return the job file with all assumptions. None where a file name cannot be written as
-    text.
-    """
+    """Return a job file with all assumptions written out, unless a file name is not valid UTF-8."""
     as_text = json.dumps(stated, ensure_ascii=False)
     if encoded(as_text).decode() != as_text:
         return {}
@@ -196,7 +192,7 @@ def _assumed_job(stated: Mapping[str, Any], finished: Finished) -> dict[str, byt
 
 
 def _no_job(stated: Mapping[str, Any] | None, draft: Mapping[str, bytes]) -> Iterator[str]:
-    """Yield the note that no job file is written, with the names that are not valid UTF-8."""
+    """Yield the note that no job file is written because file names are not valid UTF-8."""
     if stated is not None and not draft:
         texts = re.findall(r'"([^"]*)"', json.dumps(stated, ensure_ascii=False))
         shown = {text: encoded(text).decode() for text in texts}
@@ -204,9 +200,7 @@ def _no_job(stated: Mapping[str, Any] | None, draft: Mapping[str, bytes]) -> Ite
 
 
 def _answered_by_files(finished: Finished) -> dict[str, object]:
-    """Return the keys of the only axis that the control's files answer: where homing counts the
-    correction as zero.
-    """
+    """Return the keys for an axis whose reference position was read from the control's files."""
     return {
         key: value
         for axis in finished.measured.axes.values()
@@ -219,9 +213,7 @@ def _answered_by_files(finished: Finished) -> dict[str, object]:
 
 
 def _gone(out: Path, outdated: Sequence[str]) -> Iterator[str]:
-    """Yield the note that a verification in the folder belongs to another plan, with its remaining
-    files.
-    """
+    """Yield notes about the removed verification of another plan that was in the folder."""
     if not outdated:
         return
     names = ", ".join(encoded(name).decode() for name in outdated)

@@ -42,7 +42,7 @@ _PACKAGES: Final = ("numpy", "scipy", "cvxpy", "osqp", "PyYAML", "pydantic", "cl
 
 @dataclass(frozen=True, slots=True)
 class Check:
-    """One comparison of the self-test.
+    """One comparison of the self-test: expected and obtained value, with the permitted limit.
 
     ``group``: the file of reference data, or the control; ``subject``: the standard, or the table
     of the control. ``obtained`` None: nothing came out, ``note`` says why.
@@ -60,7 +60,7 @@ class Check:
 
     @property
     def good(self) -> bool:
-        """Whether the result exists and is within the limit."""
+        """Whether there is a result and it differs from the expected value by at most the limit."""
         return self.obtained is not None and bool(abs(self.obtained - self.expected) <= self.limit)
 
 
@@ -158,9 +158,7 @@ def _fitted(content: bytes, name: str) -> Mapping[str, float]:
 
 
 def _controls(session: Session) -> Iterator[Check]:
-    """Yield the results of both readers for the tables of each control, and whether its sample
-    survives writing and reading.
-    """
+    """Yield the checks of each control's definition: both readers, and rewriting of its sample."""
     definitions = list(checked_definitions(session, ()))
     if not definitions:
         yield _faults("controls", "definitions", 1, "none was found: install compwright again")

@@ -87,7 +87,7 @@ def simulated(
 def _file_of(
     machine: VirtualMachine, name: str, test: PositioningTest | CircleRecording
 ) -> tuple[str, bytes]:
-    """Return the name and the contents of the file of a test."""
+    """Return name and contents of the measurement file for a simulated test."""
     if isinstance(test, PositioningTest):
         return f"{name.lower()}.csv", to_csv(test, SIMULATED)
     about = {
@@ -103,7 +103,7 @@ def _file_of(
 
 
 def _bent(recording: CircleRecording, between: ActiveCorrections) -> CircleRecording:
-    """Return the recording of a circle when the position of one axis also moves the other one."""
+    """Return a circle's recording as it is when each axis position also shifts the other axis."""
     plan = recording.plan
     step = plan.arc[1] / plan.samples
     whole = []
@@ -135,9 +135,7 @@ def _rerecorded(traverse: Traverse, moved: CircularRun) -> Traverse:
 def _loaded(
     session: Session, machine: VirtualMachine, tables: Path, file: str
 ) -> ActiveCorrections:
-    """Return the corrections by the tables in a folder, on axes and between them. Raises
-    UsageError, InputError.
-    """
+    """Return the corrections that the tables in a folder make, along and between axes."""
     if not machine.format:
         raise UsageError(
             Fault(

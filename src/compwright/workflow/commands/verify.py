@@ -190,7 +190,7 @@ def _verified(
     loaded: Sequence[Path],
     profile: Path | None = None,
 ) -> tuple[Verified, OverallVerdict]:
-    """Return the results of the tests after loading, and the total verdict."""
+    """Return the results of the tests after loading, and the verdict on the whole job."""
     plan, control, job, states = _planned(session, job, plan_file)
     known = [entry.axis for entry in plan.axes.values()]
     others, circle_files = split_after(session, plan, after)
@@ -273,7 +273,7 @@ def _between(
 
 
 def _compared(session: Session, plan_file: Path, loaded: Sequence[Path]) -> Mapping[str, Any] | str:
-    """Return the answer of ``compare``, or why there is none."""
+    """Return the document of ``compare``, or the reason why the comparison failed."""
     try:
         return compare_plan(session, plan_file, loaded).document
     except (InputError, UsageError) as error:
@@ -290,7 +290,7 @@ def _stored(
     *,
     force: bool,
 ) -> tuple[Path, ...]:
-    """Write the verification and the next round, all or nothing."""
+    """Write the verification and the next round, all files or none."""
     below = {} if then is None else then.files
     page = files.get("verification.html")
     answer = answer_files(files[VERIFICATION], json_path, page, report)
@@ -313,9 +313,7 @@ def _stored(
 
 
 def _left_over(out: Path, then: Round | None) -> tuple[str, ...]:
-    """Return a message that the folder contains an older next round, which does not belong to this
-    verification.
-    """
+    """Return the message that a next round of an earlier verification is still in the folder."""
     if (then is not None and then.files) or not storage.is_folder(out / FOLDER):
         return ()
     return (f"{out / FOLDER} is of an earlier verification; do not load anything of it",)
@@ -324,8 +322,7 @@ def _left_over(out: Path, then: Round | None) -> tuple[str, ...]:
 def _planned(
     session: Session, job: Job, file: Path
 ) -> tuple[Plan, Control, Job, dict[str, DecodedState]]:
-    """Return the plan of a job, its control, the job with the control's names, and the control's
-    old contents.
+    """Return plan, control, job with the control's axis names, and the contents of each state.
 
     Raises InputError for the plan of another job.
     """
@@ -373,9 +370,7 @@ def _verdict(
     circles: Mapping[str, VerifiedCircle],
     general: Sequence[Finding],
 ) -> OverallVerdict:
-    """Return the total verdict. Without a positioning test only squareness shows whether the tables
-    are active.
-    """
+    """Return the verdict on the job. Without positioning tests squareness alone decides."""
     squareness = squareness_decisions(circles)
     tested: list[VerifiedAxis | VerifiedCircle] = [*axes.values(), *circles.values()]
     findings = [finding for one in tested for finding in one.findings]
@@ -408,7 +403,7 @@ def _evaluated(
 
 
 def _options(*given: tuple[str, Iterable[object]]) -> list[str]:
-    """Return options of the command line with their values, as words."""
+    """Return command-line options and their values as a list of words."""
     return [
         word
         for name, values in given

@@ -75,7 +75,7 @@ def _named(value: object) -> str:
 
 
 def _text(value: object) -> str:
-    """Return a text that can be written as UTF-8. An edited record may contain half a character."""
+    """Return a value as text that can be written as UTF-8, as an edited record may be invalid."""
     return encoded(str(value)).decode()
 
 
@@ -113,7 +113,7 @@ def _errors(test: Mapping[str, Any]) -> dict[str, tuple[float, float]]:
 
 
 def _of_axes(verification: Mapping[str, Any], test: Mapping[str, Any]) -> list[Mapping[str, Any]]:
-    """Return the verification of the axis of a test after loading. For a circle: of all axes."""
+    """Return the verification of the axis of a test after loading, for a circle of all axes."""
     axes = verification.get("axes", {})
     if test["kind"] == "circular":
         return list(axes.values())
@@ -123,9 +123,7 @@ def _of_axes(verification: Mapping[str, Any], test: Mapping[str, Any]) -> list[M
 def _active_compensation(
     record: Mapping[str, Any], test: Mapping[str, Any], verified: Sequence[Mapping[str, Any]]
 ) -> tuple[str, str]:
-    """Return a word for the compensation that was active in a test, and a hash of its files. Empty
-    where unknown.
-    """
+    """Return which compensation was active in a test, and its files' SHA-256; "" if unknown."""
     if test["taken"] == "after":
         tables = [
             str(entry["sha256"])

@@ -45,7 +45,7 @@ PRAGMA user_version = {_VERSION};
 
 
 class HistoryIndex:
-    """The stored facts about result folders. ``file``: its name for messages."""
+    """The tests, notes and file fingerprints of result folders in an SQLite database."""
 
     def __init__(self, session: Session, database: sqlite3.Connection, file: str) -> None:
         self._session, self._database, self._file = session, database, file
@@ -64,7 +64,7 @@ class HistoryIndex:
         files: Sequence[tuple[str, str]],
         names: Sequence[str],
     ) -> None:
-        """Store a folder in the index. Earlier entries of it are replaced."""
+        """Store the tests and notes of a folder in the index, in place of its earlier ones."""
         key = _key(folder)
         self.forget(folder)
         self._database.execute(
@@ -122,7 +122,7 @@ class HistoryIndex:
 
 @contextmanager
 def opened(session: Session, path: Path | None) -> Iterator[HistoryIndex]:
-    """Open the index in a file, or make a new one. Without a file it is in memory.
+    """Open the index in a file, or make a new index: in the file, or in memory without a file.
 
     Raises InputError for a file that is no index of this version; it stays as it is.
     """
@@ -186,7 +186,7 @@ def _row(key: str, entry: HistoryEntry) -> tuple[object, ...]:
 
 
 def _entry(data: dict[str, Any], folder: Path) -> HistoryEntry:
-    """Return an entry under the present name of its folder."""
+    """Return a stored history entry, with the path at which its folder is now."""
     pairs = {
         key: {name: (pair[0], pair[1]) for name, pair in data[key].items()}
         for key in ("errors", "declared")

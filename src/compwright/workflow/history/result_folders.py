@@ -30,9 +30,7 @@ _NO_RESULTS = frozenset({"inputs", "tables", "rollback", "card", "proven"})
 
 @dataclass(frozen=True, slots=True)
 class ResultFolder:
-    """A result folder. ``files``: changed or missing files and what is wrong with them; ``names``:
-    all checked files.
-    """
+    """A result folder: its record, notes, changed or missing files, and all checked names."""
 
     path: Path
     record: Mapping[str, Any]
@@ -70,7 +68,7 @@ def result_folders(session: Session, tops: Sequence[Path]) -> tuple[list[Path], 
 
 
 def _is_part(folder: Path, folders: Collection[Path]) -> bool:
-    """Return whether a folder is among the copies in another result folder."""
+    """Return whether a folder is part of another result folder, such as its copies of inputs."""
     way = (folder, *folder.parents)
     return any(above in folders and below.name in _NO_RESULTS for below, above in pairwise(way))
 
@@ -138,7 +136,7 @@ def _read_older(session: Session, path: Path) -> ResultFolder:
 
 
 def _document(session: Session, path: Path) -> Mapping[str, Any] | None:
-    """Return a document of any version, None where it does not exist. Raises InputError."""
+    """Return a JSON document of any version, or None if there is no file. Raises InputError."""
     if not storage.is_there(session, path):
         return None
     try:

@@ -1,4 +1,4 @@
-"""Read positioning tests after loading, and find the axis and test of the job that each repeats."""
+"""Read positioning tests made after loading, and find the test of the job that each repeats."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ from compwright.workflow.inputs.measurement_files import load_profile
 def read_again(
     session: Session, job: Job, entry: AxisJob, request: TestRequest
 ) -> PositioningTest | None:
-    """Return a test of the job, read again from its files. None where they no longer exist."""
+    """Return a test of the job, read again from its files, or None if it cannot be read."""
     try:
         return read_test(session, entry, request, Path(job.file).parent)
     except CompwrightError:
@@ -94,7 +94,7 @@ def after_tests(
 
 
 def _later(request: TestRequest, paths: Sequence[str]) -> TestRequest:
-    """Return the ``request`` to read a test after loading: its own files and temperatures.
+    """Return the request for reading a test after loading: the job's, with other files.
 
     Those that the job states are of the test before. Of a record of the environment only the times
     after loading count.
@@ -111,7 +111,7 @@ def _later(request: TestRequest, paths: Sequence[str]) -> TestRequest:
 def _refuse_files_apart(
     session: Session, entry: AxisJob, request: TestRequest, measured: Sequence[PositioningTest]
 ) -> None:
-    """Raise an error if the files of one test do not belong together: another state or set-up."""
+    """Raise an error if the files of a test differ in the state of the control or the set-up."""
     if len(request.files) + len(measured) < 2:
         return
     alone = replace(request, files=())
@@ -142,9 +142,7 @@ def _refuse_files_apart(
 def _without_temperature(
     request: TestRequest, plan: Plan, test: PositioningTest, axis: str
 ) -> Iterator[InputError]:
-    """Yield a note that only the test before was referred to 20 °C, because the test after loading
-    states no temperature.
-    """
+    """Yield errors for temperatures that the test before loading has, but the one after lacks."""
     planned = plan.axes[axis].tests if axis in plan.axes else ()
     before = next((each.test for each in planned if each.test.name == request.name), None)
     if before is None or before.thermal is None or test.thermal is None:
@@ -177,9 +175,7 @@ def _without_temperature(
 
 
 def _unfit(plan: Plan, axes: Sequence[str]) -> Iterator[Fault]:
-    """Yield why tests of these axes cannot be judged: two tests of one axis, none at all, or no
-    axis of the plan.
-    """
+    """Yield faults for an axis with two tests, and for axes without a test in the plan."""
     for axis in dict.fromkeys(axes):
         if axes.count(axis) > 1:
             yield Fault(
@@ -207,9 +203,7 @@ def _unfit(plan: Plan, axes: Sequence[str]) -> Iterator[Fault]:
 def _assign(
     session: Session, job: Job, spec: str | PositioningTest, profiles: Sequence[Path]
 ) -> tuple[tuple[str, str], str | PositioningTest]:
-    """Return (axis, test name) and the path in an ``--after`` value: ``TEST=FILE``, else by the
-    file's axis, or the test itself.
-    """
+    """Return axis and name of the repeated test, and the file, of an ``--after`` value."""
     names = {request.name: axis for axis, entry in job.axes.items() for request in entry.before}
     if isinstance(spec, PositioningTest):
         return _first_test(job, _axis_of(job, spec.axis, spec.name, names), spec.name, names), spec
@@ -242,9 +236,7 @@ def _assign(
 
 
 def _first_test(job: Job, axis: str, spec: str, names: Mapping[str, str]) -> tuple[str, str]:
-    """Return the axis and the name of its first test in the job. ``names``: tests and their
-    axes.
-    """
+    """Return the axis, and the name of its first test in the job. ``names``: test name to axis."""
     before = job.axes[axis].before
     if not before:
         raise UsageError(
@@ -260,9 +252,7 @@ def _first_test(job: Job, axis: str, spec: str, names: Mapping[str, str]) -> tup
 
 
 def _axis_of(job: Job, measured: str, spec: str, names: Iterable[str]) -> str:
-    """Return the axis ``measured`` that a file names, or the only axis of the job. ``names``: of
-    the job's tests.
-    """
+    """Return the job's axis that a file names (``measured``), or the only axis of the job."""
     if measured:
         axis = next((name for name in job.axes if name.upper() == measured.upper()), None)
         if axis is None:
@@ -292,9 +282,7 @@ def _axis_of(job: Job, measured: str, spec: str, names: Iterable[str]) -> str:
 
 
 def _axis_in(session: Session, path: str, profiles: Sequence[Path]) -> str:
-    """Return the axis named in a file. A table from another program is read with one of
-    ``profiles``.
-    """
+    """Return the axis named in a measurement file, which may need one of the ``profiles``."""
     try:
         return read_measurement(session, Path(path)).axis
     except InputError:

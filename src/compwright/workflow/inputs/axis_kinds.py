@@ -33,7 +33,7 @@ _LEVELS = 3
 
 @dataclass(frozen=True, slots=True)
 class Kinds:
-    """The addresses of axes of ``unknown`` kind, with notes about them."""
+    """The addresses of axes that may be linear or rotary, with assumptions and findings."""
 
     unknown: tuple[str, ...] = ()
     assumed: tuple[Assumption, ...] = ()
@@ -49,8 +49,7 @@ def decode_kinds(
     *,
     active: bool | None = None,
 ) -> tuple[Control, DecodedState, Kinds]:
-    """Return a control, the contents of its files, and the axes of unknown kind. ``active``:
-    whether tables are active.
+    """Return a control, the contents of its files, and the axes not known as linear or rotary.
 
     Raises UsageError where the numbers themselves depend on an unknown kind, or a given kind
     contradicts the files.
@@ -81,7 +80,7 @@ def decode_kinds(
 
 
 def _unknown(found: DecodedState, given: object) -> tuple[str, ...]:
-    """Return the addresses whose kind neither the files nor ``given`` state."""
+    """Return the addresses of axes of which neither files nor user state linear or rotary."""
     if isinstance(given, str):
         return ()
     crossed = (end for entry in found.state.cross for end in (entry.input, entry.output))
@@ -94,7 +93,7 @@ def _unknown(found: DecodedState, given: object) -> tuple[str, ...]:
 
 
 def _planned_kinds(session: Session, paths: Sequence[Path], format_id: str) -> dict[str, AxisKind]:
-    """Return the kind of each address from the plan of the run that wrote these files."""
+    """Return the kind (linear, rotary) of each address, from the plan that made these files."""
     kinds: dict[str, AxisKind] = {}
     for folder in dict.fromkeys(
         above for path in paths for above in (path, *path.absolute().parents[:_LEVELS])
@@ -114,7 +113,7 @@ def _planned_kinds(session: Session, paths: Sequence[Path], format_id: str) -> d
 
 
 def _check(control: Control, found: DecodedState, given: object) -> None:
-    """Raise an error if the given kind contradicts the files of the only axis."""
+    """Raise an error if the user's kind (linear, rotary) contradicts the control's files."""
     kinds = {found.state.facts_of(name).kind for name in found.state.axes}
     if isinstance(given, str) and None not in kinds and AxisKind(given) not in kinds:
         raise UsageError(
@@ -131,7 +130,7 @@ def _check(control: Control, found: DecodedState, given: object) -> None:
 def _readable(
     control: Control, files: Sequence[ControlFile], address: str | None, *, active: bool | None
 ) -> DecodedState | None:
-    """Return the contents of the files. None where they cannot be read."""
+    """Return the contents of the files, or None if they cannot be read."""
     try:
         return decode(control, files, address=address, active=active)
     except CompwrightError:
@@ -139,7 +138,7 @@ def _readable(
 
 
 def _same_numbers(linear: DecodedState, rotary: DecodedState | None) -> None:
-    """Raise an error if table values depend on the kind of the axis, as on an inch machine."""
+    """Raise an error if table values differ for a linear and a rotary axis, as in inches."""
     if rotary is None:
         return
     faults = []

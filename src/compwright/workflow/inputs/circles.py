@@ -41,9 +41,7 @@ _CAUSES: Final = {
 
 
 def read_if_circular(content: bytes, file: str) -> CircularTest | None:
-    """Return the circular test in ``content``. None when it is none; raises InputError for a
-    damaged one.
-    """
+    """Return the circular test in a file, or None for another file. Raises InputError."""
     return read_circular(content, file) if is_circular(content, file) else None
 
 
@@ -61,10 +59,7 @@ def pairs_joined(tests: Sequence[T | CircularTest]) -> list[T | CircularTest]:
 
 
 def machines_of(circles: Sequence[CircularResult]) -> tuple[list[dict[str, Any]], list[Fault]]:
-    """Return what the circles of each machine show together, where there are two or more, and what
-    failed at it. Circles are of one machine where their files state the same name and serial
-    number, or none. Of circles from the same file one counts.
-    """
+    """Return the joint results of each machine with at least two circles, and the faults."""
     machines: dict[tuple[str | None, ...], list[CircularResult]] = {}
     seen: set[str] = set()
     for result in circles:
@@ -131,7 +126,7 @@ def read_circles(session: Session, job: Job, folder: Path) -> tuple[CircularTest
 
 
 def read_circle(session: Session, paths: Sequence[Path | CircularTest], name: str) -> CircularTest:
-    """Read the files of one circular test; a part may be in memory. Raises InputError."""
+    """Read one circular test from files or tests in memory. Raises InputError."""
     errors: list[CompwrightError] = []
     parts = []
     for given in paths:

@@ -1,4 +1,4 @@
-"""Evaluate measurement files one by one, in this process or another.
+"""Evaluate measurement files one by one, so that parallel processes can share the work.
 
 A file is passed with its content, because only the first process reads files. The result is the
 entry of the JSON document and the values by which the tests of a folder are compared.
@@ -52,9 +52,7 @@ class FileToEvaluate:
 
 @dataclass(frozen=True, slots=True)
 class Evaluated:
-    """A test with its entry in the document. ``test`` and ``circle`` omit what the entry already
-    contains.
-    """
+    """A test and its entry in the evaluation document."""
 
     entry: dict[str, Any]
     test: PositioningTest | None = None
@@ -68,7 +66,7 @@ Why = Literal["unread", "refused", "unfit", "own"]
 
 @dataclass(frozen=True, slots=True)
 class Noted:
-    """A fault of a file or one of its tests."""
+    """A fault of a file or of one of its tests, and what failed (``why``)."""
 
     why: Why
     fault: Fault
@@ -88,12 +86,12 @@ class FileTests:
 
 @dataclass(frozen=True, slots=True)
 class FilesEvaluator:
-    """Evaluates a file by the settings ``request``. A copy of it works in any process."""
+    """A function that evaluates a file by the settings ``request``, also in another process."""
 
     request: EvaluationRequest
 
     def __call__(self, given: FileToEvaluate) -> FileTests:
-        """Return the evaluated contents of a file. Any fault is stored with the file."""
+        """Return the tests in a file, evaluated, or the faults."""
         if given.faults:
             return FileTests(noted=tuple(Noted("unread", fault) for fault in given.faults))
         try:
@@ -110,9 +108,7 @@ class FilesEvaluator:
         )
 
     def _two_columns(self, given: FileToEvaluate) -> Callable[[FileToEvaluate], Entry] | None:
-        """Return the evaluation function for a drift test or a table of lost motion. None: it
-        is neither.
-        """
+        """Return the function that evaluates a drift test or lost motion, None for others."""
         from compwright.instruments.drift_csv import is_drift, is_lost_motion
 
         if self.request.profile is not None:
@@ -148,12 +144,12 @@ class FilesEvaluator:
 
 @dataclass(frozen=True, slots=True)
 class CirclesEvaluator:
-    """Evaluates and diagnoses a circular test by the settings ``request``."""
+    """A function that evaluates and diagnoses a circular test by the settings ``request``."""
 
     request: EvaluationRequest
 
     def __call__(self, test: CircularTest) -> FileTests:
-        """Return the evaluated test. Any fault is stored with its file."""
+        """Return the circular test, evaluated, or the faults."""
         from compwright.documents.circular import circular_document
         from compwright.planning.circle_diagnosis import diagnose_circle
 
@@ -193,7 +189,7 @@ def _lost_motion(given: FileToEvaluate) -> Entry:
 
 
 def ready() -> None:
-    """Do nothing. Importing this module has loaded all that the work on files needs."""
+    """Do nothing: a new process calls it, so that importing this module loads what it needs."""
 
 
 def _kept(entry: dict[str, Any], request: EvaluationRequest) -> dict[str, Any]:

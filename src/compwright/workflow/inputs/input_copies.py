@@ -23,9 +23,7 @@ BY_VERIFY, ELSEWHERE = "verify", "elsewhere"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class GivenFile:
-    """An input file of a command. ``name``: as in the job or on the command line; ``of``: its test,
-    circle or state.
-    """
+    """An input file of a command. ``of``: the test, circle or state that uses the file."""
 
     role: InputRole
     of: str
@@ -80,7 +78,7 @@ def files_of_job(session: Session, job: Job, folder: Path, definition: Texts) ->
 
 
 def _text_of_definition(session: Session, path: Path, content: bytes) -> GivenFile:
-    """Return the text of a definition, from a plan or as shipped."""
+    """Return the text of a control definition, from the plan or as installed."""
     there = storage.is_there(session, path) and storage.read_bytes(session, path) == content
     return GivenFile(
         role="definition", of="", name=path.name, path=path if there else None, content=content
@@ -88,7 +86,7 @@ def _text_of_definition(session: Session, path: Path, content: bytes) -> GivenFi
 
 
 def given_job(name: str, path: Path, content: bytes) -> GivenFile:
-    """Return the job file as an input, which may be written with its results."""
+    """Return the job file as an input that may be copied into the result folder."""
     return GivenFile(role="job", of="", name=name, path=path, content=content)
 
 
@@ -141,7 +139,7 @@ def files_at(
 
 
 def _named(text: str, path: Path, start: Path) -> str:
-    """Return the name of a file as in the job: by itself, or in a folder."""
+    """Return the name of a file as the job states it, or as a file in a folder the job states."""
     name = Path(text).as_posix()
     return name if path == start else f"{name}/{path.relative_to(start).as_posix()}"
 
@@ -164,8 +162,7 @@ def kept(
     there: Mapping[str, bytes],
     written: Collection[str],
 ) -> tuple[tuple[RecordedInput, ...], dict[str, bytes]]:
-    """Return the inputs with their places in the result folder ``out``, and the copies to be
-    written there.
+    """Return the inputs with their places in the result folder, and the copies to be written.
 
     No bytes are kept twice: what is among the files ``there`` (relative name -> bytes: the way back
     holds what was in the control), or lies in ``out`` (the inputs of a next round are written
@@ -196,7 +193,7 @@ def kept(
 
 
 def _inside(path: Path | None, out: Path, written: Collection[str]) -> str | None:
-    """Return the relative name of a file that is inside the result folder and is not replaced."""
+    """Return the path relative to the result folder, if a file is in it and is not replaced."""
     if path is None:
         return None
     whole, root = storage.resolved(path), storage.resolved(out)
@@ -207,9 +204,7 @@ def _inside(path: Path | None, out: Path, written: Collection[str]) -> str | Non
 
 
 def _place(name: str, by: str) -> str:
-    """Return the place for the copy of a file: the relative path of the original, so that a copied
-    job finds it.
-    """
+    """Return where in the result folder a file is copied, so that a copied job finds the file."""
     parts = PurePosixPath(name).parts
     if by == BY_VERIFY:
         return f"{INPUTS}/{BY_VERIFY}/{parts[-1]}"

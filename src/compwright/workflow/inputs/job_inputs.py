@@ -46,9 +46,7 @@ _SAME_RANGE = 1.25
 
 @dataclass(frozen=True, slots=True)
 class JobInputs:
-    """The contents of a job's files: tests by axis name (machine coordinates), states by name (None
-    where not given).
-    """
+    """The contents of a job's files: tests by axis name, and states of the control by name."""
 
     tests: Mapping[str, tuple[PlannedTest, ...]]
     states: Mapping[str, DecodedState]
@@ -126,7 +124,7 @@ def read_measurement(
 
 
 def _without_unnamed(ours: PositioningTest, tests: Sequence[PositioningTest]) -> PositioningTest:
-    """Return the test in use, with a warning about further tests in the file that name no axis.
+    """Return the used test, with a warning if further tests in the file name no axis.
 
     A copied sheet may hold the newer measurement.
     """
@@ -144,8 +142,7 @@ def read_test(
     folder: Path,
     measured: Sequence[PositioningTest] = (),
 ) -> PositioningTest:
-    """Read the files of one test as one record in machine coordinates. Expansion is removed if the
-    job requires it. ``measured``: parts of the test that are in memory.
+    """Read the files of one test (or its parts in memory) as one record in machine coordinates.
 
     The temperature is that of the environment record, else of the test's own keys, else of its
     files, else of the axis.
@@ -196,7 +193,7 @@ def read_test(
 
 
 def _check_one_map(entry: AxisJob, request: TestRequest, parts: Sequence[PositioningTest]) -> None:
-    """Raise an error if both the job and a profile convert the instrument's positions."""
+    """Raise an error if both job and profile convert the instrument's positions (position_map)."""
     if request.position_map == PositionMap():
         return
     faults = [
@@ -242,9 +239,7 @@ def _check_axis(axis: Axis, test: PositioningTest) -> None:
 
 
 def _other_neighbours(job: Job, states: Mapping[str, DecodedState]) -> list[Fault]:
-    """Yield faults where compensation outside the tables differs between the states, because it is
-    in the readings and stays.
-    """
+    """Yield faults where compensation other than tables differs between the states of a job."""
     faults = []
     for name, entry in job.axes.items():
         facts_of = {
@@ -286,7 +281,7 @@ def _other_neighbours(job: Job, states: Mapping[str, DecodedState]) -> list[Faul
 
 
 def _differing(found: Mapping[str, str]) -> dict[str, str]:
-    """Return the parts of each text that are not in all texts. Parts are separated by ``, ``."""
+    """Return for each text those of its parts, separated by commas, that not all texts have."""
     parts = {name: words.replace("; ", ", ").split(", ") for name, words in found.items()}
     alike = set.intersection(*map(set, parts.values()))
     return {
@@ -296,9 +291,7 @@ def _differing(found: Mapping[str, str]) -> dict[str, str]:
 
 
 def _other_tables_between(job: Job, states: Mapping[str, DecodedState]) -> Iterator[Fault]:
-    """Yield a fault where cross-axis tables differ between a circle's state and the present one
-    and cannot be computed.
-    """
+    """Yield a fault where cross-axis tables differ between states and cannot be computed."""
     now = states.get(AS_FOUND)
     measured = {request.measured_in for request in job.circles} | {
         request.measured_in for request in job.cross
@@ -329,9 +322,7 @@ def _other_tables_between(job: Job, states: Mapping[str, DecodedState]) -> Itera
 
 
 def _misnamed(job: Job, states: Mapping[str, DecodedState]) -> Iterator[Fault]:
-    """Yield a fault where the control's files name an axis differently than the job, or drive it by
-    more joints.
-    """
+    """Yield a fault where the files give an axis another name, or more joints, than the job."""
     for name, decoded in states.items():
         for entry in job.axes.values():
             facts = decoded.state.facts_of(entry.axis.address)
@@ -342,9 +333,7 @@ def _misnamed(job: Job, states: Mapping[str, DecodedState]) -> Iterator[Fault]:
 def _unsaid_units(
     job: Job, control: Control, states: Mapping[str, DecodedState]
 ) -> Iterator[Fault]:
-    """Yield a fault where the machine's unit is not given and the length of a table suggests the
-    other unit (inch or mm).
-    """
+    """Yield a fault if the unit is not given and a table's length suggests the other (inch, mm)."""
     unanswered = length_unit(control.definition)
     if unanswered is None or unanswered[0].name in control.given:
         return
@@ -382,9 +371,7 @@ def _unsaid_units(
 
 
 def _missing_axes(job: Job, states: Mapping[str, DecodedState]) -> list[Fault]:
-    """Refuse a state without data of an axis that is to get a table, because missing is not
-    zero.
-    """
+    """Return faults for states whose files lack data of an axis: no data does not mean zero."""
     faults: list[Fault] = []
     for name, decoded in states.items():
         if not decoded.files:

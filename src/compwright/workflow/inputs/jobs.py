@@ -80,7 +80,7 @@ def _with_logo(session: Session, job: Job, folder: Path) -> Job:
 
 
 def _with_drifts(session: Session, job: Job, folder: Path) -> Job:
-    """Return the job with the range E_VE (environmental variation) from its drift tests."""
+    """Return the job with the environmental variation E_VE evaluated from its drift tests."""
     errors: list[CompwrightError] = []
     for kind, request in job.drifts.items():
         file = storage.named_from(folder, request.file)
@@ -150,7 +150,7 @@ def _with_environment(session: Session, job: Job, folder: Path) -> Job:
 def wrong_control(
     session: Session, data: Mapping[str, Any], *, folder: Path = Path(), carried: Texts = ()
 ) -> Iterator[KeyFault]:
-    """Yield the faults of the control's name and options in a job, for the common list of faults.
+    """Yield the faults of the control's name and options that a job states.
 
     ``folder``: what the path of a definition is relative to.
     """
@@ -188,8 +188,7 @@ def wrong_control(
 
 
 def _unknown_diameter(axes: object, control: Control, *, files: bool) -> Iterator[KeyFault]:
-    """Refuse diameter programming where it is unknown whether the control's tables use radius or
-    diameter.
+    """Yield faults for diameter axes if tables may be in radius or in diameter.
 
     Everything in a job counts in radius, as the machine moves. Where the control's files state how
     the axis is programmed, the job is checked against them; without ``files`` it cannot be checked.
@@ -214,8 +213,7 @@ def _unknown_diameter(axes: object, control: Control, *, files: bool) -> Iterato
 
 
 def _questions(axes: object, control: Control, *, files: bool, stated: bool) -> Iterator[KeyFault]:
-    """Yield a fault for each missing value that the control needs for an axis, before any file is
-    read.
+    """Yield a fault for each value that the control needs for an axis and the job lacks.
 
     ``stated``: the job states the contents of the control, so that tables are made.
     """
@@ -266,7 +264,7 @@ def _wrong_axis_options(axes: object, control: Control, *, unit_needed: bool) ->
 
 
 def default_folder(session: Session, job_file: Path) -> Path:
-    """Return the result folder of a job: next to the job file, named like it without the ending.
+    """Return the default result folder of a job: next to the job file, with the same stem.
 
     A job within the results of its own run, as that of a next round is, uses that folder; so does
     the copy of a job in the folder of its results.

@@ -7,9 +7,7 @@ from compwright.foundations.session import Session
 
 
 def files_matching(session: Session, text: str) -> list[str]:
-    """Return the files that match the pattern ``text``, by name. ``text`` itself where nothing
-    matches.
-    """
+    """Return the files that match the pattern ``text``, sorted, or ``text`` itself if none does."""
     found = storage.matching(session, text)
     name, mark, rest = text.partition("=")
     if found == [text] and mark:

@@ -22,9 +22,7 @@ OTHER_ENDINGS = frozenset(
 
 @dataclass(frozen=True, slots=True)
 class FoundMeasurements:
-    """The measurement files of a path in the order of their names, the other files (``skipped``),
-    and inner ``folders``.
-    """
+    """The measurement files of a path by name, skipped other files, and inner ``folders``."""
 
     files: tuple[Path, ...]
     skipped: tuple[Path, ...] = ()

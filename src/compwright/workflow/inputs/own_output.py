@@ -1,4 +1,4 @@
-"""Refuse a job that would apply its own table twice.
+"""Refuse a job whose existing table was made from the same test, as it would apply it twice.
 
 A fit adds the error that a test shows to the correction that was active in that test. A test that
 was taken before a table was loaded does not show the machine with it. If the state of that test is
@@ -52,7 +52,7 @@ _AGAIN = "its correction would be added a second time"
 
 @dataclass(frozen=True, slots=True)
 class _Earlier:
-    """An earlier plan, its file, and the hashes of the files that it made for the control."""
+    """A plan of an earlier run, its path, and the hashes of the files made for the control."""
 
     plan: Plan
     path: Path
@@ -106,9 +106,7 @@ def _inside_out(job: Job, folder: Path, out: Path) -> Iterator[Fault]:
 
 
 def _near(session: Session, job: Job, folder: Path, out: Path) -> Iterator[Path]:
-    """Yield the folders that may contain plans of earlier runs: near the output, the states, the
-    job and its measurements.
-    """
+    """Yield paths where plans of earlier runs may be: near the output, states, job and tests."""
     yield out / PLAN
     yield storage.resolved(out).parent / PLAN  # that of the round before
     for texts in job.states.values():
@@ -129,7 +127,7 @@ def _near(session: Session, job: Job, folder: Path, out: Path) -> Iterator[Path]
 
 
 def _of_other_days(folder: Path) -> Iterator[Path]:
-    """Yield the folders that may contain the plan of another day of this machine.
+    """Yield paths next to the job's folder where plans of the same machine may be.
 
     Those next to the job's, and one below. They belong to other jobs: they are not locked or
     repaired.
@@ -142,7 +140,7 @@ def _of_other_days(folder: Path) -> Iterator[Path]:
 
 
 def earlier_plans(contents: Iterable[tuple[Path, bytes]]) -> Iterator[_Earlier]:
-    """Yield the readable plans among the ``contents`` of files, each file once."""
+    """Yield the readable plans among pairs of path and contents, each file once."""
     seen: set[Path] = set()
     for path, content in contents:
         whole = storage.resolved(path)
@@ -158,9 +156,7 @@ def earlier_plans(contents: Iterable[tuple[Path, bytes]]) -> Iterator[_Earlier]:
 
 
 def made_for_the_control(plan: Plan) -> frozenset[str]:
-    """Return the hashes of the files that a plan's run wrote for the control, without files that
-    existed before.
-    """
+    """Return the hashes of the control files that a plan's run wrote, without those before it."""
     before = {fingerprint(file.raw) for files in plan.states.values() for file in files}
     return frozenset(
         digest
@@ -208,8 +204,7 @@ def _counted_twice(
 
 
 def _same(test: PositioningTest, old: PositioningTest) -> bool:
-    """Return whether two records come from one measurement: equal bytes, or nearly all readings
-    equal at their targets.
+    """Return whether two tests are one measurement: equal files, or nearly all readings equal.
 
     Rows that were deleted or added make no new measurement. A test with the new table loaded shows
     other readings.
@@ -245,7 +240,7 @@ def _is_own_table(
     *,
     made: bool,
 ) -> bool:
-    """Return whether a state contains the table of a plan.
+    """Return whether a state of the control contains the table that a plan made from ``test``.
 
     Whether it gives an axis another correction than was active during the plan's ``test``, and that
     is what the plan wanted.
@@ -276,7 +271,7 @@ def _is_own_table(
 
 
 def _bent(curves: Sequence[FloatArray], step: float) -> bool:
-    """Return whether a curve differs from a constant at many places by many steps."""
+    """Return whether a curve deviates from a constant at many positions by many ``step``."""
     return any(
         float(np.quantile(np.abs(curve - np.median(curve)), _MANY)) > _SEEN * step
         for curve in curves
@@ -286,8 +281,7 @@ def _bent(curves: Sequence[FloatArray], step: float) -> bool:
 def _change(
     planned: PlannedAxis, test: PlannedTest, state: DecodedState, axis: Axis
 ) -> list[FloatArray]:
-    """Return the correction of a state minus that during a plan's ``test``, mm or deg, at the
-    targets in + and in -.
+    """Return the correction of a state minus the one active during ``test``, per direction.
 
     Zero where the latter is unknown.
     """
@@ -319,7 +313,7 @@ def _fault(job: Job, place: str, test: str, state: str, earlier: _Earlier) -> Fa
 
 
 def refuse_added_again(plan: Plan, path: Path, state: DecodedState) -> None:
-    """Raise UsageError if a plan would add a correction between axes a second time."""
+    """Raise UsageError if a plan would apply a correction between axes a second time."""
     made: Mapping[str, str] = {fingerprint(file.raw): file.name for file in state.files}
     again = [made[digest] for digest in made_for_the_control(plan) if digest in made]
     if again and any(entry.written for entry in plan.cross):

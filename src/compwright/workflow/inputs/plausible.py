@@ -90,8 +90,7 @@ def _outside(axis: Axis, test: PositioningTest, file: str) -> Iterator[Fault]:
 
 
 def given_twice(named: Iterable[NamedTest]) -> list[Fault]:
-    """Return a fault for every pair of tests from the same measurement, and for a test with the
-    same file twice.
+    """Return faults for tests that are the same measurement, or contain a file twice.
 
     One measurement: files that are the same byte for byte, or readings that scatter and are the
     same to the last digit.

@@ -49,16 +49,14 @@ _HARMLESS: Final = ALLOWED | _COMMON
 
 @dataclass(frozen=True, slots=True)
 class _Somebody:
-    """Parts of a file name that identify a person or machine: whole ``pieces``, ``words``,
-    ``numbers``.
-    """
+    """Texts in file names that identify a person or machine: ``pieces``, ``words``, ``numbers``."""
 
     pieces: frozenset[str]
     words: frozenset[str]
     numbers: frozenset[str]
 
     def is_in(self, text: str) -> bool:
-        """Return whether the text is in a part of a name."""
+        """Return whether a part of a file name contains one of these texts."""
         for spelled in _spellings(text):
             joined = "".join(_PIECE.findall(spelled))
             if (
@@ -73,7 +71,7 @@ class _Somebody:
 def names_of_copies(
     files: Sequence[str], removed: Iterable[tuple[str, str]], names: Names
 ) -> list[str]:
-    """Return different names for the copies of ``files``. Upper and lower case count as equal.
+    """Return names for the copies of ``files`` that differ, even with upper case as lower case.
 
     A name is kept, except for parts that contain a text removed from any file, or that may be a
     serial number. ``removed``: the removed texts, each with its kind before it.
@@ -108,9 +106,7 @@ def _somebody(removed: Iterable[tuple[str, str]]) -> _Somebody:
 
 
 def _shown(name: str, somebody: _Somebody, names: Names) -> str:
-    """Return a part of a copy's name. A name that was replaced in a file is replaced in the same
-    way.
-    """
+    """Return a part of a copy's name, with a neutral name where it identifies someone."""
     stem, ending = PurePath(name).stem, PurePath(name).suffix
     if somebody.is_in(ending):
         ending = ""
@@ -132,8 +128,6 @@ def _spellings(text: str) -> Iterator[str]:
 
 
 def _numbers(text: str) -> list[str]:
-    """Return the numbers in a text that may be serial numbers, with any characters between their
-    digits.
-    """
+    """Return the numbers in a text that may be serial numbers, also with separators in between."""
     found = [*_NUMBER.findall(text), *_NUMBER.findall(_BETWEEN_DIGITS.sub("", text))]
     return [number for number in found if _DATED.fullmatch(number) is None]

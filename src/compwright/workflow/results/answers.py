@@ -1,6 +1,4 @@
-"""The output of the commands as documents, text and tables, written where the command line
-states.
-"""
+"""The output of the commands as documents, terminal text and tables."""
 
 from __future__ import annotations
 
@@ -29,7 +27,7 @@ def write_document(
 
 
 def show(renderables: list[Any]) -> None:
-    """Print rich renderables on standard output."""
+    """Print texts and tables of the ``rich`` library on standard output."""
     from compwright.reporting.shown import print_renderables
 
     print_renderables(renderables)
@@ -67,7 +65,7 @@ def run_summary(outcome: Any) -> list[Any]:
 
 
 def _words(result: Mapping[str, Any]) -> str:
-    """Return the printed name of a result of an evaluation."""
+    """Return the heading of an evaluated test in the terminal, such as "Axis X, test before"."""
     return (
         f"Axis {result['axis']}, test {result['name']}"
         if result["kind"] == "positioning"

@@ -1,6 +1,4 @@
-"""The commissioning card: settings, expected readings, a quick check, and how to restore the old
-state.
-"""
+"""The commissioning card: settings, expected readings, a quick check, and the rollback."""
 
 from __future__ import annotations
 
@@ -109,7 +107,7 @@ _READ = ("CW-R001", "CW-R056", "CW-R060", "CW-R062")
 
 
 def _as_read(works: Mapping[str, AxisWork]) -> list[dict[str, str]]:
-    """Return the assumptions about the measurements from which the tables come."""
+    """Return assumptions made in reading the measurements, as rows of the card."""
     return [
         {
             "fact": control_text("axis {axis}, test {test}", axis=name, test=result.test.name),
@@ -124,7 +122,7 @@ def _as_read(works: Mapping[str, AxisWork]) -> list[dict[str, str]]:
 
 
 def changes_csv(changes: Mapping[str, Any]) -> bytes:
-    """Return every change as CSV: entry, old value, new value. Empty without changes."""
+    """Return all changed entries as CSV with old and new value, or nothing without changes."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(["entry", "old", "new"])
@@ -133,7 +131,7 @@ def changes_csv(changes: Mapping[str, Any]) -> bytes:
 
 
 def _in_one_step(harmful: Sequence[str]) -> list[dict[str, Any]]:
-    """Return the step that must come first, if loading only some of the files would do harm."""
+    """Return the card's first step, "All files or none", if loading only some would do harm."""
     if not harmful:
         return []
     rule = control_text(

@@ -16,7 +16,7 @@ _ODD: Final = re.compile(r'["$`\\!%]')
 
 
 def after_run(outcome: Any, job: Path, out: Path, *, apart: bool) -> str:
-    """Return the next step after a run.
+    """Return the last line of ``run``: the next step, with the command to type.
 
     ``job``: its job file; ``out``: the folder of its results, ``apart``: not the default folder of
     the job.
@@ -52,7 +52,7 @@ def after_verify(
     given: Sequence[object],
     read_back: bool,
 ) -> str:
-    """Return the next step after a verification.
+    """Return the last line of ``verify``: the next step, with the command to type.
 
     ``after``: its tests; ``plan``: the plan that it used; ``given``: the options with paths;
     ``read_back``: whether the control's files were given.
@@ -88,7 +88,7 @@ def after_verify(
 
 
 def _command(*words: object) -> str:
-    """Return a command line that works in the shells of Linux, macOS and Windows."""
+    """Return a command line, quoted so that it works on Linux, macOS and Windows."""
     texts = (word.as_posix() if isinstance(word, Path) else str(word) for word in words)
     return " ".join(["compwright", *map(_quoted, texts)])
 

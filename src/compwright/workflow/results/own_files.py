@@ -1,4 +1,4 @@
-"""Write files of a command into a folder without a record.
+"""Write files of a command into a folder, with a list that shows which files it wrote.
 
 A hidden list distinguishes the files of an earlier run from the user's, which are never replaced
 and never removed.
@@ -26,8 +26,7 @@ def write_listed(
     as_set: bool,
     elsewhere: Mapping[Path, bytes] | None = None,
 ) -> list[Path]:
-    """Write ``files`` (relative name -> bytes) with their list into ``out``, all or nothing.
-    Returns their paths in the given order.
+    """Write ``files`` and a list of them into ``out``, all or nothing. Return their paths.
 
     With ``force``, unchanged files of an earlier command there are replaced. ``as_set``: files that
     an earlier run of this ``command`` wrote and this one does not are then removed. Raises

@@ -1,4 +1,4 @@
-"""The record of a result folder: made by a run, completed by its verification."""
+"""The record of a result folder: written by ``run``, completed by ``verify``."""
 
 from __future__ import annotations
 
@@ -52,8 +52,7 @@ def recorded_run(
     *,
     draft: Mapping[str, bytes] = MappingProxyType({}),
 ) -> tuple[dict[str, bytes], tuple[str, ...]]:
-    """Return the record of a run, the copies of its inputs, and leftover files of another plan's
-    verification.
+    """Return a run's record, copies of its inputs, and outdated files of a verification.
 
     ``given``: the inputs (`files_of_job`); ``out``: the result folder; ``draft``: the job file that
     it leaves there, where it was made without one.
@@ -105,9 +104,7 @@ def recorded_run(
 def _own_job(
     given: Sequence[GivenFile], out: Path, earlier: Mapping[str, Any] | None
 ) -> dict[str, bytes]:
-    """Return the unchanged job file of an earlier run among its results, if this run uses it. An
-    edited one belongs to the user.
-    """
+    """Return the job file in the result folder if an earlier run wrote it and nobody changed it."""
     listed = {} if earlier is None else {each["file"]: each["sha256"] for each in earlier["files"]}
     return {
         file.path.name: file.content
@@ -135,9 +132,7 @@ def _definition(control: Control) -> Any:
 
 
 def known_results(session: Session, folder: Path) -> storage.Known:
-    """Return how to recognise the results of earlier commands in a folder, unlike the user's own or
-    changed files.
-    """
+    """Return a function that tells results of earlier commands from the user's or changed files."""
     planned = listed_files(storage.earlier_bytes(session, folder / PLAN))
     listed = {**planned, **listed_in_record(storage.earlier_bytes(session, folder / RECORD))}
 
@@ -152,9 +147,7 @@ def known_results(session: Session, folder: Path) -> storage.Known:
 
 
 def folders_of_copies(names: Mapping[str, Any] | Sequence[str]) -> list[str]:
-    """Return the folders below `INPUTS` that contain files of these names, except inputs of
-    ``verify``.
-    """
+    """Return the folders below `INPUTS` with a run's copied inputs, not those of ``verify``."""
     return list(
         dict.fromkeys(
             name.rpartition("/")[0]
@@ -175,7 +168,7 @@ def recorded_verification(
     before: Mapping[str, Any],
     after: Mapping[str, Any],
 ) -> dict[str, bytes]:
-    """Return the copies of the inputs of ``verify``, and the completed record.
+    """Return the copies of the inputs of ``verify``, and the record with the verification added.
 
     ``files``: what else it writes; ``document``: the verification; ``before``, ``after``:
     evaluations of its tests.
@@ -197,7 +190,7 @@ def recorded_verification(
 
 @dataclass(frozen=True, slots=True)
 class RunResult:
-    """A plan to be verified, its control, and its file."""
+    """A plan that is verified, its control, and the path of the plan."""
 
     plan: Plan
     control: Control
@@ -207,7 +200,7 @@ class RunResult:
 def _still_there(
     session: Session, record: Mapping[str, Any], out: Path, written: Mapping[str, bytes]
 ) -> dict[str, bytes]:
-    """Return the unchanged files of the run in its folder, which stay."""
+    """Return the files of the run that are unchanged in the folder and are not replaced."""
     found = {
         str(entry["file"]): (
             str(entry["sha256"]),
@@ -224,7 +217,7 @@ def _still_there(
 def _begun(
     session: Session, run: RunResult, out: Path, before: Mapping[str, Any]
 ) -> dict[str, Any]:
-    """Return the record of the plan's run. In another folder it omits files that are not there.
+    """Return the record of the run, for another folder without the files that stay behind.
 
     A run of an older version has none: it is rebuilt from the plan as far as possible.
     """

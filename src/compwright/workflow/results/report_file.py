@@ -1,4 +1,4 @@
-"""The report of a command as the file that ``--report`` names."""
+"""The report of a command, written to the file of the option ``--report``."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def require_report_form(path: Path | None, *forms: str) -> None:
 
 
 def as_named(page: bytes, path: Path) -> bytes:
-    """Return a report as HTML or PDF, by the ending of its name."""
+    """Return a report as PDF if the file name ends in ``.pdf``, else as HTML."""
     if path.suffix.lower() != ".pdf":
         return page
     from compwright.reporting.pdf import pdf_of_page

@@ -1,4 +1,4 @@
-"""The files of a run: documents, tables, way back, card and report."""
+"""The files of a run: documents, tables, rollback, card and report."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ PLAN = "plan.json"
 
 @dataclass(frozen=True, slots=True)
 class Results:
-    """Every file of a run by its relative name, the documents, and notes about missing files."""
+    """The contents of every file of a run by relative name, its documents, and notes."""
 
     files: Mapping[str, bytes]
     evaluation: Mapping[str, Any]
@@ -80,9 +80,7 @@ def result_files(finished: Finished, each: Each = in_turn) -> Results:
 
 
 def _control_files(finished: Finished) -> dict[str, bytes]:
-    """Return the tables and the copies of the control's files. The plan lists them, so it is made
-    last.
-    """
+    """Return tables and rollback files, with an empty place for the plan, which lists them."""
     as_found, format_id = finished.measured.as_found, finished.fitted.control.id
     if as_found is None:
         return {}
@@ -99,7 +97,7 @@ def _control_files(finished: Finished) -> dict[str, bytes]:
 
 
 def _card(finished: Finished, prediction: Mapping[str, Any]) -> Mapping[str, Any] | None:
-    """Return the card as plain data. None where nothing has to be done at the control."""
+    """Return the card as plain data, or None if nothing has to be done at the control."""
     written = finished.written
     if not (written.tables or written.cross.steps):
         return None
@@ -125,7 +123,7 @@ def _card(finished: Finished, prediction: Mapping[str, Any]) -> Mapping[str, Any
 
 
 def _harmful(finished: Finished) -> tuple[str, ...]:
-    """Return the harm that some of the written files do without the others."""
+    """Return sentences about the harm of loading only some of the written files."""
     written, as_found = finished.written, finished.measured.as_found
     works = {name: work for name, work in finished.works.items() if work.planned.fitted is not None}
     own = () if as_found is None else as_found.files
@@ -165,9 +163,7 @@ def _report(
     prediction: Mapping[str, Any],
     each: Each,
 ) -> bytes:
-    """Return the report; ``names``: every file of the run. Raises UsageError without the report
-    extra.
-    """
+    """Return the report with links to the files ``names``. Raises UsageError without the extra."""
     from compwright.reporting.run_report import run_report
 
     as_found = finished.measured.as_found

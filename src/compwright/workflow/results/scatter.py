@@ -1,4 +1,4 @@
-"""The standard errors of a test, from the readings in its document."""
+"""Standard errors of the parameters of a test, from the readings in its document."""
 
 from __future__ import annotations
 
@@ -11,9 +11,7 @@ from compwright.evaluation.standard_errors import slope_error, standard_errors
 
 
 def errors_of(result: Mapping[str, Any]) -> dict[str, tuple[float, float]]:
-    """Return the standard errors of a positioning result with their degrees of freedom, from the
-    readings in its document.
-    """
+    """Return standard error and degrees of freedom of each parameter of a positioning result."""
     positive, negative = (
         np.array(
             [

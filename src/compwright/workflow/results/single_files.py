@@ -1,5 +1,4 @@
-"""Check a file that an output would replace. With ``--force`` it is replaced, unless it is
-certainly a different kind of file.
+"""Check that ``--force`` replaces a file only by one of the same kind.
 
 A file that the user names for an answer (``--json``, ``--plot``, ``--table``, ``--out``): a
 measurement, a job, a plan, a picture in the place of a document.
@@ -61,8 +60,7 @@ _LOOKED_AT: Final = 65536  # bytes
 def refuse_other_kinds(
     session: Session, targets: Mapping[Path, bytes], *, force: bool, results: Iterable[Path] = ()
 ) -> None:
-    """Raise StorageError if an existing file has a different kind than its replacement. Without
-    ``force`` nothing is checked.
+    """Raise StorageError if ``force`` would replace a file by one of a different kind.
 
     ``results``: the other files that the command writes; one name for two files is refused when
     they are written.
@@ -98,7 +96,7 @@ def _others(session: Session, targets: Mapping[Path, bytes]) -> Iterator[Fault]:
 
 
 def kind_of(content: bytes) -> str:
-    """Return the kind of a file as text. Empty where it is uncertain."""
+    """Return the kind of a file, such as "a JSON document", or "" if it is uncertain."""
     if len(content) > _LOOKED_AT:
         content = content[:_LOOKED_AT].rpartition(b"\n")[0]
     kind = next((kind for mark, kind in _SIGNATURES if mark.match(content)), "")
@@ -123,14 +121,12 @@ def _of_text(content: bytes) -> str:
 
 
 def _first_cell(content: bytes) -> bytes:
-    """Return the first text in the header row of a table. Tables of compwright always have the same
-    one.
-    """
+    """Return the first cell of a header row, by which compwright's tables are recognised."""
     return re.split(rb"[;,\t]", content.lstrip(b"\xef\xbb\xbf").partition(b"\n")[0])[0]
 
 
 def _properties(content: bytes) -> bytes:
-    """Return author and last change of a workbook. Empty where it has none.
+    """Return author and last editor in a workbook's properties, or nothing without properties.
 
     Those of compwright carry no date, so that they stay the same until another program saves the
     file.

@@ -15,7 +15,7 @@ from compwright.words.sentences import Sentence, say
 
 
 def report_document(job: Job) -> dict[str, Any]:
-    """Return the head of the report as plain data. The logo is encoded as text."""
+    """Return the job's entries for the head of the report as plain data, the logo as base64."""
     head = job.report
     logo = None
     if head.image is not None:
@@ -59,9 +59,7 @@ def stated_of_circles(job: Job) -> dict[str, Mapping[str, str | Sentence]]:
 
 
 def compensation_text(job: Job, state: str) -> str | Sentence:
-    """Return whether compensation was on or off in a state, as the job states it. Empty where it
-    does not.
-    """
+    """Return the sentence on compensation in a state, such as "off", or "" if the job lacks it."""
     files = job.states.get(state)
     if files is None:
         return ""

@@ -70,9 +70,7 @@ def run_view(
 
 
 def _paper(job: Job, command: Sequence[str], options: Sequence[str] = ()) -> dict[str, Any]:
-    """Return the page head of a printed report. ``command`` and ``options``: the command line that
-    repeats it.
-    """
+    """Return the page head of a printed report, with the command line that makes it again."""
     return {
         "language": job.report.language,
         "report": report_document(job),
@@ -82,9 +80,7 @@ def _paper(job: Job, command: Sequence[str], options: Sequence[str] = ()) -> dic
 
 
 def axis_view(work: AxisWork, loaded: DecodedState | None) -> dict[str, Any]:
-    """Return the report data of one axis: its estimate, wanted totals, fit, and expected next
-    test.
-    """
+    """Return the report data of one axis: estimated error, wanted totals, fit, and prediction."""
     planned = work.planned
     estimate, wanted, fitted = planned.estimate, planned.wanted, planned.fitted
     factor = outside_factor(planned.axis.kind.unit)
@@ -123,9 +119,7 @@ def axis_view(work: AxisWork, loaded: DecodedState | None) -> dict[str, Any]:
 
 
 def expected_targets(work: AxisWork, loaded: DecodedState | None) -> dict[str, Any]:
-    """Return the expected deviations of a new test at the first test's targets, and the scatter of
-    one reading.
-    """
+    """Return the deviations that a new test is expected to show, and the scatter of a reading."""
     test = work.results[0].test
     factor = outside_factor(test.kind.unit)
     change = difference(after_loading(work, loaded), work.active)

@@ -24,7 +24,7 @@ from compwright.workflow.run.written import Written
 
 @dataclass(frozen=True, slots=True)
 class Finished:
-    """All data from which the files of a run are made."""
+    """The results of all stages of a run, from which its files are made."""
 
     measured: Measured
     wanted: Wanted
@@ -39,12 +39,12 @@ class Finished:
 
     @property
     def works(self) -> Mapping[str, AxisWork]:
-        """Every axis with tests, and its table if it gets one."""
+        """The results of every axis with tests, with its table if it gets one."""
         return self.written.works
 
     @property
     def assumed(self) -> tuple[Assumption, ...]:
-        """The assumptions about values that were in no file."""
+        """The values that compwright assumed because no file or job states them."""
         states = self.measured.states.values()
         capacities = [work.capacity for work in self.works.values() if work.capacity is not None]
         return (
@@ -64,7 +64,7 @@ class Finished:
 
     @property
     def doubts(self) -> Doubts:
-        """The doubts that block decisions, with their axes. Findings of tests name their test."""
+        """The doubts that block decisions, each with the axes it concerns."""
         return find_doubts(
             [*self._noticed(), *self._of_tests(), *self._of_circles()],
             self.measured.job.acknowledged,
@@ -73,12 +73,12 @@ class Finished:
 
     @property
     def first(self) -> tuple[Finding, ...]:
-        """The findings that are shown first: the open doubts, and equally important results."""
+        """The findings shown first: doubts that are not acknowledged, and important results."""
         still = (one.finding for one in self.doubts.open)
         return doubts_of([*still, *(one for one in self.findings if one.code in RESULTS)])
 
     def decided(self) -> Finished:
-        """Return the job without decisions about axes and circles with open doubts."""
+        """Return the job with undecided limits on axes and circles that have open doubts."""
         doubts = self.doubts
         axes = {
             name: replace(axis, accept=mark_undecided(axis.accept)) if doubts.about(name) else axis
@@ -95,7 +95,7 @@ class Finished:
         return replace(self, predicted=replace(self.predicted, axes=axes, circles=circles))
 
     def _noticed(self) -> list[ScopedFinding]:
-        """Return the findings that belong to no test or circle."""
+        """Return the findings that do not belong to a single test or circle."""
         states = self.measured.states.values()
         return [
             *map(ScopedFinding, self.measured.job.findings),

@@ -1,4 +1,4 @@
-"""Third stage of a job: fit tables under the limits of the control."""
+"""Third stage of a run: fit tables under the limits of the control."""
 
 from __future__ import annotations
 
@@ -17,9 +17,7 @@ from compwright.workflow.run.wanted import Wanted
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Fitted:
-    """The axes with their tables, axes with a scale from circles, and the control with its
-    options.
-    """
+    """The axes with fitted tables, those scaled by circles, and the control with its options."""
 
     control: Control
     works: Mapping[str, AxisWork]
@@ -27,12 +25,12 @@ class Fitted:
 
     @property
     def scales(self) -> dict[str, PlannedAxis]:
-        """The axes whose table comes from circles, by name."""
+        """The axes whose table corrects a scale error from circles, by name."""
         return {entry.name: entry.planned for entry in self.scaled if entry.planned is not None}
 
 
 def fitted(measured: Measured, wanted: Wanted, each: Each = in_turn) -> Fitted:
-    """Return the tables that the control can hold. None where its present contents are unknown.
+    """Return fitted tables that the control can hold; no tables if its contents are unknown.
 
     Raises UsageError where an option contradicts the control's files, CapacityError with the faults
     of all axes.

@@ -1,4 +1,4 @@
-"""First stage of a job: open the control, and read and check every file."""
+"""First stage of a run: open the control, and read and check every file of the job."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ from compwright.workflow.inputs.plausible import given_twice, impossible_tests, 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Measured:
-    """The inputs of a job, with the control's names of the axes.
+    """The contents of a job's files, and the job with the axis names of the control.
 
     ``active``: the active corrections of each state, by its name. ``named``: assumptions about
     names; ``findings``: by which reader the control's files were read, and keys of the job without
@@ -58,7 +58,7 @@ class Measured:
 
     @property
     def as_found(self) -> DecodedState | None:
-        """The present contents of the control. None where they are unknown."""
+        """The present contents of the control, or None if they are unknown."""
         return self.inputs.states.get(AS_FOUND)
 
     @property

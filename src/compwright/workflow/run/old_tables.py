@@ -1,4 +1,4 @@
-"""Test whether the existing tables were active, if an axis has tests in two known states."""
+"""Decide whether existing tables were active, from tests of an axis in two states."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ _Task = tuple[Axis, PlannedTest, PlannedTest, Mapping[str, ControlState], tuple[
 def with_old_tables(
     measured: Measured, works: Mapping[str, AxisWork], each: Each
 ) -> tuple[dict[str, AxisWork], tuple[Finding, ...]]:
-    """Return the axes and the findings about their old tables.
+    """Return the axes, and the findings on whether their existing tables were active.
 
     An axis gets no table where its tests show that the active correction differs from the files:
     the total of old and new would be wrong.
@@ -68,7 +68,7 @@ def with_old_tables(
 def _tasks(
     work: AxisWork, states: Mapping[str, ControlState], axes: tuple[Axis, ...]
 ) -> list[_Task]:
-    """Return pairs of tests of an axis, one test per known state.
+    """Return pairs of tests of an axis in different states, to be compared with each other.
 
     The one with the least active correction, with each other one.
     """
@@ -113,8 +113,7 @@ def judged_old_table(
     states: Mapping[str, ControlState],
     axes: Sequence[Axis],
 ) -> ExistingTableVerdict:
-    """Return whether the table of a state was active, from the test ``on`` compared with the test
-    ``off``.
+    """Return whether a state's table was active in the test ``on``, compared with ``off``.
 
     ``states`` by name; ``axes``: all of the job, whose tables may be active in place of this one.
     """
@@ -156,7 +155,7 @@ def _of_others(
 
 
 def _slope(off: PlannedTest, on: PlannedTest) -> float:
-    """Return the standard deviation of the slope difference of two tests, mm/mm.
+    """Return the standard uncertainty of the difference between two tests' slopes, mm/mm.
 
     As declared, else that of a usual change of temperature (`planning.wanted_correction`).
     """

@@ -1,4 +1,4 @@
-"""Last stage of a job: predict the next tests."""
+"""Last stage of a run: predict the next tests."""
 
 from __future__ import annotations
 
@@ -26,9 +26,7 @@ from compwright.workflow.run.written import Written, tables_of
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Predicted:
-    """The predicted tests of axes and circles, by name. ``findings``: the effect of tables on the
-    two axes of a gantry.
-    """
+    """Predicted tests of axes and circles. ``findings``: the effect on both axes of a gantry."""
 
     axes: Mapping[str, AxisPrediction]
     circles: Mapping[str, CirclePrediction]
@@ -38,9 +36,7 @@ class Predicted:
 def predicted(
     measured: Measured, wanted: Wanted, fitted: Fitted, written: Written, each: Each = in_turn
 ) -> Predicted:
-    """Return the prediction of new tests with the tables as read back. Without tables: with the
-    present correction.
-    """
+    """Predict new tests with the tables as read back, or else with the present correction."""
     loaded, job = written.loaded, measured.job
     tasks = []
     for work in written.works.values():
@@ -63,7 +59,7 @@ def predicted(
 
 
 def _gain(test: TestPrediction) -> float:
-    """Return the decrease of the parameter that judges tables, mm or deg."""
+    """Return by how much the predicted table reduces the deciding parameter, mm or deg."""
     name = judged_parameter(test.before)
     was = None if name is None else test.before.parameters[name]
     if name is None or was is None:
@@ -72,9 +68,7 @@ def _gain(test: TestPrediction) -> float:
 
 
 def after_loading(work: AxisWork, loaded: DecodedState | None) -> Correction:
-    """Return the correction of an axis after loading: its table as read back, or the present
-    correction.
-    """
+    """Return an axis's correction after loading: its table as read back, or the present one."""
     return (
         work.as_found
         if work.planned.fitted is None
@@ -83,7 +77,7 @@ def after_loading(work: AxisWork, loaded: DecodedState | None) -> Correction:
 
 
 def _circle(work: CircleWork, measured: Measured, then: ActiveCorrections) -> CirclePrediction:
-    """Predict a circle after loading, from the state in which it was measured."""
+    """Predict a circular test after loading, from the measured one and the changed correction."""
     during = measured.active.get(work.planned.measured_in, NO_CORRECTIONS)
     prediction = predicted_circle(work.result, work.planned, during, then)
     rule = measured.job.decision_rule

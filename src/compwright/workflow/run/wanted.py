@@ -1,6 +1,4 @@
-"""Second stage of a job: evaluate tests, estimate errors, compare positioning tests with
-circles.
-"""
+"""Second stage of a run: evaluate tests, and estimate errors and their corrections."""
 
 from __future__ import annotations
 
@@ -26,7 +24,7 @@ from compwright.workflow.run.old_tables import with_old_tables
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Wanted:
-    """The axes with their errors and the circles with their causes; ``checks`` compares both."""
+    """The axes with their errors, circles with their causes, and ``checks`` between the two."""
 
     works: Mapping[str, AxisWork]
     circles: tuple[CircleWork, ...]
@@ -76,8 +74,7 @@ def wanted(measured: Measured, each: Each = in_turn) -> Wanted:
 
 
 def _not_twice(job: Job, work: AxisWork) -> AxisWork:
-    """Return an axis without a table, if the existing table was made from the same test and the job
-    does not acknowledge that.
+    """Return an axis without a new table if its existing table was made from the same test.
 
     Where tests in two states show what that table did, its shape is no further evidence.
     """
@@ -92,9 +89,7 @@ def _not_twice(job: Job, work: AxisWork) -> AxisWork:
 
 
 def _not_alike(measured: Measured) -> dict[str, list[PositioningTest]]:
-    """Return the tests by axis, without gantry slaves, which are measured together with their
-    master.
-    """
+    """Return the tests by axis, without gantry slaves, which move together with their master."""
     followers = {axis.gantry for axis in measured.axes.values() if axis.gantry is not None}
     return {
         name: [entry.test for entry in tests]

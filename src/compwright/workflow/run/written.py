@@ -1,6 +1,4 @@
-"""Fourth stage of a job: write tables as the control's files, and read them back with both
-readers.
-"""
+"""Fourth stage of a run: write tables as the control's files, and read them with two readers."""
 
 from __future__ import annotations
 
@@ -35,7 +33,7 @@ FittedAxes = Sequence[tuple[Axis, FittedTable]]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Written:
-    """The files of the tables (``tables``) and their corrections (``loaded``; None without tables).
+    """The files with the fitted tables, and the corrections read from them (``loaded``).
 
     ``entered``: the control's own files as patched, and new ones, whichever of them are delivered;
     ``back``: small files that restore the old values. ``works``: the axes, without the tables that
@@ -59,8 +57,7 @@ def written(
     accept_worse: bool,
     each: Each = in_turn,
 ) -> Written:
-    """Write the tables of a job and read them back. Tables without improvement are left out, unless
-    ``accept_worse``.
+    """Write the tables of a job, without those that improve nothing, and read them back.
 
     Raises CapacityError where the control cannot hold something, CompwrightError (a fault of our
     own) where other things come back than were written.
@@ -100,7 +97,7 @@ def written(
 def tables_of(
     works: Mapping[str, AxisWork], scales: Mapping[str, PlannedAxis]
 ) -> list[tuple[Axis, FittedTable]]:
-    """Return every axis that gets a table. Those from tests come before those from circles."""
+    """Return every axis that gets a table, first those from positioning tests, then circles."""
     planned = (*(work.planned for work in works.values()), *scales.values())
     return [(entry.axis, entry.fitted) for entry in planned if entry.fitted is not None]
 
@@ -108,9 +105,7 @@ def tables_of(
 def _improving(
     works: Mapping[str, AxisWork], loaded: DecodedState, each: Each
 ) -> Mapping[str, AxisWork]:
-    """Return the axes without useless tables, and the reasons. ``works`` unchanged where all tables
-    improve their axis.
-    """
+    """Return the axes without tables that do not improve their axis, and the reasons."""
     tasks = {
         name: (work, applied_correction(loaded, work.planned.axis))
         for name, work in works.items()
@@ -133,8 +128,7 @@ def _improving(
 def write_fitted(
     control: Control, fitted: FittedAxes, as_found: DecodedState
 ) -> tuple[tuple[ControlFile, ...], DecodedState | None]:
-    """Write fitted tables as the control's files and read them back with both readers. (), None
-    without tables.
+    """Write fitted tables as the control's files, and return files and corrections read back.
 
     The present files (``as_found``) are patched. Raises CapacityError where a value cannot be held,
     and CompwrightError (a fault of compwright itself) when the table of another axis reads

@@ -1,6 +1,4 @@
-"""Judge a test after loading: compare the ways of loading that are possible for a plan and its
-control.
-"""
+"""Decide from a test after loading how the planned table was loaded, such as not at all."""
 
 from __future__ import annotations
 
@@ -53,8 +51,7 @@ def judged_loading(
     *,
     read_back: bool,
 ) -> LoadingVerdict:
-    """Return the verdict about the loading from the ``test`` after it, which repeats the test at
-    ``place`` of the axis.
+    """Return how the table was loaded, by the ``test`` that repeats test number ``place``.
 
     ``observed``, ``posterior``: the tests before and the error estimated from them; ``stored``: the
     contents of the control before, its tables switched on; ``others``: the other axes of the plan;
@@ -127,9 +124,7 @@ def _view(
 
 
 def _motion(planned: PlannedAxis, place: int, targets: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return the extra backlash correction at the targets for the motion of the repeated test, for
-    + and -.
-    """
+    """Return the extra backlash correction that the repeated test's motion causes, for + and -."""
     more = with_motion(no_correction, planned.axis, planned.tests[place].backlash_more)
     return more(targets, Direction.POSITIVE), more(targets, Direction.NEGATIVE)
 
@@ -142,7 +137,7 @@ def _error_of(planned: PlannedAxis) -> MeasuredError:
 def _judged_against(
     planned: PlannedAxis, observed: Sequence[ObservedTest], posterior: MeasuredError
 ) -> MeasuredError:
-    """Return the error estimated again with all slopes relative to the first test.
+    """Return the error estimated again with the slopes of all tests relative to the first test.
 
     The difference of slope between the first test and the one after loading is then one number.
     """

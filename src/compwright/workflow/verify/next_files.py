@@ -47,7 +47,7 @@ _HEADING = (
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Looped:
-    """The result of one round as input of the next one.
+    """The results of one round that are inputs of the next round.
 
     ``axes``: the tests after loading of the axes that may be corrected further; ``other_axes``:
     further axes of circles; ``files``: the present files of the control, ``active``: whether their
@@ -65,9 +65,7 @@ class Looped:
 
 @dataclass(slots=True)
 class _Copies:
-    """The copies by their names in the folder of the round. No two names are equal on any file
-    system.
-    """
+    """The contents of copied files by their names in the next round's folder."""
 
     files: dict[str, bytes] = field(default_factory=dict)
 
@@ -88,7 +86,7 @@ def _writable(character: str) -> bool:
 
 
 def _folder(*names: str) -> str:
-    """Return relative file names as nested folders."""
+    """Return names as a path of nested folders, with ``_`` in place of special characters."""
     plain = (re.sub(r"[^\w+-]", "_", name) or "_" for name in names)
     return "/".join(plain)
 
@@ -125,9 +123,7 @@ def next_files(session: Session, job: Job, plan: Plan, then: Looped) -> dict[str
 
 
 def _states(job: Job, plan: Plan, then: Looped, was: str, copies: _Copies) -> dict[str, Any]:
-    """Return the states with copies of their files: the present one, the previous one (``was``),
-    and those of earlier tests.
-    """
+    """Return the states for the next job: the present, the previous (``was``), and older ones."""
     found: dict[str, Any] = {AS_FOUND: _state(then.files, AS_FOUND, copies, active=then.active)}
     for name, files in plan.states.items():
         now = was if name == AS_FOUND else name
@@ -154,9 +150,7 @@ def _axis(
     paths: Mapping[str, str],
     copies: _Copies,
 ) -> NextAxis:
-    """Return an axis that may be corrected further. Its test after loading gets the name of the
-    repeated test.
-    """
+    """Return an axis for the next job; its test after loading becomes the test before."""
     sections = test_sections(section)
     names = [str(each["name"]) for each in sections]
     old = f"{after.repeats}_{was}"
@@ -206,9 +200,7 @@ def _temperatures(test: PositioningTest) -> dict[str, tuple[float, float]]:
 
 
 def _resolved(section: Mapping[str, Any], job: Job, name: str) -> dict[str, Any]:
-    """Return the axis keys that the job leaves open and earlier files answered. Files read back may
-    not contain them.
-    """
+    """Return the keys of an axis that earlier files of the control stated instead of the job."""
     axis = job.axes[name].axis
     found: dict[str, Any] = {}
     if str(section.get("address", name)) != axis.address:
@@ -226,8 +218,7 @@ def _resolved(section: Mapping[str, Any], job: Job, name: str) -> dict[str, Any]
 def _circles(
     session: Session, job: Job, plan: Plan, then: Looped, was: str, copies: _Copies
 ) -> list[dict[str, Any]]:
-    """Return the circles for the next round: those after loading, and older ones that were not
-    repeated.
+    """Return the circles for the next job: those after loading, and older ones not repeated.
 
     A correction between axes that is in no file of the control was active in none of the older
     circles: these are left out.
@@ -258,7 +249,7 @@ def _circles(
 
 
 def _runs(session: Session, paths: Iterable[Path], folder: str, copies: _Copies) -> dict[str, str]:
-    """Return the files of a circle: one with all runs, or one for each direction."""
+    """Return the copied files of a circular test: one file, or one for each direction."""
     files = [path for given in paths for path in measurement_files(session, given).files]
     contents = [storage.read_bytes(session, path) for path in files]
     names = [
@@ -310,8 +301,7 @@ def _files_with_tests(
 
 
 def _definition(name: str, plan: Plan, copies: _Copies) -> str:
-    """Return the name of the control's format. For the user's own definition: its copy. Raises
-    InputError.
+    """Return the control's id, or the copied path of the user's own control definition.
 
     That of its copy from the plan; where a definition that it extends is outside of its folder.
     """

@@ -76,7 +76,7 @@ class Verified:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Round:
-    """The next round: its files (none where it is not written), and messages about it.
+    """The next round's document, files (if it is written), and messages about it.
 
     ``whole``: folders that hold exactly these files afterwards; ``renewed``: those in which the
     user may keep files of his own.
@@ -96,8 +96,7 @@ def next_round(
     out: Path,
     each: Each = in_turn,
 ) -> Round:
-    """Return the next round of a verified job. It has no files, but reasons, where no axis may be
-    corrected further.
+    """Return the next round of a verified job, or why no axis may be corrected further.
 
     ``compared``: the document of ``compare``, or why there is none.
     """
@@ -139,7 +138,7 @@ def next_round(
 
 
 def _general(found: Verified, compared: Mapping[str, Any] | str) -> str:
-    """Return why no axis may be corrected further, or an empty text."""
+    """Return why no axis at all may be corrected further, or "" if some may be."""
     changed = [one.message for one in found.findings if one.code == "CW-V022"]
     if changed:
         return changed[0]
@@ -166,9 +165,7 @@ def _general(found: Verified, compared: Mapping[str, Any] | str) -> str:
 
 
 def _no_axis(found: Verified) -> str:
-    """Return the message that no axis can be corrected further, and the consequence for
-    squareness.
-    """
+    """Return the message that no axis can be corrected further, and so no squareness either."""
     if not (found.circles and found.job.apply.squareness):
         return SentenceText(say("next.no_axis"))
     axes = found.plan.axes.values()
@@ -177,7 +174,7 @@ def _no_axis(found: Verified) -> str:
 
 
 def lacks_proof(finding: Finding) -> bool:
-    """Return whether a finding means that the test after loading does not prove enough."""
+    """Return whether a finding means that a test does not prove the planned table active."""
     return finding.code in LACKING or finding.is_doubt
 
 
@@ -195,9 +192,7 @@ def _refused(found: Verified, compared: Mapping[str, Any] | str) -> Iterator[tup
 
 
 def _doubted(axis: VerifiedAxis) -> str:
-    """Return why the test after loading does not prove that the planned table is active. Empty
-    where it does.
-    """
+    """Return why a test does not prove the planned table active, or "" if the test proves it."""
     verdict = axis.loading["verdict"]
     if verdict != "loaded":
         name, of = verdict.replace("_", " "), axis.loading.get("of") or ""
@@ -225,7 +220,7 @@ def _differs(name: str, compared: Mapping[str, Any] | str) -> str:
 
 
 def _looped(found: Verified, well: Sequence[AfterTest]) -> Looped:
-    """Return the inputs of the next job."""
+    """Return the results of this round that the next job needs as inputs."""
     axes = {test.axis: test for test in well}
     measured = {
         name: files
@@ -253,9 +248,7 @@ def _looped(found: Verified, well: Sequence[AfterTest]) -> Looped:
 
 
 def _active(found: Verified, files: Sequence[ControlFile], axes: Sequence[str]) -> bool | None:
-    """Return True if the test after loading shows that tables are active and the files do not state
-    it. Else None.
-    """
+    """Return True if a test proved tables active that the files leave open, else None."""
     working = [found.job.axes[name].axis for name in axes]
     try:
         decode(found.control, files, working, asking=True)
@@ -294,7 +287,7 @@ def _squareness(found: Verified, measured: Collection[str], axes: Collection[str
 def _worked(
     session: Session, inputs: Mapping[str, bytes], folder: Path, each: Each
 ) -> tuple[Finished, Mapping[str, bytes], tuple[str, ...]]:
-    """Return the next job after all stages, and its files, as if its folder existed already."""
+    """Return the next job after all stages, and the contents of its files."""
     next_session = session.with_pending(folder, inputs)
     job = read_job_file(next_session, folder / JOB)
     finished = run_stages(next_session, job, folder, folder, each=each)
@@ -322,7 +315,7 @@ def _updated_axis(finished: Finished, name: str) -> UpdatedAxis:
 
 
 def _gained(limits: LimitingCauses | None, axis: Axis) -> str:
-    """Return the sentence about the expected gain of the new table."""
+    """Return the sentence on how much the new table is expected to reduce a parameter."""
     if limits is None:
         return SentenceText(say("next.written"))
     factor, unit = outside_factor(axis.kind.unit), shown_unit(axis.kind.unit)
@@ -332,7 +325,7 @@ def _gained(limits: LimitingCauses | None, axis: Axis) -> str:
 
 
 def _result(outcomes: Mapping[str, UpdatedAxis], *, between: bool) -> str:
-    """Return the next step for the next round. ``between``: it corrects between axes."""
+    """Return the sentence on what to do with the next round: load its tables, or stop."""
     tabled = [name for name, axis in outcomes.items() if axis.table]
     if tabled or between:
         return SentenceText(say("next.load", axes=tabled, between=between))
@@ -341,7 +334,7 @@ def _result(outcomes: Mapping[str, UpdatedAxis], *, between: bool) -> str:
 
 
 def _between(found: Verified, looped: Looped) -> Iterator[str]:
-    """Yield the results for the corrections between axes."""
+    """Yield a sentence for each correction between axes: made again, or kept."""
     again = [
         frozenset({bent, other_axis(plane, bent)})
         for plane, bent in found.job.apply.squareness.items()
@@ -359,9 +352,7 @@ def _between(found: Verified, looped: Looped) -> Iterator[str]:
 
 
 def refuse_later_rounds(session: Session, out: Path) -> None:
-    """Raise StorageError if the next round in ``out`` has been verified, because its results would
-    be overwritten.
-    """
+    """Raise StorageError if the next round in ``out`` is already verified, and would be lost."""
     gone_on = out / FOLDER / "verification.json"
     if storage.is_there(session, gone_on):
         raise StorageError(
@@ -378,7 +369,7 @@ def refuse_later_rounds(session: Session, out: Path) -> None:
 
 
 def known_with_rounds(session: Session, out: Path, known: storage.Known) -> storage.Known:
-    """Return how to recognise results in ``out``, unlike the user's own or changed files.
+    """Return a function that tells results, also of the next round, from the user's files.
 
     ``known`` does so for all but the folder of the next round.
     """
@@ -395,7 +386,7 @@ def known_with_rounds(session: Session, out: Path, known: storage.Known) -> stor
 
 
 def _whole(session: Session, out: Path, inputs: Mapping[str, bytes], format_id: str) -> list[str]:
-    """Return the folders of the next round that contain exactly its own files."""
+    """Return the folders of the next round that may contain only the files it writes."""
     earlier = copied_by_record(storage.earlier_bytes(session, out / FOLDER / RECORD))
     folders = {str(PurePosixPath(name).parent) for name in (*inputs, *earlier)}
     sets = {f"{name}/{format_id}" for name in ("tables", "rollback")}

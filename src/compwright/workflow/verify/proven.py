@@ -1,5 +1,4 @@
-"""The proof from a good verification on a real machine: texts to copy into the job and the
-definition of the control.
+"""Write what a good verification on a real machine proves, for the job and the definition.
 
 Nothing is written into either.
 """
@@ -27,7 +26,7 @@ _FILL_IN: Final = "fill in"
 def proven_files(
     found: Verified, document: Mapping[str, Any], results: Sequence[Path], loaded: Sequence[Path]
 ) -> tuple[dict[str, bytes], tuple[str, ...]]:
-    """Return the files of a proof by their relative names, and messages about it.
+    """Return the files that state what a verification proves, and messages about them.
 
     No files where a good verification proves nothing about a machine, with the reason. ``results``:
     the folders of the run and of its verification; ``loaded``: files that were read back.
@@ -67,7 +66,7 @@ def proven_files(
 
 
 def _lacking(found: Verified, results: Sequence[Path], loaded: Sequence[Path]) -> Iterator[str]:
-    """Yield why a good verification proves nothing about a machine."""
+    """Yield reasons why a good verification proves nothing about a real machine."""
     roots = {storage.resolved(folder) for folder in results}
     if any(roots & {path, *path.parents} for path in map(storage.resolved, loaded)):
         yield "--loaded names files of the result folder, not what was read back"
@@ -100,7 +99,7 @@ def _proven(found: Verified, name: str) -> ProvenAxis:
 
 
 def _sign_odds(axis: VerifiedAxis) -> float:
-    """Return the odds against a reversed sign, from the means of the two tests."""
+    """Return the odds that the sign of the table is right, from tests before and after loading."""
     targets = axis.after.test.targets
     curves = []
     for direction, expected in (
@@ -162,7 +161,7 @@ def _how(found: Verified, axes: Sequence[ProvenAxis]) -> str:
 
 
 def _summary(axes: Sequence[ProvenAxis]) -> list[str]:
-    """Return as text the facts that at least one axis proves, and those that none proves."""
+    """Return two lines of text: the facts that the tests prove, and those that they do not."""
     proven = dict.fromkeys(fact for one in axes for fact in one.proven)
     left = dict.fromkeys(fact for one in axes for fact in one.unproven if fact not in proven)
     return [

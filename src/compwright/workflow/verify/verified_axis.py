@@ -1,4 +1,4 @@
-"""One axis after loading: its test compared with the prediction of the plan."""
+"""Compare the test of an axis after loading with the prediction of the plan."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def verified_axis(
     *,
     ours: bool,
 ) -> VerifiedAxis:
-    """Compare the test after loading of an axis with the prediction.
+    """Compare the test of an axis after loading with the prediction of the plan.
 
     ``as_found``: contents of the control before; ``stored``: the same with its tables switched on;
     ``read_back``: contents read back since, if any; ``twice``: that the test is a copy of another
@@ -111,9 +111,7 @@ def verified_axis(
 
 
 def _change(planned: PlannedAxis, as_found: DecodedState, repeated: PlannedTest) -> Correction:
-    """Return the expected change of the correction by loading, at the motion of the repeated
-    test.
-    """
+    """Return how much loading should change the correction in a repetition of the test."""
     active = no_correction if planned.active is None else planned.active.at
     table = (
         None
@@ -133,8 +131,7 @@ def _judged(
     fault: NamedFault | None,
     files: Sequence[Finding],
 ) -> tuple[dict[str, AcceptDecision], tuple[Finding, ...], tuple[Acknowledged, ...]]:
-    """Return the decisions about an axis after loading, by parameter, and its open and acknowledged
-    doubts.
+    """Return the decisions on limits of an axis, and its open and acknowledged doubts.
 
     For a test that is certainly no measurement (``fault``) only that. ``files``: doubts about the
     files read back.
@@ -167,7 +164,7 @@ def _judged(
 
 
 def _sentences(control: Control, planned: PlannedAxis) -> Mapping[LoadingName, tuple[str, ...]]:
-    """Return what to check on the control, for each verdict."""
+    """Return what to check on the control, by verdict on the loading of the table."""
     if planned.fitted is None:
         return {}
     return control.look_at(planned.axis, planned.fitted.compensation)
@@ -176,8 +173,7 @@ def _sentences(control: Control, planned: PlannedAxis) -> Mapping[LoadingName, t
 def _looks(
     loading: LoadingVerdict, sentences: Mapping[LoadingName, tuple[str, ...]], *, read_back: bool
 ) -> list[str]:
-    """Return what to check for a verdict. For an undecided one: the checks of every candidate, most
-    probable first.
+    """Return what to check on the control for a verdict, or for all candidates if undecided.
 
     For a loaded table, only the checks that distinguish it from its equivalents; none where the
     values that were ``read_back`` (the plan's) have decided it.
@@ -240,7 +236,7 @@ def _expected(
 
 
 def _named(loading: LoadingVerdict) -> tuple[Finding, ...]:
-    """Return the finding about a fault of the measurement (CW-V026)."""
+    """Return the finding CW-V026 if the verdict is that the measurement is faulty."""
     return (
         (Finding("CW-V026", "warning", loading.sentence),)
         if loading.verdict == "measurement"
@@ -251,7 +247,7 @@ def _named(loading: LoadingVerdict) -> tuple[Finding, ...]:
 def _exchange(
     axis: str, loading: LoadingVerdict, others: Mapping[str, PlannedAxis]
 ) -> tuple[Finding, ...]:
-    """Return the finding that the test could not show an exchange of tables (CW-V012)."""
+    """Return the finding CW-V012: the test cannot show whether two axes' tables are exchanged."""
     hidden = loading.verdict == "loaded" and "wrong_axis" in {*loading.near, *loading.equivalent}
     names = [name for name, other in others.items() if other.fitted is not None]
     return (Finding.of("CW-V012", "warning", axis=axis, others=names),) if hidden else ()
@@ -260,9 +256,7 @@ def _exchange(
 def _compare_loaded(
     control: Control, planned: PlannedAxis, as_found: DecodedState, read_back: DecodedState | None
 ) -> tuple[Finding, ...]:
-    """Compare the values read back from the control with the plan's table, over table and travel;
-    on both axes of a gantry.
-    """
+    """Compare the values read back from the control with the plan's table, for all gantry axes."""
     if read_back is None or planned.fitted is None:
         return ()
     every = with_partners(control.in_state(as_found.state), _tables(planned), as_found)
@@ -292,7 +286,7 @@ def _compared(axis: Axis, table: AxisCompensation, read_back: DecodedState) -> F
 
 
 def differs_from_plan(axis: str, off: float, largest: float, kind: AxisKind) -> Finding | None:
-    """Return the finding that a table of ``axis`` that was read back is not the plan's.
+    """Return the finding that a table read back differs from the plan's table.
 
     ``off``: largest difference, ``largest``: largest value of the plan's table; mm or deg. None
     where they differ by no more than rounding.

@@ -1,6 +1,4 @@
-"""Compare circular tests after loading with the plan: the repeated circle, its values, the
-remaining squareness.
-"""
+"""Compare circular tests after loading with the prediction of the plan."""
 
 from __future__ import annotations
 
@@ -54,8 +52,7 @@ from compwright.workflow.inputs.circles import read_circle
 def split_after(
     session: Session, plan: Plan, specs: Sequence[str | PositioningTest | CircularTest]
 ) -> tuple[list[str | PositioningTest], dict[str, list[Path | CircularTest]]]:
-    """Return the ``--after`` values that are not circular tests, and the files of those that are,
-    by circle. Each may also be a test in memory.
+    """Return the ``--after`` values that are positioning tests, and the circular ones by circle.
 
     ``TEST=FILE`` names the circle; else the plane decides, and of several circles of one plane the
     radius. Raises UsageError where the plan holds no such circle, InputError for circular files
@@ -102,7 +99,7 @@ def _circle(
 
 
 def _repeated(plan: Plan, test: CircularTest, spec: str) -> str:
-    """Return the name of the circle that a test repeats, by its plane, then by its radius."""
+    """Return the name of the planned circle that a test repeats, by plane and radius."""
 
     def apart(name: str) -> float:
         return abs(plan.circles[name].test.nominal_radius - test.nominal_radius)
@@ -141,9 +138,7 @@ def verify_circles(
     as_found: DecodedState,
     states: Mapping[str, DecodedState],
 ) -> dict[str, VerifiedCircle]:
-    """Evaluate the circular tests after loading, and compare them with the prediction of the plan.
-    Raises InputError with all faults.
-    """
+    """Evaluate circular tests after loading, and compare them with the plan. Raises InputError."""
     axes = {name: entry.axis for name, entry in plan.axes.items()}
     then = _planned(plan, as_found, axes)
     errors: list[CompwrightError] = []
@@ -200,7 +195,7 @@ def _verified(
 
 
 def _loaded(plan: Plan, axes: Sequence[str]) -> list[str]:
-    """Return the axes of a circle that a table of the plan moves."""
+    """Return those axes of a circle whose motion a table of the plan changes."""
     bent = {cross.output for cross in plan.cross if cross.written and cross.input in axes}
     return [
         name
@@ -212,8 +207,7 @@ def _loaded(plan: Plan, axes: Sequence[str]) -> list[str]:
 def _judged(
     job: Job, before: CircularResult, result: CircularResult, *, corrected: bool
 ) -> tuple[dict[str, AcceptDecision], tuple[Finding, ...], tuple[Acknowledged, ...]]:
-    """Return the decisions about a circle after loading, by parameter, and its open and
-    acknowledged doubts.
+    """Return the decisions on limits of a circle, and its open and acknowledged doubts.
 
     Nothing of a circle without limits whose squareness was not ``corrected``.
     """
@@ -256,7 +250,7 @@ def squareness_decisions(circles: Mapping[str, VerifiedCircle]) -> list[Decision
 
 
 def _planned(plan: Plan, as_found: DecodedState, axes: Mapping[str, Axis]) -> ActiveCorrections:
-    """Return the corrections of the control after the plan's tables are loaded."""
+    """Return the corrections that the control makes after the plan's tables are loaded."""
     now = active_corrections(as_found, axes)
     along = {
         name: entry.fitted.compensation.at
