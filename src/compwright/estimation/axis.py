@@ -68,8 +68,7 @@ class Draws:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class AxisPosterior:
-    """Probability distribution of the error of an axis after its tests, machine coordinates, mm or
-    deg.
+    """Probability distribution of an axis' error after its tests; machine coordinates, mm or deg.
 
     ``parts``: the models of the mixture, all draws equally likely. ``noise``: standard deviation of
     one reading of the first test, with ``noise_dof`` degrees of freedom. ``reversal_log_odds``:
@@ -214,8 +213,7 @@ class AxisPosterior:
         values: FloatArray,
         rng: np.random.Generator,
     ) -> FloatArray:
-        """Return random draws (count, m) of the part of the error that is independent at each
-        target.
+        """Return random draws (count, m) of the part of the error that is independent per target.
 
         ``values`` (count, j): given weights of the functions. A normal mean with normal prior and
         known variance (Gelman et al. 2013, section 2.5).

@@ -247,8 +247,7 @@ def _window(frequencies: FloatArray, targets: FloatArray) -> FloatArray:
 
 
 def hidden_share(targets: FloatArray, period: float) -> float:
-    """Return the share (0 to 1) of a wave of this ``period`` that readings at the targets cannot
-    show.
+    """Return the share (0 to 1) of a wave of this ``period`` that readings at targets cannot show.
 
     0: they show all of it; 1: nothing. Offset and slope are removed from cosine and sine at the
     ``targets`` (m,), mm or deg (orthogonal projection; Björck, Numerical Methods for Least Squares

@@ -251,8 +251,7 @@ def _reversals(part: ObservedCells) -> FloatArray:
 
 
 def _rough_reversal(part: ObservedCells) -> float:
-    """Return the variance by irregular changes of the reversal error of a mean reading, mm² or
-    deg².
+    """Return the variance of a mean reading by irregular changes of the reversal, mm² or deg².
 
     Only the part that noise does not explain, from the median of the second differences (Gasser,
     Sroka and Jennen-Steinmetz, Biometrika 73, 1986). Without it the smooth reversal of the estimate

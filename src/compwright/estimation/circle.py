@@ -292,9 +292,7 @@ def _lag_finding(samples: CircleSamples, lag: Lag) -> Finding:
 
 @dataclass(frozen=True, slots=True)
 class _CircleStart:
-    """A fit of a circular test from which further searches start: equations, spike shapes,
-    solution.
-    """
+    """A fit of a circular test from which searches start: equations, spike shapes, solution."""
 
     problem: CircleProblem
     shapes: SpikeShapes
@@ -429,9 +427,7 @@ def _fit_cyclic(
 def _add_vibration(
     problem: CircleProblem, shapes: SpikeShapes, fitted: CircleFit
 ) -> tuple[CircleProblem, CircleFit, Vibration]:
-    """Return the equations and their solution with the strongest vibration added, if one was
-    found.
-    """
+    """Return equations and solution with the strongest vibration added, if one was found."""
     rest = problem.target - fitted_path(problem, fitted.active, fitted.values)
     found = search_vibration(problem, rest)
     if found.frequency is not None:

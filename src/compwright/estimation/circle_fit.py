@@ -403,8 +403,7 @@ def fit_causes(weighted: WeightedProblem, active: IndexArray, precision: FloatAr
 
 
 def fit_evidence(found: CircleFit, precision: FloatArray) -> float:
-    """Return the log probability of the readings under a fit, averaged over the sizes of the
-    causes.
+    """Return the log probability of the readings under a fit, averaged over sizes of the causes.
 
     Sizes are integrated under normal priors with ``precision`` (k,); the noise spectra are fixed
     (Whittle 1953; MacKay, Neural Computation 4, 1992).

@@ -1,5 +1,4 @@
-"""The delay with which both axes reverse, found from the angles at which lost motion and spikes
-begin.
+"""The delay with which both axes reverse, from the angles at which lost motion and spikes begin.
 
 The angles of a test are commanded ones, and axes that follow their commands T late reverse at v T /
 R after the commanded reversal point: 0.8° at 2 000 mm/min on R = 150 mm with a loop of Kv = 16.7/s.
@@ -80,8 +79,7 @@ def at_actual_angles(samples: CircleSamples, lag: Lag) -> CircleSamples:
 
 
 def with_undetected_lag(samples: CircleSamples) -> CircleSamples:
-    """Return the samples with ``lag_std``, the standard uncertainty of a delay too small to be
-    found.
+    """Return the samples with ``lag_std``, the standard uncertainty of a delay too small to find.
 
     Uniform up to the largest angle that fits the samples next to the reversal points as well as
     zero does, plus half the angle between samples (JCGM 100:2008, eq. 7); at least half the angle

@@ -303,9 +303,7 @@ class TakeUp:
     length: float
 
     def __call__(self, arc: FloatArray) -> FloatArray:
-        """Return the share of the lost motion that remains after ``arc`` mm (n,) from the
-        reversal.
-        """
+        """Return the share of lost motion that remains ``arc`` mm (n,) after the reversal."""
         left: FloatArray = np.maximum(1.0 - (arc / self.length) ** 2, 0.0)
         return left
 
@@ -332,8 +330,7 @@ def spike_columns(
 
 
 def lag_column(samples: CircleSamples, known: Mapping[str, float]) -> CauseColumn:
-    """Return the effect (n,) of the uncertainty ``lag_std`` of the common delay on the deviations,
-    mm.
+    """Return the effect (n,) of the uncertainty ``lag_std`` of the delay on the deviations, mm.
 
     It is the slope of the ``known`` smooth causes against the motion (derivatives by θ of the table
     in the module; ISO 230-4:1996, annex B), without the effect on the centre. Straightness counts
@@ -362,8 +359,7 @@ def cyclic_columns(
     amplitudes: tuple[float, float],
     late: float = 0.0,
 ) -> tuple[CauseColumn, ...]:
-    """Return the columns (n,) of a cyclic error of an axis at ``frequency`` 1/mm, and of its
-    changes.
+    """Return the columns (n,) of a cyclic error of an axis at ``frequency`` 1/mm, and its changes.
 
     ISO 230-4:1996, B.2.3. Cosine and sine: a cos(2πfx) - b sin(2πfx) at ``amplitudes`` (a, b) µm.
     Changes: of the frequency, per 1/mm; of a delay of the axis, per mm at full speed (``late``: in

@@ -208,8 +208,7 @@ def _mixtures(lengths: int) -> tuple[FloatArray, FloatArray]:
 
 
 def _correlated(frequency: FloatArray, lengths: FloatArray) -> FloatArray:
-    """Return the spectral densities (2 l, f) of correlated noise relative to that at zero
-    frequency.
+    """Return the spectral densities (2 l, f) of correlated noise, relative to zero frequency.
 
     Autoregressive noise of first order, proportional to 1 / (1 - 2 ρ cos w + ρ²) (Box and Jenkins,
     Time Series Analysis, 1970, chapter 3), and the same passed through once more.

@@ -95,8 +95,7 @@ def search_vibration(problem: CircleProblem, residual: FloatArray) -> Vibration:
 
 
 def _threshold(count: float, runs: int) -> float:
-    """Return the power that noise alone exceeds with probability `_FALSE_ALARM`, relative to its
-    mean.
+    """Return the power, relative to its mean, that noise exceeds with probability `_FALSE_ALARM`.
 
     Noise: ``count`` sums of ``runs`` exponentials (Erlang distribution, solved by iteration).
     """

@@ -1,5 +1,4 @@
-"""The probability of the readings for given model parameters (marginal likelihood), with its
-gradient.
+"""The probability of readings for given model parameters (marginal likelihood) and its gradient.
 
 Everything here is in units of ``CellData.scale``. The hyperparameters are logarithms, in this
 order: noise of a reading (of tests whose repetition does not tell it), local (target to target)
@@ -192,8 +191,7 @@ class Evidence:
         return np.hstack([self.rows, self.data.columns[draw]])
 
     def log_variances(self, h: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return the log prior variances (j,) of the weights and their derivatives by the
-        parameters.
+        """Return the log prior variances (j,) of the weights and their derivatives by parameters.
 
         A variance is the spectral density at each sine (Solin and Särkkä, Statistics and Computing
         30, 2020), and 1 / harmonic^2 for those of a period.
@@ -304,8 +302,7 @@ class Evidence:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Scaled:
-    """The linear model of the mean readings for given parameters, scaled to weights of unit
-    variance.
+    """The linear model of the mean readings for given parameters, with weights of unit variance.
 
     Variances, precision and values by cell, and the ``rows`` (c, j) of the weights. ``together``:
     which cells share a target, as flat indices in a matrix (c * c,).
@@ -345,8 +342,7 @@ class _Scaled:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Marginal:
-    """The log density of the mean readings y, which have covariance V, with terms of its
-    derivatives.
+    """The log density of the mean readings y with covariance V, and terms of its derivatives.
 
     P is the inverse of V, r the rows of weights of unit variance. ``residual`` (c,): P y.
     ``by_weight`` (j,): (r' P y)² - r' P r. ``by_target`` (m,) and ``by_cell`` (c,): P summed over
@@ -421,8 +417,7 @@ def _by_weights(scaled: _Scaled, *, derivatives: bool) -> _Marginal:
 
 
 def _normal(scaled: _Scaled, weighted: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return the precision matrix (j, j) and right side (j,) of the normal equations of the
-    weights.
+    """Return the precision matrix (j, j) and right side (j,) of the weights' normal equations.
 
     Weights of unit variance; ``weighted``: the rows times the inverse of noise + local part.
     """

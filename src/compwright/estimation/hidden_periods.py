@@ -101,8 +101,7 @@ class CurveColumns:
 
 @dataclass(frozen=True, slots=True)
 class WaveDraw:
-    """One possible wave: distribution of its cosine and sine parts, and what the targets show of
-    it.
+    """One possible wave: distribution of its cosine and sine parts, and what targets show of it.
 
     Both are normal with ``mean`` (2,) and covariance ``root`` ``root``' (2, 2). The wave of
     ``period`` (mm or deg) is a ``share`` of it, plus an independent part of standard deviation
@@ -232,8 +231,7 @@ class _ExpectedPeriods:
     def periods(
         self, likelihood: PeriodLikelihood, odds: PeriodOdds
     ) -> tuple[FloatArray, FloatArray]:
-        """Return possible periods (p,), mm or deg, with the log odds (p,) of each against no
-        period.
+        """Return possible periods (p,), mm or deg, with the log odds (p,) of each against none.
 
         The usual ones, and some that stand for all others, drawn where the readings speak for a
         wave and anywhere (defensive importance sampling: Hesterberg, Technometrics 37, 1995).
@@ -371,8 +369,7 @@ def _long_waves(frequencies: FloatArray, targets: FloatArray) -> tuple[FloatArra
 
 @dataclass(frozen=True, slots=True)
 class _SmoothFit:
-    """A fit of the smooth error to the means at the targets, for each grid point of the
-    ``likelihood``.
+    """A fit of the smooth error to the means at targets, at each grid point of the ``likelihood``.
 
     ``columns`` (m, k): offset, slope, known periods and smooth part.
     """

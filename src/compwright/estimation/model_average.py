@@ -88,8 +88,7 @@ def _varying_and_constant_reversal(
 
 
 def _apportion(weights: Sequence[float], draws: int) -> list[int]:
-    """Return how many of the ``draws`` belong to each weight, in whole numbers that sum to
-    ``draws``.
+    """Return how many of the ``draws`` belong to each weight, whole numbers with that sum.
 
     By the largest remainders (Balinski and Young, Fair Representation, 1982).
     """

@@ -301,9 +301,7 @@ class GibbsChain:
 
 
 def _medians(values: FloatArray) -> FloatArray:
-    """Return the median (m, 1) of the existing readings of each row, 0 for a row without
-    readings.
-    """
+    """Return the median (m, 1) of the existing readings of each row, 0 without readings."""
     found = [
         np.median(row[np.isfinite(row)]) if np.any(np.isfinite(row)) else 0.0 for row in values
     ]

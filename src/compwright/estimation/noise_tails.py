@@ -167,8 +167,7 @@ KINDS: Final = np.array([_kind(tail) for tail in TAILS])
 
 @dataclass(frozen=True, slots=True)
 class Latent:
-    """The hidden state of each reading in the sampler: weight, outlier or not, and shift, each (c,
-    n).
+    """The hidden state of each reading in the sampler: weight, outlier or not, shift; (c, n).
 
     ``weights``; ``outlier``: classified as one; ``shift``: by how many scales an outlier is
     shifted.

@@ -113,9 +113,7 @@ class ReducedTraverses:
         return square / float(rng.chisquare(self.dof))
 
     def draw_drift(self, sizes: Sizes, variance: float, rng: np.random.Generator) -> FloatArray:
-        """Draw the two drifts (2,) from the first run to the last, averaged over offsets and
-        tilts.
-        """
+        """Draw the two drifts (2,), first to last run, averaged over offsets and tilts."""
         drift = np.zeros(2)
         there = np.flatnonzero(sizes.size[DRIFT:] > 0.0)
         if there.size:
@@ -162,9 +160,7 @@ class ReducedTraverses:
         return self.offset[1]
 
     def _draw_moved(self, sizes: Sizes, rng: np.random.Generator) -> None:
-        """Draw which traverse shifts exist, from the prior if the readings state nothing about
-        them.
-        """
+        """Draw which traverse shifts exist, from the prior if readings state nothing about it."""
         size = sizes.size[OFFSET]
         if size == 0.0 or sizes.form >= len(self.moves):
             sizes.moved = drawn_from_prior(sizes.moved.size, rng)

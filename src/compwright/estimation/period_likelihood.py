@@ -274,8 +274,7 @@ class PeriodLikelihood:
     def moments(
         self, frequencies: FloatArray, choice: NodeChoice, *, harmonics: int = 2
     ) -> tuple[dict[tuple[int, int], FloatArray], list[FloatArray]]:
-        """Return W' P W and W' P y, with wave columns W, means y and precision P at each grid
-        point.
+        """Return W' P W and W' P y at each grid point: wave columns W, means y, precision P.
 
         For each pair of columns and each column: cosine and sine of the first harmonic, half of
         those of the second.

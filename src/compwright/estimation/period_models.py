@@ -56,8 +56,7 @@ class PeriodCurve:
 
 @dataclass(frozen=True, slots=True)
 class PeriodSearch:
-    """The result of a search for periods: possible models, and each period found with its
-    probability.
+    """The result of a search for periods: possible models, and each found period with probability.
 
     ``models``, the most probable first, probabilities sum to 1; ``alike``: groups of periods that
     these targets cannot tell apart, each with the probability that it is one of them.
@@ -70,14 +69,11 @@ class PeriodSearch:
 
     @property
     def sure(self) -> tuple[tuple[float, ...], ...]:
-        """The groups of indistinguishable periods of which one is real with a probability above
-        1/2.
-        """
+        """The groups of indistinguishable periods that are real with a probability above 1/2."""
         return tuple(group for group, probability in self.alike if probability > 0.5)
 
     def evidence(self) -> PeriodEvidence | None:
-        """Return the evidence for a wave as a curve over its period, or None where no search was
-        made.
+        """Return the evidence for a wave as a curve over its period, None without a search.
 
         The highest values in each of `_SHOWN` steps that are even in the logarithm of the period.
         """
@@ -194,8 +190,7 @@ def _found(
 
 
 def _neighbours(periods: PeriodSet, probability: float) -> list[PeriodModel]:
-    """Return several models with slightly different periods for one set of imprecisely known
-    periods.
+    """Return several models with slightly different periods for a set of uncertain periods.
 
     Each period takes the quantiles of its own distribution in a random order (Latin hypercube:
     McKay, Beckman and Conover, Technometrics 21, 1979).

@@ -179,8 +179,7 @@ class _PeriodSearch:
         return likelihood.detectable(self.frequencies)
 
     def refined(self, periods: PeriodSet) -> PeriodSet:
-        """Return a set of two or more periods after a new search for each of them, given all
-        others.
+        """Return a set of two or more periods after each is searched again, given all others.
 
         The probability of the set is then the likelihood of the waves one after another at their
         new places. Each is multiplied by the part of it that its prior and the width of its peak

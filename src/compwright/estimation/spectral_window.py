@@ -45,9 +45,7 @@ class SpectralWindow:
         self.peaks = self.places[self.sizes >= ALIASED]
 
     def at(self, differences: FloatArray) -> FloatArray:
-        """Return the similarity of two waves for each of the ``differences`` of their
-        frequencies.
-        """
+        """Return the similarity of two waves for each of the ``differences`` in frequency."""
         return np.asarray(np.interp(np.abs(differences), self.places, self.sizes))
 
     def alike(self, frequencies: FloatArray, other: float) -> FloatArray:

@@ -118,8 +118,7 @@ class StepEvidence:
         return round(log, _ROUNDED)
 
     def _best(self, members: tuple[int, ...], allowed: BoolArray) -> tuple[int, ...]:
-        """Return the most probable set of steps and outliers that single changes of ``members``
-        reach.
+        """Return the most probable set of steps and outliers that single changes can reach.
 
         ``allowed`` (e,): members that may be added. Each member of a set adds -log `COUNTED` to its
         log probability.

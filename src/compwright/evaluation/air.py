@@ -69,8 +69,7 @@ def edlen(
     humidity_percent: FloatArray,
     wavelength: float = HELIUM_NEON,
 ) -> FloatArray:
-    """Return the refractive index n of air by the modified Edlén equation. Arguments as for
-    `ciddor`.
+    """Return the refractive index n of air by the modified Edlén equation (arguments: `ciddor`).
 
     Near 20 °C both agree within 1e-8; the further from it and the more humid, the more Ciddor is to
     be trusted.

@@ -34,9 +34,7 @@ def score_of_ratio(ratio: float, dof: float, dof_below: float) -> float:
 
 
 def two_sided_probability(score: float) -> float:
-    """Return the probability that a standard normal value is at least as far from zero as
-    ``score``.
-    """
+    """Return the probability that a standard normal value is as far from zero as ``score``."""
     return math.erfc(abs(score) / math.sqrt(2.0))
 
 
@@ -75,9 +73,7 @@ class Change:
 
     @property
     def chance(self) -> float:
-        """The probability of a difference at least this large between tests of an unchanged
-        machine.
-        """
+        """The probability that tests of an unchanged machine differ by at least as much."""
         return two_sided_probability(self.score)
 
     def clear(self, comparisons: int = 1) -> bool:

@@ -193,9 +193,7 @@ def _duplicates(path: ActualPath) -> list[Finding]:
 
 
 def _beyond(test: CircularTest, path: ActualPath) -> list[Finding]:
-    """Return the finding CW-C007 if samples lie outside the arc, such as starting and stopping
-    arcs.
-    """
+    """Return the finding CW-C007 if samples are outside the arc, as when starting or stopping."""
     covered = float(np.ptp(path.run.angles))
     if covered <= test.arc[1] + SAME_ANGLE:
         return []

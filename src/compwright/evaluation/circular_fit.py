@@ -27,8 +27,7 @@ _FLAT: Final = 1e-8
 
 
 def least_squares_circle(points: FloatArray) -> tuple[Point, float]:
-    """Return centre and radius of the least-squares circle through ``points`` (n, 2), in their
-    unit.
+    """Return centre and radius of the least-squares circle through ``points`` (n, 2); same unit.
 
     Gauss-Newton from an algebraic start, on centred and scaled coordinates; the radius is the mean
     distance and so no unknown of its own. Partial arcs are no special case. Raises InputError for
@@ -117,9 +116,7 @@ def _refined(x: FloatArray, y: FloatArray, start: Point) -> Point:
 
 
 def _gauss_newton_step(dx: FloatArray, dy: FloatArray) -> FloatArray:
-    """Return the change (2,) of the centre in one step. ``dx``, ``dy``: points minus present
-    centre.
-    """
+    """Return the change (2,) of the centre. ``dx``, ``dy``: points minus the present centre."""
     distance = np.hypot(dx, dy)
     safe = np.where(
         distance > 0.0, distance, 1.0

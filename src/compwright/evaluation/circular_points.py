@@ -1,6 +1,4 @@
-"""The points of the actual path of a circular test, and the difference of two paths at each
-angle.
-"""
+"""The points of the actual path of a circular test, and the difference of two paths by angle."""
 
 from __future__ import annotations
 
@@ -96,9 +94,7 @@ def hysteresis(
 
 @dataclass(frozen=True, slots=True)
 class _Curve:
-    """Smallest and largest distance of a path from its centre at each angle (deg), angles
-    ascending.
-    """
+    """Smallest and largest distance of a path from its centre at each angle (deg, ascending)."""
 
     angles: FloatArray
     low: FloatArray

@@ -14,8 +14,7 @@ Rule = Literal["simple", "guarded"]
 
 
 def decide(value: float, limit: float, U: float | None, rule: Rule) -> Decision:
-    """Return the decision whether ``value`` <= ``limit``, with expanded uncertainty ``U``; same
-    unit.
+    """Return the decision on ``value`` <= ``limit`` with expanded uncertainty ``U``, in one unit.
 
     ``simple`` compares the value alone. ``guarded`` (ISO 14253-1) accepts when value + U <= limit,
     rejects when value - U > limit, and is undecided between. A value that is not a number is

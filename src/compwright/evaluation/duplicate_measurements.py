@@ -51,8 +51,7 @@ def same_measurement(one: NamedTest, other: NamedTest) -> bool:
 
 
 def same_readings(one: PositioningTest, other: PositioningTest) -> bool:
-    """Return whether the readings of two tests agree except for one constant, the instrument's
-    zero.
+    """Return whether the readings of two tests agree except for a constant (instrument's zero).
 
     Readings without any scatter may do so by chance and do not count.
     """

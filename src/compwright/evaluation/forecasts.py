@@ -37,8 +37,7 @@ Ahead = tuple[float | None, float | None, float | None]
 
 @dataclass(frozen=True, slots=True)
 class ErrorCurve:
-    """The mean deviation in each direction over position, without its slope and mean reversal
-    error.
+    """The mean deviation in each direction over position, less its slope and mean reversal error.
 
     ``along`` (m,): distance of the targets from their middle in m; ``shape`` (2, m).
     """

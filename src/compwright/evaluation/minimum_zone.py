@@ -116,8 +116,7 @@ def _around(x: FloatArray, y: FloatArray) -> tuple[FloatArray, FloatArray]:
 
 
 def _reach(x: FloatArray, y: FloatArray, distance: FloatArray) -> float:
-    """Return an upper bound of the distance from the least-squares centre to the minimum-zone
-    centre.
+    """Return an upper bound of the distance from least-squares centre to minimum-zone centre.
 
     Moving the centre by s along a unit vector e changes the distances by about s u·e, u the
     directions of the points. Let k be the smallest range of u·e over all e. The width is then at

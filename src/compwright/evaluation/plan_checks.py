@@ -284,8 +284,7 @@ def _targets_text(test: PositioningTest) -> Sentence:
 
 
 def _phases_seen(targets: FloatArray, period: float) -> float:
-    """Return how evenly the targets sample the phases of a wave of ``period``, from 0 (hidden) to
-    0.5.
+    """Return how evenly targets sample the phases of a wave of ``period``: 0 (hidden) to 0.5.
 
     The smaller eigenvalue of the covariance matrix of cosine and sine at the targets.
     """

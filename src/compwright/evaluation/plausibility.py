@@ -59,8 +59,7 @@ FEWEST_TARGETS: Final = {AxisKind.LINEAR: 5, AxisKind.ROTARY: 3}
 
 
 def certain_fault(test: PositioningTest) -> str:
-    """Return why the readings cannot be deviations of a machine in the stated unit, or an empty
-    text.
+    """Return why the readings cannot be deviations in the stated unit, or an empty text.
 
     Certain are: every reading the same (nothing was measured); all readings within 0.1 µm per metre
     (0.01 arcsec); repeated readings that scatter by less than 2 nm (0.0005 arcsec) while all lie

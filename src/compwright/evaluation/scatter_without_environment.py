@@ -154,8 +154,7 @@ def _curve(
     count: int,
     rng: np.random.Generator,
 ) -> FloatArray:
-    """Return random draws (count, m) of a mean curve ``values`` (m,) without environmental
-    variation.
+    """Return random draws (count, m) of a mean curve ``values`` (m,) less environmental variation.
 
     ``noise``: its variance; ``own``: the variance of the axis' own scatter, which always remains.
     Without its straight line a curve is smooth plus rough: the variance of its cosine coefficients

@@ -228,8 +228,7 @@ def _years(one: datetime, other: datetime) -> float:
 
 
 def _forecast(limit: float, found: Mapping[str, _Course], parameter: str) -> Ahead:
-    """Return when a parameter reaches its limit, from the trends of the parameter, slope and
-    reversal.
+    """Return when a parameter reaches its limit, from its trend and those of slope and reversal.
 
     Its curve is that of the tests since the last event (another table, a jump). No date where none
     of these trends is clear.

@@ -79,8 +79,7 @@ def slope_error(
 
 
 def _scatter(blocks: list[FloatArray]) -> tuple[float, StandardError] | None:
-    """Return the pooled standard deviation and its standard error, or None without repeated
-    readings.
+    """Return the pooled standard deviation and its standard error, None if nothing is repeated.
 
     The relative variance of s² is 2/ν for normal readings of equal variance; it is larger if
     targets or runs differ in their variance.
@@ -107,8 +106,7 @@ def _scatter(blocks: list[FloatArray]) -> tuple[float, StandardError] | None:
 
 
 def _between_runs(blocks: list[FloatArray]) -> list[float]:
-    """Return the relative variance of s² from the differences between traverses, and that between
-    runs.
+    """Return the relative variance of s² from differences between traverses, and between runs.
 
     Needs three of them; each row of n readings loses one degree of freedom to its mean.
     """

@@ -424,9 +424,7 @@ def _extremes(
 def _extreme(
     test: PositioningTest, bounds: Sequence[tuple[Direction | None, FloatArray]], sense: float
 ) -> Extreme:
-    """Return the highest value of several curves over the targets, or the lowest if ``sense`` is
-    -1.
-    """
+    """Return the highest value of several curves over targets, or the lowest if ``sense`` is -1."""
     places = [(int(np.nanargmax(sense * values)), way, values) for way, values in bounds]
     index, way, values = max(places, key=lambda one: float(sense * one[2][one[0]]))
     return Extreme(float(values[index]), float(test.targets[index]), way)

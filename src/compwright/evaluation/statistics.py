@@ -87,9 +87,7 @@ def standard_deviation(deviations: FloatArray) -> FloatArray:
 
 
 def mean_and_deviation(deviations: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return `mean_deviation` and `standard_deviation` together, with one pass over the
-    readings.
-    """
+    """Return `mean_deviation` and `standard_deviation` together, in one pass over the readings."""
     finite = np.isfinite(deviations)
     missing = not np.all(finite)
     # Adding up what is there takes as long as all the rest.
@@ -262,8 +260,7 @@ def vdi_parameters(
     mean_negative: FloatArray,
     s_negative: FloatArray,
 ) -> dict[str, FloatArray]:
-    """Return the parameters of VDI/DGQ 3441, each (...), from means and s (..., m) in the same
-    unit.
+    """Return the parameters of VDI/DGQ 3441, each (...), from means and s (..., m); same unit.
 
     U_i = abs(B_i), Ps_i = 6 (s+ + s-)/2, Pa = range of the two-direction means,
     P = max[mean_i + (U_i + Ps_i)/2] - min[mean_i - (U_i + Ps_i)/2]. The text of VDI/DGQ 3441 was

@@ -1,5 +1,4 @@
-"""The temperatures stated in a measurement file, at start and end of the test (ISO 230-2:2006,
-7.1).
+"""The temperatures stated in a measurement file, at start and end of a test (ISO 230-2:2006, 7.1).
 
 Keys of the header, °C: ``T_m`` of the machine's scale or workpiece, ``T_d`` of the measuring
 device; or ``T_m_start`` and ``T_m_end``, ``T_d_start`` and ``T_d_end``.

@@ -86,8 +86,7 @@ class Trend:
         return abs(self.rate) > self.threshold * self.std_error
 
     def lines(self, random: np.random.Generator, ahead: float = 0.0) -> FloatArray:
-        """Return random draws (2, n) of the level ``ahead`` years after the last test, and of the
-        rate.
+        """Return random draws (2, n) of level, ``ahead`` years after the last test, and rate.
 
         A rate that is not clear is zero.
         """
@@ -399,9 +398,7 @@ def _moved(
     ends: tuple[FloatArray, ...],
     others: Sequence[int],
 ) -> tuple[FloatArray, ...]:
-    """Return the result of `_ends` after one of the ``others`` is added as a jump, for each of
-    them.
-    """
+    """Return the result of `_ends` with one more jump, for each of the ``others`` as the jump."""
     functional = _functional(jumps, solution.coefficients.shape[1])
     change = np.array([1.0, 0.0]) - solution.loading[:, others] @ functional
     size = (solution.residual / precision)[:, others]

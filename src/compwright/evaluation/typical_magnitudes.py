@@ -36,9 +36,7 @@ _OVER, _OVER_SHARE = 4.0, 0.05
 
 
 def unit_odds(test: PositioningTest, factor: float) -> float:
-    """Return the odds that the readings need the factor ``factor``, from typical sizes of
-    readings.
-    """
+    """Return the odds that the readings need this unit ``factor``, from typical reading sizes."""
     outside = outside_factor(test.kind.unit)
     s, dof = pooled_scatter(test)
     sizes = [(reading_range(test) * outside, _RANGE[test.kind])]

@@ -62,8 +62,7 @@ def without_traverses(
 def outlying_readings(
     test: PositioningTest,
 ) -> tuple[list[tuple[float, Direction, int, int]], float]:
-    """Return the outliers, largest first, and the robust standard deviation of a reading, mm or
-    deg.
+    """Return outliers, largest first, and the robust standard deviation of a reading, mm or deg.
 
     Each outlier: distance from the other readings (mm or deg), direction, index of the target,
     column of the run.
@@ -113,9 +112,7 @@ def keep_readings(
     direction: Direction,
     keep: np.ndarray[tuple[int, ...], np.dtype[np.bool_]],
 ) -> PositioningTest:
-    """Return ``test`` with only those readings of a direction that are marked in ``keep`` (m,
-    n).
-    """
+    """Return ``test`` with only the readings of a ``direction`` marked in ``keep`` (m, n)."""
     changed = np.where(keep, test.deviations(direction), np.nan)
     return (
         replace(test, positive=changed)

@@ -1,3 +1,3 @@
-"""Fit the table that a control can hold best under its limits, with a proof of optimality. Only
-this room imports a solver.
+"""Fit the best table that a control can hold, with a proof of optimality. Only this package imports
+a solver.
 """

@@ -1,4 +1,4 @@
-"""Choose the nodes of a table: as few as the error needs, at most as many as the control allows.
+"""Automatic choice of table points: as few as the error needs and no more than the control allows.
 
 The interpolation error between the nodes is computed, not estimated (`grid_losses`).
 """
@@ -41,7 +41,7 @@ def choose_candidate(
     capacity: Capacity,
     wanted: WantedCorrection,
 ) -> HeldGrid:
-    """Return the best grid among the candidates.
+    """Return the best grid of table points among the candidates, with the correction to fit on it.
 
     ``pool``: those with a node at the reference; ``others``: the rest; ``ends`` of the table, mm or
     deg.
@@ -85,22 +85,22 @@ def choose_candidate(
 
 
 def _others(capacity: Capacity) -> str:
-    """Return which axes use the points that this axis lacks, if the control shares its points."""
+    """Return a hint that other axes use up the table points that are missing, or an empty text."""
     if capacity.shared_points is None:
         return ""
     return "; the axes of the control share its points: a wider spacing of other axes leaves more"
 
 
 def most_points(capacity: Capacity) -> int:
-    """Return the largest number of points of a table."""
+    """Return the largest number of points that a table may have."""
     return capacity.max_points or max(AUTO_MOST, capacity.min_points)
 
 
 def candidates_over(
     span: Span, capacity: Capacity, wanted: WantedCorrection, most: int
 ) -> tuple[list[GridCandidate], list[GridCandidate]]:
-    """Return possible grids, coarsest first: those with a node at the reference (or on the extended
-    grid), and the others.
+    """Return two lists of possible grids, coarsest first: with a table point at the reference, and
+    without.
     """
     in_quanta = wanted.reference / capacity.position_quantum
     reference = round(in_quanta) if is_whole(in_quanta) else None
@@ -125,8 +125,8 @@ def candidates_over(
 
 
 def _with_most_points(pool: list[GridCandidate], others: list[GridCandidate]) -> GridCandidate:
-    """Return the finest grid. One without a node at the reference must have at least half as many
-    points more.
+    """Return the grid with most points. A grid without a point at the reference is chosen only if
+    it has more than 1.5 times as many.
     """
     best = max(pool or others, key=lambda candidate: candidate.count)
     spare = max(others, key=lambda candidate: candidate.count, default=best)
@@ -136,7 +136,7 @@ def _with_most_points(pool: list[GridCandidate], others: list[GridCandidate]) ->
 def _reaching_out(
     span: Span, anchor: int, capacity: Capacity, most: int
 ) -> Iterator[GridCandidate]:
-    """Yield grids of round steps with a node at ``anchor`` that extend beyond the travel.
+    """Yield grids with a round interval and a point at ``anchor`` that extend beyond the travel.
 
     Only at ends that the job leaves open. At an end named in the job, free spacing makes the last
     section shorter.
@@ -160,8 +160,8 @@ def _coarsest(
     wanted: WantedCorrection,
     capacity: Capacity,
 ) -> FloatArray | None:
-    """Return the nodes of the coarsest grid that is good enough. None: no grid is. A node at the
-    reference is preferred.
+    """Return the table points of the coarsest grid that is good enough, or None. Grids with a point
+    at the reference are preferred.
     """
     on, off = _first_good(pool, wanted, capacity), _first_good(others, wanted, capacity)
     if on is None or (off is not None and off.count * 3 < on.count):
@@ -172,9 +172,7 @@ def _coarsest(
 def _first_good(
     candidates: list[GridCandidate], wanted: WantedCorrection, capacity: Capacity
 ) -> GridCandidate | None:
-    """Return the coarsest grid whose loss is within the tolerance, or one almost as coarse with a
-    rounder step.
-    """
+    """Return the coarsest grid that is good enough, or one a little finer with a round interval."""
     quantum = capacity.position_quantum
     best: GridCandidate | None = None
     first = 0
@@ -193,7 +191,7 @@ def _first_good(
 def _least_left(
     candidates: list[GridCandidate], wanted: WantedCorrection, capacity: Capacity, lattice: Lattice
 ) -> FloatArray:
-    """Return the grid with the smallest expected error, where no grid is good enough.
+    """Return the points of the grid with the smallest expected error, if no grid is good enough.
 
     A finer spacing needs smaller increments, and a coarser magnification where these are too small.
     Among grids of almost equal error the coarsest is taken. Rounding leaves step / sqrt(12) rms at

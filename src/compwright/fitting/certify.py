@@ -1,4 +1,4 @@
-"""Prove the optimality of a solution with numpy alone, so that no solver has to be trusted.
+"""Proof that a solution is optimal, computed with numpy alone, so that no solver has to be trusted.
 
 Conditions of Karush, Kuhn and Tucker for: minimise x'Px/2 + q'x subject to lower <= Ax <= upper,
 with multipliers y > 0 at the upper and y < 0 at the lower bound (Boyd and Vandenberghe, Convex
@@ -27,7 +27,7 @@ WHOLE: Final = 1e-6
 
 
 def certificate(problem: QuadraticProblem, x: FloatArray, y: FloatArray) -> dict[str, float]:
-    """Return by how much a solution violates each optimality condition, mm or deg.
+    """Return the amount by which a solution violates each optimality condition, mm or deg.
 
     ``x`` (n,): solution; ``y`` (c,): multipliers of the limits. Conditions of Karush, Kuhn and
     Tucker (Boyd and Vandenberghe 2004, section 5.5.3).
@@ -56,14 +56,14 @@ def certificate(problem: QuadraticProblem, x: FloatArray, y: FloatArray) -> dict
 
 
 def rounded_proof(proof: Mapping[str, float]) -> dict[str, float]:
-    """Return a certificate rounded so that it is the same on every processor (rounding errors:
-    Higham 2002, chapter 3).
+    """Return a certificate rounded to be equal on every processor (rounding errors: Higham 2002,
+    chapter 3).
     """
     return {name: rounded_number(value, RESIDUE) for name, value in proof.items()}
 
 
 def _in_lengths(problem: QuadraticProblem, y: FloatArray, stiffness: FloatArray) -> FloatArray:
-    """Return each multiplier (c,) as the change of an unknown that it would cause, mm or deg."""
+    """Return each multiplier (c,) as the change of a table value that it causes, mm or deg."""
     if not y.size:
         return y
     return problem.A.largest_in_rows(stiffness) * y
@@ -81,8 +81,8 @@ def range_gap(
     reached: float,
     box: float,
 ) -> float:
-    """Return an upper bound of how far ``reached`` is above the minimum of the linear objective
-    c'x.
+    """Return an upper bound of the difference between ``reached`` and the minimum of the linear
+    objective c'x.
 
     The minimum is over all x within ``box`` with Gx <= h.
 
@@ -103,7 +103,7 @@ def lattice_certificate(
     magnification: int,
     claimed: tuple[float, float],
 ) -> dict[str, float]:
-    """Return the certificate of a table of whole increments.
+    """Return the proof for a table of whole increments: violations, and bounds of its mean square.
 
     ``claimed``: its mean square, and the lower bound of the mean square over real numbers, mm² or
     deg². Keys: ``primal``, the largest violation of a limit; ``objective`` and ``lower_bound``, the
@@ -155,7 +155,7 @@ def lattice_certificate(
 def _broken(
     table: AxisCompensation, aim: WantedCorrection, capacity: Capacity, magnification: int
 ) -> float:
-    """Return the largest violation of a limit, mm or deg."""
+    """Return the amount of the largest violation of a limit, mm or deg."""
     lattice = capacity.lattice
     if lattice is None:
         raise TypeError("the control has no lattice")

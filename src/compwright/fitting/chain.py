@@ -1,5 +1,5 @@
-"""Fit one curve whose node values are coupled only with their neighbours (a chain). Here: its
-optimum without whole numbers, and lower bounds.
+"""Fit of one curve in which each table value is coupled only with its neighbours (a chain): its
+optimum without whole-number values, and lower bounds.
 
 The mean square of held minus wanted is a quadratic whose matrix H is tridiagonal (linear
 interpolation) or diagonal (steps). With v0 its minimum and a constant c added to the curve (the
@@ -34,7 +34,7 @@ _SAFE: Final = 1e-9
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CurveChain:
-    """The node values of one curve and their objective; m nodes count. Symbols: module docstring.
+    """The m table values of one curve, and the quadratic objective that they minimise.
 
     ``kept``: indices of the m counted among the ``size`` nodes of the table: nodes within the
     travel, and nodes with a limit. ``span`` (m-1,): number of sections between neighbours.
@@ -60,8 +60,8 @@ class CurveChain:
 
     @property
     def left(self) -> float:
-        """The second derivative of the objective by the constant, when the curve follows the
-        constant.
+        """The second derivative of the objective by the constant, if the table values are optimal
+        for each constant.
         """
         return self.stiffness - float(self.coupling @ self.solve(self.coupling))
 
@@ -78,13 +78,13 @@ class CurveChain:
         return solution
 
     def excess(self, e: FloatArray) -> float:
-        """Return the increase e'He/2 of the objective at distances e (m,) from its minimum, mm² or
-        deg².
+        """Return how much the objective exceeds its minimum, e'He/2, for table values that differ
+        by e (m,) from the optimum; mm² or deg².
         """
         return float(0.5 * self.diagonal @ e**2 + self.off @ (e[1:] * e[:-1]))
 
     def value(self, v: FloatArray, constant: float) -> float:
-        """Return the objective for node values ``v`` (m,) and the constant, mm or deg."""
+        """Return the objective for table values ``v`` (m,) and ``constant``; mm or deg, squared."""
         e, c = v - self.optimum, constant - self.constant
         return (
             self.least
@@ -94,7 +94,7 @@ class CurveChain:
         )
 
     def expanded(self, totals: IntArray) -> IntArray:
-        """Return the whole totals (size,) at all nodes of the table from those at the m nodes.
+        """Return whole-number values (size,) at all table points from those at the m counted ones.
 
         Nodes in between get equal steps, nodes beyond the ends the end values.
         """
@@ -112,8 +112,8 @@ class CurveChain:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ChainTarget:
-    """The wanted curve at its points, with ``rows``, ``weights`` (p,) and ``aims`` (p,) in mm or
-    deg.
+    """The wanted curve at sample points: interpolation ``rows``, ``weights`` (p,) and wanted values
+    ``aims`` (p,), mm or deg.
 
     ``constant``: whether the constant is added at these points.
     """
@@ -132,8 +132,8 @@ def build_chain(
     kept: tuple[int, ...],
     closed: bool,
 ) -> CurveChain:
-    """Return the objective of a curve with ``size`` nodes: half the sum of the squares in
-    ``wishes``.
+    """Return the objective of a curve with ``size`` table points: half the weighted sum of squared
+    differences from the ``wishes``.
 
     Normal equations of hat functions, which couple only neighbouring nodes (de Boor 1978, chapter
     III). ``fixed``: nodes with the value zero; ``kept``: nodes outside the travel that count
@@ -188,7 +188,7 @@ def build_chain(
 
 
 def _solved(chain: CurveChain, wishes: tuple[ChainTarget, ...]) -> CurveChain:
-    """Return the chain with its optimum.
+    """Return the chain with its optimal values filled in.
 
     On input, the fields of the optimum and its constant hold the linear terms of the objective.
     """
@@ -257,7 +257,7 @@ def _diagonal_share(chain: CurveChain) -> float:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ChainLimits:
-    """The limits of a curve. Its values are whole multiples of ``step`` (mm or deg) plus a shift.
+    """The limits of the values of a curve: whole multiples of ``step`` (mm or deg) plus a shift.
 
     ``increments``: least and largest number of steps between nodes; ``low``, ``high`` (m,): the
     value range, mm or deg.
@@ -271,8 +271,8 @@ class ChainLimits:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LimitMultipliers:
-    """Multipliers of the limits. Any multipliers give a valid lower bound (weak duality; Boyd and
-    Vandenberghe 2004, section 5.2.2).
+    """Lagrange multipliers of the limits of a curve. Any multipliers give a valid lower bound (weak
+    duality; Boyd and Vandenberghe 2004, section 5.2.2).
 
     ``climb`` (m-1,) of the increments and ``bound`` (m,) of the range, > 0 at the upper, < 0 at the
     lower limit; ``close`` of "the last value equals the first".
@@ -283,8 +283,8 @@ class LimitMultipliers:
     close: float = 0.0
 
     def force(self, chain: CurveChain) -> FloatArray:
-        """Return A'y (m,): the derivative of the term of the limits by the node values; zero if
-        fixed.
+        """Return A'y (m,), the derivative by the table values of the limits' term in the Lagrange
+        function. It is 0 at fixed values.
         """
         force = self.bound.copy()
         force[1:] += self.climb
@@ -310,7 +310,7 @@ class LimitMultipliers:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Relaxation:
-    """A lower bound of the objective over real values, as a function of the constant c.
+    """A lower bound of the objective over real table values, as a function of the constant c.
 
     Dual function (Boyd and Vandenberghe 2004, section 5.1.2): the Lagrange function L(v, c) = f +
     y'(Av - limits) <= f has its minimum over v, ``base - tilt (c - c0) + curve (c - c0)^2 / 2``, at
@@ -330,17 +330,15 @@ class Relaxation:
         return bounds
 
     def centres(self, shift: FloatArray) -> FloatArray:
-        """Return the optimal node values (n, m), mm or deg, for constants that differ by ``shift``
-        (n,) from the optimum.
+        """Return the optimal table values (n, m), mm or deg, for constants that differ by ``shift``
+        (n,) from the optimal one.
         """
         centres: FloatArray = self.centre - shift[:, np.newaxis] * self.follow
         return centres
 
 
 def closing_multipliers(chain: CurveChain) -> LimitMultipliers:
-    """Return multipliers that only make both ends of a curve equal, where the axis requires
-    that.
-    """
+    """Return multipliers that make both ends of a closed curve equal and ignore other limits."""
     close = 0.0
     if chain.closed:
         ends = np.zeros(chain.diagonal.size)
@@ -352,8 +350,8 @@ def closing_multipliers(chain: CurveChain) -> LimitMultipliers:
 
 
 def relax(chain: CurveChain, push: LimitMultipliers) -> Relaxation:
-    """Return the lower bound from the multipliers ``push``, without the term of the limits
-    (`priced`).
+    """Return the lower bound for the multipliers ``push``, without the constant term of the limits
+    (`priced` subtracts it).
 
     It is the least of a quadratic Lagrange function (Boyd and Vandenberghe 2004, section 5.2.4).
     """
@@ -371,15 +369,15 @@ def relax(chain: CurveChain, push: LimitMultipliers) -> Relaxation:
 def priced(
     relaxation: Relaxation, push: LimitMultipliers, chain: CurveChain, limits: ChainLimits
 ) -> Relaxation:
-    """Return the lower bound with the term of the ``limits``."""
+    """Return the lower bound with the constant term of the ``limits`` subtracted."""
     return replace(relaxation, base=relaxation.base - push.price(chain, limits))
 
 
 def limit_multipliers(
     chain: CurveChain, limits: ChainLimits, constant_range: tuple[float, float]
 ) -> LimitMultipliers:
-    """Return nearly optimal multipliers from the solver OSQP. Inexact multipliers still give a
-    valid bound. Source: Stellato et al., Mathematical Programming Computation 12, 2020.
+    """Return nearly optimal multipliers from the solver OSQP (Stellato et al., Mathematical
+    Programming Computation 12, 2020). Inexact multipliers still give a valid bound.
     """
     import osqp
     from scipy import sparse

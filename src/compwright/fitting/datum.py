@@ -1,4 +1,4 @@
-"""Choose the constant of a correction so that the table is zero at the reference.
+"""Choice of the constant of a correction with which the table is zero at the reference.
 
 A constant in both directions moves only the zero of the axis, not its errors, so it can be chosen.
 """
@@ -19,8 +19,7 @@ from compwright.records.estimate import WantedCorrection
 def with_datum(
     wanted: WantedCorrection, layout: UnknownsLayout, capacity: Capacity
 ) -> tuple[WantedCorrection, tuple[Finding, ...]]:
-    """Return ``wanted`` (totals, mm or deg) shifted so that its best table is zero at the
-    reference.
+    """Return ``wanted`` (totals, mm or deg), shifted so that its best table is 0 at the reference.
 
     Also returns the findings about the reference. The best table of ``layout`` is zero in the zero
     state.
@@ -34,7 +33,8 @@ def with_datum(
 def zero_in_the_zero_state(
     wanted: WantedCorrection, nodes: FloatArray, capacity: Capacity
 ) -> tuple[WantedCorrection, float, tuple[Finding, ...]]:
-    """Return ``wanted`` shifted so that a table on ``nodes`` is zero in the control's zero state.
+    """Return ``wanted`` shifted so that a table with points ``nodes`` is zero in the control's zero
+    state (at the reference, after the reference return).
 
     Also returns the position that is zero (mm or deg) and the findings about the reference. Where
     the reference lies outside the table and the control keeps the end value there, the end node is
@@ -57,7 +57,7 @@ def _shifted(wanted: WantedCorrection, shift: float) -> WantedCorrection:
 def _offset_from_mean(
     wanted: WantedCorrection, place: float, layout: UnknownsLayout, capacity: Capacity
 ) -> float:
-    """Return the wanted correction at ``place`` minus its least-squares fit there, mm or deg.
+    """Return the wanted correction minus its least-squares fit at ``place``, mm or deg.
 
     In the return direction. The fit has one reversal value for the whole travel: its curve is the
     mean of both directions plus or minus half of that value (least squares: Draper and Smith,

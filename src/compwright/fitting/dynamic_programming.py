@@ -1,4 +1,4 @@
-"""Find the best whole numbers for the node values of a curve by dynamic programming.
+"""Search for the best whole-number table values of a curve by dynamic programming.
 
 Each node value is a whole number of steps within a given window. Several cases ("lanes") are solved
 at once; a lane is one reversal value, shift, or start value of a closed curve. All values are in
@@ -19,7 +19,8 @@ from compwright.records.axis import FloatArray
 def reachable_windows(
     chain: CurveChain, limits: ChainLimits, low: FloatArray, high: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the windows, in steps, without values that the neighbours' increments cannot reach.
+    """Return ranges of values, in steps, without those that the increments from neighbouring points
+    cannot reach.
 
     ``low``, ``high`` (n, m): smallest and largest value of each node for each of n lanes.
     """
@@ -35,7 +36,7 @@ def reachable_windows(
 def closed_lanes(
     lanes: IntArray, low: FloatArray, high: FloatArray
 ) -> tuple[IntArray, FloatArray, FloatArray]:
-    """Return one case for every value at which a closed curve may begin and end.
+    """Return a separate case for every value at which a closed curve may begin and end.
 
     Each has its owner among ``lanes`` and its windows (lanes, m), in steps.
     """
@@ -56,8 +57,8 @@ def closed_lanes(
 def cheapest_totals(
     chain: CurveChain, limits: ChainLimits, targets: FloatArray, low: IntArray, high: IntArray
 ) -> tuple[FloatArray, IntArray]:
-    """Return the smallest objective (n,) over whole node values T (n, m) in the windows, and those
-    T.
+    """Return the smallest objective (n,) over whole-number table values (n, m) in the given ranges,
+    and these values.
 
     Objective: (T - target)'H(T - target)/2. Forward over the nodes: the smallest cost for each
     value of the node (Bellman 1957). Backward: the values that gave it (Forney 1973). All lanes use
@@ -103,7 +104,8 @@ def _arrive(
     here: FloatArray,
     targets: FloatArray,
 ) -> tuple[FloatArray, IntArray]:
-    """Return the smallest cost (n, w) for each value of ``node``, and the increments that give it.
+    """Return the smallest cost (n, w) for each value at ``node``, and the increment from the point
+    before that gives it.
 
     ``window``: first value at the node before, first value here, their number w. With e the
     deviation from the target here and d the increment, the deviation at the node before is e +

@@ -1,4 +1,4 @@
-"""Map the wanted correction of an endless axis to exactly one period from the reference."""
+"""Mapping of the wanted correction of an endless axis to one period from the reference."""
 
 from __future__ import annotations
 

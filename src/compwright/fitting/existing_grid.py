@@ -1,4 +1,4 @@
-"""The existing grid of the control: whether a new table can use exactly its nodes.
+"""The existing table points of the control, and whether a new table can use exactly these points.
 
 Other functions of a control may depend on these nodes and their numbers. If the nodes stay, the
 effect of these functions does not change.
@@ -28,7 +28,7 @@ _SAME: Final = 1e-6
 def existing_nodes(
     wanted: WantedCorrection, capacity: Capacity, request: TableRequest
 ) -> FloatArray | None:
-    """Return the nodes (k,) of the existing grid, mm or deg; None to choose another grid.
+    """Return the existing table points (k,), mm or deg, or None if other points are to be chosen.
 
     A repeating grid begins at the reference. None where there is no grid, or the job requires
     another one. An end in the job shortens the grid, or extends it at its own interval. Raises
@@ -62,8 +62,8 @@ def existing_nodes(
 
 
 def close_node_findings(nodes: FloatArray, capacity: Capacity, unit: str) -> tuple[Finding, ...]:
-    """Return a warning if the existing grid breaks a rule of the control. The control ran with it,
-    so it is no error.
+    """Return a warning if the existing points break a rule of the control. It is not an error,
+    because the control ran with them.
     """
     least = float(np.min(np.diff(nodes)))
     if least >= capacity.min_spacing * (1 - 1e-9):
@@ -101,7 +101,7 @@ def _check_turn_ends(request: TableRequest, begin: float, period: float, unit: s
 
 
 def _from_reference(nodes: FloatArray, reference: float, period: float, unit: str) -> FloatArray:
-    """Return the nodes of one period from the reference, both ends included."""
+    """Return the table points of one period, from the reference up to the reference again."""
     slack = _SAME * float(np.min(np.diff(nodes)))
     span = float(nodes[-1] - nodes[0])
     if abs(span - period) > max(slack, _SAME):
@@ -124,7 +124,7 @@ def _from_reference(nodes: FloatArray, reference: float, period: float, unit: st
 def _to_named_ends(
     nodes: FloatArray, capacity: Capacity, request: TableRequest, unit: str
 ) -> FloatArray:
-    """Return the nodes cut or extended to the ends in the job.
+    """Return the table points cut or extended to the ends stated in the job.
 
     Where nodes may lie anywhere, an end between two nodes becomes a node.
     """
@@ -146,8 +146,8 @@ def _to_named_ends(
 
 
 def _to_end(nodes: FloatArray, end: float) -> FloatArray:
-    """Return ascending nodes up to ``end``, which becomes a node. Missing nodes follow at the last
-    spacing.
+    """Return ascending table points up to ``end``, which becomes a point. Missing points continue
+    at the last interval.
     """
     step = float(nodes[-1] - nodes[-2])
     more = int(np.ceil((end - float(nodes[-1])) / step - _SAME))

@@ -1,5 +1,5 @@
-"""Fit the table of one axis: nodes, best values under the control's limits, rounding, and the cost
-of each limit.
+"""Fit of the table of one axis: points, best values within the control's limits, rounding, and the
+cost of each limit.
 
 Least expected square: the best answer under a square loss is the mean of what is believed
 (Rasmussen and Williams, Gaussian Processes for Machine Learning, 2006, section 2.4). A quadratic
@@ -62,7 +62,7 @@ def fit_table(
     address: str,
     costs: bool = True,
 ) -> FittedTable:
-    """Return the best table for ``wanted`` (totals, mm or deg) under the control's limits.
+    """Return the best table for ``wanted`` (totals, mm or deg) within the control's limits.
 
     Goal ``expected``: least mean square of table minus wanted correction over the travel and both
     directions. This is the expected squared deviation plus a constant that no table changes
@@ -221,7 +221,7 @@ def _whole_goal(
 
 @dataclass(frozen=True, slots=True)
 class _Best:
-    """The best values before rounding, and their certificate. ``free``: no limit is reached."""
+    """The best table values before rounding, and their certificate. ``free``: no limit reached."""
 
     x: FloatArray
     certificate: dict[str, float]
@@ -230,7 +230,7 @@ class _Best:
 
 @dataclass(frozen=True, slots=True)
 class _Fit:
-    """The data of one fit: the sampled wanted correction, the order of the unknowns, the limits."""
+    """The data of one fit: sampled wanted correction, order of the unknowns, and limits."""
 
     data: SampledCorrection
     layout: UnknownsLayout
@@ -249,7 +249,7 @@ class _Fit:
         return _Best(solution.x, solution.certificate, free=not pushed)
 
     def best(self, goal: Goal, wanted: WantedCorrection, usual: _Best) -> _Best:
-        """Return the best table for the ``goal``.
+        """Return the best table values for the ``goal``, before rounding.
 
         ``usual``: the table of least mean square. ``wanted``: the wanted correction, including
         short periods that the nodes cannot follow.
@@ -371,9 +371,7 @@ def _limits(
 
 
 def _rounding_error(table: AxisCompensation, x: FloatArray, layout: UnknownsLayout) -> float:
-    """Return the largest change of a table value by rounding (mm or deg); the backlash value is not
-    a table value.
-    """
+    """Return the largest change of a table value (not of the backlash) by rounding, mm or deg."""
     k = layout.nodes.size
     values = 2 * k if layout.shape == "bidirectional" else k
     return float(np.max(np.abs(_as_unknowns(table, layout)[:values] - x[:values])))

@@ -1,4 +1,4 @@
-"""Fit a table for goal A, E or M (ISO 230-2): least mean of the parameter over simulated tests.
+"""Fit of a table for goal A, E or M (ISO 230-2): least mean of that parameter over simulated tests.
 
 Each parameter is a range (largest minus smallest value). The range of the mean error curve alone
 could be minimised too (Chebyshev approximation: Boyd and Vandenberghe, Convex Optimization, 2004,
@@ -50,8 +50,8 @@ def optimise_goal(
     limits: QuadraticProblem,
     start: FloatArray,
 ) -> tuple[FloatArray, dict[str, float]]:
-    """Return the table values (n,) with the least mean ``goal`` over simulated tests, and
-    certificate.
+    """Return the table values (n,) with the least mean of the parameter ``goal`` over simulated
+    tests, and their certificate.
 
     ``start`` (n,): the table values of least mean square under the same ``limits``. The result lies
     on the straight line from ``start`` to the optimum of the linear program; all points of it keep
@@ -79,7 +79,8 @@ def optimise_goal(
 
 
 def _halves(scenarios: Scenarios) -> tuple[IntArray, IntArray]:
-    """Return two sets of test numbers: one for the optimisation, one to judge its result.
+    """Return the indices of two halves of the simulated tests: for the optimisation, and to judge
+    its result.
 
     No target is in both, because a table can be wrong between targets without a test at them
     showing it.
@@ -91,7 +92,7 @@ def _halves(scenarios: Scenarios) -> tuple[IntArray, IntArray]:
 
 
 def _smooth_changes(layout: UnknownsLayout) -> SparseMatrix:
-    """Return a matrix (n, j) that turns changes at j nodes into changes of all n table values.
+    """Return a matrix (n, j) that interpolates changes at j table points to all n table values.
 
     Straight lines between these nodes. Changes of single nodes are not allowed: no simulated target
     may be near a node, or one so near that a large change of the node hardly moves it.
@@ -120,7 +121,9 @@ def _smooth_changes(layout: UnknownsLayout) -> SparseMatrix:
 def _of_changes(
     limits: QuadraticProblem, start: FloatArray, bends_by: SparseMatrix
 ) -> QuadraticProblem:
-    """Return the problem for the changes c (j,) of the table values, which are ``start`` + B c."""
+    """Return the quadratic problem for changes c (j,), where the table values are ``start`` + B c
+    and B is ``bends_by``.
+    """
     held = limits.A @ start
     return QuadraticProblem(
         P=product(bends_by.transposed, product(limits.P, bends_by)),
@@ -159,7 +162,7 @@ def mean_over(
 def as_wanted(
     x: FloatArray, layout: UnknownsLayout, capacity: Capacity, wanted: WantedCorrection
 ) -> WantedCorrection:
-    """Return the correction of the table values ``x`` (n,) as a wanted correction.
+    """Return the correction that the table values ``x`` (n,) give, as a wanted correction.
 
     A table of whole increments is then fitted to it.
     """
@@ -180,7 +183,7 @@ def as_wanted(
 def _measured(
     scenarios: Scenarios,
 ) -> list[tuple[Direction, FloatArray, FloatArray]]:
-    """Return each measured direction with its deviations from the estimated error, and k s."""
+    """Return each measured direction with deviations minus the estimated error, and k s."""
     both = (
         (Direction.POSITIVE, scenarios.positive, scenarios.half_positive),
         (Direction.NEGATIVE, scenarios.negative, scenarios.half_negative),
@@ -191,9 +194,7 @@ def _measured(
 def _wanted_at(
     wanted: WantedCorrection, where: FloatArray, way: Direction, period: float | None
 ) -> FloatArray:
-    """Return the wanted correction at any positions. ``wanted`` covers one period if there is
-    one.
-    """
+    """Return the wanted correction at any positions. With a ``period`` it repeats."""
     if period is not None:
         where = wanted.reference + np.mod(where - wanted.reference, period)
     return np.interp(where, wanted.positions, wanted.total(way))
@@ -233,7 +234,8 @@ def _of_scenarios(
 def _of_the_mean(
     goal: Range, wanted: WantedCorrection, layout: UnknownsLayout, capacity: Capacity
 ) -> Deviations:
-    """Return the mean error curve as one simulated test, at its positions and at the nodes.
+    """Return the mean error curve in the form of one simulated test, at its positions and at the
+    table points.
 
     A step of the control's correction counts with the values on both sides.
     """
@@ -261,7 +263,7 @@ def _of_the_mean(
 
 
 def _together(parts: Sequence[Deviations], size: int, *, middle: bool) -> Deviations:
-    """Return the deviations of both directions, or with ``middle`` their mean."""
+    """Return the deviations of both directions together, or their mean if ``middle``."""
     first, last = parts[0], parts[-1]
     if middle and len(parts) > 1:
         return Deviations(

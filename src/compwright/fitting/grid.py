@@ -1,4 +1,4 @@
-"""Choose the nodes of a table, at positions that the control can express exactly.
+"""Choice of the table points, at positions that the control can express exactly.
 
 They are the existing nodes, those given in the job, or as many as the error needs.
 
@@ -26,7 +26,7 @@ from compwright.records.fitted import TableRequest
 
 
 def choose_grid(wanted: WantedCorrection, capacity: Capacity, request: TableRequest) -> HeldGrid:
-    """Return the nodes for a table; the existing nodes stay if the job allows it.
+    """Return the points for a table. Existing points are kept if the job allows it.
 
     Raises CapacityError where the control cannot hold the requested grid (with the limit and what
     would fit) or the existing grid cannot be used; UsageError where start is not below end.
@@ -88,7 +88,7 @@ def possible_grids(
 
 
 def _given_nodes(nodes: FloatArray, request: TableRequest, unit: str) -> FloatArray:
-    """Return the nodes that the control's own table fixes; the job may only name the same nodes."""
+    """Return table points that must not change. Raises CapacityError if the job states others."""
     step = float(np.max(np.diff(nodes)))
     requested = (
         ("start", request.start, float(nodes[0])),
@@ -122,8 +122,8 @@ def _kept(nodes: FloatArray, capacity: Capacity, wanted: WantedCorrection) -> He
 
 
 def _covering(grid: HeldGrid, span: Span, capacity: Capacity) -> HeldGrid:
-    """Return the grid extended beyond the travel by the spacings that the control needs. Only at
-    ends that the job does not name.
+    """Return the grid extended beyond the travel by as many intervals as the control needs, except
+    at ends stated in the job.
     """
     nodes = grid.nodes
     below = 0 if span.low_fixed else capacity.cover

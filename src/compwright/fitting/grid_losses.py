@@ -1,4 +1,4 @@
-"""The interpolation error of a grid, and whether the control's increments are large enough for it.
+"""The interpolation error of table points, and whether the control's increments are large enough.
 
 Computed, not estimated. The error grows with the square of the spacing times the curvature (de
 Boor, A Practical Guide to Splines, 1978, chapter III).
@@ -21,7 +21,8 @@ NOISE_SHARE: Final = 0.1
 
 
 def good_enough(nodes: FloatArray, wanted: WantedCorrection, capacity: Capacity) -> bool:
-    """Return whether the loss of a grid is within the control's resolution or a share of the noise.
+    """Return whether the interpolation error between table points is within the control's
+    resolution or a share of the noise, and the increments can follow.
 
     Its increments must also be small enough for the smallest magnification.
     """
@@ -37,8 +38,8 @@ def good_enough(nodes: FloatArray, wanted: WantedCorrection, capacity: Capacity)
 
 
 def _climbs(nodes: FloatArray, wanted: WantedCorrection, capacity: Capacity) -> bool:
-    """Return whether the control's increments can follow the wanted correction at the smallest
-    magnification.
+    """Return whether the control's increments at the smallest magnification can follow the wanted
+    correction.
     """
     lattice = capacity.lattice
     return (
@@ -47,7 +48,7 @@ def _climbs(nodes: FloatArray, wanted: WantedCorrection, capacity: Capacity) -> 
 
 
 def magnification_needed(nodes: FloatArray, wanted: WantedCorrection, lattice: Lattice) -> float:
-    """Return the smallest magnification at which the increments reach every change between nodes.
+    """Return the smallest magnification at which increments follow each change between points.
 
     A real number, not rounded up to a whole one.
     """
@@ -63,7 +64,7 @@ def magnification_needed(nodes: FloatArray, wanted: WantedCorrection, lattice: L
 
 
 def grid_loss(nodes: FloatArray, wanted: WantedCorrection, interpolation: Interpolation) -> float:
-    """Return the rms interpolation error between the nodes, over travel and directions, mm or deg.
+    """Return the rms interpolation error between table points over both directions, mm or deg.
 
     It is the wanted correction minus its interpolation at the nodes (de Boor 1978, chapter III).
     """

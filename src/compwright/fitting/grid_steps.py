@@ -1,4 +1,4 @@
-"""Equal steps in whole resolution steps of the position, and which of them a control accepts."""
+"""Equal intervals in whole resolution steps of the position, and which ones a control accepts."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ def is_whole(ratio: float) -> bool:
 
 
 def nodes_at(start: int, step: int, count: int, quantum: float, origin: float = 0.0) -> FloatArray:
-    """Return the nodes (count,) in mm or deg: ``origin`` plus whole multiples of ``quantum``.
-    ``start`` and ``step`` count quanta.
+    """Return table points (count,), mm or deg: ``origin`` plus multiples of ``quantum``, with
+    ``start`` and ``step`` in units of ``quantum``.
     """
     # Rounded to 10 decimals: the number that a file says, not the product's last bits.
     nodes: FloatArray = np.round(
@@ -32,7 +32,7 @@ def nodes_at(start: int, step: int, count: int, quantum: float, origin: float = 
 
 
 def round_steps(most: int) -> list[int]:
-    """Return steps with few digits up to ``most``, ascending, in resolution steps (quanta)."""
+    """Return intervals with few digits up to ``most``, ascending, in resolution steps."""
     return [
         step
         for step in sorted(
@@ -43,8 +43,8 @@ def round_steps(most: int) -> list[int]:
 
 
 def allowed_steps(steps: Iterable[int], capacity: Capacity) -> list[int]:
-    """Return those of ``steps`` (quanta, > 0) that the control accepts. None is below its
-    smallest spacing; if it has only certain spacings, only these.
+    """Return those ``steps`` (intervals in resolution steps, > 0) that the control accepts: not
+    below its smallest spacing, and among its list of spacings if it has one.
     """
     quantum = capacity.position_quantum
     long_enough = [step for step in steps if step * quantum >= capacity.min_spacing * (1 - _HAIR)]
@@ -55,9 +55,7 @@ def allowed_steps(steps: Iterable[int], capacity: Capacity) -> list[int]:
 
 
 def listed_steps(capacity: Capacity) -> frozenset[int]:
-    """Return the allowed steps in resolution steps (quanta) of a control that has only certain
-    steps.
-    """
+    """Return the listed intervals, in resolution steps, of a control that accepts only these."""
     return frozenset(
         round(spacing / capacity.position_quantum) for spacing in capacity.spacings or ()
     )
@@ -65,8 +63,8 @@ def listed_steps(capacity: Capacity) -> frozenset[int]:
 
 @dataclass(frozen=True, slots=True)
 class GridCandidate:
-    """An equally spaced grid in whole resolution steps (quanta) from ``origin`` (mm or deg).
-    ``last`` shortens the last section.
+    """Equally spaced table points, counted in resolution steps from ``origin`` (mm or deg).
+    ``last`` shortens the last interval.
     """
 
     start: int
@@ -76,12 +74,12 @@ class GridCandidate:
     origin: float = 0.0
 
     def nodes(self, quantum: float) -> FloatArray:
-        """Return the nodes (count,) in mm or deg."""
+        """Return the table points (count,), mm or deg."""
         nodes = nodes_at(self.start, self.step, self.count, quantum, self.origin)
         if self.last is not None:
             nodes[-1] = np.round(self.last * quantum, 10)
         return nodes
 
     def digits(self, quantum: float) -> int:
-        """Return the number of digits of the step: one for 50, five for 53.125."""
+        """Return the number of digits of the interval, such as one for 50 and five for 53.125."""
         return len(f"{self.step * quantum:.10g}".replace(".", "").strip("0"))

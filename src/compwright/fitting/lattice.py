@@ -1,4 +1,4 @@
-"""Find the best table of whole increments over all magnifications by branch and bound.
+"""Search for the best table of whole increments over all magnifications, by branch and bound.
 
 The unknowns are whole totals T[i], in units of magnification times unit, with increments and values
 within the control's limits. Magnifications whose lower bound exceeds the best table found so far
@@ -47,8 +47,8 @@ _MANY: Final = 200
 
 @dataclass(frozen=True, slots=True)
 class LatticeSolution:
-    """The best table: its parts, ``magnification``, ``objective`` (mean square), and the lower
-    ``bound`` without whole numbers.
+    """The best table of whole increments: its curves, ``magnification`` and ``objective`` (mean
+    square), with a lower ``bound`` for real-number values.
 
     ``before``: the next smaller magnification and a lower bound of its objective; None where there
     is none.
@@ -68,7 +68,7 @@ def best_totals(
     increments: tuple[int, int],
     magnifications: tuple[int, ...],
 ) -> LatticeSolution | None:
-    """Return the exact optimum over whole totals, reversal values and magnifications. None: the
+    """Return the best whole-number table values, reversal values and magnification, or None if the
     limits allow no table.
 
     ``unit`` mm or deg; ``magnifications`` ascending. Of those that are equal within `EQUAL` the
@@ -104,7 +104,7 @@ def best_totals(
 def relaxed_bound(
     parts: tuple[LatticePart, ...], *, unit: float, increments: tuple[int, int], magnification: int
 ) -> float:
-    """Return a lower bound of the mean square under the limits over real numbers, mm² or deg².
+    """Return a lower bound of the mean square over real numbers within the limits, mm² or deg².
 
     It lies below the minimum only by the accuracy of OSQP (weak duality; Boyd and Vandenberghe,
     Convex Optimization, 2004, section 5.2.2).
@@ -139,7 +139,7 @@ def _better(new: LatticeSolution, best: LatticeSolution | None, unit: float) -> 
 
 @dataclass(frozen=True, slots=True)
 class _Relaxed:
-    """The best lower bound of one curve from the first ``pushes`` sets of multipliers.
+    """The best lower bound of one curve, from its first ``pushes`` sets of multipliers.
 
     ``least``: its smallest value over all reversal values.
     """
@@ -151,9 +151,7 @@ class _Relaxed:
 
 @dataclass(frozen=True, slots=True)
 class _Whole:
-    """The smallest lower bound over whole numbers that does not exceed ``room``, for a
-    ``relaxation``.
-    """
+    """The smallest lower bound of one curve over whole-number values, if not above ``room``."""
 
     bound: float
     room: float
@@ -161,7 +159,7 @@ class _Whole:
 
 
 class _LatticeSearch:
-    """Lower bounds and solutions of all curves of a table.
+    """Search state with lower bounds and solutions of all curves of a table.
 
     ``pushes``: the multipliers found so far; each set gives a lower bound at every magnification.
     """
@@ -184,7 +182,7 @@ class _LatticeSearch:
         return part.limits(self.unit, magnification, self.increments)
 
     def relaxed(self, index: int, magnification: int) -> _Relaxed:
-        """Return the best lower bound from all multipliers so far."""
+        """Return the best lower bound of a curve from all multipliers found so far."""
         part, pushes = self.parts[index], self.pushes[index]
         best = self.best.get((index, magnification))
         if best is None or best.pushes < len(pushes):
@@ -200,7 +198,7 @@ class _LatticeSearch:
         return best
 
     def first_ceiling(self, magnifications: tuple[int, ...]) -> float:
-        """Return the objective of some valid table, as an upper bound of the optimum.
+        """Return the objective of some valid table, which is an upper bound of the optimum.
 
         The best of rounding at a few magnifications, each about twice the one before.
         """
@@ -219,8 +217,8 @@ class _LatticeSearch:
         return ceiling
 
     def sharpen(self, magnification: int) -> bool:
-        """Search better multipliers at ``magnification``. Return whether limits are reached there
-        and this is the first search.
+        """Search better multipliers at ``magnification`` once. Return whether any curve reaches a
+        limit there.
         """
         if magnification in self.sharpened:
             return False
@@ -234,8 +232,8 @@ class _LatticeSearch:
         return binds
 
     def bound(self, magnification: int, ceiling: float) -> float:
-        """Return a lower bound of the objective at one magnification. Values above ``ceiling`` need
-        not be exact.
+        """Return a lower bound of the objective at one magnification. It may be inexact above
+        ``ceiling``.
         """
         least = [self.relaxed(index, magnification).least for index in range(len(self.parts))]
         total = sum(least)
@@ -244,8 +242,7 @@ class _LatticeSearch:
         return total
 
     def _whole(self, index: int, magnification: int, room: float) -> float:
-        """Return the smallest lower bound of one curve over whole numbers; infinity if above
-        ``room``.
+        """Return the lower bound of one curve over whole numbers, infinite if above ``room``.
 
         A result for a larger ``room`` is used again for a smaller one.
         """
@@ -264,7 +261,7 @@ class _LatticeSearch:
         return known.bound if known.bound <= with_slack(room) else np.inf
 
     def without_whole_numbers(self, magnification: int) -> float:
-        """Return a lower bound of the objective from the limits alone, without whole numbers."""
+        """Return a lower bound of the objective for real-number values within the limits."""
         self.sharpen(magnification)
         return sum(self.relaxed(index, magnification).least for index in range(len(self.parts)))
 
@@ -272,9 +269,7 @@ class _LatticeSearch:
         return part.shifts(self.unit, magnification)
 
     def first_solution(self, index: int, magnification: int) -> LatticeValues | None:
-        """Return some valid table values of one curve: the rounded real optimum, or the best near
-        it.
-        """
+        """Return valid values of one curve: the real-number optimum rounded, or the best nearby."""
         part, limits = self.parts[index], self.limits(self.parts[index], magnification)
         relaxation = self.relaxed(index, magnification).relaxation
         variants = variants_within(
@@ -283,8 +278,8 @@ class _LatticeSearch:
         return first_of_part(part, relaxation, limits, variants.take(slice(0, 1)))
 
     def solve(self, magnification: int, ceiling: float) -> LatticeSolution | None:
-        """Return the best solution at one magnification. None: no solution has a value of
-        ``ceiling`` or less.
+        """Return the best solution at one magnification, or None if none has an objective up to
+        ``ceiling``.
         """
         relaxed = [self.relaxed(index, magnification) for index in range(len(self.parts))]
         least = [one.least for one in relaxed]

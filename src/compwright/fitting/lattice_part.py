@@ -1,4 +1,4 @@
-"""Fit one curve of whole increments: a lower bound of its mean square, and the exact optimum.
+"""Fit of one curve of whole increments: lower bounds of its mean square, and the exact optimum.
 
 The optimum comes from dynamic programming (Bellman, Dynamic Programming, 1957) within windows that
 are proved wide enough (Fincke and Pohst, Mathematics of Computation 44, 1985).
@@ -67,15 +67,15 @@ class LatticePart:
         return ChainLimits(step=unit * magnification, increments=increments, low=low, high=high)
 
     def shifts(self, unit: float, magnification: int) -> FloatArray:
-        """Return the possible offsets of the second table's values from whole multiples of the unit
-        (n,), mm or deg.
+        """Return the possible constant offsets (n,) of the second table from whole multiples of the
+        unit, mm or deg.
         """
         if self.offsets is None or self.magnified:
             return np.zeros(1)
         return unit * np.arange(magnification, dtype=np.float64)
 
     def constant_range(self) -> tuple[float, float]:
-        """Return the smallest and the largest reversal value, mm or deg."""
+        """Return the smallest and the largest reversal value that the control allows, mm or deg."""
         if self.constant is None:
             return 0.0, 0.0
         step, least, largest = self.constant
@@ -84,7 +84,7 @@ class LatticePart:
 
 @dataclass(frozen=True, slots=True)
 class Variants:
-    """Cases to try for one curve, arrays (n,).
+    """Combinations of reversal value and offset to try for one curve, as arrays (n,).
 
     ``count``: whole reversal value; its distance from the optimum; the shift; a lower bound.
     """
@@ -95,7 +95,7 @@ class Variants:
     bound: FloatArray
 
     def take(self, chosen: IntArray | slice) -> Variants:
-        """Return the cases of the optimisation with these indices."""
+        """Return the combinations with the indices ``chosen``."""
         return Variants(
             self.count[chosen], self.distance[chosen], self.shift[chosen], self.bound[chosen]
         )
@@ -103,8 +103,8 @@ class Variants:
 
 @dataclass(frozen=True, slots=True)
 class LatticeValues:
-    """The values of one curve: whole ``totals`` (m,), the ``shift`` (mm or deg), the whole reversal
-    ``count``, and the ``objective``.
+    """The solution of one curve: whole-number ``totals`` (m,), offset ``shift`` (mm or deg),
+    whole-number reversal value ``count``, and ``objective``.
     """
 
     totals: IntArray
@@ -114,12 +114,12 @@ class LatticeValues:
 
 
 def continuous_bound(part: LatticePart, relaxation: Relaxation) -> float:
-    """Return the lower bound without whole numbers, the smallest over all reversal values."""
+    """Return the lower bound for real-number values, at the best reversal value."""
     return float(relaxation.bound(np.array([_best_distance(part, relaxation)]))[0])
 
 
 def _best_distance(part: LatticePart, relaxation: Relaxation) -> float:
-    """Return the reversal value of the smallest bound, relative to the optimum of the curve."""
+    """Return the reversal value with the smallest lower bound, relative to the curve's optimum."""
     if part.constant is None:
         return 0.0
     low, high = part.constant_range()
@@ -128,7 +128,7 @@ def _best_distance(part: LatticePart, relaxation: Relaxation) -> float:
 
 
 def binding(part: LatticePart, relaxation: Relaxation, limits: ChainLimits) -> bool:
-    """Return whether the minimum of a lower bound violates a limit."""
+    """Return whether the values at the minimum of a lower bound violate a limit."""
     values = relaxation.centres(np.array([_best_distance(part, relaxation)]))[0]
     steps, dust = np.diff(values) / (limits.step * part.chain.span), 1e-4
     climbs = np.any(steps > limits.increments[1] + dust) or np.any(
@@ -140,8 +140,8 @@ def binding(part: LatticePart, relaxation: Relaxation, limits: ChainLimits) -> b
 
 
 def counts_within(part: LatticePart, relaxation: Relaxation, room: float) -> IntArray:
-    """Return the whole reversal values whose bound may be within ``room``. For infinite room: those
-    next to the best one.
+    """Return the whole-number reversal values whose lower bound may be up to ``room``. If ``room``
+    is infinite, return those next to the best real value.
     """
     if part.constant is None:
         return np.zeros(1, dtype=np.int64)
@@ -164,7 +164,9 @@ def counts_within(part: LatticePart, relaxation: Relaxation, room: float) -> Int
 def variants_within(
     part: LatticePart, relaxation: Relaxation, limits: ChainLimits, shifts: FloatArray, room: float
 ) -> Variants:
-    """Return the cases to try if no solution may exceed ``room``, the most promising first."""
+    """Return the combinations to try for a solution with an objective up to ``room``, most
+    promising first.
+    """
     counts = counts_within(part, relaxation, room)
     distance, whole = whole_bounds(part, relaxation, limits, shifts, counts)
     every = Variants(
@@ -184,7 +186,7 @@ def whole_bounds(
     shifts: FloatArray,
     counts: IntArray,
 ) -> tuple[FloatArray, FloatArray]:
-    """Return how far whole reversal values (n,) are from the optimum, and lower bounds for them.
+    """Return distances (n,) of whole-number reversal values from the optimum, and lower bounds.
 
     ``counts`` (n,): the whole values. Bounds (shifts * n,): over whole numbers, all of the first
     shift, then of the next.
@@ -200,12 +202,12 @@ def whole_bounds(
 
 
 def with_slack(room: float) -> float:
-    """Return an upper limit with a margin for rounding errors."""
+    """Return the upper limit ``room`` with a margin for rounding errors."""
     return room + _DUST_SHARE * abs(room)
 
 
 def _whole(chain: CurveChain, centres: FloatArray, shift: float, step: float) -> FloatArray:
-    """Return a lower bound (n,) of the mean square that whole numbers add (module docstring)."""
+    """Return a lower bound (n,) of what rounding to whole numbers adds to the mean square."""
     counted = (centres - shift) / step
     distance = np.where(chain.fixed, 0.0, (counted - np.round(counted)) * step)
     cost: FloatArray = 0.5 * chain.share * (distance**2 @ chain.diagonal)
@@ -219,7 +221,7 @@ def best_of_part(
     shifts: FloatArray,
     ceiling: float,
 ) -> LatticeValues | None:
-    """Return the best solution of one curve with a value of ``ceiling`` or less."""
+    """Return the best solution of one curve with an objective up to ``ceiling``, or None."""
     nearest = variants_within(part, relaxation, limits, shifts, np.inf).take(slice(0, 1))
     best = first_of_part(part, relaxation, limits, nearest)
     ceiling = ceiling if best is None else min(ceiling, best.objective)
@@ -237,8 +239,8 @@ def best_of_part(
 def first_of_part(
     part: LatticePart, relaxation: Relaxation, limits: ChainLimits, variant: Variants
 ) -> LatticeValues | None:
-    """Return a valid solution for one case: the rounded real optimum moved into the limits, else
-    the best near it.
+    """Return a valid solution for one combination: the real-number optimum, rounded and moved into
+    the limits, else the best near it.
     """
     if not variant.count.size:
         return None
@@ -276,9 +278,7 @@ def _allowed(
 
 
 def _swept(chain: CurveChain, limits: ChainLimits, totals: FloatArray, anchor: int) -> FloatArray:
-    """Return ``totals`` (m,) with every increment moved into its limits, from the reference
-    outward.
-    """
+    """Return ``totals`` (m,) with each increment moved into its limits, from the reference on."""
     totals = totals.copy()
     if chain.closed:
         totals[-1] = totals[0]
@@ -297,9 +297,7 @@ def _swept(chain: CurveChain, limits: ChainLimits, totals: FloatArray, anchor: i
 def _ends(
     chain: CurveChain, limits: ChainLimits, shift: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the smallest and largest totals (n, m) by the value range. Zero where the value is
-    fixed.
-    """
+    """Return the smallest and largest totals (n, m) in the value range; fixed values are 0."""
     low = np.ceil((limits.low - shift[:, np.newaxis]) / limits.step - _DUST)
     high = np.floor((limits.high - shift[:, np.newaxis]) / limits.step + _DUST)
     return np.where(chain.fixed, 0.0, low), np.where(chain.fixed, 0.0, high)
@@ -312,7 +310,7 @@ def _within(
     variants: Variants,
     ceiling: float,
 ) -> LatticeValues | None:
-    """Return the best solution of ``variants`` with a value of ``ceiling`` or less.
+    """Return the best solution among the ``variants`` with an objective up to ``ceiling``.
 
     The windows contain every such solution (Fincke and Pohst 1985).
     """
@@ -330,8 +328,8 @@ def _within(
 def _search_windows(
     part: LatticePart, limits: ChainLimits, variants: Variants, low: FloatArray, high: FloatArray
 ) -> LatticeValues | None:
-    """Return the best solution with totals between ``low`` and ``high`` (n, m), one row for each
-    case.
+    """Return the best solution with totals from ``low`` to ``high`` (n, m), which have one row per
+    combination.
     """
     chain = part.chain
     low, high = reachable_windows(chain, limits, low, high)

@@ -1,4 +1,4 @@
-"""Minimise the mean range of simulated tests by a linear program, and certify the result.
+"""Minimisation of the mean range of simulated tests by a linear program, with a certificate.
 
 Solved with cvxpy (Diamond and Boyd, J. Machine Learning Research 17, 2016). A solver that stopped
 early or reports its result as inaccurate has failed.
@@ -34,7 +34,8 @@ CERTIFIED_RANGE: Final = 1e-6
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Deviations:
-    """The deviations of simulated tests with the table values x: D x + ``base`` (r,), mm or deg.
+    """The deviations of simulated tests, D x + ``base`` (r,), as a function of the table values x;
+    mm or deg.
 
     ``half`` (r,): half width of the band about each (k s for goal A, else 0). Rows of one test have
     the same number in ``test`` (r,), which counts from 0.
@@ -51,7 +52,7 @@ class Deviations:
         return int(np.max(self.test)) + 1
 
     def of(self, chosen: IntArray) -> Deviations:
-        """Return the deviations of the ``chosen`` tests, numbered in their order."""
+        """Return the deviations of the ``chosen`` tests, renumbered from 0."""
         number = np.full(self.tests, -1)
         number[chosen] = np.arange(chosen.size)
         kept = number[self.test] >= 0

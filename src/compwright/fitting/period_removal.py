@@ -1,4 +1,4 @@
-"""Remove a known period from the wanted correction, for grids that cannot hold it.
+"""Removal of known periods from the wanted correction, for table points too far apart for them.
 
 Least squares of cosine and sine at known frequencies (Bloomfield, Fourier Analysis of Time Series,
 2nd ed. 2000, chapter 2) together with a piecewise straight curve (de Boor, A Practical Guide to
@@ -26,7 +26,7 @@ _POINTS_PER_CYCLE: Final = 2.5
 def without_periods(
     wanted: WantedCorrection, periods: Sequence[float]
 ) -> tuple[WantedCorrection, float]:
-    """Return ``wanted`` without the harmonics 1 and 2 of ``periods``, and the rms (mm or deg) of
+    """Return ``wanted`` without the first two harmonics of ``periods``, and the rms (mm or deg) of
     the removed part.
 
     The harmonics are fitted to the mean of both directions together with a piecewise straight curve
@@ -45,7 +45,7 @@ def without_periods(
 
 @functools.lru_cache(maxsize=4)
 def _periodic_part(positions: bytes, values: bytes, periods: Sequence[float]) -> FloatArray | None:
-    """Return the part of ``values`` (g,) at ``positions`` (g,) that is harmonics of ``periods``.
+    """Return the harmonics of ``periods`` in the ``values`` (g,) at ``positions`` (g,).
 
     None where the positions show no period. Arguments are bytes, so that results can be cached.
     """

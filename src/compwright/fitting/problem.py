@@ -34,8 +34,8 @@ TIE: Final = 1e-10
 
 @dataclass(frozen=True, slots=True)
 class Rows:
-    """The interpolation of a control between its nodes: ``lower * value[left] + upper * value[left
-    + 1]`` at each position, all (p,).
+    """The control's interpolation between table points: ``lower * value[left] + upper * value[left
+    + 1]`` at each position, arrays (p,).
     """
 
     left: IntArray
@@ -51,8 +51,8 @@ def rows_at(
     above: Beyond,
     interpolation: Interpolation = "linear",
 ) -> Rows:
-    """Return the interpolation weights of ``positions`` (p,) between ascending ``nodes`` (k,), k >=
-    2.
+    """Return the interpolation weights at ``positions`` (p,) between ascending table points
+    ``nodes`` (k,), k >= 2.
 
     Linear: straight lines (de Boor, A Practical Guide to Splines, 1978, chapter III). Step: the
     nearest node's value; exactly in the middle that of the upper node, as in the record
@@ -86,8 +86,8 @@ def hat_matrix(
     above: Beyond,
     interpolation: Interpolation = "linear",
 ) -> SparseMatrix:
-    """Return `rows_at` as the matrix (p, k) that turns values at ``nodes`` (k,) into the control's
-    value at ``positions`` (p,): hat functions (de Boor 1978, chapter III).
+    """Return the matrix (p, k) from table values at ``nodes`` (k,) to the control's correction at
+    ``positions`` (p,), made of hat functions (de Boor 1978, chapter III).
     """
     rows = rows_at(positions, nodes, below=below, above=above, interpolation=interpolation)
     value = np.column_stack([rows.lower, rows.upper]).ravel()
@@ -101,7 +101,7 @@ def hat_matrix(
 
 
 def bends(nodes: FloatArray, interpolation: Interpolation) -> FloatArray:
-    """Return the positions where the control's curve with ``nodes`` (k,) bends or jumps.
+    """Return the positions where the control's curve through points ``nodes`` (k,) bends or jumps.
 
     These are the nodes (k,), or their midpoints with the two ends (k + 1,).
     """
@@ -113,8 +113,8 @@ def bends(nodes: FloatArray, interpolation: Interpolation) -> FloatArray:
 def quadrature(
     positions: FloatArray, nodes: FloatArray, interpolation: Interpolation = "linear"
 ) -> tuple[FloatArray, FloatArray]:
-    """Return points (q,) and weights (q,) with sum 1 that compute the mean over the travel
-    ``positions[0]`` to ``positions[-1]``.
+    """Return points (q,) and weights (q,) with sum 1 that compute the mean over the travel, from
+    the first to the last of ``positions``.
 
     Two Gauss points in every piece between positions and bends, middle +- half / sqrt(3)
     (Abramowitz and Stegun, Handbook of Mathematical Functions, 1964, table 25.4): exact for the
@@ -131,8 +131,8 @@ def quadrature(
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class UnknownsLayout:
-    """The order of the unknowns: the curve of the return direction first, then the other curve or
-    the constant between them.
+    """The order of the unknowns: the curve of the reference-return direction, then the other curve
+    or the constant between both.
 
     ``reversal``: what the single constant may be: ``free`` (two tables), ``backlash``, or ``none``.
     """
@@ -189,9 +189,7 @@ class QuadraticProblem:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SampledCorrection:
-    """The wanted correction at points with weights, and the control's interpolation matrices there,
-    by direction.
-    """
+    """The wanted correction at weighted sample points, and the control's interpolation there."""
 
     points: FloatArray
     weights: FloatArray
@@ -253,8 +251,8 @@ def build_problem(
     *,
     without: tuple[str, ...] = (),
 ) -> QuadraticProblem:
-    """Return the quadratic problem of the table. ``without`` leaves out groups of limits, to
-    compute their cost.
+    """Return the quadratic problem of the table, ``without`` some groups of limits if their cost is
+    to be found.
     """
     P, q, constant = _objective(data, layout)
     blocks = [
@@ -297,7 +295,7 @@ def _objective(
 def _limits(
     layout: UnknownsLayout, capacity: Capacity, reference: float
 ) -> list[tuple[str, SparseMatrix, float, float]]:
-    """Return name, rows, lower and upper bound of every group of limits: ``reference`` and
+    """Return each group of limits as name, matrix, lower and upper bound: ``reference`` and
     ``period`` (equalities), ``value range``, ``backlash range``.
     """
     k = layout.nodes.size

@@ -1,5 +1,5 @@
-"""Grids placed from the reference position: the reference plus whole intervals, or one period of an
-endless axis.
+"""Table points counted from the reference position: at whole intervals from it, or over one period
+of an endless axis.
 """
 
 from __future__ import annotations
@@ -18,7 +18,8 @@ from compwright.records.fitted import TableRequest
 def reference_grids(
     wanted: WantedCorrection, capacity: Capacity, request: TableRequest, most: int
 ) -> list[GridCandidate]:
-    """Return the grids that the control accepts, coarsest first; one if the job names the spacing.
+    """Return the grids that the control accepts, coarsest first, or only one if the job states the
+    spacing.
 
     The reference is always a node, because the control counts from there. At an end that the job
     leaves open the grid extends beyond the travel by less than one spacing. Raises CapacityError
@@ -40,8 +41,8 @@ def reference_grids(
 
 
 def _over(step: int, reach: tuple[float, float], origin: float) -> GridCandidate:
-    """Return the grid of ``step`` that covers ``reach``, a range in resolution steps (quanta) from
-    the reference.
+    """Return the grid with interval ``step`` that covers the range ``reach``; both in resolution
+    steps from the reference.
     """
     first = min(0, int(np.floor(reach[0] / step + 1e-6)))
     last = max(0, int(np.ceil(reach[1] / step - 1e-6)))
@@ -61,8 +62,8 @@ def _reach(
 def _fixed_ends(
     wanted: WantedCorrection, capacity: Capacity, request: TableRequest
 ) -> tuple[int | None, int | None]:
-    """Return the ends in the job, in resolution steps (quanta) from the reference. Raises
-    CapacityError where the control cannot have them.
+    """Return the ends stated in the job, in resolution steps from the reference. Raises
+    CapacityError if the control does not accept them.
     """
     unit, quantum, reference = wanted.kind.unit, capacity.position_quantum, wanted.reference
     faults: list[Fault] = []
@@ -111,8 +112,8 @@ def _steps(
     request: TableRequest,
     ends: tuple[int | None, int | None],
 ) -> list[int]:
-    """Return the possible steps in resolution steps (quanta), or the step in the job. Raises
-    CapacityError where that does not fit.
+    """Return the possible intervals in resolution steps, or the one stated in the job. Raises
+    CapacityError if that one does not fit.
     """
     if request.named_spacing is not None:
         step = requested_step(request.named_spacing, capacity, wanted.kind.unit)
@@ -136,8 +137,8 @@ def divisors(number: int) -> list[int]:
 
 
 def requested_step(spacing: float, capacity: Capacity, unit: str) -> int:
-    """Return the spacing in the job, in resolution steps (quanta). Raises CapacityError where the
-    control does not accept it.
+    """Return the spacing stated in the job in resolution steps. Raises CapacityError if the control
+    does not accept it.
     """
     quantum = capacity.position_quantum
     step = round(spacing / quantum)

@@ -1,4 +1,5 @@
-"""Nodes with the spacing in the job, or the reason why it does not fit, with spacings that do.
+"""Table points with the spacing stated in the job, or the reason why it does not fit, with spacings
+that do.
 
 All arithmetic is in whole quanta of the position.
 """
@@ -19,9 +20,7 @@ from compwright.records.estimate import WantedCorrection
 
 @dataclass(frozen=True, slots=True)
 class Span:
-    """The ends of a table in whole resolution steps (quanta). ``fixed`` where the job names
-    them.
-    """
+    """The two ends of a table in whole resolution steps, each ``fixed`` if the job states it."""
 
     low: int
     high: int
@@ -32,8 +31,8 @@ class Span:
 def requested_grid(
     span: Span, spacing: float, capacity: Capacity, wanted: WantedCorrection
 ) -> FloatArray:
-    """Return nodes of exactly this ``spacing``, mm or deg. Raises CapacityError where the control
-    cannot hold them.
+    """Return table points with exactly this ``spacing``, mm or deg. Raises CapacityError if the
+    control cannot hold them.
     """
     quantum, unit = capacity.position_quantum, wanted.kind.unit
     length = span.high - span.low
@@ -63,7 +62,7 @@ def requested_grid(
 def _reaching_grid(
     span: Span, step: int, capacity: Capacity, wanted: WantedCorrection
 ) -> FloatArray:
-    """Return nodes for a control that has only certain spacings.
+    """Return table points for a control that accepts only certain spacings.
 
     One node is at the reference or at an end given in the job; open ends are exceeded.
     """
@@ -81,7 +80,7 @@ def _reaching_grid(
 
 
 def _freely_spaced(span: Span, spacing: float, capacity: Capacity, unit: str) -> FloatArray:
-    """Return nodes for a control that lists each position.
+    """Return table points for a control in which each point has a position of its own.
 
     Each is the nearest position that the control can express; the last section may be shorter.
     """
@@ -143,8 +142,8 @@ def _refused(span: Span, spacing: float, capacity: Capacity, why: str, unit: str
 def _nearest_steps(
     span: Span, spacing: float, capacity: Capacity
 ) -> tuple[float | None, float | None]:
-    """Return the largest step below ``spacing`` and the smallest above it that fit the table with
-    the same number of points.
+    """Return the nearest spacings below and above ``spacing`` that divide the table into whole
+    intervals, None where there is none.
     """
     length = span.high - span.low
     most = min(capacity.at_most or 100_000, 100_000)

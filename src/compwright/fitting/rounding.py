@@ -1,4 +1,4 @@
-"""Round table values to whole multiples of the control's resolution.
+"""Rounding of table values to whole multiples of the control's resolution.
 
 The error of rounding is at most half a quantum and about quantum / sqrt(12) rms (Bennett, Bell
 System Technical Journal 27, 1948).
@@ -12,8 +12,8 @@ from compwright.records.axis import FloatArray
 
 
 def to_quanta(values: FloatArray, quantum: float) -> FloatArray:
-    """Return ``values`` (k,) as whole numbers of quanta. Halves are rounded up, so that equal steps
-    stay equal.
+    """Return ``values`` (k,) as whole numbers of resolution steps. Halves are rounded up, so that
+    equal steps stay equal.
     """
     # The tiny shift keeps a half that arithmetic left a hair below one from falling to the other
     # side than its neighbours.
@@ -24,7 +24,7 @@ def to_quanta(values: FloatArray, quantum: float) -> FloatArray:
 def round_curve(
     values: FloatArray, quantum: float, *, value_range: tuple[float, float]
 ) -> FloatArray:
-    """Return ``values`` (k,) rounded to whole multiples of ``quantum`` and kept within the range.
+    """Return ``values`` (k,) rounded to whole multiples of ``quantum`` within the value range.
 
     Totals are rounded, because rounding errors of increments would add up. Limits are whole
     multiples of ``quantum``, so that rounding cannot violate them.

@@ -1,4 +1,4 @@
-"""Solve the quadratic problem with OSQP; an active-set method then refines it to machine accuracy.
+"""Solution of the quadratic problem with OSQP, refined to machine accuracy by an active-set method.
 
 A solver that stopped early or reports its result as inaccurate has failed. OSQP: Stellato et al.,
 Mathematical Programming Computation 12 (2020).
@@ -36,7 +36,9 @@ _SOLVED: Final = "solved"
 
 @dataclass(frozen=True, slots=True)
 class SolvedUnknowns:
-    """The solution ``x``, the multipliers ``y`` of the limits, and the certificate."""
+    """The solution ``x`` of a quadratic problem, the Lagrange multipliers ``y`` of its limits, and
+    the certificate.
+    """
 
     x: FloatArray
     y: FloatArray
@@ -76,7 +78,7 @@ def _certified(problem: QuadraticProblem, x: FloatArray, y: FloatArray) -> Solve
 
 
 def no_solution(message: str, found: str) -> CapacityError:
-    """Return the error to raise where no solution is certified, with the solver's result."""
+    """Return the error to raise if no solution is certified. ``found``: the solver's result."""
     return CapacityError(
         Fault(
             message=f"no certified solution: the solver found no optimal table ({message})",
@@ -91,7 +93,8 @@ def no_solution(message: str, found: str) -> CapacityError:
 
 
 def _osqp_multipliers(problem: QuadraticProblem) -> FloatArray:
-    """Return the multipliers (c,) of the limits from OSQP; they show which limits are reached.
+    """Return the Lagrange multipliers (c,) of the limits from OSQP, which show the limits that the
+    solution reaches.
 
     The wanted correction and the stiffness are scaled to size 1, because OSQP's tolerances are
     absolute.
@@ -121,7 +124,7 @@ def _osqp_multipliers(problem: QuadraticProblem) -> FloatArray:
 
 
 def _active_set(problem: QuadraticProblem, y: FloatArray) -> tuple[BoolArray, FloatArray]:
-    """Return which limits the solution reaches (c,) and the value of each reached limit (c,).
+    """Return which limits (c,) the solution reaches, and the value of each of them (c,).
 
     Newton steps from the multipliers ``y`` (c,): reached limits become equations. A limit whose
     multiplier has the wrong sign is released, a violated limit is added (Hintermüller, Ito and
@@ -145,8 +148,7 @@ def _active_set(problem: QuadraticProblem, y: FloatArray) -> tuple[BoolArray, Fl
 
 
 def _least_distance_set(problem: QuadraticProblem) -> tuple[BoolArray, FloatArray]:
-    """Return the reached limits (c,) and their values by an active-set method that always
-    terminates.
+    """Return the limits (c,) that the solution reaches, by a slower method that always ends.
 
     Limits are whole resolution steps, so several are often reached at one point. The multipliers
     are then not unique, and the Newton steps of `_active_set` may repeat. A least-distance problem,
@@ -177,8 +179,7 @@ def _least_distance_set(problem: QuadraticProblem) -> tuple[BoolArray, FloatArra
 def _with_equations(
     problem: QuadraticProblem, active: BoolArray, bound: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the optimum with the ``active`` limits as equations, and their multipliers (0 for the
-    rest).
+    """Return the optimum with the ``active`` limits as equations, and the multipliers (c,).
 
     Source of the conditions: Boyd and Vandenberghe 2004, section 10.1.1; solved with iterative
     refinement (Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed. 2002, chapter 12).

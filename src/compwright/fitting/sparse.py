@@ -1,4 +1,4 @@
-"""Sparse matrices in numpy alone. A certificate then does not depend on a solver's arithmetic.
+"""Sparse matrices in numpy alone, so that a certificate does not depend on a solver's arithmetic.
 
 Every sum is taken in the order of the entries, whatever the processor.
 """
@@ -19,8 +19,8 @@ BoolArray = NDArray[np.bool_]
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class SparseMatrix:
-    """A sparse matrix: ``value`` (e,) at (``row``, ``column``), row by row. Each place occurs at
-    most once.
+    """A sparse matrix with entries ``value`` (e,) at (``row``, ``column``), sorted by row, each
+    place at most once.
     """
 
     shape: tuple[int, int]
@@ -68,7 +68,7 @@ class SparseMatrix:
         )
 
     def taken(self, rows: BoolArray) -> SparseMatrix:
-        """Return the rows that are marked in ``rows``, in their order."""
+        """Return the matrix of only those rows that are marked in ``rows``."""
         new = np.cumsum(rows) - 1
         kept = rows[self.row]
         shape = (int(np.count_nonzero(rows)), self.shape[1])
@@ -80,9 +80,7 @@ class SparseMatrix:
         )
 
     def placed(self, shape: tuple[int, int], row: int = 0, column: int = 0) -> SparseMatrix:
-        """Return the matrix as a block of a larger one of ``shape``, from ``row`` and ``column``
-        on.
-        """
+        """Return a matrix of ``shape`` that contains this one, beginning at ``row``, ``column``."""
         return SparseMatrix(
             shape=shape, row=self.row + row, column=self.column + column, value=self.value
         )
@@ -94,16 +92,16 @@ class SparseMatrix:
         )
 
     def largest_in_rows(self, divisor: FloatArray) -> FloatArray:
-        """Return the largest absolute entry of each row (rows,). Each entry is first
-        divided by the ``divisor`` (columns,) of its column; 0 in a row of zeros.
+        """Return the largest absolute entry of each row (rows,), after division by the ``divisor``
+        (columns,) of its column. It is 0 in an empty row.
         """
         largest = np.zeros(self.shape[0])
         np.maximum.at(largest, self.row, np.abs(self.value) / divisor[self.column])
         return largest
 
     def gram(self, weights: FloatArray) -> SparseMatrix:
-        """Return M' diag(``weights``) M, (columns, columns), for weighted least squares. Source:
-        Golub and Van Loan, Matrix Computations, 4th ed. 2013, section 6.1.
+        """Return M' diag(``weights``) M, (columns, columns), as in weighted least squares (Golub
+        and Van Loan, Matrix Computations, 4th ed. 2013, section 6.1).
         """
         weighted = self.value * weights[self.row]
         rows, columns, values = [self.column], [self.column], [weighted * self.value]
@@ -125,7 +123,7 @@ class SparseMatrix:
 def from_entries(
     shape: tuple[int, int], row: IntArray, column: IntArray, value: FloatArray
 ) -> SparseMatrix:
-    """Return the matrix of entries in any order. Entries at the same place are added."""
+    """Return the matrix with entries in any order, those at the same place added up."""
     places = row * shape[1] + column
     order = np.argsort(places, kind="stable")
     places = places[order]
@@ -172,7 +170,7 @@ def sum_of(matrices: Sequence[SparseMatrix]) -> SparseMatrix:
 
 
 def stack_rows(matrices: Sequence[SparseMatrix], columns: int) -> SparseMatrix:
-    """Return matrices of ``columns`` columns stacked one below the other."""
+    """Return matrices with ``columns`` columns, stacked one below the other."""
     starts = np.cumsum([0, *(one.shape[0] for one in matrices)])
     shape = (int(starts[-1]), columns)
     blocks = [one.placed(shape, int(start)) for one, start in zip(matrices, starts, strict=False)]

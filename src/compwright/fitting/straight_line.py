@@ -1,4 +1,4 @@
-"""Fit a control without a table: one slope about the reference, and a backlash value.
+"""Fit for a control without a table: a slope about the reference, and a backlash value.
 
 A weighted straight line through the mean of both directions (Draper and Smith, Applied Regression
 Analysis, 3rd ed. 1998, chapter 1), centred, so that slope and constant do not depend on each other.
@@ -31,7 +31,7 @@ def fit_line(
     *,
     address: str,
 ) -> FittedTable:
-    """Return the slope and the backlash with the smallest mean square over the travel.
+    """Return the slope and the backlash value that leave the smallest mean square over the travel.
 
     The slope is a whole multiple of ``quantum`` (mm/mm, deg/deg) (Draper and Smith 1998, chapter
     1).
@@ -95,7 +95,7 @@ def _refuse_grid(request: TableRequest, capacity: Capacity) -> None:
 
 
 class _FittedLine:
-    """The straight-line fit: the mean square of datum + slope * x + reversal - wanted.
+    """The mean square of constant + slope * x + reversal - wanted, for a straight-line fit.
 
     The datum is free: it moves the zero of the axis and does not change its errors.
     """
@@ -111,8 +111,8 @@ class _FittedLine:
         )
 
     def mean_square(self, slope: float, reversal: float) -> float:
-        """Return the mean square over the travel and both directions; ``reversal`` is added against
-        the return direction.
+        """Return the mean square over travel and both directions. ``reversal`` is added in the
+        direction opposite to the reference return.
         """
         straight = slope * self.x
         left = straight - self.own, straight + reversal - self.other
@@ -122,7 +122,7 @@ class _FittedLine:
     def relaxed(
         self, slopes: tuple[float, float], reversals: tuple[float, float]
     ) -> tuple[float, float]:
-        """Return the best slope and reversal value within their ranges, before rounding.
+        """Return the best slope and reversal value within their ranges, not yet rounded.
 
         The datum is free, so that each is found without the other.
         """
@@ -135,7 +135,7 @@ class _FittedLine:
         return float(np.clip(slope, *slopes)), float(np.clip(reversal, *reversals))
 
     def best(self, quantum: float, capacity: Capacity) -> tuple[float, float]:
-        """Return the best slope and backlash as whole multiples of their resolution.
+        """Return the best slope and backlash value as whole multiples of their resolutions.
 
         Each is the multiple nearest to its optimum within its range. This is exact, because with a
         free datum the mean square is a parabola of the slope plus a parabola of the reversal.
@@ -160,8 +160,8 @@ class _FittedLine:
 
 
 def reversal_range(capacity: Capacity, sign: int) -> tuple[float, float]:
-    """Return the range of the correction against the return direction. ``sign``: the effect of the
-    backlash value.
+    """Return the range of the correction opposite to the reference-return direction. ``sign``: the
+    sign with which the backlash value counts there.
     """
     if capacity.backlash_quantum is None:
         return 0.0, 0.0

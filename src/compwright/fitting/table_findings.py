@@ -1,6 +1,4 @@
-"""Findings about a table: where it is active, where it is not, and the cost of the control's
-limits.
-"""
+"""Findings about a table: where it is active, where not, and the cost of the control's limits."""
 
 from __future__ import annotations
 
@@ -35,7 +33,7 @@ def display_unit(kind: AxisKind) -> tuple[float, str]:
 
 
 def reportable_costs(costs: list[tuple[str, float]], quantum: float) -> tuple[Limit, ...]:
-    """Return the ``costs`` (cause; rms in mm or deg) that are more than rounding errors."""
+    """Return those ``costs`` (by cause, rms in mm or deg) that exceed rounding errors."""
     rounded = [(cause, rounded_number(value)) for cause, value in costs]
     return tuple(
         Limit(cause, value) for cause, value in rounded if value > LEAST_REPORTED * quantum
@@ -43,8 +41,8 @@ def reportable_costs(costs: list[tuple[str, float]], quantum: float) -> tuple[Li
 
 
 def added_rms(larger: float, smaller: float) -> float:
-    """Return the rms that changes ``smaller`` into ``larger``. The values add as squares and have
-    the same unit.
+    """Return the rms that has to be added to ``smaller`` to give ``larger``, where rms values add
+    as squares.
     """
     return float(np.sqrt(max(0.0, larger**2 - smaller**2)))
 
@@ -52,7 +50,7 @@ def added_rms(larger: float, smaller: float) -> float:
 def edge_findings(
     table: AxisCompensation, wanted: WantedCorrection, *, kept: bool
 ) -> tuple[Finding, ...]:
-    """Return the findings about the ends of the table.
+    """Return the findings about the two ends of the table.
 
     They concern the correction where the table does not cover the travel, and points beyond the
     travel.
@@ -108,7 +106,7 @@ def edge_findings(
 
 
 def loss_findings(limits: tuple[Limit, ...], wanted: WantedCorrection) -> tuple[Finding, ...]:
-    """Return warnings for limits of the control whose cost a test would show."""
+    """Return a warning for each limit of the control whose cost would show in a test."""
     least = max(_SHOWN[wanted.kind], _OF_THE_NOISE * wanted.noise)
     factor, unit = display_unit(wanted.kind)
     costly = [limit for limit in limits if limit.value >= least]
@@ -117,7 +115,7 @@ def loss_findings(limits: tuple[Limit, ...], wanted: WantedCorrection) -> tuple[
 
 
 def _loss(cause: str, left: Amount) -> Iterator[Finding]:
-    """Yield the finding about the cost of a limit of the control. ``left``: the remaining error."""
+    """Yield the finding about a limit of the control that leaves the error ``left``."""
     if cause == "number of points":
         yield Finding.of("CW-F004", "warning", left=left)
     elif cause == "no backlash value":

@@ -1,4 +1,4 @@
-"""Detect wanted corrections that are far too large for the control.
+"""Detection of wanted corrections that are far too large for the control.
 
 Far too large: its value range or increments cut off more than the noise of a reading.
 """
@@ -53,8 +53,8 @@ def truncation_faults(
 
 
 def range_faults(wanted: WantedCorrection, capacity: Capacity) -> Iterator[Fault]:
-    """Yield a fault if most of ``wanted`` is outside the value range, because a search for a table
-    would be useless.
+    """Yield a fault if most of ``wanted`` is outside the control's value range, so that no table is
+    worth searching.
     """
     if capacity.line is not None:
         return

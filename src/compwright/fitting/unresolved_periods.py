@@ -1,4 +1,4 @@
-"""The part of the wanted correction that a grid can hold.
+"""Periods of the wanted correction that are too short for the table points.
 
 Least squares with three nodes per period leave 25 % of a sine's rms, a little above two nodes 63 %,
 with two nodes 12 to 98 % depending on the phase. Fewer than two nodes per period show a longer wave
@@ -31,7 +31,7 @@ _FOLLOW: Final = 2.0
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class HeldGrid:
-    """A grid with the correction to fit on it.
+    """Table points together with the correction that is fitted on them.
 
     ``nodes`` (k,) mm or deg. ``wanted``: the correction with only the part of short periods that
     the nodes can follow; ``left_out``: rms of the other part. ``points_loss``: rms that more points
@@ -48,12 +48,12 @@ class HeldGrid:
 
 
 def unresolved_periods(nodes: FloatArray, periods: Sequence[float]) -> list[float]:
-    """Return the ``periods`` (mm or deg) that a table on ``nodes`` (k,) cannot hold completely."""
+    """Return ``periods`` (mm or deg) that points ``nodes`` (k,) cannot reproduce completely."""
     return _longer_than(nodes, periods, _HOLD)
 
 
 def ignored_periods(nodes: FloatArray, periods: Sequence[float]) -> list[float]:
-    """Return the ``periods`` (mm or deg) that a table on ``nodes`` (k,) cannot hold at all."""
+    """Return ``periods`` (mm or deg) that points ``nodes`` (k,) cannot reproduce at all."""
     return _longer_than(nodes, periods, _FOLLOW)
 
 
@@ -65,8 +65,8 @@ def _longer_than(nodes: FloatArray, periods: Sequence[float], least: float) -> l
 def resolved_part(
     nodes: FloatArray, wanted: WantedCorrection, capacity: Capacity
 ) -> WantedCorrection:
-    """Return ``wanted`` (mm or deg) with only the part of short periods that ``nodes`` (k,) can
-    hold.
+    """Return ``wanted`` (mm or deg) with only that part of short periods that the table points
+    ``nodes`` (k,) can reproduce.
 
     That part has the smallest mean square over the travel (Draper and Smith, Applied Regression
     Analysis, 3rd ed. 1998, chapter 1); it is zero for periods that the nodes cannot follow.
@@ -106,7 +106,7 @@ def resolved_part(
 def _projected(
     nodes: FloatArray, wanted: WantedCorrection, wave: FloatArray, capacity: Capacity
 ) -> FloatArray:
-    """Return the values (k,) at ``nodes`` that approximate a ``wave`` (g,) best, mm or deg.
+    """Return the table values (k,) at ``nodes`` that approximate a ``wave`` (g,) best, mm or deg.
 
     The wave is given at the positions of ``wanted``; on an endless axis both ends are equal.
     """
@@ -121,7 +121,7 @@ def _projected(
 
 
 def _neighbours(positions: FloatArray, places: FloatArray) -> FloatArray:
-    """Return the positions (p, 2) below and above each of the ``places`` (p,) between them."""
+    """Return the nearest of the ``positions`` below and above each of the ``places``, (p, 2)."""
     right = np.clip(np.searchsorted(positions, places), 1, positions.size - 1)
     return np.column_stack([positions[right - 1], positions[right]])
 
@@ -134,7 +134,8 @@ def held_grid(
     loss: float = 0.0,
     finest: FloatArray | None = None,
 ) -> HeldGrid:
-    """Return the grid with the short periods that it can follow, and a finding about the rest.
+    """Return the table points with the correction that they can reproduce, and a finding about
+    short periods that they cannot.
 
     ``loss``: rms that more points would remove. ``finest``: the finest nodes that the control
     allows, if the nodes were chosen among them.
@@ -157,7 +158,7 @@ def _finding(
     rms: tuple[float, float],
     finest: FloatArray | None,
 ) -> Finding:
-    """Return the finding about short periods that a table on ``nodes`` cannot hold.
+    """Return the finding about short periods that a table with points ``nodes`` cannot reproduce.
 
     It states the ``rms`` of what is left and of the whole (mm or deg), and which spacing would hold
     them.
@@ -189,7 +190,7 @@ def _finding(
 
 
 def _holding(period: float, wanted: WantedCorrection) -> tuple[float, int]:
-    """Return the spacing that a ``period`` (mm or deg) needs, and its number of points."""
+    """Return the spacing (mm or deg) and number of table points that reproduce a ``period``."""
     need = period / _HOLD
     # Three significant digits, downward, so that the named spacing does hold it.
     digit = 10.0 ** (np.floor(np.log10(need)) - 2)

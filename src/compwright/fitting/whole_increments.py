@@ -1,5 +1,5 @@
-"""Fit the best table of a control that stores whole increments. Reports the cost of rounding and
-the reason for the magnification (search over whole numbers: Bellman, Dynamic Programming, 1957).
+"""Fit of the best table for a control that stores whole increments, with the cost of rounding and
+the reason for the magnification (dynamic programming: Bellman, 1957).
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ GOAL_LEFT: Final = "CW-F010"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class WholeIncrementFit:
-    """The data of one fit of whole increments: wanted correction ``aim`` at ``nodes``.
+    """The data of a fit of whole increments: the wanted correction ``aim``, table points ``nodes``.
 
     ``aim``: totals, zero in the zero state, mm or deg.
     """
@@ -64,27 +64,27 @@ class WholeIncrementFit:
 
     @property
     def anchor(self) -> int:
-        """The index of the node at the reference."""
+        """The index of the table point at the reference."""
         return int(np.argmin(np.abs(self.nodes - self.aim.reference)))
 
     @property
     def fixed(self) -> tuple[int, ...]:
-        """The nodes at which the curve of the return direction must be zero."""
+        """Indices of table points where the curve of the reference-return direction is zero."""
         return (self.anchor,) if self.capacity.period is None else (0, self.nodes.size - 1)
 
     def wish(self, direction: Direction, *, constant: bool = False) -> ChainTarget:
-        """Return the wanted correction in one direction."""
+        """Return the wanted correction in one direction at the sample points."""
         aims = np.interp(self.points, self.aim.positions, self.aim.total(direction))
         return ChainTarget(rows=self.rows, weights=self.weights, aims=aims, constant=constant)
 
     def single(self, *, reversal: bool) -> CurveChain:
-        """Return the one curve for both directions, with or without a constant between them."""
+        """Return one curve for both directions, with a constant between them if ``reversal``."""
         home = self.aim.reference_return
         wishes = (self.wish(home), self.wish(home.opposite, constant=reversal))
         return build_chain(wishes, self.nodes.size, fixed=self.fixed, kept=(), closed=False)
 
     def home_curve(self) -> CurveChain:
-        """Return the curve of the return direction alone."""
+        """Return the curve of the reference-return direction alone."""
         return build_chain(
             (self.wish(self.aim.reference_return),),
             self.nodes.size,
@@ -94,7 +94,9 @@ class WholeIncrementFit:
         )
 
     def other_curve(self, *, free: bool) -> CurveChain:
-        """Return the curve of the other direction. Its value at the reference is free, or zero."""
+        """Return the curve of the direction opposite to the reference return. Its value at the
+        reference is zero unless ``free``.
+        """
         wishes = (self.wish(self.aim.reference_return.opposite),)
         endless = self.capacity.period is not None
         if not free:
@@ -102,7 +104,7 @@ class WholeIncrementFit:
         return build_chain(wishes, self.nodes.size, fixed=(), kept=(self.anchor,), closed=endless)
 
     def parts(self) -> tuple[LatticePart, ...]:
-        """Return the curves with the control's limits."""
+        """Return the one or two curves of the table with the control's limits."""
         if self.shape == "single":
             constant = self._constant()
             return (
@@ -135,8 +137,8 @@ class WholeIncrementFit:
         )
 
     def free_bounds(self) -> dict[str, float]:
-        """Return the mean squares (mm² or deg²) without whole numbers and limits, for each possible
-        shape of the table.
+        """Return the mean square (mm² or deg²) of each possible kind of table, without limits and
+        with real-number values.
         """
         two = replace(self, aim=zero_in_the_zero_state(self.aim, self.nodes, self.capacity)[0])
         free = _free(two.home_curve()) + _free(two.other_curve(free=True))
@@ -166,7 +168,7 @@ def fit_whole_increments(
     *,
     address: str,
 ) -> tuple[AxisCompensation, dict[str, float], tuple[Limit, ...], tuple[Finding, ...]]:
-    """Return the table, its certificate, the cost of each limit and the magnification's finding.
+    """Return the table, its certificate, the cost of each limit, and the magnification's finding.
 
     Costs are rms, mm or deg. ``aim``: wanted totals, zero in the zero state. The table is the exact
     optimum of the mean square over the travel and both directions. Raises CapacityError where the
@@ -256,9 +258,7 @@ def _limits(
     solution: LatticeSolution,
     grid: HeldGrid,
 ) -> tuple[Limit, ...]:
-    """Return the cost of each limit, as the root of a difference of two mean squares. Costs add as
-    squares.
-    """
+    """Return the cost of each limit: root of the difference of mean squares with and without it."""
     unit, magnification = fit.lattice.unit, solution.magnification
     free = {name: float(np.sqrt(max(0.0, value))) for name, value in fit.free_bounds().items()}
     bound, reached = np.sqrt(max(0.0, solution.bound)), np.sqrt(solution.objective)
@@ -318,7 +318,7 @@ def _magnification_finding(
 
 
 def goal_finding(goal: Goal, why: Literal["slope", "increments", "no_gain"]) -> tuple[Finding, ...]:
-    """Return the finding that the table was fitted by the mean square instead of the goal.
+    """Return the finding that the table has the least mean square instead of the least ``goal``.
 
     Reasons: the control has one ``slope``, it has whole ``increments``, or rounding leaves
     ``no_gain``.
@@ -337,7 +337,9 @@ def whole_increment_table(
     *,
     address: str,
 ) -> FittedTable:
-    """Return the fitted table with all its findings. ``mode``: the chosen shape and the reason."""
+    """Return the fitted table of whole increments with all its findings. ``mode``: the kind of
+    table, and the reason for it.
+    """
     table, proof, limits, findings = fit_whole_increments(
         grid, aim, mode[0], capacity, lattice, address=address
     )

@@ -165,9 +165,7 @@ def _requested_fit(
 
 
 def _shown(work: AxisWork, rule: Literal["simple", "guarded"]) -> Shown:
-    """Return a function that predicts, for a given table, a repetition of the first test of an
-    axis.
-    """
+    """Return a function that predicts, for a given table, a repetition of the first test."""
     drawn: list[FreshTests] = []
     like = RepeatConditions(0, fresh_slope(rule, work.planned.tests[0]))
 

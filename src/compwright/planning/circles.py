@@ -163,9 +163,7 @@ def start_circles(
 
 
 def in_job_names(test: CircularTest, axes: Iterable[str]) -> CircularTest:
-    """Return the test with its axis names spelt as in the job, where upper and lower case are
-    equal.
-    """
+    """Return the test with axis names spelt as in the job (upper and lower case are equal)."""
     known = {name.upper(): name for name in axes}
     first, second = (known.get(name.upper(), name) for name in test.axes)
     return replace(test, axes=(first, second))

@@ -42,8 +42,7 @@ _MATTERS: Final = 0.1
 
 
 def drift_or_reversal(work: AxisWork, fresh: FreshTests) -> Iterator[Finding]:
-    """Yield a finding if a table may contain the drift of the test instead of the error of the
-    axis.
+    """Yield a finding if a table may contain drift of the test instead of the error of the axis.
 
     CW-P153: the second table that the job requires; CW-P154: the constant between the directions,
     which is the backlash value, or that of two curves where the control has none.

@@ -73,7 +73,5 @@ def guard_bands(
 
 
 def _moved(narrow: Quantiles, wide: Quantiles) -> float:
-    """Return how far the range ``wide`` extends beyond ``narrow``, at the end where it extends
-    more.
-    """
+    """Return how far the range ``wide`` extends beyond ``narrow``, at the worse end."""
     return max(wide.p95 - narrow.p95, narrow.p05 - wide.p05)

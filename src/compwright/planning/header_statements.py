@@ -85,8 +85,7 @@ def _contradiction(
     axes: Sequence[Axis],
     states: Mapping[str, ControlState],
 ) -> Sentence | None:
-    """Return the sentence that a header contradicts the state of its test, with the next step, or
-    None.
+    """Return the sentence that a header contradicts the state of its test, with next step, or None.
 
     It is compared only as far as ``axes`` show the state.
     """

@@ -42,8 +42,7 @@ _WORTH_SAYING: Final = 0.005
 
 
 def what_limits(work: AxisWork, new: Correction, fresh: FreshTests) -> LimitingCauses | None:
-    """Return how much each cause contributes to a parameter of an axis under the correction
-    ``new``.
+    """Return how much each cause contributes to a parameter of an axis with the correction ``new``.
 
     It is the first of A, E, ... that the first test has; None where it has none.
 

@@ -62,8 +62,7 @@ def mirror_image_doubts(
     axis: Axis,
     states: Mapping[str, ControlState],
 ) -> Iterator[tuple[int, Finding]]:
-    """Yield index and doubt (CW-P161) of each test whose deviations mirror the table that was
-    active.
+    """Yield index and doubt (CW-P161) of each test whose deviations mirror the active table.
 
     The table is that of its state, or what that one has more than the table of another state.
     ``observed``: the same tests.

@@ -30,9 +30,7 @@ def decide_limits(
     rule: Literal["simple", "guarded"],
     tests: tuple[TestPrediction, ...],
 ) -> tuple[Mapping[str, AcceptDecision], tuple[Finding, ...]]:
-    """Return the decisions about the limits of an axis from the predictions ``tests``, and
-    findings.
-    """
+    """Return decisions about the limits of an axis from the predictions ``tests``; and findings."""
     if entry.accept is None:
         return {}, ()
     place = accepted_index(entry.accept, tuple(each.name for each in tests))

@@ -28,8 +28,7 @@ _MOST: Final = 400
 def point_count_tradeoff(
     work: AxisWork, new: Correction, fresh: FreshTests, name: str
 ) -> tuple[PointCountOption, ...]:
-    """Return the parameter ``name`` of simulated tests for tables with increasing numbers of
-    points.
+    """Return the parameter ``name`` of simulated tests for tables with more and more points.
 
     At new targets; ``new`` is the table that is written. Empty where there is no choice: no
     table, or only one grid.

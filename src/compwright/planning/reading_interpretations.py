@@ -77,9 +77,7 @@ def _at(active_at: ActiveAt, targets: FloatArray) -> Acted:
 
 
 def _has_shape(bare: ObservedTest, table: Acted) -> bool:
-    """Return whether a table differs clearly, relative to noise, from a straight line with
-    backlash.
-    """
+    """Return whether a table clearly differs from a straight line with backlash, beyond noise."""
     test = bare.test
     along = np.linspace(-1.0, 1.0, test.targets.size)
     left = [

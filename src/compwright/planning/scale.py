@@ -190,9 +190,7 @@ def _by_mismatch(
 
 
 def shrinking(work: CircleWork) -> float:
-    """Return the relative shrinkage of a circle's radius by the softest position loop that is
-    usual.
-    """
+    """Return the relative shrinkage of a circle's radius by the softest usual position loop."""
     test = work.planned.test
     return float((test.feed / 60.0) ** 2 / (2.0 * SOFTEST_LOOP**2 * test.nominal_radius**2))
 

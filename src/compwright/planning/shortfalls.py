@@ -1,5 +1,4 @@
-"""The parts of the wanted correction that the table of an axis cannot reproduce, one curve per
-cause.
+"""The parts of the wanted correction that a table cannot reproduce, as one curve per cause.
 
 Their sum is the whole shortfall.
 
@@ -136,9 +135,7 @@ def _alone(
 def _best(
     wanted: WantedCorrection, table: AxisCompensation, capacity: Capacity
 ) -> AxisCompensation:
-    """Return the best curves for + and − at the points of ``table``, without limits on their
-    values.
-    """
+    """Return the best curves for + and − at the points of ``table`` without limits on values."""
     free = replace(
         capacity,
         curves=2,

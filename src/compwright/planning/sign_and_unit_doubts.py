@@ -1,5 +1,4 @@
-"""Comparison of the readings of a test with the sign, unit and state that its file and the job
-state.
+"""Comparison of the readings of a test with the sign, unit and state that file and job state.
 
 The readings as stated are compared with the same readings under another assumption: opposite sign,
 + and - exchanged, targets in the opposite order, positions counted against the machine, or the

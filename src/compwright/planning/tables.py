@@ -67,8 +67,7 @@ def fit_remaining(
     *,
     costs: bool = True,
 ) -> FittedTable:
-    """Return the table that gives the wanted correction together with existing tables that stay
-    active.
+    """Return the table that gives the wanted correction together with tables that stay active.
 
     ``costs``: whether to compute what each limit costs. Raises CapacityError where the control
     cannot hold it.

@@ -41,8 +41,7 @@ UNDECLARED_SLOPE = 11.5e-6
 
 @dataclass(frozen=True, slots=True, eq=False)
 class MeasuredError:
-    """The error of an axis estimated from its tests, with the known correction during the first
-    test.
+    """The error of an axis estimated from its tests, and the known correction in the first test.
 
     A table may have any shape: it is subtracted before the smooth error is estimated, and added
     again exactly. ``counted``: by test of the axis, its index in the estimate, None where it does
@@ -178,8 +177,7 @@ def measured_error(
 
 
 def _taken_alike(tests: Sequence[PlannedTest], observed: Sequence[ObservedTest]) -> tuple[int, ...]:
-    """Return the indices of tests in use that were made in the same way as the first, with known
-    noise.
+    """Return the indices of tests in use that were made like the first one, with known noise.
 
     Same motion, numbers of targets and of readings, so that they lasted as long. Where the scatter
     differs by more than `_ANOTHER_DAY`, it is not the day that differs.
