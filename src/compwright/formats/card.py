@@ -86,7 +86,7 @@ def card_steps_of_all(
 def _for_all(
     forms: Sequence[str], known: Sequence[Mapping[str, str]]
 ) -> tuple[str, tuple[str, ...], tuple[tuple[str, ...], ...]]:
-    """Return the text of a step for all axes. Values that differ between axes become a table."""
+    """Return a card step's text for all axes, with a table of the values that differ."""
     filled = [
         {name: of.get(name, UNKNOWN) for name in field_names(form)}
         for form, of in zip(forms, known, strict=True)
@@ -136,7 +136,7 @@ def axis_values(definition: Definition, axis: Axis) -> dict[str, str]:
 
 
 def typed_backlash(definition: Definition, axis: Axis, values: Mapping[str, str]) -> str:
-    """Return the backlash as the control's parameter, with its number and unit.
+    """Return the backlash value to type in, with the control's parameter number and the unit.
 
     Empty if the control has none. ``values``: as in `card_steps`.
     """
@@ -166,7 +166,7 @@ def gantry_words(axis: Axis) -> str:
 
 
 def _used(form: str, values: Mapping[str, str]) -> dict[str, str]:
-    """Return the values for which a text has fields."""
+    """Return those of the values that appear as ``{name}`` fields in the text ``form``."""
     return {name: values[name] for name in field_names(form)}
 
 
@@ -188,8 +188,7 @@ def points_needed(control: ResolvedDefinition, table: AxisCompensation) -> int |
 def look_at(
     control: Family, axis: Axis, compensation: AxisCompensation
 ) -> Mapping[LoadingName, tuple[str, ...]]:
-    """Return what to check on a control for an axis, for each verdict about the loading. Empty if
-    its definition does not state it.
+    """Return for each verdict on the loading what the user has to check at the control.
 
     ``compensation``: the table that was to be loaded, which decides between texts for one and for
     two curves. A sentence that no manual confirms says so. ``loaded``: the check that the planned

@@ -49,7 +49,7 @@ def load_definition(
 
 @cache  # by content: a job is checked before it is done, and reading a definition takes a while
 def definition_of(texts: Texts, *, own: bool = False) -> Definition:
-    """Return the definition whose text is first in ``texts``. The others are those it extends.
+    """Return the definition made of ``texts``: its own YAML text first, then those that it extends.
 
     Raises as `load_definition`.
     """
@@ -57,7 +57,7 @@ def definition_of(texts: Texts, *, own: bool = False) -> Definition:
 
 
 def definition_in(text: DefinitionText, own: Texts = ()) -> Definition:
-    """Return the definition from merged data. Raises as `load_definition`."""
+    """Build a definition from merged YAML data. Raises InputError with every fault of the data."""
     _check_version(text)
     quantities = tuple(name for rules in RULES.values() for name in rules.quantities)
     read, wrong = checked(definition_validator(quantities), text.data)
@@ -78,8 +78,7 @@ def definition_in(text: DefinitionText, own: Texts = ()) -> Definition:
 
 
 def definitions_from(files: Iterable[tuple[str, bytes]]) -> dict[str, Definition]:
-    """Return the definitions in ``files`` (name, bytes) by their id. A base that others only extend
-    is not included.
+    """Return the definitions in ``files`` (name, bytes) by id, without those that are only a base.
 
     Raises InputError with the faults of all files, and when two files give the same id.
     """
@@ -102,7 +101,7 @@ def definitions_from(files: Iterable[tuple[str, bytes]]) -> dict[str, Definition
 
 
 def duplicate_id(definition: Definition, first: str) -> Fault:
-    """Return the fault of a second definition with the same id."""
+    """Return the fault that a definition has the same id as the one in the file ``first``."""
     found = f"{definition.id} in {first}"
     return definition.text.fault(("id",), "the id is given twice", found=found)
 

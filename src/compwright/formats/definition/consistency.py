@@ -66,17 +66,15 @@ _ID = re.compile(r"(?!(?:con|prn|aux|nul|com\d|lpt\d)$)[a-z0-9][a-z0-9_-]{0,63}"
 
 
 def curves(definition: Definition) -> tuple[str, ...]:
-    """Return the names of the table's value columns: one curve, or one for each direction (+
-    first).
-    """
+    """Return the names of the table's value columns: one, or one for + and one for - approaches."""
     return (
         ("value",) if definition.layout.pairing == "none" else ("value_positive", "value_negative")
     )
 
 
 def has_cross(definition: Definition) -> bool:
-    """Return whether the control has tables by which one axis corrects another, or itself in one
-    direction only.
+    """Return whether the control has cross-axis tables, which one axis can also use to correct
+    itself.
     """
     return any(name in definition.bindings for name in CROSS)
 

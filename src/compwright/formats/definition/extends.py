@@ -27,9 +27,7 @@ Find = Callable[[str], tuple[str, bytes] | None]
 
 @dataclass(frozen=True, slots=True)
 class DefinitionText:
-    """The merged plain data of a definition. ``places``: file and line (from 1) of each key
-    path.
-    """
+    """The merged plain data of a definition, with the file and line (from 1) of each key."""
 
     file: str
     data: Any
@@ -67,7 +65,7 @@ class DefinitionText:
 
 
 def found_in(files: Mapping[str, bytes]) -> Find:
-    """Return a function that finds a definition among ``files`` by file name or by id."""
+    """Return a function that looks up a definition in ``files`` by its file name or by its id."""
     return lambda name: next(
         ((each, files[each]) for each in (name, f"{name}.yaml") if each in files), None
     )
@@ -78,7 +76,7 @@ NOTHING_ELSE: Find = found_in({})
 
 
 def texts_of(content: bytes, file: str, find: Find) -> Texts:
-    """Return the text of a definition and of all definitions that it extends.
+    """Return a definition's YAML text, then the texts of all definitions that it extends.
 
     Raises InputError for invalid YAML, for a name that ``find`` does not know, and for a text that
     extends itself.
@@ -102,7 +100,7 @@ def texts_of(content: bytes, file: str, find: Find) -> Texts:
 
 
 def merged(texts: Texts) -> DefinitionText:
-    """Return the whole definition. Raises InputError with every fault of ``without``."""
+    """Merge a definition with those it extends. Raises InputError for faults in ``without``."""
     return reduce(_over, [_text(*each) for each in reversed(texts)])
 
 
@@ -130,7 +128,7 @@ def _over(under: DefinitionText, over: DefinitionText) -> DefinitionText:
 
 
 def _omitted(under: DefinitionText, over: DefinitionText) -> set[KeyPath]:
-    """Return the key paths that ``over`` removes. Raises InputError."""
+    """Return the key paths that ``over`` removes by ``without``. Raises InputError for faults."""
     listed = over.data.get(WITHOUT, [])
     if not isinstance(listed, list):
         raise InputError(

@@ -56,12 +56,12 @@ _PLAIN: Final[Mapping[Any, cs.CoreSchema]] = {
 
 
 def _word(*words: str, gives: Callable[[str], Any] = str) -> cs.CoreSchema:
-    """Return the schema of a word from a list, and the value that it means."""
+    """Return the schema of a word that must be in ``words``; ``gives`` converts it to its value."""
     return cs.no_info_after_validator_function(gives, cs.literal_schema(list(words)))
 
 
 def _or_mapping(other: Any, whole: Any) -> cs.CoreSchema:
-    """Return the schema of a value that may be a mapping instead."""
+    """Return a schema that accepts a mapping (by ``whole``) or another value (by ``other``)."""
     return cs.tagged_union_schema(
         {"a mapping": whole, "no mapping": other},
         lambda value: "a mapping" if isinstance(value, dict) else "no mapping",
@@ -69,7 +69,9 @@ def _or_mapping(other: Any, whole: Any) -> cs.CoreSchema:
 
 
 def _or_option(other: cs.CoreSchema) -> cs.CoreSchema:
-    """Return the schema of a value that may be the name of an option."""
+    """Return a schema that accepts a value by ``other``, or ``{option: NAME}`` to take it from an
+    option.
+    """
     return _or_mapping(other, mapping({"option": _TEXT}, lambda values: OptionValue(**values)))
 
 
@@ -98,7 +100,7 @@ def _range(bounds: Any) -> tuple[float, float]:
 
 
 def _sign() -> cs.CoreSchema:
-    """Return the schema of a sign: a word, an option, or a choice on which it depends."""
+    """Return the schema of a sign: a word such as "correction", an option, or a word per choice."""
     sign = cs.literal_schema(list(get_args(Sign)))
     by_choice = cs.dict_schema(
         cs.any_schema(), cs.dict_schema(values_schema=sign, strict=True), strict=True
@@ -130,7 +132,7 @@ def _sign() -> cs.CoreSchema:
 
 
 def _by_curves() -> cs.CoreSchema:
-    """Return the schema of a text that may differ between one table and a table per direction."""
+    """Return the schema of a text, or of two: for one table, and for one table per direction."""
     both = {"one_curve": _TEXT, "two_curves": _TEXT}
     same = cs.no_info_after_validator_function(lambda text: (text, text), _TEXT)
     return _or_mapping(same, mapping(both, lambda texts: tuple(texts[name] for name in both)))
@@ -160,7 +162,9 @@ def _at_least_three(points: tuple[Expected, ...]) -> tuple[Expected, ...]:
 
 
 def _with_sample(values: Mapping[str, Any]) -> dict[str, Any]:
-    """Replace the word ``sample`` by the files of the sample."""
+    """Replace the word ``sample`` in the expected corrections by the files of the definition's
+    sample.
+    """
     files = values["sample_files"]
     expect = (
         replace(one, files=files) if one.files == _SAMPLE else one for one in values["expect"]

@@ -19,9 +19,7 @@ _T = TypeVar("_T")
 
 
 class Required(dict[str, _T]):
-    """A named section of a definition. A missing entry raises InputError with its key path; ``get``
-    and ``in`` do not raise.
-    """
+    """A definition's section; looking up a missing entry raises InputError with its key path."""
 
     def __init__(
         self,
@@ -101,9 +99,7 @@ def resolve_options(
 
 
 def known_kind(options: Mapping[str, object], address: str) -> AxisKind | None:
-    """Return the kind of an axis (linear, rotary) by its options, for files that do not state
-    it.
-    """
+    """Return the kind (linear, rotary) that the options give for an axis; None without one."""
     given = options[KIND]
     word = given.get(address) if isinstance(given, Mapping) else given
     return None if word is None else AxisKind(str(word))
@@ -116,7 +112,7 @@ def axis_options(
     *,
     unit_needed: bool = True,
 ) -> Mapping[str, object]:
-    """Return the options of one axis. The axis' own options override those of the controller.
+    """Return the options of one axis: those of the controller, overridden by those of the axis.
 
     ``axis`` None: an axis without a job. ``unit_needed``: False while files that may hold a
     required value are not read yet. Raises UsageError with every fault: unknown option, wrong
@@ -208,7 +204,7 @@ def describe_options(definition: Definition) -> tuple[str, ...]:
 def resolved_number(
     definition: Definition, name: str, options: Mapping[str, object], fact: object
 ) -> int | None:
-    """Return a whole-number option, or the number in the control's files if it is not given.
+    """Return a whole-number option, or if it is not given, the number from the control's files.
 
     ``fact``: that number, None without one. A fact of 0 means that nothing is reserved yet. That is
     no limit: it has to be set anyway.

@@ -138,7 +138,7 @@ class Absent:
 
 @dataclass(frozen=True, slots=True)
 class Binding:
-    """The statement that contains a quantity.
+    """Where a quantity such as the backlash is in the files: its statement and field.
 
     ``repeated``: which repetition counts within a file; between files they must agree.
     """
@@ -153,7 +153,7 @@ class Binding:
 
 @dataclass(frozen=True, slots=True)
 class Measure(Binding):
-    """A length or an angle: unit, sign, range.
+    """A quantity that is a length or an angle: unit, sign and range of its number in the files.
 
     ``sign`` may depend on a choice; ``range`` bounds position, correction or backlash in ``unit``.
 
@@ -187,19 +187,21 @@ class Choice(Binding):
         return str(options[writes.option]) if isinstance(writes, OptionValue) else writes
 
     def text(self, word: str) -> str:
-        """Return the control's text for a value, given by its general name."""
+        """Return the word in the control's files for a value given by its general name."""
         return next(text for text, meant in self.values.items() if meant == word)
 
 
 @dataclass(frozen=True, slots=True)
 class Plain(Binding):
-    """A count or a file name, used as written."""
+    """A quantity that is used as written, without unit or sign: a count or a file name."""
 
 
 @dataclass(frozen=True, slots=True)
 class Layout:
-    """Where a table has its values. ``shape``: the form of the table in the files, a key of
-    ``RULES`` in `families.shapes`; ``singles``: quantities outside the rows, one value each.
+    """How a table is arranged in the files: shape, value columns, and values beyond its ends.
+
+    ``shape``: a key of ``RULES`` in `families.shapes`; ``singles``: quantities outside the rows,
+    one value each.
     """
 
     shape: str
@@ -212,7 +214,7 @@ class Layout:
 
 @dataclass(frozen=True, slots=True)
 class LimitRule:
-    """One limit of the control: one of a fixed list of rules."""
+    """One limit of the control: a predicate from a fixed list, with its number if it needs one."""
 
     predicate: Predicate
     number: int | None
@@ -221,9 +223,7 @@ class LimitRule:
 
 @dataclass(frozen=True, slots=True)
 class BetweenAxes:
-    """What a control can do about corrections between axes. ``instead``: the alternative if it has
-    no such tables.
-    """
+    """The advice (``instead``) for corrections between axes without cross-axis tables."""
 
     instead: str
     evidence: EvidenceNote
@@ -231,7 +231,7 @@ class BetweenAxes:
 
 @dataclass(frozen=True, slots=True)
 class DiameterRule:
-    """Tables of an axis that is programmed in diameter.
+    """Whether tables of an axis programmed in diameter count in radius; the card's text for it.
 
     ``tables``: they count in radius whatever programs count in, or this is unknown. ``card``: the
     card's text for such an axis (``{name}``).
@@ -244,7 +244,7 @@ class DiameterRule:
 
 @dataclass(frozen=True, slots=True)
 class ParameterRule:
-    """The meaning of parameters of this control that a family uses in addition to the table."""
+    """The meaning on this control of one parameter that its family reads besides the table."""
 
     here: Here
     evidence: EvidenceNote
@@ -252,8 +252,10 @@ class ParameterRule:
 
 @dataclass(frozen=True, slots=True)
 class OptionRule:
-    """An option of a definition. ``settled_by``: the quantity in the control's files that answers
-    it; ``option_wins`` if both differ.
+    """One option of a definition: its type, default, choices, effect, and evidence.
+
+    ``settled_by``: the quantity in the control's files that answers it; ``option_wins`` if both
+    differ.
 
     ``whole_control``: it cannot be set for one axis. ``asked``: for a number that every axis needs,
     the text of the question if it is not given; None: the default is used.
@@ -273,8 +275,9 @@ class OptionRule:
 
 @dataclass(frozen=True, slots=True)
 class WrittenFile:
-    """One file of the complete set: its name, the lines around the table, the statement of a table
-    row (None: no table).
+    """One file to be written: its name, the lines around the table, the statement of a table row.
+
+    ``rows`` None: the file has no table.
 
     ``optional``: not part of the set, but a second form of the same values, on request. ``when``:
     the tables that it is for.
@@ -292,8 +295,9 @@ class WrittenFile:
 
 @dataclass(frozen=True, slots=True)
 class CardRule:
-    """One step of the commissioning card, with ``{name}`` fields. ``two_curves``: its text if each
-    direction has its own table.
+    """One step of the commissioning card, as text with ``{name}`` fields.
+
+    ``two_curves``: its text if each direction has its own table.
     """
 
     title: str
@@ -316,7 +320,7 @@ class LookRule:
 
 @dataclass(frozen=True, slots=True)
 class Expected:
-    """Corrections worked out by hand, in the unit of the expectation."""
+    """The corrections at one position in both directions, worked out by hand."""
 
     position: float
     positive: float
@@ -325,9 +329,7 @@ class Expected:
 
 @dataclass(frozen=True, slots=True)
 class Expectation:
-    """Control files and the corrections that they give at some positions, worked out by hand and
-    never computed here.
-    """
+    """A hand-worked example: control files and the corrections that they give at some positions."""
 
     name: str
     files: Mapping[str, str]
@@ -384,48 +386,44 @@ class Definition:
 
     @property
     def carried(self) -> Texts:
-        """The texts of a user's definition that are copied into a plan, by their bare names."""
+        """The YAML texts of a user's own definition, by file name without folder, for a plan."""
         return tuple((PurePath(name).name, text) for name, text in self.own)
 
     @property
     def judged(self) -> Judged:
-        """Whether a second, independent reader exists for this control. Only for definitions that
-        ship with compwright.
-        """
+        """How written files are checked: by an independent reader, or only read back."""
         return "read_back" if self.own else "independent"
 
     @property
     def worked_for(self) -> str:
-        """The file whose hand-worked corrections a definition inherits. Empty if it has its own."""
+        """The file from which a definition inherits its hand-worked example; empty if none."""
         file, _ = self.text.places["expect",]
         return "" if file == self.text.file else PurePath(file).name
 
     def measure(self, quantity: str) -> Measure:
-        """Return how a length or an angle is stored. Raises KeyError if the definition has no such
-        quantity.
-        """
+        """Return the rule of a quantity that is a length or angle. Raises KeyError without one."""
         binding = self.bindings[quantity]
         if not isinstance(binding, Measure):
             raise KeyError(quantity)
         return binding
 
     def choice(self, quantity: str) -> Choice:
-        """Return how a choice is stored. Raises KeyError if the definition has no such quantity."""
+        """Return the rule of a quantity that is a choice. Raises KeyError without one."""
         binding = self.bindings[quantity]
         if not isinstance(binding, Choice):
             raise KeyError(quantity)
         return binding
 
     def limit(self, predicate: Predicate) -> LimitRule | None:
-        """Return the rule of one kind of limit. None where the control has no such limit."""
+        """Return the rule of the limit named ``predicate``; None if the control has none."""
         return next((rule for rule in self.limits if rule.predicate == predicate), None)
 
     @property
     def fields(self) -> frozenset[str]:
-        """The fields of all statements of the definition."""
+        """The fields of all statements of the definition, by name."""
         return frozenset(name for one in self.statements.values() for name in one.fields)
 
     def limit_number(self, predicate: Predicate) -> int | None:
-        """Return the number of a limit, None where the control has no such limit."""
+        """Return the number of the limit named ``predicate``; None if the control has none."""
         rule = self.limit(predicate)
         return None if rule is None else rule.number

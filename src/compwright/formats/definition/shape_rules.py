@@ -1,6 +1,4 @@
-"""Rules for a definition by the form of table in the files. Also the lines of this form that
-contain no private names.
-"""
+"""The rules that a definition must follow, by the shape of its tables, and lines without names."""
 
 from __future__ import annotations
 
@@ -17,8 +15,7 @@ AXIS: Final = r"(?:[A-Za-z]{1,2}|AX|M[AXSC]_?[A-Z]?|CA_?[A-Z]|SP)[0-9]{0,2}"
 
 @dataclass(frozen=True, slots=True)
 class KeptLines:
-    """Patterns for lines of one shape of tables that contain no private names, without surrounding
-    blanks.
+    """Patterns of the lines that a copy without private names may keep, for one shape of tables.
 
     ``whole``: lines that may stay unchanged. ``naming``: lines of numbers, marks and names; a name
     is private unless it is an axis name. ``first``: first lines that identify the shape, whatever
@@ -34,7 +31,9 @@ class KeptLines:
         return _compiled(self.whole).fullmatch(line) is not None
 
     def holds_names(self, line: str) -> bool:
-        """Return whether the names in a line are its only private contents."""
+        """Return whether a line contains only numbers and marks apart from names, which have to be
+        removed.
+        """
         return _compiled((self.naming,)).fullmatch(line) is not None
 
     def begins(self, content: bytes) -> bool:
@@ -49,7 +48,7 @@ def _compiled(lines: tuple[str, ...]) -> re.Pattern[str]:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ShapeRules:
-    """Common properties of all definitions of one shape.
+    """What all definitions have in common whose tables have the same shape in the files.
 
     ``words``: the shape in words. ``grid``: the quantities that define the nodes. ``signs``:
     quantities with a fixed sign, with the signs that a definition may state. ``row``: where

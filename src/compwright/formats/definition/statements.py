@@ -49,9 +49,7 @@ _LINE_NUMBER = re.compile(
 
 # Named tuples where thousands are made for each file: five times as fast as records.
 class Token(NamedTuple):
-    """A piece of a file: its text and its bytes, from ``start`` (counted from 0) to before
-    ``end``.
-    """
+    """A piece of a file: its text, and its bytes from ``start`` up to, not including, ``end``."""
 
     text: str
     start: int
@@ -59,8 +57,10 @@ class Token(NamedTuple):
 
 
 class Occurrence(NamedTuple):
-    """A statement found in a file, with its ``tokens`` by field name (those of the section too).
-    ``line`` counts from 1.
+    """One line of a file that matches a statement, with the text of each field (``tokens``).
+
+    ``line`` counts from 1. ``tokens`` also contains the fields of the section that contains the
+    line.
 
     ``form``: index of the statement's form, 0 for the one that is written, then those that are only
     read. ``checksum``: a line checksum with the blanks before it.
@@ -75,26 +75,24 @@ class Occurrence(NamedTuple):
 
     @property
     def variant(self) -> bool:
-        """Whether the line has a form that is read but never written."""
+        """Whether the line has an alternative form, which compwright reads but never writes."""
         return self.form > 0
 
     @property
     def place(self) -> str:
-        """The file and line, for messages."""
+        """The line number as text for messages, such as "line 12"."""
         return f"line {self.line}"
 
 
 @dataclass(frozen=True, slots=True)
 class StatementForm:
-    """A compiled line template. ``group``: the part that repeats on the line, one statement each
-    time; None: nothing repeats.
-    """
+    """A line template compiled to a pattern; ``group`` is the part that may repeat on one line."""
 
     pattern: re.Pattern[str]
     group: re.Pattern[str] | None = None
 
     def fullmatch(self, text: str) -> re.Match[str] | None:
-        """Return the match of the whole line."""
+        """Return the match of the template with the whole line; None if it does not fit."""
         return self.pattern.fullmatch(text)
 
 
@@ -116,17 +114,15 @@ class Matcher:
     number: str | None = None
 
     def match(self, text: str) -> tuple[int, re.Match[str]] | None:
-        """Return the index of the template that fits a whole line, and its match. None if no
-        template fits.
+        """Return the index of the template that fits the whole line, and the match; None if none
+        fits.
         """
         found = ((place, form.fullmatch(text)) for place, form in enumerate(self.forms))
         return next(((place, match) for place, match in found if match is not None), None)
 
 
 def line_number(text: str) -> str | None:
-    """Return the number after the first letter of a line, without leading zeros (``N00007Q1..`` ->
-    ``7``); None without one.
-    """
+    """Return the number in a line's first word, such as ``7`` of ``N00007Q1``; None without one."""
     match = _LINE_NUMBER.match(text)
     return match[1] if match else None
 
@@ -137,7 +133,7 @@ def readable(form: str) -> str:
 
 
 def name_in_form(form: str) -> str:
-    """Return the control's name in a template: its first word or its parameter number.
+    """Return the parameter's name in a line template: ``$BACKLASH``, or ``7`` of ``N#00007Q1``.
 
     ``$BACKLASH``, or ``N#00007Q1(A{axis}P{value})*`` -> ``7``.
     """
@@ -151,7 +147,7 @@ def field_names(form: str) -> tuple[str, ...]:
 
 
 def print_form(form: str, values: Mapping[str, str]) -> str:
-    """Return a template with its fields filled in. Raises KeyError for a field without a value.
+    """Return a line template with its fields filled in. Raises KeyError if a value is missing.
 
     A repeating group is printed once.
     """
@@ -162,7 +158,7 @@ def print_form(form: str, values: Mapping[str, str]) -> str:
 
 
 def _once(form: str) -> str:
-    """Return a template with its repeating group printed once."""
+    """Return a line template in which the part that may repeat on the line appears once."""
     grouped = _GROUPED.fullmatch(form)
     return f"{grouped['before']}{grouped['group']}" if grouped else form
 

@@ -1,4 +1,4 @@
-"""Words of a definition: quantities, kinds of fields, rules and predicates."""
+"""The words that a definition may use: quantities, types of fields, rules, names of limits."""
 
 from __future__ import annotations
 

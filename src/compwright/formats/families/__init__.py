@@ -1,1 +1,1 @@
-"""Shapes of compensation tables: one folder per family, all with the same interface."""
+"""The shapes of compensation tables: a folder for each family of controls, one interface."""

@@ -24,7 +24,7 @@ IDLE_TEST: Final = (
 
 @dataclass(frozen=True, slots=True)
 class Activity:
-    """Whether tables were active by the job. ``stated``: its answer (None: no answer).
+    """What the job states on whether the tables were active (``stated``; None: it states nothing).
 
     ``asking``: the answer is required, because measurements depend on it. ``carried_out``: all
     values of programs count, by the answer or because it was checked before.
@@ -37,8 +37,8 @@ class Activity:
     def was_active(
         self, label: str, switches: str, word: str | None, place: FoundValue | None, notes: Notes
     ) -> bool | None:
-        """Return whether a table that is not zero was active during the test. None if that is
-        unknown and not needed.
+        """Return whether a table with values other than zero was active during the test; None if
+        unknown.
 
         Neither the files nor the job state it, and the answer is not required.
 

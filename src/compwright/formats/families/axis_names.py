@@ -22,8 +22,9 @@ _PLACE = re.compile(r"AX([0-9]{1,2})")
 def axis_names(
     definition: Definition, texts: Iterable[ReadText], wanted: Sequence[str] = ()
 ) -> AxisNames:
-    """Return the names of the axes in the files. ``wanted``: the addresses in a job or on the
-    command line.
+    """Return the names that the files give to the same machine axis, such as AX1, X1 and X.
+
+    ``wanted``: the addresses in a job or on the command line.
 
     Raises InputError where the files give one name to two axes, UsageError where two addresses are
     one axis.
@@ -92,7 +93,7 @@ def _machine(
 def _channel(
     definition: Definition, found: Mapping[str, Mapping[str, Sequence[Occurrence]]]
 ) -> dict[str, str]:
-    """Return the channel's axis names that mean the same machine axis everywhere in the files."""
+    """Return each channel axis name that belongs to one machine axis only, with that axis (AX1)."""
     meant: dict[str, set[str]] = {}
     for index, occurrences in found.get("channel_axis", {}).items():
         used = {

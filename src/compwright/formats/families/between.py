@@ -1,6 +1,4 @@
-"""Corrections between axes (squareness, straightness): request to a control, and its answer. Each
-family answers for its controls.
-"""
+"""Requests for corrections between axes (squareness, straightness), and the answers of controls."""
 
 from __future__ import annotations
 
@@ -20,8 +18,9 @@ _NO_SHIFT = 2e-6
 
 
 class FileReading(Protocol):
-    """A function that reads control files. ``written``: compwright wrote them, so a contradiction
-    is compwright's own fault.
+    """A function that reads the compensation from control files.
+
+    ``written``: compwright wrote them, so a contradiction is compwright's own fault.
     """
 
     def __call__(self, files: tuple[ControlFile, ...], *, written: bool = False) -> ControlState:
@@ -30,7 +29,7 @@ class FileReading(Protocol):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class BetweenRequest:
-    """A request to add corrections between axes.
+    """A request to add corrections between axes to a control's files.
 
     ``axes``: those of the job by name; ``tabled``: the names of those that get a table of their own
     in ``tables``. ``base``: the control's own files with ``tables`` replaced. ``found``: the
@@ -48,7 +47,7 @@ class BetweenRequest:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Between:
-    """The answer of a control to a request for corrections between axes.
+    """A control's answer to a request for corrections between axes: files, sheets, card steps.
 
     ``files``: files of ``BetweenRequest.base`` that change, and new ones; None: no file holds them.
     ``held``: the corrections as the files hold them; None: all, as planned. ``sheets``: entry
@@ -65,7 +64,7 @@ class Between:
 
 
 def error_label(entry: PlannedCross) -> Sentence:
-    """Return a name for the corrected error: squareness, or the slope of the measured deviation.
+    """Return the name of the error that a cross-axis table corrects: squareness or a slope.
 
     For an angle above 90° the output axis deviates towards -.
     """
@@ -83,7 +82,7 @@ def merged_files(
 
 
 def combined_answer(answers: Iterable[Between]) -> Between:
-    """Return several answers without files as one."""
+    """Combine several answers that have no files into one answer."""
     every = list(answers)
     return Between(
         sheets=tuple(sheet for one in every for sheet in one.sheets),
@@ -95,8 +94,8 @@ def combined_answer(answers: Iterable[Between]) -> Between:
 def entry_sheet_answer(
     entry: PlannedCross, sheet: ControlFile, sentence: Sentence, text: str
 ) -> Between:
-    """Return the answer that the correction is typed in from ``sheet``, because file form and sign
-    are unconfirmed.
+    """Return the answer that a correction has to be typed in from ``sheet``, with an unconfirmed
+    sign.
     """
     title = control_text("{output} over {input}: type in", output=entry.output, input=entry.input)
     return Between(
@@ -107,9 +106,7 @@ def entry_sheet_answer(
 
 
 def cannot_hold(entry: PlannedCross, why: str) -> Between:
-    """Return the answer that the control cannot hold a correction, with the reason ``why`` or an
-    alternative.
-    """
+    """Return the answer that the control cannot store a correction, with the reason ``why``."""
     title = control_text("Not corrected: {error}", error=SentenceText(error_label(entry)))
     return Between(
         remarks=(("error", say("CW-P113.not_held", what=error_label(entry), why=why)),),
@@ -118,7 +115,7 @@ def cannot_hold(entry: PlannedCross, why: str) -> Between:
 
 
 def alternative_answer(definition: Definition, planned: Iterable[PlannedCross]) -> Between:
-    """Return the alternative in the definition of a control without cross-axis tables.
+    """Return the answer of a control without cross-axis tables: the alternative in its definition.
 
     The text may contain the angle to be removed by kinematics (``{squareness}``, rad), the axes
     (``{input}`` and ``{output}``, lower case), and the shift this also causes (``{shift}``): the

@@ -1,4 +1,4 @@
-"""Texts that the cards of several families share, and the order for loading the files."""
+"""Values and texts for the commissioning cards of several families, and the order of loading."""
 
 from __future__ import annotations
 
@@ -83,7 +83,8 @@ def table_values(
     compensation: AxisCompensation,
     node: str | None = None,
 ) -> dict[str, str]:
-    """Return points, unit, backlash, start, end and spacing of a table, in the control's units.
+    """Return a table's values for the card in the control's units: points, start, end, spacing,
+    backlash.
 
     Lengths in that of the positions (``node``: the quantity, where it is not the axis' own table),
     the backlash in its own.
@@ -108,8 +109,7 @@ def table_values(
 
 
 def sign_check(compensation: AxisCompensation, where: FloatArray) -> dict[str, str]:
-    """Return the two of the positions ``where`` (mm or deg, ascending) that show the sign of the
-    table best.
+    """Return two of the positions ``where``: the table changes the distance between them most.
 
     The table changes their distance most.
     """
@@ -129,7 +129,7 @@ def sign_check(compensation: AxisCompensation, where: FloatArray) -> dict[str, s
 def named_files(
     control: ResolvedDefinition, axis: Axis, files: Sequence[ControlFile]
 ) -> dict[str, str]:
-    """Return the names of an axis' files, where they differ from the names in the definition.
+    """Return the names of an axis' written files that differ from the names in the definition.
 
     ``files``: all that were written.
     """
@@ -155,12 +155,12 @@ def named_files(
 
 
 def and_joined(names: Sequence[str]) -> str:
-    """Return several names as one text, "and" between them."""
+    """Join several names to one text, such as "X, Y and Z"."""
     return SentenceText(say("card.and", names=names)) if names else ""
 
 
 def _new_names(control: ResolvedDefinition, axis: Axis) -> set[str]:
-    """Return the names of new files of ``axis`` and of all axes of the state."""
+    """Return every file name that the definition gives to the axes of the job and of the files."""
     return {
         name
         for address in (control.address(axis)[0], *control.state.axes)
@@ -170,12 +170,14 @@ def _new_names(control: ResolvedDefinition, axis: Axis) -> set[str]:
 
 
 def file_stem(control: ResolvedDefinition, address: str) -> str:
-    """Return the part of new file names that identifies the axis at ``address``."""
+    """Return the axis name to use in new file names: the machine axis name if known, else
+    ``address``.
+    """
     return control.state.facts_of(address).machine_name or address
 
 
 def numbered_files(definition: Definition, axis: Axis) -> dict[str, str]:
-    """Return the names of the definition's files for an axis, by field of the card's texts."""
+    """Return the definition's file names for an axis by card field (``file_1``, ``file_2``)."""
     address, _ = normal_address(definition, axis)
     named = {"axis": address, "system": str(axis.encoder.system - 1)}
     return {

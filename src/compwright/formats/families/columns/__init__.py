@@ -1,1 +1,1 @@
-"""Corrections as columns in the user's own exported tables."""
+"""Controls whose tables are files exported by the user, with one column for each corrected axis."""

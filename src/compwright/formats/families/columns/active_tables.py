@@ -1,4 +1,4 @@
-"""Decide which tables are active, and for the motion of which axis."""
+"""Decide which tables are active, and the motion of which axis each active table follows."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from compwright.records.axis import Axis
 def activate(
     sources: Sources, tables: Sequence[UserTable], axes: Sequence[Axis], faults: list[Fault]
 ) -> None:
-    """Assign each table to the axis whose motion it compensates.
+    """Enter each active table in ``sources`` under the axis whose motion it follows.
 
     The active line of the .CMA file states it, or the names of the tables if there is no such file.
     """
@@ -147,7 +147,7 @@ def _assigned(sources: Sources, values: Sequence[UserTable], faults: list[Fault]
 def _named_axis(
     sources: Sources, table: UserTable, axes: Sequence[Axis], faults: list[Fault]
 ) -> str | None:
-    """Return the moving axis by the table's names. The first line and the file name must agree."""
+    """Return the moving axis that a table's file name and first line name, which must agree."""
     definition = sources.definition
     names = [
         name for name in (table.name, table.file.rpartition(".")[0]) if field_matches("name", name)

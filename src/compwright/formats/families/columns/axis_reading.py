@@ -1,4 +1,4 @@
-"""Read one axis: its entry sheet, its column in its own table, its parameters."""
+"""Read one axis: its entry sheet, its parameters, and its column in the table of its own motion."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from compwright.words.sentences import control_text
 
 
 class ColumnAxisReader:
-    """Reads one axis: its sheet, its own column of its own table, its parameters."""
+    """Reads an axis: its entry sheet, its parameters, its column in the table of its own motion."""
 
     def __init__(
         self, values: TableValues, address: str, wanted: Sequence[str], activity: Activity
@@ -53,7 +53,9 @@ class ColumnAxisReader:
 
     @property
     def is_mentioned(self) -> bool:
-        """Whether a file contains a correction of the axis by its own position."""
+        """Whether the files contain a correction of the axis that depends on its own position or
+        reversal.
+        """
         given = any((self.address, name) in self.sources.given for name in ("backlash", "slope"))
         return (
             given
@@ -68,7 +70,7 @@ class ColumnAxisReader:
 
     @property
     def idle(self) -> tuple[float, ...]:
-        """The nodes of an inactive table, mm or deg."""
+        """The positions of the points of an inactive table, mm or deg."""
         if self.curves is None or self.facts["enabled"]:
             return ()
         return tuple(float(node) for node in self.curves[0])
@@ -111,7 +113,9 @@ class ColumnAxisReader:
     # --- the table
 
     def _curves(self) -> tuple[FloatArray, FloatArray, FloatArray, float | None] | None:
-        """Return nodes, the curve of each direction and the period. None without a valid table."""
+        """Return positions, corrections in + and - direction, and the period; None without a valid
+        table.
+        """
         missing = self.sources.missing.get(self.address)
         if missing is not None and (self.address in self.wanted or not self.wanted):
             file = self.sources.assignments.file if self.sources.assignments is not None else ""
@@ -223,7 +227,7 @@ class ColumnAxisReader:
         return self.parameters.one(quantity, given, quiet=True)
 
     def _enabled(self) -> bool:
-        """Return whether the table is active, by the parameter or the active line, else by the
+        """Return whether the table is active by the control's parameter or table list, else by the
         job.
         """
         found = self._found("enabled") if "enabled" in self.definition.bindings else None
@@ -271,7 +275,7 @@ class ColumnAxisReader:
         return self._answer(word, found)
 
     def _zeros(self, found: FoundValue | None) -> bool:
-        """Return whether the active table contains only zeros.
+        """Return whether a table that contains only zeros counts as active.
 
         It corrects nothing, but if it is not active, the linear error is.
         """
@@ -311,8 +315,8 @@ class ColumnAxisReader:
         return active
 
     def _assume_switch(self, value: str, evidence: str) -> None:
-        """Add an assumption to the notes: the switch of the axis, which no file contains, and its
-        value.
+        """Record as an assumption the value of the parameter that activates the table; no file
+        contains it.
         """
         self.notes.assume(f"{self.label}: {self._switch}", value, f"in no file; {evidence}")
 
@@ -322,8 +326,7 @@ class ColumnAxisReader:
         return self.parameters.name("enabled") if known else "the active line of the .CMA"
 
     def _answer(self, word: str | None, found: FoundValue | None) -> bool:
-        """Return whether tables that are not zero are active, by the files (``word``), else by the
-        job.
+        """Return whether the table is active by the value ``word`` in the files, else by the job.
 
         The assumption is listed if neither states it.
         """
@@ -335,9 +338,7 @@ class ColumnAxisReader:
         return active is not False
 
     def _column_elsewhere(self) -> bool:
-        """Return whether the table of another moving axis has a column for this axis. The same bit
-        switches that column.
-        """
+        """Return whether a table of another axis' motion has a column that corrects this axis."""
         column = self.sources.column_of(self.address)
         return any(
             moving != self.address and table.column(column) is not None
@@ -345,8 +346,8 @@ class ColumnAxisReader:
         )
 
     def _other_columns_active(self) -> bool:
-        """Return whether the motion of another axis corrects this one, because the same bit
-        switches such a column on.
+        """Return whether a table of another axis' motion has values other than zero that correct
+        this axis.
         """
         column = self.sources.column_of(self.address)
         cells = [

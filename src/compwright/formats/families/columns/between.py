@@ -1,4 +1,4 @@
-"""Corrections between axes as columns of the table of the moving axis.
+"""Corrections between axes, written as columns of the table that follows the moving axis.
 
 They are filled in if the user's own table has the column and its rows can hold them, else typed in
 by the engineer. The sign of such a table is unconfirmed either way.
@@ -38,7 +38,7 @@ _CHECK = control_text(
 
 
 def columns_between(family: Family, request: BetweenRequest) -> Between:
-    """Return the table column of every correction between axes, or why it cannot be active."""
+    """Answer a request for corrections between axes: table columns, or why they have no effect."""
     files = tuple(file for file in request.base if not is_entry_sheet(file))
     own = files
     held: list[PlannedCross] = []
@@ -68,7 +68,7 @@ def columns_between(family: Family, request: BetweenRequest) -> Between:
 
 
 def _in_the_table(family: Family, request: BetweenRequest, filled: Filled) -> Between:
-    """Return the remark on a correction in the user's own table."""
+    """Return the answer for a correction that was written into the user's own table."""
     entry, form = filled.entry, _form(family, request, filled.entry)
     rows = _rows(entry, form)
     where = control_text("{file}, column {column}", file=filled.file, column=str(filled.column))
@@ -103,7 +103,9 @@ def _in_the_table(family: Family, request: BetweenRequest, filled: Filled) -> Be
 
 
 def _typed(family: Family, request: BetweenRequest, entry: PlannedCross, why: str) -> Between:
-    """Return the column to be typed in. ``why``: the reason why no file can contain it."""
+    """Return the answer that a table column has to be typed in, because of ``why`` no file contains
+    it.
+    """
     form = _form(family, request, entry)
     rows = _rows(entry, form)
     where = control_text(
@@ -131,14 +133,12 @@ def _typed(family: Family, request: BetweenRequest, entry: PlannedCross, why: st
 
 
 def _form(family: Family, request: BetweenRequest, entry: PlannedCross) -> str:
-    """Return whether a column contains errors or corrections. All columns of the moving axis' table
-    have the same meaning.
-    """
+    """Return whether the numbers in the moving axis' table are errors or corrections."""
     return str(family.options_of(request.axes.get(entry.input))["table_values"])
 
 
 def _selected(family: Family, entry: PlannedCross) -> str:
-    """Return the sentence about the parameter that switches tables on for the bent axis."""
+    """Return the card's sentence on the bit that activates tables for the corrected axis."""
     select = _parameter(family, "enabled")
     if not select:
         return ""
@@ -146,8 +146,7 @@ def _selected(family: Family, entry: PlannedCross) -> str:
 
 
 def _by_line(family: Family, request: BetweenRequest, entry: PlannedCross) -> str:
-    """Return why a column cannot correct its axis: its linear error is active instead. Empty if it
-    can.
+    """Return why the corrected axis ignores tables (it uses the linear parameter); empty if not.
 
     The linear error of that axis is active, now or after this job.
     """
@@ -173,9 +172,7 @@ def _parameter(family: Family, quantity: str) -> str:
 
 
 def _rows(entry: PlannedCross, form: str) -> list[tuple[float, float]]:
-    """Return positions and values of a column, mm or deg. ``form``: whether values are errors or
-    corrections.
-    """
+    """Return a table column's positions and values, mm or deg; ``form``: errors or corrections."""
     sign = -1.0 if form == "error" else 1.0
     added = entry.added
     return [

@@ -1,6 +1,4 @@
-"""The limits of one axis of a control with user-made tables (HEIDENHAIN), and faults of tables
-beyond them.
-"""
+"""Limits of an axis on a control with user-made tables (HEIDENHAIN), tables that break them."""
 
 from __future__ import annotations
 
@@ -27,12 +25,12 @@ from compwright.words.sentences import control_text, unconfirmed
 
 
 def by_line(options: Mapping[str, object]) -> bool:
-    """Return whether an axis is corrected by its linear parameter instead of a table."""
+    """Return whether the linear error parameter corrects an axis, not a table (method "line")."""
     return options.get("method") == "line"
 
 
 def columns_capacity(control: Family, axis: Axis) -> Capacity:
-    """Return the limits of one axis in mm or deg.
+    """Return the limits of one axis' table, such as its number of points, lengths in mm or deg.
 
     Raises UsageError for a wrong option of the axis, CapacityError if the control has no such table
     or parameter.
@@ -75,7 +73,7 @@ def columns_capacity(control: Family, axis: Axis) -> Capacity:
 
 
 def spacings(options: Mapping[str, object]) -> tuple[float, ...] | None:
-    """Return the allowed spacings by the option spacing_rule, mm or deg; None: any."""
+    """Return the point spacings that the option spacing_rule allows, mm or deg; None: any."""
     if options.get("spacing_rule") != "power_of_two":
         return None
     return tuple(float(2**power * SMALLEST_SPACING) for power in range(MOST_DOUBLINGS + 1))
@@ -145,7 +143,7 @@ def _assumed(
 def broken_limits(
     control: Family, axis: Axis, compensation: AxisCompensation, capacity: Capacity
 ) -> Iterator[Fault]:
-    """Yield the limits that a compensation breaks, except numbers of points, curves and ends."""
+    """Yield a fault for each limit of this family of controls that a compensation breaks."""
     label, unit = f"axis {axis.name} ({compensation.address})", axis.kind.unit
     if compensation.interpolation != "linear" or compensation.others:
         yield Fault(
@@ -277,9 +275,7 @@ _NO_NUMBER = control_text("(see the axis list of the machine)")
 
 
 def card_values(control: Family, axis: Axis, compensation: AxisCompensation) -> dict[str, str]:
-    """Return the card's additional values: the table as text, the axis' number, its bit, its
-    parameters.
-    """
+    """Return the card values of this family alone: axis number, parameter bit, table text."""
     own = control.options_of(axis)
     address, _ = control.address(axis)
     number = AxisNumbers(control.definition, [axis]).number(address)

@@ -1,4 +1,4 @@
-"""Write a correction between axes into the bent axis' column of the moving axis' table.
+"""Write a correction between axes into a column of the table that follows the moving axis.
 
 Only cells of that column change; the grid stays.
 """
@@ -28,9 +28,7 @@ from compwright.records.plan import PlannedCross
 
 @dataclass(frozen=True, slots=True)
 class Filled:
-    """A correction written into the user's table. ``file`` and ``column`` are for messages; values
-    are those of all rows.
-    """
+    """A correction between axes as it was written into a column of the user's table."""
 
     file: str
     column: str
@@ -38,7 +36,7 @@ class Filled:
 
 
 def values_quantum(family: Family) -> float:
-    """Return the resolution of a column's values. The number is the same in mm and deg."""
+    """Return the resolution of the values in a column: the same number for mm and for deg."""
     return float(Decimal(1).scaleb(-family.definition.measure("value").digits))
 
 
@@ -76,7 +74,9 @@ class CrossFiller(Patches):
         return Filled(table.file, column, replace(entry, added=held))
 
     def _place(self, added: CrossCompensation) -> tuple[UserTable, str]:
-        """Return the table of the moving axis and its column for the bent one. Raises NotHeld."""
+        """Return the moving axis' table and the column for the corrected axis. Raises NotHeld if
+        none fits.
+        """
         table = self.sources.tables.get(added.input)
         if table is None:
             raise NotHeld(f"no table (.COM) that is active for {added.input} is among the files")
@@ -118,7 +118,7 @@ class CrossFiller(Patches):
 
 
 def _on_rows(added: CrossCompensation, rows: FloatArray, file: str) -> FloatArray:
-    """Return the correction at the rows of a table (k,), mm or deg.
+    """Return the correction (k,) at the positions of the table's rows, mm or deg.
 
     A straight line is extended to the ends of the table; a curve must have its bends at rows.
     Raises NotHeld.

@@ -1,5 +1,4 @@
-"""Read descriptions of a table's columns. Newer controls put them between its first line and the
-column names.
+"""Read the descriptions of a table's columns, which newer controls write before the column names.
 
     BEGIN X.COM MM Version: 'Update:110.24'       BEGIN X.COM MM
     #STRUCTBEGIN                                  TableDescription (
@@ -35,8 +34,9 @@ _SETTING = re.compile(r"[ \t]*([A-Za-z-]+)[ \t]*:?=[ \t]*\"?([^\"]*?)\"?[ \t]*,?
 
 @dataclass(frozen=True, slots=True)
 class TableDescription:
-    """The columns that a table describes, by name in capitals. ``key``: the column with the row
-    number; ``lines``: length of the description.
+    """The columns that the head of a table describes, by name in capitals.
+
+    ``key``: the column with the row number; ``lines``: length of the description.
 
     None: it has no end.
     """
@@ -120,7 +120,7 @@ def _object(lines: Sequence[str]) -> TableDescription:
 def _with_attribute(
     column: Described, word: str, text: str, form: Literal["struct", "object"]
 ) -> Described:
-    """Return a column with one more attribute; irrelevant attributes are left out."""
+    """Return a column with one more attribute, such as its width; others are ignored."""
     yes = text.upper() == "TRUE"
     if word == "WIDTH" and re.fullmatch("[0-9]{1,4}", text):
         return replace(column, width=int(text), blanks=1 if form == "struct" else 0)

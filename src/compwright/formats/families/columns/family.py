@@ -1,4 +1,4 @@
-"""Columns in the user's own tables, which are exported from the control and loaded again."""
+"""Controls whose compensation tables the user exports, and loads again with new values."""
 
 from __future__ import annotations
 
@@ -120,7 +120,7 @@ class ColumnsFamily(Family):
         return AxisCard(values | card_values(self, axis, table) | files | load)
 
     def _loading(self, request: CardRequest, names: Mapping[str, str]) -> str:
-        """Return how the table is loaded: it is in the user's own file, or is typed from the sheet.
+        """Return the card's text on loading the table: as a file, or typed from the entry sheet.
 
         A control has one .COM file by motion, so one that it names for another axis is not free.
         """
@@ -147,13 +147,11 @@ class ColumnsFamily(Family):
         )
 
     def between(self, request: BetweenRequest) -> Between:
-        """Return the table columns for corrections between axes, to be typed in; arguments as those
-        of `Family.between`.
-        """
+        """Return the table columns for corrections between axes; see `Family.between`."""
         return columns_between(self, request)
 
     def sheets(
         self, compensations: Sequence[AxisCompensation], axes: Sequence[Axis]
     ) -> tuple[ControlFile, ...]:
-        """Return files that need none of the user's own; arguments as those of `Family.sheets`."""
+        """Return the entry sheets of written compensations, without any file of the user."""
         return self.write(compensations, axes)

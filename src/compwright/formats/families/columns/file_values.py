@@ -87,9 +87,7 @@ def value_location(
     entries: Mapping[str, FileValue],
     _: ControlState | None,
 ) -> tuple[tuple[str, ...], float | None]:
-    """Return the axes to which a value belongs (axis of its column, moving axis), and the position
-    of its row.
-    """
+    """Return the axes of a table value (corrected axis, moving axis) and its position."""
     by_grid = "datum" in definition.fields  # columns are then named by number
     numbers = AxisNumbers(definition, ()).by_number if by_grid else {}
     columns = {f"{number}=F()": address for number, address in numbers.items()}

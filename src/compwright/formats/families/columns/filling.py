@@ -1,5 +1,4 @@
-"""Write the curve of one axis as text into its column of the user's table. The rows keep the
-table's own style.
+"""Write an axis' corrections into its column of the user's table, in the table's own number style.
 
 Datum and spacing are in its first line.
 """
@@ -42,7 +41,7 @@ from compwright.records.correction import AxisCompensation
 
 
 class ColumnEntry:
-    """The values to enter for one axis, as text."""
+    """The texts to enter for one axis: its table's positions and values, and its parameters."""
 
     def __init__(self, control: Family, axis: Axis, compensation: AxisCompensation) -> None:
         self.definition = control.definition
@@ -54,11 +53,13 @@ class ColumnEntry:
         self.nodes, self.positive, self.negative = _one_turn(axis, compensation)
 
     def value(self, correction: float) -> str:
-        """Return a correction in mm or deg as text of the table. Raises NotHeld."""
+        """Return a correction in mm or deg as text for a table cell. Raises NotHeld if it cannot be
+        written.
+        """
         return self.scale.write("value", correction)
 
     def points(self) -> list[SheetRow]:
-        """Return the points of the entry sheet."""
+        """Return the table points as rows of the entry sheet."""
         rows = []
         for number, (node, correction) in enumerate(zip(self.nodes, self.positive, strict=True)):
             position = self.scale.write("node_position", float(node))
@@ -68,7 +69,7 @@ class ColumnEntry:
         return rows
 
     def parameters(self) -> dict[str, str]:
-        """Return the parameters of the axis by quantity.
+        """Return the texts of the axis' parameters: backlash, linear error, table active.
 
         With a table the linear parameter is 0, so nothing counts twice whichever of them is active.
         """
@@ -87,7 +88,7 @@ class ColumnEntry:
         }
 
     def parameter_rows(self, left: Mapping[str, str]) -> list[SheetRow]:
-        """Return the rows of the entry sheet for parameters that are entered there."""
+        """Return the entry sheet's rows for the parameters ``left``, which no file contains."""
         units = {"backlash": self.axis.kind.unit, "slope": "mm/m", "enabled": ""}
         return [
             SheetRow(name_of(self.definition, name), "", text, units[name])
@@ -98,8 +99,7 @@ class ColumnEntry:
 def _one_turn(
     axis: Axis, compensation: AxisCompensation
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Return nodes and curves as the table needs them. For an endless axis: from 0 to 360 degrees,
-    wherever its reference is.
+    """Return positions and corrections (+, -) of a table; on an endless axis from 0 to 360 degrees.
 
     Raises NotHeld when no node is at 0 degrees.
     """
@@ -122,7 +122,7 @@ def _one_turn(
 
 
 class TableFiller:
-    """Writes the curve of one axis into its column of the user's table."""
+    """Writes the corrections of one axis into its column of the user's table."""
 
     def __init__(
         self, patches: Patches, values: TableValues, address: str, entry: ColumnEntry
@@ -137,9 +137,7 @@ class TableFiller:
         self.number = [file.name for file in patches.files].index(self.table.file)
 
     def fill(self) -> None:
-        """Record all changes. Raises NotHeld and CapacityError where the table cannot take the
-        values.
-        """
+        """Record all changes to the table. Raises NotHeld and CapacityError for misfits."""
         self._suits()
         positions = self._positions()
         others = self.table.others(self.column, POSITION, SECOND)
@@ -189,8 +187,8 @@ class TableFiller:
         return [float(position) for position in positions or ()]
 
     def _on_the_grid(self, positions: Sequence[float], others: Sequence[str]) -> np.ndarray:
-        """Return for every row the node whose value it gets. The table's grid stays, because other
-        axes use it.
+        """Return for each row the index of the point whose value it gets, without moving the
+        table's rows.
         """
         nodes = self.entry.nodes
         slack = EXACTNESS * self.entry.scale.quantum("node_position")
@@ -223,7 +221,7 @@ class TableFiller:
         return np.clip(np.arange(len(positions)) - first, 0, nodes.size - 1)
 
     def _head(self, grid: FloatArray) -> None:
-        """Set datum and spacing in the first line, if the table has them there."""
+        """Write first position and spacing into the table's first line, if it has them."""
         if not self.sources.numbered:
             return
         spacing = float(grid[1] - grid[0])
@@ -244,8 +242,9 @@ class TableFiller:
                 self.patches.replace(self.number, BytesChange(cell.start, cell.end, text.encode()))
 
     def _rows(self, grid: FloatArray, held: np.ndarray) -> None:
-        """Fill the existing rows and add missing ones. ``held`` (k,): the node whose value a row
-        gets.
+        """Fill the table's rows and add missing ones.
+
+        ``held`` (k,): for each row the index of the point whose value it gets.
         """
         rows = self.table.rows
         content = self.patches.files[self.number].content
@@ -263,7 +262,9 @@ class TableFiller:
         self.patches.add_lines(self.number, rows[-1].start, added)
 
     def _cells(self, position: float, node: int, row: Row | None) -> dict[str, str]:
-        """Return the cells of a row. A cell with an unchanged number keeps its characters."""
+        """Return the texts of a row's cells. A cell keeps its characters if its number does not
+        change.
+        """
         entry = self.entry
         cells = {
             self.column: signed(self.table, entry.value(float(entry.positive[node])), self.column)
@@ -283,8 +284,8 @@ class TableFiller:
         }
 
     def _two_columns(self) -> bool:
-        """Return whether the second curve is written: if it is required, or if its column is
-        already filled.
+        """Return whether the second column of values is written: if it is needed or already has
+        values.
         """
         if self.table.column(SECOND) is None:
             return False
@@ -294,9 +295,7 @@ class TableFiller:
 
 
 def signed(table: UserTable, text: str, column: str) -> str:
-    """Return a number with a plus sign if the column writes one. A blank column follows its
-    table.
-    """
+    """Return a number with a plus sign if the other numbers in its column or table have one."""
     if text.startswith("-"):
         return text
     texts = [row.cells[column].text for row in table.rows if column in row.cells]

@@ -58,7 +58,8 @@ def couplings_of(
     wanted: Sequence[str],
     known: Collection[str],
 ) -> Iterator[Coupling]:
-    """Yield which axes follow another axis. ``numbers``: the control's axis numbers.
+    """Yield the axis couplings stated in the files, such as gantry slaves, by the control's axis
+    numbers.
 
     ``wanted``: axes under work; ``known``: axes that the job names.
     """
@@ -113,8 +114,8 @@ def read_columns(
 
 
 def _number_faults(axes: Sequence[Axis], mentioned: Sequence[str]) -> Iterator[Fault]:
-    """Yield a fault for each axis whose number is that of another axis of the job, and for each
-    whose ``axis_number`` leaves a number in the files (``mentioned``) without an axis.
+    """Yield a fault for every ``axis_number`` of the job that is used twice or does not fit the
+    files.
     """
     free = [int(name) for name in mentioned if name.isdigit() and int(name) <= len(LETTERS)]
     numbered = [axis for axis in axes if axis.axis_number is not None]
@@ -145,7 +146,7 @@ def _number_faults(axes: Sequence[Axis], mentioned: Sequence[str]) -> Iterator[F
 
 
 def _paired(facts: Mapping[str, AxisFacts], couplings: Sequence[Coupling]) -> dict[str, AxisFacts]:
-    """Return the facts with the axes that move together added."""
+    """Return the facts of each axis, with the axes that move together with it."""
     return {
         address: replace(
             stated, synchronised=followers(couplings, address), leading=leader(couplings, address)
@@ -248,14 +249,14 @@ class _ColumnStateReader:
         return tuple(found)
 
     def _off(self, address: str) -> bool:
-        """Return whether no table is active on an axis, by the files or else by the job."""
+        """Return whether the files, or else the job, state that no table is active on an axis."""
         bits = self.sources.given.get((address, "enabled"), [])
         if bits:
             return bits[0].text == "0" and self.activity.stated is not True
         return self.activity.stated is False and not self.sources.starred
 
     def _general(self, compensations: Mapping[str, AxisCompensation]) -> None:
-        """Note findings about all axes: missing files, inactive tables, assumptions."""
+        """Add findings about all axes to the notes: missing files, inactive tables, assumptions."""
         sources = self.sources
         for file, address in sources.assumed.items():
             self.notes.assume(

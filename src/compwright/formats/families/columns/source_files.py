@@ -30,7 +30,10 @@ _UNITS = {"mm": Decimal(1), "um": Decimal("0.001"), "deg": Decimal(1), "mm/m": D
 
 
 def take_sheet(sources: Sources, file: ControlFile, number: int, faults: list[Fault]) -> None:
-    """Add the contents of an entry sheet to the sources. ``number``: its index among the files."""
+    """Add an entry sheet's points and parameters to ``sources``.
+
+    ``number``: the index of the sheet among the files.
+    """
     sheet = read_sheet(file, faults)
     address = None if sheet is None else _address(sources, sheet, faults)
     if sheet is None or address is None:
@@ -78,7 +81,7 @@ def _address(sources: Sources, sheet: EntrySheet, faults: list[Fault]) -> str | 
 def _rows(
     sources: Sources, address: str, sheet: EntrySheet, number: int, faults: list[Fault]
 ) -> list[SheetPoint]:
-    """Add the parameters of an entry sheet to the sources, and return its points."""
+    """Add an entry sheet's parameters to ``sources``, and return the table points of the sheet."""
     definition = sources.definition
     names = {name_of(definition, name): name for name in PARAMETERS if name in definition.bindings}
     points: list[SheetPoint] = []
@@ -178,7 +181,10 @@ _MASK = re.compile(r"%([01]{1,32})|([0-9]{1,9})")
 def take_parameters(
     sources: Sources, reader: TextReader, file: ControlFile, number: int, faults: list[Fault]
 ) -> None:
-    """Add the parameters of a text to the sources; ``number``: its index among the files."""
+    """Add the parameters in a text file to ``sources``.
+
+    ``number``: the index of the file.
+    """
     known = len(faults)
     text = reader.read(file, faults, number)
     sources.findings.extend(text.findings if text is not None else ())
@@ -201,7 +207,7 @@ def take_parameters(
 
 
 def _parameter_lines(definition: Definition) -> dict[str, str]:
-    """Return the statements of lines with parameters, with their quantities."""
+    """Return for each statement that contains a parameter the quantity of that parameter."""
     return {
         statement.name: quantity
         for quantity in PARAMETERS
@@ -265,9 +271,7 @@ def _take_mask(sources: Sources, place: Occurrence, file: int, faults: list[Faul
 
 
 def ambiguous(text: str) -> bool:
-    """Return whether digits without ``%`` have two meanings, as bits and as decimal (``11``: 3 or
-    11).
-    """
+    """Return whether digits without ``%`` may be bits or decimal: ``11`` means 3 or 11."""
     return re.fullmatch("[01]{1,32}", text) is not None and int(text, 2) != int(text)
 
 
@@ -284,7 +288,7 @@ def mask_of(text: str) -> int | None:
 def find_sources(
     definition: Definition, files: Sequence[ControlFile], axes: Sequence[Axis], faults: list[Fault]
 ) -> Sources:
-    """Return the files sorted by kind. Faults and contradictions are added to ``faults``."""
+    """Return tables, sheets and parameters in the files; errors are added to ``faults``."""
     sources = Sources(definition, AxisNumbers(definition, axes))
     reader = text_reader(definition)
     tables: list[UserTable] = []

@@ -1,6 +1,4 @@
-"""The contents of the files of a control with user-made tables: sheets, tables, the active line,
-parameters, by axis.
-"""
+"""The contents of the files of a control with user-made tables (HEIDENHAIN), sorted by axis."""
 
 from __future__ import annotations
 
@@ -28,7 +26,7 @@ _ASSIGNED_COLUMN = re.compile(r"([0-9]{1,3})(?:=F\(\))?", re.IGNORECASE)
 
 
 class AxisNumbers:
-    """The control's axis numbers, from 1.
+    """The axis numbers of a control, from 1, and the axis addresses that belong to them.
 
     A job's ``axis_number`` overrides the letters; so does a synchronised axis that the job names by
     its number (AX4).
@@ -51,11 +49,11 @@ class AxisNumbers:
         self.by_number: Mapping[int, str] = {**letters, **numbers}
 
     def address(self, number: int) -> str:
-        """Return the address of an axis by its number. An unknown number is returned as text."""
+        """Return the address of an axis by its number, or the number as text if unknown."""
         return self.by_number.get(number, str(number))
 
     def follower(self, number: int, known: Collection[str]) -> str:
-        """Return the name of an axis that follows another one.
+        """Return the name of the axis with this number, which follows another axis.
 
         AX and its number if the axis is unknown, or if its letter is that of a rotary axis which
         the job does not name.
@@ -65,7 +63,7 @@ class AxisNumbers:
         return f"AX{number}" if assumed and letter in "ABC" and letter not in known else letter
 
     def number(self, address: str) -> int | None:
-        """Return the number of an axis, from 1, also of one that goes by its number; None if
+        """Return the axis number, from 1, of an address, which may be that number as text; None if
         unknown.
         """
         own = int(address) if address.isdigit() else None
@@ -85,8 +83,10 @@ class SheetPoint:
 
 @dataclass(slots=True)
 class Sources:
-    """The contents of the files. ``tables``: the active ones, by moving axis; ``idle``: those that
-    the active line does not name.
+    """The contents of the files: tables, entry sheets and parameters.
+
+    ``tables``: the active ones, by moving axis; ``idle``: tables that the active line does not
+    name.
 
     ``given``: parameters by axis and quantity, in the unit of the quantity; those of a sheet have
     no tokens. ``missing``: axis -> table that the active line names and that was not given.
@@ -109,25 +109,21 @@ class Sources:
 
     @property
     def numbered(self) -> bool:
-        """Whether columns are named by axis numbers on an equally spaced grid. Else by axis names,
-        with listed positions.
-        """
+        """Whether columns are named by axis numbers, with equal spacing, not by axis names."""
         return "datum" in self.definition.statements[VALUES].fields
 
     @property
     def starred(self) -> bool:
-        """Whether a mark in the table of assignments makes tables active. On controls with axis
-        numbers a parameter does.
-        """
+        """Whether a mark in the .CMA file activates tables, and not a parameter of the control."""
         return not self.numbered and self.active is not None
 
     def column_of(self, address: str) -> str:
-        """Return the name of an axis' column in a table of values."""
+        """Return the name that an axis' column has in every table of values."""
         return f"{self.numbers.number(address)}=F()" if self.numbered else address
 
     def axis_of(self, column: str, *, assigned: bool = False) -> str:
-        """Return the axis of a column in a table of values or of assignments; the column's name if
-        it is not an axis'.
+        """Return the address of the axis to which a table column belongs; the column's name if
+        there is none.
         """
         match = (
             (_ASSIGNED_COLUMN if assigned else _COLUMN).fullmatch(column) if self.numbered else None
@@ -135,7 +131,9 @@ class Sources:
         return self.numbers.address(int(match[1])) if match else column
 
     def own_column(self, address: str) -> str | None:
-        """Return the name of the column that an axis has in its own table; None without one."""
+        """Return the name of an axis' column in the table of its own motion; None without such a
+        column.
+        """
         table = self.tables.get(address)
         name = self.column_of(address)
         return name if table is not None and table.column(name) is not None else None

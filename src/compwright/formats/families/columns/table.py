@@ -1,6 +1,4 @@
-"""A table as a control exports it: columns, rows and cells of fixed width, each with its place; and
-rules for changes.
-"""
+"""A table as a control exports it: columns, rows and cells of fixed width, with their places."""
 
 from __future__ import annotations
 
@@ -26,8 +24,9 @@ Kind = Literal["values", "assignments"]
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """One row of a table. ``line`` counts from 1; ``start`` and ``end`` are the bytes of its
-    text.
+    """One row of a table.
+
+    ``line`` counts from 1; ``start`` and ``end`` are the bytes of its text.
     """
 
     line: int
@@ -37,7 +36,7 @@ class Row:
 
     @property
     def place(self) -> str:
-        """The file and line, for messages."""
+        """The row's line number as text for messages, such as "line 12"."""
         return f"line {self.line}"
 
 
@@ -79,8 +78,9 @@ class Described:
 
 @dataclass(frozen=True, slots=True)
 class TableColumn:
-    """A column of a table. Its cells reach from ``low`` to before ``high`` (characters of the
-    line), aligned with one of them.
+    """A column of a table with the characters of the line that its cells may occupy.
+
+    From ``low`` to before ``high``, aligned with one of them.
 
     ``edge``: the character at which cells begin (``flush`` left) or after which they end (right);
     ``flush`` "free": only blanks separate the cells. ``described``: its description in the table.
@@ -106,8 +106,9 @@ class TableColumn:
 
 @dataclass(frozen=True, slots=True)
 class UserTable:
-    """A table as written in a file. ``head``: the fields of its first line, with ``name`` and
-    ``unit``.
+    """A table as written in a file.
+
+    ``head``: the fields of its first line, with ``name`` and ``unit``.
     """
 
     file: str
@@ -126,8 +127,8 @@ class UserTable:
         return next((column for column in self.columns if column.name == name), None)
 
     def others(self, *names: str) -> tuple[str, ...]:
-        """Return the names of the columns with values other than zero, except ``names`` and the row
-        numbers.
+        """Return the columns that have values other than zero, except row numbers and those in
+        ``names``.
         """
         return tuple(
             column.name
@@ -147,8 +148,7 @@ def is_number(text: str) -> bool:
 
 
 def set_cell(table: UserTable, line: str, name: str, text: str) -> str:
-    """Return a line of the table with ``text`` in one column. All other columns keep their place
-    and characters.
+    """Return a table line with new text in one column; other columns keep their characters.
 
     Raises NotHeld when the text does not fit the width of the column.
     """
@@ -184,8 +184,8 @@ def set_cell(table: UserTable, line: str, name: str, text: str) -> str:
 def cell_changes(
     table: UserTable, row: Row, line: str, cells: Mapping[str, str]
 ) -> list[BytesChange]:
-    """Return the changes that put texts into cells of a row, by column name. ``line``: the row's
-    text.
+    """Return the byte changes that put the texts ``cells`` (by column) into a row with the text
+    ``line``.
 
     Raises NotHeld when a text does not fit its column.
     """

@@ -54,7 +54,7 @@ def is_user_table(file: ControlFile) -> bool:
 
 
 def is_other_table(file: ControlFile) -> bool:
-    """Return whether a table has nothing to do with compensation: tools, pallets, datums."""
+    """Return whether an exported table is not for compensation but for tools, pallets or datums."""
     first = next((line for line in file.content[:10_000].splitlines() if line.strip()), b"")
     match = _KIND.match(first.decode("latin-1"))
     return match is not None and match[1].upper() not in _KINDS
@@ -161,9 +161,7 @@ class _ColumnTableReader:
         return None
 
     def _closed(self, line: TextLine, name: str, ending: str) -> None:
-        """Check that the last line ends this table. It may name its table; another name is the end
-        of another table.
-        """
+        """Check that the file's last line ends the table, and if it names a table, this one."""
         named = "".join(word.text for word in _words(line)[1:])
         if named and named.upper() != f"{name}.{ending}".upper():
             self._fault(
@@ -244,8 +242,8 @@ class _ColumnTableReader:
     def _assigned(
         self, titles: Sequence[Token], lines: Sequence[TextLine]
     ) -> tuple[list[list[int]] | None, str]:
-        """Return the column of each word in every row, and the alignment of the cells: left, right,
-        free.
+        """Return for each row the column index of each word, and how cells are aligned (left,
+        right, free).
 
         None if the columns are ambiguous.
         """
@@ -313,7 +311,7 @@ def _right_slots(titles: Sequence[Token]) -> list[_Slot]:
 
 
 def _places(words: Sequence[Token], slots: Sequence[_Slot]) -> list[int] | None:
-    """Return the column of each word. None when a word crosses a boundary or two share a column."""
+    """Return each word's column index; None if a word is in two columns, or two words in one."""
     places: list[int] = []
     for word in words:
         fitting = (

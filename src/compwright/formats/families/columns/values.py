@@ -30,7 +30,7 @@ _INCH = Decimal("25.4")
 
 def fitting_rule(options: Mapping[str, object], text: str) -> Decimal | None:
     """Return the spacing in a table's first line, mm or deg; None if the option spacing_rule
-    forbids it.
+    excludes it.
     """
     if not is_number(text):
         return None
@@ -53,14 +53,12 @@ _LETTERS = frozenset("XYZUVWABC")
 def column_scale(
     definition: Definition, kind: AxisKind, options: Mapping[str, object]
 ) -> NumberScale:
-    """Return unit, sign and resolution of an axis' table values. Its option ``table_values`` sets
-    the meaning.
-    """
+    """Return unit, sign and resolution of an axis' table values by its option ``table_values``."""
     return NumberScale(definition, kind, options, {"table_form": str(options[TABLE_VALUES])})
 
 
 class TableValues:
-    """Reads the numbers of tables by moving axis. Faults are added to the notes.
+    """Reads the numbers in the tables of each moving axis. Errors in the files go to the notes.
 
     ``axes``: those of the job.
     """
@@ -75,8 +73,8 @@ class TableValues:
         self.notes = notes
 
     def own_options(self, address: str) -> Mapping[str, object]:
-        """Return the options of an axis. The order of precedence is: its entry sheet, its own
-        options, those of the controller.
+        """Return the options of an axis by precedence: entry sheet, options of the axis, of the
+        controller.
         """
         axis = self.axes.get(address)
         options = self.control.options if axis is None else self.control.options_of(axis)
@@ -84,14 +82,15 @@ class TableValues:
         return options if sheet is None else {**options, TABLE_VALUES: sheet.comments["value"]}
 
     def scale(self, address: str, kind: AxisKind | None = None) -> NumberScale:
-        """Return unit, sign and resolution of an axis' numbers. ``kind``: of the axis that its
-        table corrects, if that is another.
+        """Return unit, sign and resolution of an axis' numbers.
+
+        ``kind``: that of the corrected axis, if the table corrects another axis.
         """
         return column_scale(self.definition, kind or self.kind(address), self.own_options(address))
 
     def kind(self, address: str) -> AxisKind:
-        """Return whether an axis is linear or rotary: by the job, else the units of its sheet, else
-        its letter.
+        """Return the kind of an axis (linear, rotary) by the job, the entry sheet's units, or its
+        letter.
         """
         units = self.sources.units.get(address, set())
         by_sheet = AxisKind.ROTARY if "deg" in units else AxisKind.LINEAR
@@ -117,14 +116,14 @@ class TableValues:
         return known
 
     def stated_kind(self, address: str) -> AxisKind | None:
-        """Return the kind of an axis if its entry sheet or its letter states it (DIN 66217: X, Y,
-        Z, U, V and W are linear, A, B and C rotary).
+        """Return the kind of an axis by its entry sheet or letter (DIN 66217: A, B, C rotary); else
+        None.
         """
         known = bool(self.sources.units.get(address)) or address.upper() in _LETTERS
         return self.kind(address) if known else None
 
     def positions(self, table: UserTable, address: str) -> tuple[Decimal, ...] | None:
-        """Return the positions of a table's rows in mm or deg. None with faults."""
+        """Return the positions of a table's rows in mm or deg; None if they contain errors."""
         kind = self.kind(address)
         scale = self.scale(address, kind)
         found = (
@@ -137,7 +136,7 @@ class TableValues:
         return self._checked(table, [position * factor for position in found], scale)
 
     def _uneven(self, table: UserTable, found: Sequence[Decimal]) -> None:
-        """Note points that are not equally spaced; they are read as written.
+        """Report a table whose points are not equally spaced; they are read as written.
 
         The control requires equal spacing (MANUALplus 620 technical manual p715); what it does with
         others is not known.
@@ -161,7 +160,9 @@ class TableValues:
         return positions if len(positions) == len(table.rows) else None
 
     def _spaced(self, table: UserTable, address: str) -> list[Decimal] | None:
-        """Return the positions by datum and spacing in the first line, in the unit of the table."""
+        """Return the rows' positions from the first line (first position, spacing), in the table's
+        unit.
+        """
         datum, step = table.head["datum"], table.head["spacing"]
         options = self.own_options(address)
         inch = table.head["unit"].text.upper() == "INCH"
@@ -253,8 +254,8 @@ class TableValues:
     def turned(
         self, address: str, positions: FloatArray, values: FloatArray, file: str
     ) -> tuple[FloatArray, FloatArray, float | None]:
-        """Return nodes, values and period of a table. On a rotary axis 0 to 360 degrees are active
-        and repeat every turn.
+        """Return positions, values and period of a table; on a rotary axis one turn from 0 to 360
+        degrees.
         """
         axis = self.axes.get(address)
         if self.kind(address) is AxisKind.LINEAR:
@@ -299,7 +300,7 @@ class TableValues:
         return nodes, curve, TURN
 
     def fault(self, file: str, place: str, message: str, expected: str, found: str) -> None:
-        """Note a fault. The same fault is noted only once."""
+        """Add an error in a file to the notes, unless it is there already."""
         fault = Fault(
             message=message,
             file=file,

@@ -1,5 +1,4 @@
-"""Write a compensation into the user's own exported tables and parameters. The rest goes to entry
-sheets.
+"""Write compensations into the user's tables and parameters; entry sheets hold what has no place.
 
 No manual shows the text of these files, so none is invented: only cells of the axis' own column
 change, rows are added in the table's own style, and one bit of a mask that was read. Everything
@@ -31,7 +30,7 @@ from compwright.records.correction import AxisCompensation, ControlFile
 def write_columns(
     control: Family, pairs: Sequence[AxisTable], files: Sequence[ControlFile]
 ) -> tuple[ControlFile, ...]:
-    """Return the files that put the compensations (address, axis, table) into the control.
+    """Return the files that load the compensations ``pairs`` (address, axis, table).
 
     All the user's own ``files`` come back patched, except old entry sheets, so that the set is
     complete; one entry sheet per axis holds what they have no place for. Raises InputError for
@@ -65,9 +64,7 @@ def write_columns(
 def _refuse_unknown_backlash(
     control: Family, pairs: Sequence[AxisTable], files: Sequence[ControlFile]
 ) -> None:
-    """Refuse to write a backlash if the present backlash is in no file, because it would be missing
-    in the total.
-    """
+    """Raise UsageError if a backlash must be replaced whose present value is in no file."""
     given = find_sources(control.definition, files, [axis for _, axis, _ in pairs], []).given
     name = name_of(control.definition, "backlash")
     questions = [
@@ -94,7 +91,7 @@ def _refuse_unknown_backlash(
 
 
 class _OwnTables(Patches):
-    """Collects the changes to the tables in the user's own files."""
+    """Collects the changes to the tables and parameters in the user's own files."""
 
     def __init__(
         self, control: Family, axes: Mapping[str, Axis], own: Sequence[ControlFile]
@@ -107,8 +104,8 @@ class _OwnTables(Patches):
         self.values = TableValues(control, self.sources, axes, notes)
 
     def put(self, address: str, axis: Axis, compensation: AxisCompensation) -> ControlFile | None:
-        """Record the changes for one axis. Return the entry sheet for the rest, None if nothing is
-        left.
+        """Record one axis' changes; return an entry sheet for what no file has a place for, None if
+        nothing.
         """
         entry = ColumnEntry(self.control, axis, compensation)
         points: list[SheetRow] = []
@@ -148,7 +145,9 @@ class _OwnTables(Patches):
         return write_sheet(print_form(file.name, {"axis": address}), comments, rows)
 
     def _parameter(self, address: str, quantity: str, text: str) -> bool:
-        """Record the change of a parameter in the user's files; False if it is not in them."""
+        """Record the new text of a parameter in the user's files; return False if no file contains
+        it.
+        """
         given = self.sources.given.get((address, quantity), [])
         found = [place for place in given if place.occurrence.tokens]
         for place in found:
@@ -162,7 +161,9 @@ class _OwnTables(Patches):
         self.replace(place.number, *set_field(place.occurrence, "value", text))
 
     def _bit(self, address: str, place: FoundValue, text: str) -> None:
-        """Change one bit of a bit mask. Several axes may do so one after the other."""
+        """Record the change of an axis' bit in a bit mask, which several axes may change one after
+        another.
+        """
         known = self.text(place.number, place.occurrence.tokens["value"])
         number, mask = self.sources.numbers.number(address), mask_of(known)
         if number is None or mask is None or mask >> (number - 1) & 1 == int(text):
@@ -173,8 +174,7 @@ class _OwnTables(Patches):
         self._set(place, f"%{changed:b}" if ambiguous(new) else new)
 
     def _check_other_tables(self, address: str, *, awake: bool) -> None:
-        """Refuse to change the bit of an axis if tables of other axes correct it with the same bit,
-        or would.
+        """Raise NotHeld if the axis' bit also switches tables of other axes that correct this axis.
 
         The bit selects every table that corrects the axis, not only its own. Raises NotHeld.
         """
