@@ -35,7 +35,7 @@ def whole_number(text: str) -> int | None:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Coupling:
-    """One axis that ``follows`` another axis, by a parameter in the control's files.
+    """The statement of a control's files that one axis (``follows``) moves with another axis.
 
     ``leads``: the addresses of the leading axis; several if the files leave it open, empty if they
     do not state it. ``parameter``: the parameter with its value; ``file``, ``place``: its place.
@@ -54,7 +54,7 @@ class Coupling:
     drive: bool = False
 
     def fault(self, message: str, expected: str, found: str = "") -> Fault:
-        """Return a fault at the line of the parameter."""
+        """Return a fault that names the file and line of the parameter that couples the axes."""
         more = f", or {ALONE} where it was measured alone" if self.switched else ""
         return Fault(
             message=f"{message} ({self.parameter})",
@@ -70,7 +70,8 @@ class Coupling:
 
 
 def check_couplings(couplings: Sequence[Coupling], axes: Mapping[str, Axis], notes: Notes) -> None:
-    """Compare the couplings in the files with the job; ``axes``: those of the job by address.
+    """Compare the axis couplings in the files with the gantries of the job's axes, given by
+    address.
 
     The user has to name a synchronised axis that is missing in the job. A coupling for which one
     table for both axes does not help is a fault. A synchronised axis may be among ``axes`` itself;
@@ -107,7 +108,7 @@ def followers(couplings: Sequence[Coupling], address: str) -> tuple[str, ...]:
 
 
 def leader(couplings: Sequence[Coupling], address: str) -> str | None:
-    """Return the axis that leads the axis at ``address``. None where the files name none."""
+    """Return the address of the axis that the axis at ``address`` follows; None without one."""
     found = (one.leads for one in couplings if one.follows == address and not one.unlike)
     return next((leads[0] for leads in found if leads), None)
 
@@ -148,7 +149,7 @@ def _ask_about_followers(
 
 
 def _other_leader(address: str, axis: Axis, couplings: Sequence[Coupling]) -> Iterator[Fault]:
-    """Yield a fault if the gantry slave in the job follows another axis in the files, or moves
+    """Yield a fault if the job's gantry slave follows another axis in the files or moves
     differently.
     """
     for coupling in couplings:
@@ -164,7 +165,7 @@ def _other_leader(address: str, axis: Axis, couplings: Sequence[Coupling]) -> It
 
 @dataclass(frozen=True, slots=True)
 class CouplingParameter:
-    """A parameter that may couple axes: ``words`` with its value, and its place in the files."""
+    """A parameter that may couple axes: its text with the value (``words``), its file and line."""
 
     words: str
     file: str
@@ -194,9 +195,7 @@ class CouplingParameter:
 
 @dataclass(frozen=True, slots=True)
 class CouplingStatement(CouplingParameter):
-    """A match of a search pattern: a parameter that may couple axes. Blanks in its words are
-    removed.
-    """
+    """A parameter that may couple axes, found by a search pattern, without blanks in its text."""
 
     match: re.Match[str]
 
@@ -204,7 +203,7 @@ class CouplingStatement(CouplingParameter):
 def statements_in(
     files: Iterable[ControlFile], pattern: re.Pattern[str], remark: re.Pattern[str]
 ) -> Iterator[CouplingStatement]:
-    """Yield every match of ``pattern`` in the files, in their order, except in remarks."""
+    """Yield every match of ``pattern`` in the files, in their order, except in comments."""
     for file in files:
         text = remark.sub(lambda found: " " * len(found[0]), file.content.decode("latin-1"))
         line, place = 1, 0
@@ -228,8 +227,8 @@ def find_partners(
     of_job: bool,
     single: Collection[str] = (),
 ) -> None:
-    """Note differences between the two axes of a gantry. Also note two axes that look like a gantry
-    missing in the job.
+    """Report gantry axes with different tables, and axes with equal tables that the job does not
+    couple.
 
     ``partners``: synchronised axis by leading axis; ``read``: the compensations read, by address;
     ``of_job``: a job names these axes; ``single``: those that are in no gantry by the files.
@@ -248,15 +247,17 @@ def find_partners(
 def compare_partners(
     partners: Mapping[str, str], read: Mapping[str, AxisCompensation], notes: Notes
 ) -> None:
-    """Note differences between the two axes of a gantry. Arguments as those of `find_partners`."""
+    """Report every gantry whose two axes have different compensations."""
     for leading, partner in partners.items():
         if leading in read and partner in read and not _same(read[leading], read[partner]):
             notes.find("CW-S030", "warning", partner=partner, leading=leading)
 
 
 def note_twin(address: str, other: str, notes: Notes, *, single: bool = False) -> None:
-    """Note that an axis of the job and another axis have the same table. ``single``: no gantry in
-    the files contains the axis.
+    """Report that an axis of the job has the same table as another axis, as the axes of a gantry
+    do.
+
+    ``single``: no gantry in the files contains the axis.
     """
     if single:
         notes.find("CW-S031.single", "info", address, axis=address, other=other)
@@ -274,9 +275,7 @@ def _same(one: AxisCompensation, other: AxisCompensation) -> bool:
 
 
 def _table(gathered: Gathered, address: str) -> set[tuple[tuple[int, Decimal], ...]]:
-    """Return the values of an axis' tables by index, for each measuring system. Tables of zeros are
-    left out.
-    """
+    """Return the values of an axis' tables for each measuring system, without tables of zeros."""
     tables = set()
     keys: list[Key] = [key for key in gathered.rows if key[0] == address]
     for key in keys:

@@ -45,7 +45,7 @@ def tables_with_axes(
     compensations: Sequence[AxisCompensation],
     axes: Sequence[tuple[str, Axis]],
 ) -> list[AxisTable]:
-    """Return the tables with their axes (address in the files, job axis), in the order of the
+    """Return each table as (address in the files, axis of the job, table), in the order of the
     tables.
 
     Raises UsageError for every table without an axis, and for two of one axis.
@@ -81,9 +81,7 @@ def tables_with_axes(
 
 
 def with_partners(definition: Definition, pairs: Sequence[AxisTable]) -> list[AxisTable]:
-    """Return the tables, each also for the slave axis of a gantry. A table on one axis alone would
-    rack the bridge.
-    """
+    """Return the tables, with a copy of each gantry master's table for the slave axis."""
     result = {address: (address, axis, compensation) for address, axis, compensation in pairs}
     for _, axis, compensation in pairs:
         if axis.gantry is not None:
@@ -94,7 +92,7 @@ def with_partners(definition: Definition, pairs: Sequence[AxisTable]) -> list[Ax
 
 
 def writable_tables(tables: Sequence[AxisTable]) -> list[AxisTable]:
-    """Return the valid tables: two points or more, all finite and ascending."""
+    """Return the tables that are valid: at least two points, all finite, positions ascending."""
     return [
         each
         for each in tables
@@ -115,7 +113,8 @@ OwnLimits = Callable[[Axis, AxisCompensation, Capacity, str], Sequence[Fault]]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Listing:
-    """Facts in a control's files that are read without the full state of the control.
+    """Functions that list facts in a control's files without reading the whole state of the
+    control.
 
     ``file_values`` (files, and further ones of the machine that may name its axes): every value in
     the files, active or not, by a unique key; raises InputError. ``value_location`` (one of the
@@ -150,7 +149,7 @@ class Listing:
 
 
 class Family(ResolvedDefinition, ABC):
-    """The compensation of one control: reading, limits, writing, card."""
+    """Interface of all controls: reads, limits and writes the compensation, and fills the card."""
 
     listing: ClassVar[Listing] = Listing()
     #: The number without which tables cannot be read, where their control has one.
@@ -179,8 +178,7 @@ class Family(ResolvedDefinition, ABC):
         """
 
     def questions(self, axis: Axis, *, files: bool, given: Collection[str] = ()) -> Iterator[Fault]:
-        """Yield the missing answers for an axis that is to get a table. The place is the key or the
-        option.
+        """Yield a fault for each answer that the job must give before an axis can get a table.
 
         ``files``: the control's own files are given, and may hold the answer; ``given``: the
         options that the job gives to any of its axes.
@@ -194,7 +192,7 @@ class Family(ResolvedDefinition, ABC):
 
     @abstractmethod
     def capacity(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
-        """Return the limits of one axis' table in mm or deg.
+        """Return the limits of one axis' table, such as its number of points, lengths in mm or deg.
 
         ``one_curve``: the job requires one table and a backlash value, even if the control could
         hold a pair. Options answered by the control's own files count. Raises UsageError for an
@@ -218,12 +216,11 @@ class Family(ResolvedDefinition, ABC):
 
     @abstractmethod
     def card(self, request: CardRequest) -> AxisCard:
-        """Return the card's contents for a table that was written."""
+        """Return the contents of the commissioning card for a table that was written."""
 
     @abstractmethod
     def between(self, request: BetweenRequest) -> Between:
-        """Return the control's answer to a request for corrections between axes, for the present
-        state.
+        """Return the control's answer to a request for corrections between axes.
 
         A correction that it cannot hold is reported, with what would help, and not written. Raises
         CompwrightError if its files cannot be read.
@@ -232,8 +229,8 @@ class Family(ResolvedDefinition, ABC):
     def sheets(
         self, compensations: Sequence[AxisCompensation], axes: Sequence[Axis]
     ) -> tuple[ControlFile, ...]:
-        """Return additional forms of written compensations: entry sheets, or programs that enter
-        the same values.
+        """Return written compensations in other forms: entry sheets, or programs that enter the
+        values.
 
         ``compensations`` belong to ``axes`` one by one.
         """
@@ -246,7 +243,8 @@ class Family(ResolvedDefinition, ABC):
         own: Sequence[ControlFile],
         axes: Sequence[Axis],
     ) -> Delivery:
-        """Return the files that the control loads, and those that restore its old contents.
+        """Return the files to load into the control, and the files that restore its previous
+        contents.
 
         ``files``: those written for ``axes``, with the control's ``own`` ones patched. Raises
         UsageError for a form of files that is not available.
@@ -261,8 +259,7 @@ def in_patched_files(
     axes: Sequence[Axis],
     files: Sequence[ControlFile],
 ) -> F:
-    """Return the control with the limits stated in the ``files`` to be patched. Earlier knowledge
-    is replaced.
+    """Return a copy of the control with the limits that are stated in the ``files`` to be changed.
 
     Raises UsageError for a table without an axis, InputError for the files.
     """
@@ -283,12 +280,12 @@ def _paired(
 
 
 def no_limits(_: Axis, __: AxisCompensation, ___: Capacity, ____: str) -> Sequence[Fault]:
-    """Return no faults: for a family without limits of its own."""
+    """Return no faults, for a family of controls without limits of its own."""
     return ()
 
 
 def require_files(files: Sequence[ControlFile]) -> None:
-    """Raise UsageError for a state without a file."""
+    """Raise UsageError if no file of the control is given."""
     if not files:
         raise UsageError(
             Fault(
@@ -309,7 +306,8 @@ def check_tables(
     axes: Sequence[Axis],
     own_limits: OwnLimits = no_limits,
 ) -> tuple[list[AxisTable], list[Fault]]:
-    """Return the tables, with those of gantry slaves, and the limits that they break.
+    """Return all tables, those of gantry slaves included, and a fault for each limit that they
+    break.
 
     ``own_limits``: faults by limits that only one family has, those of endless axes included; with
     the axis in words. Raises UsageError for a table without an axis.
@@ -324,7 +322,7 @@ def check_tables(
 def _broken(
     control: Family, axis: Axis, compensation: AxisCompensation, own_limits: OwnLimits
 ) -> tuple[Fault, ...]:
-    """Return why the control cannot hold a compensation, except single values that are not exact.
+    """Return a fault for each limit of the control that a compensation breaks, rounding left out.
 
     Each names the limit, the excess and what would help.
     """

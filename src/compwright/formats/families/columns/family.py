@@ -86,11 +86,11 @@ class ColumnsFamily(Family):
         address: str | None = None,
         activity: Activity = Activity(),  # noqa: B008 - frozen
     ) -> ControlState:
-        """Implement `Family.read`."""
+        """Return the state of a control from its ``files``; see `Family.read`."""
         return read_columns(self, files, axes, address=address, activity=activity)
 
     def capacity(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
-        """Implement `Family.capacity`."""
+        """Return the limits of one axis' table in mm or deg; see `Family.capacity`."""
         del one_curve
         return columns_capacity(self, axis)
 
@@ -100,7 +100,7 @@ class ColumnsFamily(Family):
         axes: Sequence[Axis],
         files: Sequence[ControlFile] = (),
     ) -> tuple[ControlFile, ...]:
-        """Implement `Family.write`."""
+        """Return the files that load ``compensations`` into the control; see `Family.write`."""
         bound = in_patched_files(self, compensations, axes, files)
         tables, faults = check_tables(
             bound,
@@ -112,7 +112,7 @@ class ColumnsFamily(Family):
         return write_columns(bound, tables, files)
 
     def card(self, request: CardRequest) -> AxisCard:
-        """Implement `Family.card`."""
+        """Return the contents of the commissioning card for a written table; see `Family.card`."""
         axis, table = request.axis, request.table
         values = table_values(self.definition, self.scale_of(axis), table)
         files = named_files(self, axis, request.files)

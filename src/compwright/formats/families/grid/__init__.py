@@ -1,1 +1,1 @@
-"""Tables of values by index, or of rows by position, on one axis."""
+"""Tables that correct one axis: values by index at equal spacing, or rows with positions."""

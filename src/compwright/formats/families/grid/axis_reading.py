@@ -1,4 +1,4 @@
-"""Read one axis of the files as a compensation, with every assumption and doubt."""
+"""Read one axis' active compensation from the files, with every assumption and doubt."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ _DECIMALS = 6
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AxisSource:
-    """One axis in the files. ``axis``: the job's axis, None without a job.
+    """One axis in the control's files, with its axis of the job (``axis``; None without a job).
 
     ``rows``: those of its table if they do not name their axis; None if the text does.
     ``elsewhere``: other tables of the control correct it, so that it needs none of its own.
@@ -51,14 +51,14 @@ class AxisSource:
 
 @dataclass(frozen=True, slots=True)
 class AxisReading:
-    """The compensation of one axis from its own table and backlash, and further facts about it."""
+    """The compensation of one axis as read from the files, and further facts about the axis."""
 
     compensation: AxisCompensation
     facts: AxisFacts
 
 
 class GridAxisReader:
-    """Reads one axis from the ``gathered`` values of the files."""
+    """Reads the compensation of one axis from the values of the files, ``gathered`` by axis."""
 
     def __init__(
         self,
@@ -142,7 +142,7 @@ class GridAxisReader:
         return self.axis.reference_return
 
     def _stated_values(self) -> dict[str, Fact]:
-        """Return the values in the files that answer options or appear on the card."""
+        """Return values in the files that replace options or appear on the card."""
         unit = self._unit()
         stated: dict[str, Fact] = {} if unit is None else {"length_unit": unit}
         for quantity in ("max_points", "gantry_type"):
@@ -200,7 +200,7 @@ class GridAxisReader:
         )
 
     def _factor(self, kind: AxisKind) -> float:
-        """Return the factor from the length unit of the files to mm or deg."""
+        """Return the factor from the files' length unit to mm; 1 on a rotary axis."""
         inch = kind is AxisKind.LINEAR and self.options.get("units") == "inch"
         return MILLIMETRES_PER_INCH if inch else 1.0
 
@@ -233,7 +233,7 @@ class GridAxisReader:
         return choice.found(asking=self.axis is not None)
 
     def _resolved(self, options: Mapping[str, object]) -> Mapping[str, object]:
-        """Return the options, completed by values in the files."""
+        """Return the options with the values that the control's files state for them."""
         resolved = dict(options)
         for name, rule in self.definition.options.items():
             if rule.settled_by is not None and isinstance(
@@ -270,8 +270,8 @@ class GridAxisReader:
         return self.axis.kind
 
     def _scale(self, kind: AxisKind, *, has_table: bool) -> NumberScale | None:
-        """Return unit, sign and resolution of the numbers. None when a sign depends on an
-        unreadable choice.
+        """Return unit, sign and resolution of the axis' numbers; None if the sign cannot be found
+        out.
         """
         choices: dict[str, str] = {}
         if has_table and "table_form" in self.definition.bindings:
@@ -314,9 +314,7 @@ class GridAxisReader:
         return self.values.stated_word("enabled") != "no"
 
     def _table_enabled(self) -> bool:
-        """Return whether a table is active, by the files. If they leave it open and it is not zero,
-        by the job.
-        """
+        """Return whether a table is active by the files; if they do not state it, by the job."""
         found = self.values.single("enabled")
         if any(
             Decimal(row.occurrence.tokens[name].text) != 0
@@ -360,9 +358,7 @@ class GridAxisReader:
         return table
 
     def _idle_nodes(self, scale: NumberScale) -> tuple[float, ...]:
-        """Return the nodes of an inactive table, mm or deg. Empty for an invalid one, which is
-        harmless while it is off.
-        """
+        """Return the positions of an inactive table's points, mm or deg; empty if invalid."""
         quiet = replace(self.values, notes=Notes())
         singles = {
             name: found
@@ -374,8 +370,9 @@ class GridAxisReader:
         return () if table is None else tuple(float(node) for node in table.positions)
 
     def _backlash(self, scale: NumberScale, *, has_table: bool) -> tuple[float, float]:
-        """Return two values, mm or deg: the lost motion, and the constant correction by half the
-        backlash if there is no table. One of them is 0.
+        """Return the backlash, and (without a table) half of it as constant correction; mm or deg.
+
+        One of the two is 0.
         """
         if "backlash" not in self.definition.bindings:
             return 0.0, 0.0
@@ -406,14 +403,16 @@ class GridAxisReader:
         return 0.0, 0.0 if has_table else float(value) / 2.0
 
     def _backlash_factor(self) -> Decimal:
-        """Return the factor on the backlash in the first parameter set. 1 if the files have
-        none.
+        """Return the factor by which the first parameter set multiplies the backlash; 1 without
+        one.
         """
         found = self.values.one("backlash_factor", first_set(self.values.places("backlash_factor")))
         return Decimal(1) if found is None else Decimal(found.text)
 
     def _constant(self, half: float) -> GridTable:
-        """Return an empty table, or one node (the reference) whose value applies everywhere."""
+        """Return a table with one point (the reference), for a constant correction; empty if it is
+        0.
+        """
         if half == 0.0:
             return GridTable(np.empty(0), np.empty(0), np.empty(0))
         reference = self.axis.reference if self.axis else float(str(self.options[REFERENCE]))

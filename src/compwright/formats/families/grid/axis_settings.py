@@ -1,4 +1,4 @@
-"""Settings of an axis as a whole: gantries, modulo ranges, limits, further functions.
+"""Settings of an axis apart from its table: gantries, modulo ranges, limits, other functions.
 
 A function that stays the same during the test and afterwards is left alone and reported; one that
 would make a table wrong is refused with its parameter.
@@ -25,7 +25,7 @@ _FOLLOWS = 10
 
 
 class AxisSettingsReader:
-    """Reads settings that apply to one axis as a whole."""
+    """Reads the settings of an axis that do not depend on a measuring system or a table."""
 
     def __init__(self, gathered: Gathered, address: str, notes: Notes) -> None:
         self.gathered = gathered
@@ -33,7 +33,7 @@ class AxisSettingsReader:
         self.notes = notes
 
     def facts(self, own: AxisFacts, axis: Axis | None, partners: Mapping[str, str]) -> AxisFacts:
-        """Return the facts of an axis from its settings. Other active functions are added to the
+        """Return the facts of an axis from its settings; other active functions are added to the
         notes.
 
         Its ``own`` and those of the axis as a whole. ``partners``: synchronised axis by leading
@@ -61,9 +61,7 @@ class AxisSettingsReader:
         )
 
     def _paired(self) -> tuple[tuple[str, ...], str | None]:
-        """Return the axes that follow this axis in a gantry (MD37100), and the axis that leads
-        it.
-        """
+        """Return the gantry slaves that follow this axis, and the master that it follows."""
         kind = self._kind(self.address)
         if not kind:
             return (), None
@@ -74,7 +72,7 @@ class AxisSettingsReader:
         return (), next((each for each in others if each not in following), None)
 
     def _others(self, kind: int) -> list[str]:
-        """Return the other axes in the same gantry."""
+        """Return the addresses of the other axes in the gantry to which this axis belongs."""
         addresses = (address for address, _ in self.gathered.singles if address is not None)
         return [
             address
@@ -92,19 +90,17 @@ class AxisSettingsReader:
         return Turn(begin, length or _WHOLE_TURN, start is not None)
 
     def last(self, quantity: str, address: str | None = None) -> FoundValue | None:
-        """Return the last occurrence of a setting of the whole axis."""
+        """Return the last line in the files that sets a quantity for the whole axis."""
         places = self.gathered.singles.get((address or self.address, None), {}).get(quantity, ())
         return places[-1] if places else None
 
     def number(self, quantity: str) -> float | None:
-        """Return a number that is set for the whole axis."""
+        """Return the number that a quantity has for the whole axis."""
         found = self.last(quantity)
         return None if found is None else float(found.text)
 
     def gantry(self, partners: Mapping[str, str]) -> None:
-        """Check that MD37100 and the job agree. A table on only one axis of a gantry would rack the
-        bridge.
-        """
+        """Check that MD37100 and the job name the same gantry axes."""
         kind = self._kind(self.address)
         if kind is None or not kind:
             return
@@ -142,8 +138,8 @@ class AxisSettingsReader:
         return None if found is None else int(found.text)
 
     def other_functions(self) -> str:
-        """Note the other active functions of the axis, which stay unchanged. Return them as text,
-        to compare two states.
+        """Report the axis' other active functions, and return them as text for comparing two
+        states.
         """
         functions = self._temperature()
         for (address, system), places in sorted(self.gathered.singles.items(), key=str):

@@ -1,4 +1,4 @@
-"""Single values of one axis in the files, and the length unit of all linear axes (inch or metric).
+"""Single values of one axis in the files, and the length unit (inch or metric) of linear axes.
 
 A number (SINUMERIK's MD10240, LinuxCNC's LINEAR_UNITS) states the unit, or a word on a line of its
 own. If the files hold both, they must agree.
@@ -17,31 +17,29 @@ from compwright.formats.text.values import Values, bit_mask
 
 @dataclass(frozen=True, slots=True)
 class GridAxisValues(Values):
-    """Single values of one axis in the ``gathered`` files. ``system``: its measuring system, as
-    numbered there.
-    """
+    """Single values of one axis and its measuring system (``system``) in the ``gathered`` files."""
 
     gathered: Gathered
     address: str
     system: str | None
 
     def places(self, quantity: str) -> list[FoundValue]:
-        """Return every file and line that states a quantity of the axis."""
+        """Return each value of a quantity of the axis in the files, with its file and line."""
         return self.gathered.found(quantity, self.address, self.system)
 
     def single(self, quantity: str, *, quiet: bool = True) -> FoundValue | None:
-        """Return the place of a quantity that counts. Unless ``quiet``, repetitions are noted
-        once.
+        """Return the value of a quantity that is in effect; unless ``quiet``, repetitions are
+        reported.
         """
         return self.one(quantity, self.places(quantity), quiet=quiet)
 
     def stated_word(self, quantity: str) -> str | None:
-        """Return the meaning of a choice in the files. None if they do not state it."""
+        """Return the meaning of a choice in the files, such as "no"; None if not stated."""
         return self.word(quantity, self.single(quantity))
 
     def choice(self, quantity: str) -> str | None:
-        """Return the meaning of a choice in the files, or its default. None if the control does not
-        have it.
+        """Return the meaning of a choice in the files, or its default; None if the control has
+        none.
         """
         if quantity not in self.definition.bindings:
             return None
@@ -95,7 +93,7 @@ def basic_system(gathered: Gathered, notes: Notes) -> str | None:
 
 
 def _places(gathered: Gathered) -> dict[str, FoundValue]:
-    """Return the first statement of each length unit in the files."""
+    """Return for each length unit (mm, inch) the first line in the files that states it."""
     definition = gathered.definition
     places: dict[str, FoundValue] = {}
     values = Values(definition, "basic system", Notes())

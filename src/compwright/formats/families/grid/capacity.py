@@ -19,9 +19,7 @@ from compwright.words.sentences import control_text, unconfirmed
 
 
 class GridLimits:
-    """The limits of one axis' own table. Raises UsageError for an address that the control cannot
-    have, and for wrong options of the axis.
-    """
+    """The limits of the table that corrects an axis by its own position."""
 
     def __init__(self, control: Family, axis: Axis) -> None:
         self.control = control
@@ -33,7 +31,7 @@ class GridLimits:
         self.shape = shape_of(self.definition)
 
     def capacity(self) -> Capacity:
-        """Return the limits in mm or deg."""
+        """Return all limits of the table, such as its number of points, lengths in mm or deg."""
         definition, scale = self.definition, self.control.scale_of(self.axis)
         assumed = [self.assumption] if self.assumption is not None else []
         assumed += self._turn_unknown()
@@ -65,14 +63,12 @@ class GridLimits:
         )
 
     def points_option(self) -> str:
-        """Return the option with the number of points that the control is set to hold."""
+        """Return the name of the option for the number of points that the control reserves."""
         options = self.definition.options.items()
         return next(name for name, option in options if option.settled_by == "max_points")
 
     def _period(self) -> float | None:
-        """Return the turn of an endless axis whose table repeats. None on a linear axis, where
-        modulo has no meaning.
-        """
+        """Return the turn (deg) of an endless axis whose table repeats; None for any other axis."""
         if self.axis.counts_turns:
             return self.axis.modulo
         if not self.shape.repeats or self.definition.limit("no_endless_axis") is not None:
@@ -80,8 +76,8 @@ class GridLimits:
         return self.axis.modulo if self.axis.kind is AxisKind.ROTARY else None
 
     def _turn_unknown(self) -> list[Assumption]:
-        """Return the assumptions about the turn of an endless axis: that the control uses it, and
-        where it begins.
+        """Return assumptions on an endless axis: that the control has turns, and where they
+        begin.
         """
         turn = self.facts.turn
         if (
@@ -104,8 +100,8 @@ class GridLimits:
         ]
 
     def _spacings(self, quantum: float) -> tuple[float, ...] | None:
-        """Return the allowed spacings of an endless axis whose range does not begin at the
-        reference. None: any spacing.
+        """Return the point spacings that an endless axis' range and reference allow; None: any
+        spacing.
         """
         period, turn = self._period(), self.facts.turn
         if period is None or RANGE_QUANTITY not in self.definition.bindings:

@@ -1,5 +1,4 @@
-"""Family of tables on one axis: values by index on an equally spaced grid, or rows with their
-positions.
+"""Controls with a table for each axis: values by index at equal spacing, or rows with positions.
 
 The form of positions and values in a file is a shape (`tables`), one module each. `pairs` extends
 this family by cross-axis tables; nothing here depends on it.
@@ -47,8 +46,9 @@ _CORRECTING = re.compile(
 def file_values(
     definition: Definition, files: Sequence[ControlFile], naming: Sequence[ControlFile] = ()
 ) -> dict[str, FileValue]:
-    """Return every value in the files, by name. Rows belong to the axis whose table file they are
-    in; ``naming``: further files that may name it.
+    """Return every value in the files by name, each table row under the axis of its table file.
+
+    ``naming``: further files that may name the axis.
     """
     found = by_statements(definition, files)
     table_file = definition.bindings.get("table_file")
@@ -68,7 +68,7 @@ def file_values(
 
 
 def _names(control: Family, files: Sequence[ControlFile]) -> Mapping[str, tuple[str, str]]:
-    """Return the names of the joints, from the letters of the kinematics."""
+    """Return the axis letter of each joint of the machine, by the kinematics in the files."""
     definition = control.definition
     if "axis_letters" not in definition.bindings:
         return {}
@@ -92,9 +92,7 @@ def _names(control: Family, files: Sequence[ControlFile]) -> Mapping[str, tuple[
 
 
 class GridFamily(Family):
-    """Tables with values by index or rows by position. A derived family replaces ``reader`` and
-    ``writer``.
-    """
+    """Controls with one table per axis. A derived family replaces ``reader`` and ``writer``."""
 
     reader: type[GridReader] = GridReader
     writer: type[GridWriter] = GridWriter
@@ -108,24 +106,22 @@ class GridFamily(Family):
         address: str | None = None,
         activity: Activity = Activity(),  # noqa: B008 - frozen
     ) -> ControlState:
-        """Implement `Family.read`."""
+        """Return the state of a control from its ``files``; see `Family.read`."""
         return self.reader(self, files, axes, address, activity).read()
 
     def capacity(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
-        """Implement `Family.capacity`."""
+        """Return the limits of one axis' table in mm or deg; see `Family.capacity`."""
         del one_curve
         return GridLimits(self, axis).capacity()
 
     def between(self, request: BetweenRequest) -> Between:
-        """Return that the control has no cross-axis tables; arguments as those of
-        `Family.between`.
-        """
+        """Return the answer that the control has no cross-axis tables; see `Family.between`."""
         return alternative_answer(self.definition, request.planned)
 
     def _own_limits(
         self, axis: Axis, compensation: AxisCompensation, capacity: Capacity, label: str
     ) -> Sequence[Fault]:
-        """Return the faults of the table of an endless axis whose table can repeat."""
+        """Return the faults of a table that repeats each turn of an endless axis."""
         del axis
         repeats = shape_of(self.definition).repeats
         return limits.turn(capacity, compensation, label) if repeats else ()
@@ -136,7 +132,7 @@ class GridFamily(Family):
         axes: Sequence[Axis],
         files: Sequence[ControlFile] = (),
     ) -> tuple[ControlFile, ...]:
-        """Implement `Family.write`."""
+        """Return the files that load ``compensations`` into the control; see `Family.write`."""
         tables, faults = check_tables(self, compensations, axes, self._own_limits)
         whole = writable_tables(tables)
         written = self.writer(self, files, [address for address, _, _ in whole]).written(
@@ -146,7 +142,7 @@ class GridFamily(Family):
         return written
 
     def card(self, request: CardRequest) -> AxisCard:
-        """Implement `Family.card`."""
+        """Return the contents of the commissioning card for a written table; see `Family.card`."""
         values = table_values(self.definition, self.scale_of(request.axis), request.table)
         typed = request.facts.stated.get("typed_backlash")  # not in the table: half each way
         values |= {} if typed is None else {"backlash": str(typed)}

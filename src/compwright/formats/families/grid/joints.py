@@ -1,6 +1,4 @@
-"""Joints that drive the axes of a control: their letters, their homing, and steps of the correction
-that are never applied.
-"""
+"""Joints (motors) of a LinuxCNC machine: axis letters, homing, and steps too small to apply."""
 
 from __future__ import annotations
 
@@ -35,8 +33,8 @@ _REMARK = re.compile(r"^[ \t]*[#;][^\r\n]*", re.MULTILINE)
 
 
 def joined_joints(files: Sequence[ControlFile]) -> Iterator[Coupling]:
-    """Yield joints that are homed together (negative HOME_SEQUENCE) and whose axes are not stated.
-    They may drive one axis.
+    """Yield joints that are homed together (negative HOME_SEQUENCE), so that they may drive one
+    axis.
     """
     if any(True for _ in statements_in(files, _LETTERED, _REMARK)):
         return
@@ -57,7 +55,7 @@ def joined_joints(files: Sequence[ControlFile]) -> Iterator[Coupling]:
 
 
 def joint_letters(kinematics: str, order: str, count: str) -> str:
-    """Return the axis letter of each joint. Empty if the default order of letters applies.
+    """Return the axis letter of each joint in one word (XYYZ); empty if the default order applies.
 
     ``kinematics``: its name with its arguments (``coordinates=XYYZ`` has priority); ``order``: the
     machine's axes, used for kinematics with letters of its own (XYZBC) if there are as many as
@@ -72,9 +70,7 @@ def joint_letters(kinematics: str, order: str, count: str) -> str:
 
 
 def sure_joints(kinematics: str, order: str, count: str) -> str:
-    """Return the certain letter of each joint. Without kinematics letters: the usual ones, if all
-    lines agree; empty if uncertain.
-    """
+    """Return the axis letter of each joint in one word, such as XYYZ; empty if it is uncertain."""
     letters = joint_letters(kinematics, order, count)
     name = kinematics.split(maxsplit=1)[0].lower() if kinematics.strip() else ""
     if letters or name != _TRIVIAL:
@@ -97,8 +93,7 @@ Homing = Literal["", "relative", "absolute"]
 def homing_of(
     values: GridAxisValues, factor: float
 ) -> tuple[Homing, tuple[float, Direction] | None]:
-    """Return how homing changes the correction. With the place (mm or deg) and direction where the
-    correction is zero.
+    """Return how homing shifts the correction, and where (position, direction) it is then zero.
 
     ``factor``: mm or deg per unit of the files.
 
@@ -127,7 +122,10 @@ def homing_of(
 
 
 def _is_true(values: GridAxisValues, name: str, *, others: bool = False) -> bool:
-    """Return whether a switch is on. ``others``: any number other than 0 means on."""
+    """Return whether a setting is true.
+
+    ``others``: any number other than 0 also means true.
+    """
     found = values.single(name)
     if found is None:
         return False
@@ -136,8 +134,8 @@ def _is_true(values: GridAxisValues, name: str, *, others: bool = False) -> bool
 
 
 def unapplied_steps(values: GridAxisValues, factor: float) -> tuple[float, float] | None:
-    """Return the range of correction steps that the control never applies, mm or deg. None if the
-    files do not state it.
+    """Return two sizes (mm or deg) between which a correction step is never applied; None if
+    unknown.
 
     Above the first number, up to the second.
 

@@ -1,5 +1,4 @@
-"""Shift the table of an endless axis to the control's modulo range, and check that job and files
-agree on the turn.
+"""Fit the table of an endless axis to the control's modulo range, and check that the turns agree.
 
 The same turn, starting where that range begins.
 """
@@ -37,8 +36,7 @@ _DECIMALS = 9
 def in_modulo_range(
     compensation: AxisCompensation, start: float, name: str, faults: list[Fault]
 ) -> AxisCompensation:
-    """Return a repeating table that begins at ``start`` (deg). Every node keeps its angle and its
-    values.
+    """Return a repeating table that begins at ``start`` (deg), with each value at its old angle.
 
     It is not known whether the control would find a table with another start. If no node is at
     ``start``, that is a fault, which names a possible spacing.
@@ -89,7 +87,7 @@ def _common(period: float, offset: float) -> float:
 
 
 def over_travel(compensation: AxisCompensation, axis: Axis) -> AxisCompensation:
-    """Return the table of one turn, repeated over the travel of an axis that counts its turns."""
+    """Repeat the table of one turn over the whole travel, for an axis that counts its turns."""
     turn, positions = compensation.period, compensation.positions
     if not axis.counts_turns or turn is None or positions.size < 2:
         return compensation
@@ -116,8 +114,9 @@ def over_travel(compensation: AxisCompensation, axis: Axis) -> AxisCompensation:
 
 
 def most_points_of_turn(axis: Axis, rows: int) -> int:
-    """Return how many points one turn may have, both ends included, so that ``rows`` cover the
-    whole travel. Raises CapacityError if two do not fit.
+    """Return how many points one turn may have if all turns of the travel share ``rows`` points.
+
+    Both ends of the turn are included. Raises CapacityError if two points do not fit.
     """
     low, high = axis.travel
     sections = int((rows - _EXTRA_ROWS) * float(axis.modulo or 0.0) / (high - low))
@@ -141,8 +140,9 @@ def most_points_of_turn(axis: Axis, rows: int) -> int:
 def spacings_from(
     reference: float, start: float, period: float, quantum: float
 ) -> tuple[float, ...] | None:
-    """Return the spacings (deg) that give a node at the reference and at the start of the range.
-    None: any that divides the turn.
+    """Return the spacings (deg) with a point both at the reference and at the start of the range.
+
+    None: any spacing that divides the turn.
     """
     offset = float(np.mod(reference - start, period))
     if min(offset, period - offset) <= quantum / 2:
@@ -153,7 +153,7 @@ def spacings_from(
 
 
 def check_modulo(values: GridAxisValues, axis: Axis | None) -> None:
-    """Check that job and control agree: the axis has ends, or is endless with the same range."""
+    """Check that job and control agree on whether the axis is endless, and on its modulo range."""
     found = values.single("modulo", quiet=False)
     if found is None:
         return
@@ -181,7 +181,7 @@ def check_modulo(values: GridAxisValues, axis: Axis | None) -> None:
 
 
 def _check_range(values: GridAxisValues, axis: Axis, found: FoundValue) -> None:
-    """Check that the turn of an endless axis in the job equals that of the control.
+    """Check that the modulo range of the axis is the same in the job and in the control.
 
     A job with ends would leave out the rest of the turn.
     """
@@ -212,7 +212,7 @@ def _check_range(values: GridAxisValues, axis: Axis, found: FoundValue) -> None:
 def period_of(
     values: GridAxisValues, axis: Axis | None, rows: Sequence[FoundValue], table: GridTable
 ) -> float:
-    """Return the period of a repeating table. Both its ends must have the same value."""
+    """Return the period of a repeating table, checking that its first and last values are equal."""
     if table.positive[0] != table.positive[-1] or table.negative[0] != table.negative[-1]:
         first, last = rows[0].occurrence, rows[-1].occurrence
         values.notes.faults.append(
@@ -237,9 +237,7 @@ def period_of(
 
 
 def _check_beginning(values: GridAxisValues, table: GridTable) -> None:
-    """Check that a repeating table begins where the control's range begins. The effect of another
-    start is unknown.
-    """
+    """Check that a repeating table begins where the control's modulo range begins."""
     found = values.single("modulo_start")
     start = float(found.text) if found is not None else 0.0
     if abs(float(table.positions[0]) - start) > SAME_TURN:
@@ -258,9 +256,7 @@ def _check_beginning(values: GridAxisValues, table: GridTable) -> None:
 
 
 def check_turn(axis: Axis, compensation: AxisCompensation, notes: Notes) -> None:
-    """Check that the job and the control's files agree on the turn. Note a table that does not fit
-    the axis.
-    """
+    """Check that the axis of the job and its tables in the files have the same turn."""
     for table in (compensation, *compensation.others):
         if table.positions.size == 0:
             continue

@@ -1,4 +1,4 @@
-"""Read a control's own files as the active compensation of every axis that they name.
+"""Read a control's files as the active compensation of every axis that they name.
 
 Missing is not zero: a grid without values, a table that is switched on but was not given, and an
 axis that no file names are errors. Assumptions are listed.
@@ -60,7 +60,7 @@ _CORRECTING = ("backlash", "enabled", "cross_axis_enabled", "dynamic_backlash", 
 
 
 class GridReader:
-    """Reads the files of one control. Arguments and errors as those of `Family.read`.
+    """Reads the files of one control; see `Family.read` for the arguments and errors.
 
     An extension reads anything in addition to the axes' own tables: the methods without an
     underscore are its hooks.
@@ -113,7 +113,7 @@ class GridReader:
             self.notes.taken_for(axis.name, name)
 
     def read(self) -> ControlState:
-        """Return the state of the control with the files. Raises InputError and UsageError."""
+        """Return the state of the control from its files. Raises InputError and UsageError."""
         named = self.named()
         if not self.wanted and not named and not self.between():
             self._note_no_axis()
@@ -156,28 +156,28 @@ class GridReader:
         )
 
     def named(self) -> list[str]:
-        """Return the axis addresses in lines, sections or names of table files."""
+        """Return the axis addresses that appear in lines, section names or names of table files."""
         return list(dict.fromkeys((*self.mentioned, *self.tables.named())))
 
     def between(self) -> Collection[str]:
-        """Return the axes of cross-axis tables. Empty: these files contain no such table."""
+        """Return the axes of cross-axis tables: none, because these files have no such tables."""
         return ()
 
     def couplings(self) -> Sequence[Coupling]:
-        """Return the couplings of axes other than gantries and letters of joints."""
+        """Return the couplings of joints that may drive one axis."""
         return tuple(joined_joints(self.files)) if _JOINTS in self.definition.statements else ()
 
     def elsewhere(self, address: str) -> bool:
-        """Return whether other tables correct an axis, so that it needs none in its grid."""
+        """Return whether tables of another kind correct an axis, so that it needs no table here."""
         del address
         return False
 
     def cross(self) -> tuple[CrossCompensation, ...]:
-        """Return the corrections between axes that the control's files contain."""
+        """Return the corrections between axes in the control's files."""
         return ()
 
     def staying(self, compensation: AxisCompensation) -> tuple[AxisCompensation, ...]:
-        """Return those of an axis' tables that stay unchanged when a new table is written."""
+        """Return the tables of an axis that stay unchanged when a new table is written."""
         del compensation
         return ()
 
@@ -186,8 +186,8 @@ class GridReader:
         return PairTables()
 
     def active_lines(self) -> dict[str, FoundValue]:
-        """Return, by axis name, a line with an active correction: a value that is not zero, or a
-        switch that is on.
+        """Return for each axis name a line with an active correction: a value not zero, a switch
+        on.
         """
         return _active_lines(self.gathered)
 
@@ -210,7 +210,7 @@ class GridReader:
         return replace(own, facts=facts)
 
     def _one_name(self, address: str, axis: Axis | None) -> None:
-        """Refuse an axis if active lines under another name may belong to it (X1 and AX1).
+        """Refuse to read an axis that may have a second name in the files, such as X1 and AX1.
 
         No list of names says which of them are one axis.
         """
@@ -284,7 +284,7 @@ class GridReader:
         return read
 
     def _loaded(self, files: Sequence[ControlFile]) -> list[ControlFile]:
-        """Return the files that the control loads. The others are reported."""
+        """Return the files that the control loads, and report files that it does not load."""
         aside = unused_table_files(self.definition, files)
         if "table_file" in self.definition.bindings:
             self.notes.faults.extend(changed_at_run_time(files))
@@ -295,9 +295,7 @@ class GridReader:
         return [file for file in files if file.name not in aside]
 
     def _refuse_unknown(self, files: Sequence[ControlFile]) -> None:
-        """Refuse containers that cannot be opened, and state what would help. They are recognised
-        by their first bytes.
-        """
+        """Refuse files that cannot be opened or read as text, with what to give instead."""
         for file in files:
             what = "" if is_container(file) else unknown_container(file.content)
             if len(_COLUMNS.findall(file.content)) > _FEW:
@@ -318,9 +316,7 @@ class GridReader:
         raise_all(InputError, self.notes.faults)
 
     def _note_sources(self, files: Sequence[ControlFile]) -> None:
-        """Add a finding for each listing made for print, and for each archive with programs that
-        load or switch tables: no program was executed here.
-        """
+        """Report printed listings, and archives whose programs may load or switch tables."""
         kinds = self.definition.texts.values()
         words = tuple(sorted({claim for kind in kinds for claim in kind.claims_anywhere}))
         for file in files:
@@ -331,7 +327,7 @@ class GridReader:
                 self.notes.find("CW-S070", "info", file=file.name, programs=named)
 
     def _mentioned_axes(self) -> list[str]:
-        """Return the addresses in lines or sections."""
+        """Return the axis addresses that appear in lines or section names."""
         found = self.gathered.addresses()
         for name in self.gathered.sections:
             for matcher in self.reader.matchers.values():
@@ -388,7 +384,7 @@ class GridReader:
         )
 
     def _note_files(self) -> None:
-        """Note findings about the files as a whole, and facts that a job would have stated."""
+        """Report findings about whole files, and what is assumed in place of a job's statements."""
         self.tables.note_idle(self.wanted)
         for text in self.texts:
             variants = [occurrence.line for occurrence in text.occurrences if occurrence.variant]

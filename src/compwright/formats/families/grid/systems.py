@@ -1,6 +1,4 @@
-"""Choose which of two measuring systems of an axis is in use: by the job, else by the files, else
-ask.
-"""
+"""Choose the measuring system of an axis that is in use: by the job, the files, or a question."""
 
 from __future__ import annotations
 
@@ -15,7 +13,7 @@ from compwright.foundations.errors import Fault
 
 
 class SystemChoice:
-    """Chooses the measuring system of one axis, as numbered in the files (from 0)."""
+    """Chooses the measuring system of one axis, by its number in the files (from 0)."""
 
     def __init__(self, gathered: Gathered, address: str, notes: Notes) -> None:
         self.gathered = gathered
@@ -24,8 +22,8 @@ class SystemChoice:
         self.systems = gathered.systems(address)
 
     def stated(self, wanted: int, *, by_job: bool) -> str:
-        """Return the given measuring system. It is a fault if the control does not have it or its
-        table is under another one.
+        """Return the number in the files of a stated measuring system, and check that it has the
+        table.
         """
         chosen = str(wanted - 1)
         if (count := self._count()) is not None and wanted > count:
@@ -48,7 +46,7 @@ class SystemChoice:
         return chosen
 
     def _check_tables(self, chosen: str, *, by_job: bool) -> None:
-        """Check that the files contain a table of the given system and switch it on."""
+        """Check that the files contain an active table of the chosen measuring system."""
         number = int(chosen) + 1
         tables = [system for system in self.systems if self._rows(system)]
         active = [system for system in tables if self._switch(system) is not False]
@@ -85,8 +83,9 @@ class SystemChoice:
             )
 
     def found(self, *, asking: bool) -> str:
-        """Return the measuring system in use by the files. ``asking``: if they do not show it, add
-        a question.
+        """Return the measuring system in use by the files.
+
+        ``asking``: if they do not show it, add a question.
         """
         count = self._count()
         if count == 1 or len(self.systems) == 1:
@@ -161,8 +160,8 @@ class SystemChoice:
         return int(places[-1].text) if places else None
 
     def _switch(self, system: str) -> bool | None:
-        """Return whether the files finally switch on the table of a system. None if they do not
-        state it.
+        """Return whether the last value in the files activates a system's table; None without a
+        value.
         """
         places = self.gathered.singles.get((self.address, system), {}).get("enabled", ())
         binding = self.gathered.definition.bindings.get("enabled")

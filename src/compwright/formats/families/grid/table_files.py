@@ -1,4 +1,4 @@
-"""Find the axis of table files whose rows do not name it: another file or the file name does."""
+"""Find the axis of a table file whose rows do not name it, by another file or by the file name."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ _HIDDEN_PIN = re.compile(
 
 
 class TableFiles:
-    """The files of a set that contain only a table. Empty if every row names its axis."""
+    """The files that contain only table rows without an axis name; there may be none."""
 
     def __init__(self, gathered: Gathered, texts: Sequence[ReadText], notes: Notes) -> None:
         self.gathered = gathered
@@ -64,7 +64,7 @@ class TableFiles:
         self.used: set[int] = set()
 
     def named(self) -> list[str]:
-        """Return the addresses in the file names."""
+        """Return the axis addresses that the file names contain."""
         found = (self._address_in_name(text.file) for text in self.tables)
         return [address for address in found if address is not None]
 
@@ -73,7 +73,7 @@ class TableFiles:
         return _address_between(self.definition, before, after, file)
 
     def alone(self) -> bool:
-        """Whether only one table file was given. It then belongs to the given axis."""
+        """Return whether only a table file was given, so that it belongs to any axis."""
         return len(self.texts) == len(self.tables) == 1
 
     def rows(self, address: str, *, mentioned: bool) -> list[FoundValue] | None:
@@ -115,7 +115,7 @@ class TableFiles:
         return rows
 
     def _named_by(self, address: str) -> list[ReadText]:
-        """Return the file that other lines name for an axis. A missing file is a fault."""
+        """Return the table file that other lines name for an axis. A missing file is a fault."""
         named = self.gathered.found("table_file", address, None)
         if not named:
             return []
@@ -137,7 +137,7 @@ class TableFiles:
         return matching
 
     def note_idle(self, wanted: Collection[str]) -> None:
-        """Note the table files of the axes under work that no line names."""
+        """Report the table files of the axes ``wanted`` that no line of the files names."""
         binding = self.definition.bindings.get("table_file")
         named = {
             base_name(occurrence.tokens[binding.field].text.strip())
@@ -151,8 +151,7 @@ class TableFiles:
 
 
 def unused_table_files(definition: Definition, files: Sequence[ControlFile]) -> list[str]:
-    """Return the names of other files that the control never opens, because no file that it loads
-    names them.
+    """Return the names of files that the control never opens, because no loaded file names them.
 
     A machine's folder holds many (its HAL files, its tools). A damaged file that would otherwise
     state what is loaded is not among them.
@@ -231,7 +230,7 @@ def changed_at_run_time(files: Sequence[ControlFile]) -> Iterator[Fault]:
 
 
 def _letters_of(file: ControlFile) -> ControlFile:
-    """Return a file without bytes that cannot be text."""
+    """Return a file without the bytes that cannot belong to a text."""
     return replace(file, content=BINARY.sub(b"", file.content))
 
 
@@ -247,5 +246,5 @@ def _address_between(definition: Definition, before: str, after: str, file: str)
 
 
 def base_name(path: str) -> str:
-    """Return the last part of a path of any system."""
+    """Return the last part of a path with slashes or backslashes."""
     return re.split(r"[/\\]", path)[-1]

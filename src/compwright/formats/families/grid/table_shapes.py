@@ -1,5 +1,4 @@
-"""The two table shapes on one axis: values by index on an equally spaced grid, and rows with
-positions.
+"""Tables of one axis in two shapes: values by index at equal spacing, or rows with positions.
 
 Start, end and spacing are given once.
 """
@@ -42,7 +41,7 @@ _ADDRESS = r"(?-i:(?![A-Z0-9_]*[0-9]{5})[A-Z0-9_]+)"
 
 
 class ByIndex(TableShape):
-    """Tables with values by index, from 0."""
+    """A table with values by index from 0, at equal spacing."""
 
     rules = ShapeRules(
         kept=KeptLines(
@@ -67,8 +66,8 @@ class ByIndex(TableShape):
     repeats = True
 
     def read(self, source: TableSource) -> GridTable | None:
-        """Return the table by index; arguments as those of `TableShape.read`. All zeros (never
-        written) count as no table.
+        """Return the table by index, None if it is all zeros (never written); see
+        `TableShape.read`.
         """
         if not source.rows and not source.singles:
             return None
@@ -87,8 +86,7 @@ class ByIndex(TableShape):
         return table_of(positions, sound) if len(sound) == len(pairs) else None
 
     def write(self, text: TableText) -> WrittenTable:
-        """Return the text of a table by index; arguments as those of `TableShape.write`. Unequal
-        spacing is a fault.
+        """Return the text of a table by index, which needs equal spacing; see `TableShape.write`.
 
         An existing grid keeps its text, with all its decimal places.
         """
@@ -117,7 +115,7 @@ class ByIndex(TableShape):
 
 
 def _stays(text: TableText) -> bool:
-    """Return whether a table uses exactly the grid in the files."""
+    """Return whether the new table has the start, end and spacing of the table in the files."""
     if not set(_GRID) <= text.there.keys():
         return False
     start, end, step = (text.scale.read(name, text.there[name]) for name in _GRID)
@@ -133,7 +131,7 @@ def _stays(text: TableText) -> bool:
 
 
 def is_blank(source: TableSource) -> bool:
-    """Return whether all values and the grid are zero: memory that was never written."""
+    """Return whether all values, start, end and spacing are zero, as in memory never written."""
     values = [
         row.occurrence.tokens[name].text for row in source.rows for name in source.value_fields
     ]
@@ -142,7 +140,7 @@ def is_blank(source: TableSource) -> bool:
 
 
 def _whole(source: TableSource) -> bool:
-    """Return whether the files contain both grid and values."""
+    """Return whether the files contain the start, end and spacing of the table and its values."""
     definition = source.scale.definition
     forms = {
         name: definition.statements[definition.bindings[name].statement].form for name in _GRID
@@ -159,7 +157,7 @@ def _whole(source: TableSource) -> bool:
 
 
 def indexed(source: TableSource) -> dict[int, FoundValue] | None:
-    """Return the rows by index. None (with faults) where two rows of one index differ."""
+    """Return the rows by index; None (with faults) if two rows with the same index differ."""
     values: dict[int, FoundValue] = {}
     clean = True
     for row in source.rows:
@@ -176,7 +174,7 @@ def indexed(source: TableSource) -> dict[int, FoundValue] | None:
 
 @dataclass(frozen=True, slots=True)
 class _Grid:
-    """An equally spaced grid: start, spacing, number of spacings.
+    """The positions of equally spaced points: start, spacing, and number of spacings.
 
     ``beyond``: one more point follows with the value of the last one; the control may use it or
     not.
@@ -189,7 +187,7 @@ class _Grid:
 
 
 def _steps(source: TableSource, values: Mapping[int, FoundValue]) -> _Grid | None:
-    """Return the grid of the table in the files.
+    """Return start, spacing and number of spacings of the table in the files.
 
     If its end lies between two points, it is not known whether the control goes on to the second
     one: both must hold the same value.
@@ -296,7 +294,7 @@ _SETTINGS = (
 
 
 class ByPosition(TableShape):
-    """Tables with rows of position and values, ascending."""
+    """A table with rows of position and value, positions ascending."""
 
     rules = ShapeRules(
         kept=KeptLines(
@@ -315,7 +313,7 @@ class ByPosition(TableShape):
     repeats = False
 
     def read(self, source: TableSource) -> GridTable | None:
-        """Return the table by position; arguments as those of `TableShape.read`."""
+        """Return the table with its listed positions; see `TableShape.read`."""
         positions: list[Decimal] = []
         pairs: list[tuple[Decimal, Decimal]] = []
         for row in source.rows:
@@ -336,7 +334,7 @@ class ByPosition(TableShape):
         return table_of(positions, pairs) if positions else None
 
     def write(self, text: TableText) -> WrittenTable:
-        """Return the text of a table by position; arguments as those of `TableShape.write`."""
+        """Return the text of a table with listed positions; see `TableShape.write`."""
         field = text.scale.definition.bindings["node_position"].field
         rows = [
             {field: text.number("node_position", float(position)), **text.values(index)}
@@ -352,5 +350,5 @@ SHAPES: Mapping[str, TableShape] = {
 
 
 def shape_of(definition: Definition) -> TableShape:
-    """Return the reader and writer of a control's form of table."""
+    """Return the reader and writer for the shape of a control's tables."""
     return SHAPES[definition.layout.shape]

@@ -1,4 +1,4 @@
-"""One table on one axis: its places in the files, its values, and its text.
+"""One table of one axis: its lines in the files, its values, and its text.
 
 A shape (`shapes`) combines these. A control whose files hold a table in another way gets a shape of
 its own: a `TableShape` in a module next to `by_index`, a name in the schema's ``Shape`` and an
@@ -30,7 +30,7 @@ _CORRECT = "correct the table in a copy of the file, or export it from the contr
 
 @dataclass(frozen=True, slots=True)
 class GridTable:
-    """Nodes (k,) strictly ascending and the correction (k,) of each direction, mm or deg."""
+    """A table: positions (k,), ascending, and the correction (k,) in each direction, mm or deg."""
 
     positions: FloatArray
     positive: FloatArray
@@ -39,9 +39,7 @@ class GridTable:
 
 @dataclass(frozen=True, slots=True)
 class WrittenTable:
-    """The text of one table to be written: the fields of each row, and the single values by
-    quantity.
-    """
+    """The text of one table to write: each row's fields, and single values such as the spacing."""
 
     rows: tuple[Mapping[str, str], ...]
     singles: Mapping[str, str]
@@ -49,8 +47,9 @@ class WrittenTable:
 
 @dataclass(slots=True)
 class TableSource:
-    """The places of one table in the files. ``label``: its name in messages; ``singles``: start,
-    end and spacing.
+    """The lines of one table in the files.
+
+    ``label``: its name in messages; ``singles``: start, end and spacing.
 
     ``ends_at_point``: its end has to be a point, as for an endless axis.
     """
@@ -64,7 +63,7 @@ class TableSource:
 
     @property
     def value_fields(self) -> list[str]:
-        """The fields of a row that contain values."""
+        """The names of the fields of a row that contain values."""
         return value_fields(self.scale.definition)
 
     def fault(
@@ -90,7 +89,7 @@ class TableSource:
         )
 
     def position(self, quantity: str, found: FoundValue) -> Decimal | None:
-        """Return a position, mm or deg. None (with a fault) if it is not plausible."""
+        """Return a position, mm or deg; None (with a fault) if it is outside the possible range."""
         measure = self.scale.definition.measure(quantity)
         text = found.occurrence.tokens[measure.field].text
         value = self.scale.read(quantity, text)
@@ -103,8 +102,8 @@ class TableSource:
         return None
 
     def values(self, row: FoundValue, position: Decimal) -> tuple[Decimal, Decimal] | None:
-        """Return the corrections (+, -) of a row, mm or deg. None (with a fault) if they are not
-        plausible.
+        """Return a row's corrections (+, -), mm or deg; None (with a fault) if they are out of
+        range.
         """
         values, unit = [], self.scale.kind.unit
         for quantity in curves(self.scale.definition):
@@ -126,8 +125,9 @@ class TableSource:
 
 @dataclass(frozen=True, slots=True)
 class TableText:
-    """The numbers of one table as text. Numbers that the text cannot represent exactly are added to
-    ``faults``.
+    """The numbers of one table as text.
+
+    Numbers that the text cannot represent exactly are added to ``faults``.
 
     ``there``: the text of the existing grid in the files, by quantity; empty if there is none.
     """
@@ -152,7 +152,7 @@ class TableText:
             return "0"
 
     def values(self, index: int) -> dict[str, str]:
-        """Return the values of a node, by field."""
+        """Return the texts of the correction at one table point, by the field of the row."""
         definition, position = self.scale.definition, float(self.compensation.positions[index])
         sides = (self.compensation.positive, self.compensation.negative)
         return {
@@ -162,7 +162,7 @@ class TableText:
 
 
 class TableShape(ABC):
-    """How a table stores positions and values in a file.
+    """How a table stores positions and values in a file, with reading and writing.
 
     ``spacing``: which nodes it can hold. ``repeats``: the table of an endless axis can repeat.
     """
@@ -173,22 +173,22 @@ class TableShape(ABC):
 
     @abstractmethod
     def read(self, source: TableSource) -> GridTable | None:
-        """Return the table in the files. None if there is none, or if it is invalid (then
-        ``source`` has faults).
+        """Return the table in the files; None if there is none or it is not valid (then with
+        faults).
         """
 
     @abstractmethod
     def write(self, text: TableText) -> WrittenTable:
-        """Return the text of a table of two nodes or more."""
+        """Return the text of a table with at least two points."""
 
 
 def value_fields(definition: Definition) -> list[str]:
-    """Return the fields of a row that contain values."""
+    """Return the names of the fields of a row that contain values."""
     return [definition.bindings[quantity].field for quantity in curves(definition)]
 
 
 def table_of(positions: Sequence[Decimal], values: Sequence[tuple[Decimal, Decimal]]) -> GridTable:
-    """Return a table from positions and corrections (+, -), mm or deg."""
+    """Return a table from its positions and its corrections (+, -), all in mm or deg."""
     return GridTable(
         np.array([float(position) for position in positions]),
         np.array([float(value[0]) + 0.0 for value in values]),

@@ -1,6 +1,4 @@
-"""Write the tables of an axis into the control's own files. Without such files: into empty
-templates of the definition.
-"""
+"""Write an axis' tables into the control's own files, or into new files of the definition."""
 
 from __future__ import annotations
 
@@ -36,7 +34,7 @@ from compwright.records.correction import AxisCompensation, ControlFile
 
 @dataclass(frozen=True, slots=True)
 class AxisText:
-    """The text to write for one axis: rows by field, single values by quantity.
+    """The text to write for one axis: the table rows, and single values such as the spacing.
 
     ``named``: the fields that all its lines have.
     """
@@ -48,7 +46,7 @@ class AxisText:
 
 
 class NewFile:
-    """One new file for one axis, made from the definition."""
+    """A new file for one axis, made from the file template in the definition."""
 
     def __init__(self, definition: Definition, file: WrittenFile, text: AxisText) -> None:
         self.definition = definition
@@ -88,14 +86,14 @@ class NewFile:
         return made.patched([0])[0] if left or not placed else None
 
     def _rows(self, placed: Collection[str]) -> list[str] | None:
-        """Return the rows of the file; None: no table of this axis."""
+        """Return the table rows of the file; None if the file has no table of this axis."""
         if self.file.rows is None or curves(self.definition)[0] in placed:
             return None
         form = self.definition.statements[self.file.rows].form
         return [print_form(form, {**self.text.named, **row}) for row in self.text.rows]
 
     def _occurrences(self, skeleton: ControlFile) -> tuple[Occurrence, ...]:
-        """Return the places of the single values in the empty template."""
+        """Return the lines for single values, such as the spacing, in the empty file template."""
         faults: list[Fault] = []
         read = text_reader(self.definition).read(skeleton, faults)
         raise_all(InputError, faults)
@@ -119,8 +117,10 @@ class NewFile:
 
 @dataclass(frozen=True, slots=True)
 class AxisToWrite:
-    """One axis to be written. ``options``: its own over those of the controller; ``faults``: values
-    that text cannot represent.
+    """One axis to be written, with its options.
+
+    ``options``: its own over those of the controller; ``faults``: values that text cannot
+    represent.
     """
 
     address: str
@@ -131,7 +131,7 @@ class AxisToWrite:
 
 
 class GridWriter:
-    """Writes the tables of one control. ``files``: the control's own files."""
+    """Writes the tables of one control into its own ``files`` and into new ones."""
 
     def __init__(
         self, control: Family, files: Sequence[ControlFile], addresses: Iterable[str]
@@ -148,8 +148,8 @@ class GridWriter:
         )
 
     def written(self, tables: Sequence[AxisTable], faults: list[Fault]) -> tuple[ControlFile, ...]:
-        """Return the files with the tables. Values that the text cannot represent exactly are added
-        to ``faults``.
+        """Return the files with the tables; numbers that are not exact as text are added to
+        ``faults``.
         """
         fresh: list[ControlFile] = []
         for address, axis, compensation in tables:
@@ -159,18 +159,18 @@ class GridWriter:
         return (*self._own_files([address for address, _, _ in tables]), *fresh)
 
     def axis(self, work: AxisToWrite) -> list[ControlFile]:
-        """Write one axis into the control's own files. Return new files for the values without a
-        place there.
+        """Write one axis into the control's files; return new files for values without a line
+        there.
         """
         text = self._text(work)
         self.make_room(work)
         return self.new_files(self.files_for("one_curve"), text, self._put(text, work), (), work)
 
     def make_room(self, work: AxisToWrite) -> None:
-        """Remove corrections that would be active in addition to a new table."""
+        """Remove existing corrections that would be active in addition to the new table."""
 
     def files_naming(self, addresses: Collection[str]) -> set[int]:
-        """Return those of the control's own files that mention the axes."""
+        """Return the indices of the control's own files that contain values of the axes."""
         if self.own is None:
             return set()
         singles, rows = self.own.gathered.singles, self.own.gathered.rows
@@ -186,7 +186,7 @@ class GridWriter:
         return {place.number for group in own_values for place in group}
 
     def _own_files(self, addresses: Sequence[str]) -> tuple[ControlFile, ...]:
-        """Return the control's own files that mention the axes, after all changes."""
+        """Return the control's own files that contain values of the axes, after all changes."""
         if self.own is None:
             return ()
         gathered, numbers = self.own.gathered, self.files_naming(addresses)
@@ -243,7 +243,7 @@ class GridWriter:
         return replace(text, singles={**text.singles, "repeats": repeats})
 
     def text(self, work: AxisToWrite, scale: NumberScale, table: WrittenTable) -> AxisText:
-        """Return a table with its single values as text."""
+        """Return the text of an axis' table and of its single values, such as the spacing."""
         spelled = work.address if self.own is None else self.own.gathered.spelled(work.address)
         named = {"axis": spelled, "system": str(work.axis.encoder.system - 1)}
         definition, singles = self.definition, dict(table.singles)
@@ -270,7 +270,7 @@ class GridWriter:
         return AxisText(work.address, named, table.rows, singles)
 
     def files_for(self, when: When) -> list[WrittenFile]:
-        """Return the definition's files for a set of this kind."""
+        """Return the definition's files for the case ``when``."""
         return [
             file
             for file in self.definition.writing
@@ -285,8 +285,9 @@ class GridWriter:
         switches: Sequence[str],
         work: AxisToWrite,
     ) -> list[ControlFile]:
-        """Return new files for the values that are not ``placed`` yet. ``switches``: see
-        `NewFile.made`.
+        """Return new files for the values without a line in the control's files.
+
+        ``placed``: quantities that have one; ``switches``: see `NewFile.made`.
         """
         made = [
             NewFile(self.definition, file, text).made(placed, switches, work.faults)
@@ -295,8 +296,8 @@ class GridWriter:
         return [file for file in made if file is not None]
 
     def put_backlash(self, text: AxisText) -> set[str]:
-        """Write the backlash, with factor 1, into the control's own files. Return the quantities
-        that have a place there.
+        """Write the backlash and its factor 1 into the control's files; return the quantities
+        written.
         """
         if self.own is None or "backlash" not in text.singles:
             return set()
@@ -310,8 +311,8 @@ class GridWriter:
     def own_values(
         self, text: AxisText, *, whole: bool = False
     ) -> Mapping[str, Sequence[FoundValue]]:
-        """Return the values in the control's own files for one measuring system, or for the
-        ``whole`` axis.
+        """Return an axis' values in the control's files: of one measuring system or the ``whole``
+        axis.
         """
         if self.own is None:
             return {}
@@ -319,9 +320,7 @@ class GridWriter:
         return self.own.gathered.singles.get(key, {})
 
     def _put(self, text: AxisText, work: AxisToWrite) -> set[str]:
-        """Write values into the control's own files. Return the quantities that have a place
-        there.
-        """
+        """Write values into the control's files; return the quantities that have a line there."""
         if self.own is None:
             return set()
         own_values, placed = self.own_values(text), self.put_backlash(text)
@@ -349,8 +348,7 @@ class GridWriter:
         return placed | {value, *names}
 
     def _switch_on(self, switches: Sequence[FoundValue], table: TablePlaces) -> None:
-        """Switch the table on if the files finally switch it off. In a load sequence the last value
-        counts.
+        """Activate the table if the last value in the files deactivates it.
 
         In a file that also holds the values the switch is off before them, as in a maker's program,
         and on after them: a table that is on is protected, and the control would take none of the
@@ -377,7 +375,7 @@ class GridWriter:
     def _reserve(
         self, places: Sequence[FoundValue], count: int, options: Mapping[str, object]
     ) -> None:
-        """Reserve points in the control if the files reserve too few for the table.
+        """Reserve memory for the table's points if the control's files reserve too few.
 
         As many as the option states, or, if none were reserved, as many as the table has.
 
@@ -404,7 +402,7 @@ def _spelled(
     singles: Mapping[str, Sequence[FoundValue]],
     address: str,
 ) -> str:
-    """Return the axis name as the files write it."""
+    """Return the axis name as it is written in the files."""
     found = [place for places in (*rows.values(), *singles.values()) for place in places]
     if found and "axis" in found[0].occurrence.tokens:
         return found[0].occurrence.tokens["axis"].text

@@ -121,7 +121,7 @@ class IncrementsFamily(Family):
         yield from points_question(axis, {**self.options, **axis.options}.get("points_from"))
 
     def capacity(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
-        """Implement `Family.capacity`."""
+        """Return the limits of one axis' table in mm or deg; see `Family.capacity`."""
         del one_curve
         return IncrementLimits(self, axis).capacity()
 
@@ -131,13 +131,13 @@ class IncrementsFamily(Family):
         axes: Sequence[Axis],
         files: Sequence[ControlFile] = (),
     ) -> tuple[ControlFile, ...]:
-        """Implement `Family.write`."""
+        """Return the files that load ``compensations`` into the control; see `Family.write`."""
         tables, faults = check_tables(self, compensations, axes)
         raise_all(CapacityError, faults)
         return write_increments(self, writable_tables(tables), files)
 
     def card(self, request: CardRequest) -> AxisCard:
-        """Implement `Family.card`."""
+        """Return the contents of the commissioning card for a written table; see `Family.card`."""
         axis, table, facts = request.axis, request.table, request.facts
         values = increment_values(self, axis, table, facts) | sign_check(table, request.check_at)
         files = named_files(self, axis, request.files)

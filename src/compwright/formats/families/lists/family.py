@@ -85,7 +85,7 @@ class ListsFamily(Family):
         address: str | None = None,
         activity: Activity = Activity(),  # noqa: B008 - frozen
     ) -> ControlState:
-        """Implement `Family.read`."""
+        """Return the state of a control from its ``files``; see `Family.read`."""
         return ListStateReader(self, axes, address, activity).read(files)
 
     def unit_of(self, axis: Axis) -> str:
@@ -155,7 +155,7 @@ class ListsFamily(Family):
         axes: Sequence[Axis],
         files: Sequence[ControlFile] = (),
     ) -> tuple[ControlFile, ...]:
-        """Implement `Family.write`."""
+        """Return the files that load ``compensations`` into the control; see `Family.write`."""
         bound = in_patched_files(self, compensations, axes, files)
         tables, faults = check_tables(bound, compensations, axes, _own_limits)
         whole = writable_tables(tables)
@@ -166,7 +166,7 @@ class ListsFamily(Family):
         return writer.files_of([address for address, _, _ in whole])
 
     def card(self, request: CardRequest) -> AxisCard:
-        """Implement `Family.card`."""
+        """Return the contents of the commissioning card for a written table; see `Family.card`."""
         axis, positions = request.axis, request.table.positions
         counts = str(request.facts.stated.get("table_form", "tenths"))
         count = float(self.scale_of(axis).factor("node_position"))

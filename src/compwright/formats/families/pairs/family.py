@@ -129,7 +129,7 @@ class PairsFamily(GridFamily):
         address: str | None = None,
         activity: Activity = Activity(),  # noqa: B008 - frozen
     ) -> ControlState:
-        """Implement `Family.read`."""
+        """Return the state of a control from its ``files``; see `Family.read`."""
         state = super().read(files, axes, address=address, activity=activity)
         return with_sign_unknown(state) if self.sign_assumed else state
 
@@ -139,7 +139,7 @@ class PairsFamily(GridFamily):
         axes: Sequence[Axis],
         files: Sequence[ControlFile] = (),
     ) -> tuple[ControlFile, ...]:
-        """Implement `Family.write`."""
+        """Return the files that load ``compensations`` into the control; see `Family.write`."""
         self._check_form(files)
         return super().write(compensations, axes, files)
 
@@ -308,7 +308,7 @@ class PairsFamily(GridFamily):
         }
 
     def card(self, request: CardRequest) -> AxisCard:
-        """Implement `Family.card`."""
+        """Return the contents of the commissioning card for a written table; see `Family.card`."""
         axis, compensation = request.axis, request.table
         values = {**super().card(request).values, **self._named_files(request)}
         if axis.gantry is None and request.facts.stated.get("gantry_type") == 0:

@@ -124,7 +124,7 @@ class WrappedFamily(Family):
         address: str | None = None,
         activity: Activity = Activity(),  # noqa: B008 - frozen
     ) -> ControlState:
-        """Implement `Family.read`."""
+        """Return the state of a control from its ``files``; see `Family.read`."""
         return WrappedStateReader(
             self.definition, self.options, files, axes, address, activity
         ).read()
@@ -230,7 +230,7 @@ class WrappedFamily(Family):
         return motor_table(axis, compensation, counts, faults, ring=ring)
 
     def card(self, request: CardRequest) -> AxisCard:
-        """Implement `Family.card`."""
+        """Return the contents of the commissioning card for a written table; see `Family.card`."""
         axis, table = request.axis, request.table
         if table.backlash:  # a backlash alone, without a table: Ixx86 holds it in one direction
             ahead, against = (table.at(table.positions, direction) for direction in Direction)
