@@ -1,4 +1,4 @@
-"""Limits that apply to every control: invalid numbers, too many points, wrong ends."""
+"""Checks that apply to the tables of every control: numbers, point counts, spacing, ends."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ SAME_TURN = 1e-6
 
 
 def invalid_values(compensation: AxisCompensation) -> str:
-    """Return why a table is invalid, as text. Empty for a valid one."""
+    """Return as text why the numbers of a table are not valid; empty for a valid table."""
     positions = compensation.positions
     if (
         not positions.shape == compensation.positive.shape == compensation.negative.shape
@@ -37,7 +37,7 @@ def invalid_values(compensation: AxisCompensation) -> str:
 def size(
     definition: Definition, capacity: Capacity, compensation: AxisCompensation, label: str
 ) -> list[Fault]:
-    """Return a fault for too few and for too many points."""
+    """Return a fault if a table has fewer or more points than the control allows."""
     count = compensation.positions.size
     hard = definition.limit_number("max_points")
     most = min((limit for limit in (capacity.max_points, hard) if limit is not None), default=None)
@@ -64,7 +64,9 @@ def size(
 
 
 def curves(capacity: Capacity, compensation: AxisCompensation, label: str) -> list[Fault]:
-    """Return a fault for two curves, or a backlash, if the control has no place for them."""
+    """Return a fault if the control cannot store a table per direction or a backlash that is
+    needed.
+    """
     faults = []
     if capacity.curves == 1 and not np.array_equal(compensation.positive, compensation.negative):
         faults.append(
@@ -88,9 +90,7 @@ def curves(capacity: Capacity, compensation: AxisCompensation, label: str) -> li
 
 
 def turn(capacity: Capacity, compensation: AxisCompensation, label: str) -> list[Fault]:
-    """Yield a fault if the table of an endless axis does not span one closed turn, or if another
-    table repeats.
-    """
+    """Yield a fault if an endless axis' table is not one turn, or if a second one also repeats."""
     period = capacity.period
     if period is None:
         if compensation.period is None:
@@ -137,7 +137,7 @@ def turn(capacity: Capacity, compensation: AxisCompensation, label: str) -> list
 
 
 def endless(definition: Definition, axis: Axis, label: str) -> list[Fault]:
-    """Return a fault for the table of an endless axis on a control whose tables do not repeat."""
+    """Return a fault if the axis is endless but the control's tables cannot repeat."""
     if axis.modulo is None or axis.counts_turns or definition.limit("no_endless_axis") is None:
         return []
     return [
@@ -152,7 +152,7 @@ def endless(definition: Definition, axis: Axis, label: str) -> list[Fault]:
 
 
 def spacing(capacity: Capacity, compensation: AxisCompensation, label: str) -> Iterator[Fault]:
-    """Yield a fault for points that are closer than the control can hold."""
+    """Yield a fault for points that are closer to each other than the control allows."""
     if compensation.positions.size > 1:
         least = float(np.min(np.diff(compensation.positions)))
         there = np.array(capacity.there)
@@ -171,9 +171,7 @@ def spacing(capacity: Capacity, compensation: AxisCompensation, label: str) -> I
 
 
 def ends(definition: Definition, compensation: AxisCompensation, label: str) -> list[Fault]:
-    """Yield a fault if the table and the control differ in the correction beyond the ends, unless
-    it is zero there.
-    """
+    """Return a fault for each end beyond which the control continues the table differently."""
     faults: list[Fault] = []
     if not compensation.positions.size:
         return faults
@@ -199,7 +197,9 @@ def ends(definition: Definition, compensation: AxisCompensation, label: str) -> 
 
 
 def kind(axis: Axis, compensation: AxisCompensation, label: str) -> list[Fault]:
-    """Return a fault if the table is in mm but the axis is in degrees, or the reverse."""
+    """Return a fault if a table in mm is for a rotary axis, or a table in degrees for a linear
+    axis.
+    """
     if compensation.kind is axis.kind:
         return []
     return [

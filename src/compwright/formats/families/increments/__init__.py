@@ -1,1 +1,1 @@
-"""Family of tables with whole increments by section, in one array of points that all axes share."""
+"""FANUC pitch error data: whole increments between points, in one array that all axes share."""

@@ -1,6 +1,4 @@
-"""Facts about one axis of a control with increments by section, and the screw lead that its
-reference counter suggests.
-"""
+"""What a FANUC's files state about one axis, and the screw lead that its parameters suggest."""
 
 from __future__ import annotations
 
@@ -42,7 +40,7 @@ _UNCOUNTED_HELP = "straightness: available in the options of the controller"
 
 
 def facts_of(values: IncrementAxisValues) -> AxisFacts:
-    """Return the facts of an axis in the files."""
+    """Return what the files state about an axis: kind, name, turn, limits, unit, point numbers."""
     increments = _increments(values)
     kind, wraps = values.kind(quiet=True), values.wraps()
     unit = detection_unit(values.own, kind)
@@ -95,9 +93,7 @@ def name_of(values: IncrementAxisValues) -> str | None:
 def with_neighbours(
     facts: AxisFacts, own: AxisParameters, options: Mapping[str, object]
 ) -> AxisFacts:
-    """Return the facts with the functions that are active in addition to the table and stay
-    unchanged.
-    """
+    """Return the facts, with the axis' other active functions, which stay unchanged."""
     every = tuple(functions(own))
     alone = left_alone(every, options)
     by_option = {OPTION_OF.get(each.words): each.description for each in every}
@@ -149,9 +145,7 @@ def _rapid_feed(values: IncrementAxisValues) -> float | None:
 
 
 def _length(values: IncrementAxisValues, quantity: str) -> float | None:
-    """Return the length in parameter 3624 or 3625, mm or deg. None if it is unreadable, which is
-    reported with the table.
-    """
+    """Return parameter 3624 or 3625 as a length, mm or deg; None if it is not readable."""
     length = replace(values, notes=Notes()).length(quantity, values.kind(quiet=True))
     return None if length is None else float(length)
 
@@ -172,7 +166,7 @@ _SAME_LENGTH = 1e-3
 
 @dataclass(frozen=True, slots=True)
 class Lead:
-    """The travel per motor turn, mm or deg, and the parameters that suggest it, as text."""
+    """The travel per motor turn, mm or deg, and (as text) the parameters that state it."""
 
     size: float
     evidence: str
@@ -200,7 +194,7 @@ def screw_lead(own: AxisParameters, kind: AxisKind) -> Lead | None:
 
 
 def note_lead(values: IncrementAxisValues, kind: AxisKind) -> None:
-    """Note the suggested screw lead if the job names no period, or a different one."""
+    """Report the suggested screw lead if the job states no period for the axis, or another one."""
     lead = screw_lead(values.own, kind)
     if values.axis is None or lead is None:
         return

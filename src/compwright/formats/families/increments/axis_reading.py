@@ -1,4 +1,4 @@
-"""Read parameters and points of one axis with increments by section as its compensation."""
+"""Read the parameters and pitch error data of one FANUC axis as its compensation."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ LIMIT = "increment_limit"
 
 @dataclass(frozen=True, slots=True)
 class IncrementReader:
-    """Reads one axis of a control with increments by section.
+    """Reads the compensation of one axis of a FANUC control.
 
     ``points``: the pitch data of all axes by number; ``options``: those of the axis.
     ``checks_travel``: its software limits are compared with the job's travel.
@@ -95,7 +95,9 @@ class IncrementReader:
     def _with_counted(
         self, kind: AxisKind, sections: IncrementSections | None, table: AxisCompensation
     ) -> AxisCompensation:
-        """Return the compensation with additional functions that the options include."""
+        """Return the table's compensation with that of inclination and cyclic tables, if options
+        say so.
+        """
         functions = counted(self.values, kind, self.options, self._increments)
         unit = float(self._unit(kind)) * self._sign("pitch_sign")
         nodes = table.positions
@@ -121,8 +123,8 @@ class IncrementReader:
         return replace(table, others=tuple(others))
 
     def _check_neighbours(self, kind: AxisKind) -> None:
-        """Refuse or note functions that are active in addition to the table. Add questions that the
-        files leave open.
+        """Check the axis' other active functions: refuse or report them, and ask what the files
+        leave open.
         """
         values, own, notes = self.values, self.values.own, self.values.notes
         notes.faults.extend((*own.contradictions(), *parameter_checks.refusals(own)))
@@ -148,8 +150,8 @@ class IncrementReader:
         backlash: float,
         period: float | None = None,
     ) -> AxisCompensation:
-        """Return the compensation from ``curves``: positions, and the correction in travel towards
-        + and -, all (n,) mm or deg.
+        """Return the compensation from ``curves``: positions and corrections (+, -), (n,) each, mm
+        or deg.
         """
         positions, positive, negative = curves
         return AxisCompensation(
@@ -194,8 +196,8 @@ class IncrementReader:
         return float(active_backlash(values, value) * self._unit(kind))
 
     def rapid_more(self) -> float | None:
-        """Return the backlash at rapid traverse minus that at cutting feed, mm or deg; None if the
-        files leave it open.
+        """Return backlash at rapid traverse minus backlash at cutting feed, mm or deg; None if
+        unknown.
         """
         rapid, separate = self.values.integer("backlash_rapid"), self.values.separate_rapid()
         more = 0 if rapid is None else rapid - (self.values.integer("backlash") or 0)
@@ -204,7 +206,9 @@ class IncrementReader:
         return float(more * self._unit(self.values.kind(quiet=True))) if separate else 0.0
 
     def _increments(self, numbers: range) -> FloatArray | None:
-        """Return the increments (k,) with some numbers. None if one is missing or too large."""
+        """Return the increments (k,) at point ``numbers``; None (with a fault) for missing or too
+        large ones.
+        """
         notes, label = self.values.notes, self.values.label
         missing = [number for number in numbers if number not in self.points]
         if missing:
@@ -237,15 +241,15 @@ class IncrementReader:
         return np.array(counts, dtype=np.float64)
 
     def _way_on(self, size: int) -> str:
-        """Return what to do about an increment of this size before it is corrected."""
+        """Return what the user can do about an increment of this size, which is too large."""
         fitting = [one for one in self.values.definition.options[LIMIT].choices if int(one) >= size]
         if fitting:
             return f"if the control accepts it, set the option `{LIMIT}` to `{fitting[0]}`"
         return "if the control shows another value there, export its pitch data again"
 
     def _offset(self, sections: IncrementSections, kind: AxisKind) -> float:
-        """Return parameter 3627, mm or deg: the correction at the reference when it is approached
-        against its return direction.
+        """Return parameter 3627 in mm or deg: the correction at the reference in the other
+        direction.
         """
         values = self.values
         count = values.integer("negative_offset")
@@ -318,17 +322,17 @@ class IncrementReader:
 
 
 def totals(counts: FloatArray, sections: IncrementSections) -> FloatArray:
-    """Return the sums (k + 1,) of the increments (k,) at the nodes, zero at the reference."""
+    """Return the sums (k + 1,) of the increments (k,) at section ends, zero at the reference."""
     sums = np.concatenate([[0.0], np.cumsum(counts)])
     zero: FloatArray = sums - sums[sections.reference - sections.first + 1]
     return zero
 
 
 def increment_limit(options: Mapping[str, object]) -> int:
-    """Return the largest increment of the control."""
+    """Return the largest increment that the control accepts for one point."""
     return int(str(options[LIMIT]))
 
 
 def number_list(numbers: list[int]) -> str:
-    """Return numbers as text with commas. Long lists end in dots."""
+    """Return numbers as text with commas, such as "1, 2, 3"; from the ninth on cut to ".."."""
     return ", ".join(map(str, numbers[:8])) + (" .." if len(numbers) > 8 else "")

@@ -1,6 +1,4 @@
-"""Single values of one axis of a control with increments by section, and lengths as its files write
-them.
-"""
+"""Single values of one FANUC axis in the files, and the form in which the files write lengths."""
 
 from __future__ import annotations
 
@@ -21,15 +19,13 @@ INCH = Decimal(str(MILLIMETRES_PER_INCH))
 
 
 def thousandths(definition: Definition) -> bool:
-    """Return whether lengths without a decimal point count thousandths (0i-A to C, 16i), or are not
-    allowed (30i).
-    """
+    """Return whether lengths without a decimal point count thousandths (0i-A to C, 16i)."""
     return definition.measure("table_spacing").linear_unit == "um"
 
 
 @dataclass(frozen=True, slots=True)
 class IncrementAxisValues(Values):
-    """Single values of one axis.
+    """The single values that the files state for one axis, such as backlash and turn.
 
     ``own``: parameters other than those of the table; ``axis``: the job's axis, None without a job;
     ``known_kind``: given for files that do not state it.
@@ -41,23 +37,23 @@ class IncrementAxisValues(Values):
     known_kind: AxisKind | None = None
 
     def found(self, quantity: str) -> FoundValue | None:
-        """Return the place of a quantity for this axis or for the whole machine."""
+        """Return the line with a quantity of this axis or the whole machine; None without one."""
         if quantity not in self.definition.bindings:
             return None
         return self.one(quantity, self.gathered.found(quantity, self.own.address, None))
 
     def integer(self, quantity: str) -> int | None:
-        """Return a whole number; None if it is not in the files."""
+        """Return a quantity that is a whole number; None if it is not in the files."""
         found = self.found(quantity)
         return None if found is None else int(Decimal(found.text))
 
     def yes(self, quantity: str) -> bool | None:
-        """Return a yes or no; None if it is not in the files."""
+        """Return a quantity that is yes or no as a truth value; None if it is not in the files."""
         word = self.word(quantity, self.found(quantity))
         return None if word is None else word == "yes"
 
     def length(self, quantity: str, kind: AxisKind) -> Decimal | None:
-        """Return a length in mm or deg.
+        """Return a quantity that is a length, in mm or deg.
 
         M metric, I inch, P the machine's unit; without a point in the control's own small unit. A
         length that needs a point and has none is a fault.
@@ -92,15 +88,15 @@ class IncrementAxisValues(Values):
         return number * (Decimal("0.0001") if inch else Decimal("0.001"))
 
     def in_inches(self, key: str, kind: AxisKind) -> bool:
-        """Return whether a length is in inches: M metric, I inch, P the machine's unit; angles
-        never.
+        """Return whether a length is in inches by its letter: M metric, I inch, P the machine's
+        unit.
         """
         machine = bool(self.own.bit(known.INCH, 0))
         return kind is AxisKind.LINEAR and {"M": False, "I": True}.get(key.upper(), machine)
 
     def separate_rapid(self) -> bool | None:
-        """Return whether rapid traverse has a backlash of its own (1800#4), by the path of the
-        axis.
+        """Return whether rapid traverse has a separate backlash (1800#4); None if no file states
+        it.
         """
         return self.own.bit(known.BACKLASH_BITS, 4)
 
@@ -110,8 +106,8 @@ class IncrementAxisValues(Values):
         return bool((self.integer("magnification") and first != last) or self.integer("backlash"))
 
     def kind(self, *, quiet: bool = False) -> AxisKind:
-        """Return linear or rotary: by the job, else the files, else linear, which is noted unless
-        ``quiet``.
+        """Return linear or rotary by the job, else the files, else linear (reported unless
+        ``quiet``).
         """
         place = self.found("rotary")
         word = self.word("rotary", place)
@@ -154,16 +150,14 @@ class IncrementAxisValues(Values):
         return 360.0 if self.axis is None or self.axis.modulo is None else float(self.axis.modulo)
 
     def wraps(self) -> bool | None:
-        """Return whether a rotary axis is endless: 1006#0 = 1 with 1006#1 = 0; None if 1006 is not
-        in the files or the axis is linear.
+        """Return whether a rotary axis is endless (1006#0 = 1, 1006#1 = 0); None if linear or
+        unknown.
         """
         bits = self.own.get(known.KIND)
         return not bits.bit(1) if bits is not None and bits.bit(0) else None
 
     def returning(self) -> Direction | None:
-        """Return the direction of the reference return in the files (1006#5); None if 1006 is not
-        there.
-        """
+        """Return the reference return's direction in the files (1006#5); None if not stated."""
         negative = self.own.bit(known.KIND, 5)
         if negative is None:
             return None
@@ -178,9 +172,7 @@ class IncrementAxisValues(Values):
         *,
         hint: str = CORRECT_VALUE,
     ) -> None:
-        """Note a fault at the line of a quantity, with the control's name for it. ``hint``: the
-        next step.
-        """
+        """Add a fault at the line of a quantity, which it names as the control does."""
         name = self.name(quantity)
         named = message if name in f"{message} {expected}" else f"{message} (parameter {name})"
         place = self.found(quantity)
@@ -188,7 +180,7 @@ class IncrementAxisValues(Values):
 
 
 def length_text(value: Decimal, *, inch: bool = False, whole: bool = False) -> str:
-    """Return a length, mm or deg, as the control's own files write it.
+    """Return a length (mm or deg) as text in the form of the control's own files.
 
     With a decimal point and at least one decimal (``50.0``), or ``whole`` in thousandths, of an
     inch in ten thousandths.

@@ -1,5 +1,4 @@
-"""Backlash at cutting feed (parameter 1851) and at rapid traverse (1852): which is active, and how
-both are written.
+"""Backlash at cutting feed (parameter 1851) and at rapid traverse (1852): read and written.
 
 Source: FANUC B-64120EN/01 page 116, 21i B-63090EN/02 page 97.
 
@@ -28,12 +27,14 @@ NEAR = 1.0
 
 @dataclass(frozen=True, slots=True)
 class SmoothBacklash:
-    """The parameters of smooth backlash compensation that are not zero."""
+    """The parameters of an axis' smooth backlash compensation that are not zero."""
 
     values: tuple[ParameterValue, ...]
 
     def note(self, label: str, kind: AxisKind, unit: float, notes: Notes) -> None:
-        """Note the effect of smooth backlash. It is a fault if it may reach the targets of a test.
+        """Report the effect of smooth backlash; it is a fault if it may reach the targets of a
+        test.
+
         ``unit``: the detection unit.
         """
         farthest = max(self.values, key=lambda value: abs(value.whole))
@@ -51,29 +52,29 @@ class SmoothBacklash:
 
 
 def smooth_backlash(own: AxisParameters) -> SmoothBacklash | None:
-    """Return the smooth backlash of an axis. None without one."""
+    """Return the smooth backlash compensation of an axis; None if it has none."""
     values = (own.get(number) for number in known.SMOOTH_BACKLASH)
     active = tuple(value for value in values if value is not None and value.nonzero)
     return SmoothBacklash(active) if active else None
 
 
 def first_stage(own: AxisParameters) -> int:
-    """Return the part of the backlash that is output at once (1848), in detection units. 0 without
-    it.
-    """
+    """Return the part of the backlash that is output at once (1848), detection units; 0 if none."""
     value = own.get(known.SMOOTH_FIRST)
     return 0 if value is None else value.whole
 
 
 def covers(backlash: int | None, stage: int) -> bool:
-    """Return whether the total backlash contains the part that is output at once: same sign, and
-    not smaller.
+    """Return whether the backlash includes its first stage (1848): same sign, and at least as
+    large.
     """
     return stage == 0 or (backlash is not None and backlash * stage >= stage * stage)
 
 
 def active_backlash(values: IncrementAxisValues, feed: int) -> int:
-    """Return the active backlash at the motion of the axis' test, detection units; ``feed``: 1851.
+    """Return the backlash, in detection units, that is active at the motion of the axis' test.
+
+    ``feed``: the value of 1851.
 
     If the files leave it open, that is a fault; if the two differ, a finding.
     """
@@ -123,8 +124,7 @@ def active_backlash(values: IncrementAxisValues, feed: int) -> int:
 
 
 def both_backlashes(axis: Axis, facts: IncrementFacts, count: int) -> dict[str, int]:
-    """Return the values of 1851, and of 1852 where it may be active, for a table with this
-    backlash.
+    """Return the values to write into 1851 and, where it may be active, 1852.
 
     Whose backlash is ``count`` detection units at the motion of the axis' test. The difference of
     the two stays as in ``facts``.
@@ -138,7 +138,7 @@ def both_backlashes(axis: Axis, facts: IncrementFacts, count: int) -> dict[str, 
 
 
 def backlash_words(facts: IncrementFacts) -> str:
-    """Return the card's text on 1852; empty if no file holds it."""
+    """Return the card's text on parameter 1852; empty if no file contains it."""
     if facts.backlash_rapid is None:
         return ""
     active = {

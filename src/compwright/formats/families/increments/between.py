@@ -1,5 +1,4 @@
-"""Corrections between axes by straightness compensation, in the control's own files or as an entry
-sheet.
+"""Corrections between axes by FANUC straightness compensation, as files or as an entry sheet.
 
 In the control's own files if they hold its parameters at zero. Numbers and signs are from memory,
 none is confirmed by a page.
@@ -36,8 +35,8 @@ from compwright.words.sentences import SentenceText, control_text, say
 
 
 def straightness_between(family: Family, request: BetweenRequest) -> Between:
-    """Return the parameters of one straight line, if the job states that the control has
-    straightness compensation.
+    """Answer a request by a straight line in straightness compensation, if the job says it is
+    available.
     """
     if family.options.get("straightness") != "available":
         return alternative_answer(family.definition, request.planned)
@@ -62,7 +61,7 @@ def straightness_between(family: Family, request: BetweenRequest) -> Between:
 
 
 def _filled(family: Family, request: BetweenRequest, entry: PlannedCross) -> Between | None:
-    """Return the files with one straight line in parameters that were 0 before.
+    """Return the files with the straight line written into parameters that were 0.
 
     None if it has no place there, or would not be exact.
     """
@@ -121,8 +120,7 @@ def _patched(
 def _rows(
     family: Family, request: BetweenRequest, entry: PlannedCross, state: ControlState | None
 ) -> list[tuple[str, str, str]] | None:
-    """Return parameter, value and meaning of each row. None if one straight line cannot represent
-    the correction.
+    """Return the entry sheet's rows (parameter, value, meaning); None if no straight line fits.
 
     ``state``: the state with the tables of this run.
     """

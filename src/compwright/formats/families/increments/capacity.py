@@ -1,4 +1,4 @@
-"""The limits of one axis of a control with increments by section (FANUC)."""
+"""The limits of the table of one axis on a FANUC control."""
 
 from __future__ import annotations
 
@@ -24,8 +24,9 @@ MIN_SECTIONS = 2
 
 
 class IncrementLimits:
-    """The limits of one axis' table. ``assumed``: their assumptions; ``shares``: other axes use
-    some of its point numbers too.
+    """The limits of one axis' table.
+
+    ``assumed``: their assumptions; ``shares``: other axes use some of its point numbers too.
     """
 
     def __init__(self, family: Family, axis: Axis) -> None:
@@ -45,7 +46,7 @@ class IncrementLimits:
         self.assumed = [assumption] if assumption is not None else []
 
     def capacity(self) -> Capacity:
-        """Return the limits in mm or deg.
+        """Return all limits of the table, such as its number of points, lengths in mm or deg.
 
         Raises UsageError for a wrong option of the axis, or if its detection unit or the free
         numbers are unknown.
@@ -93,7 +94,7 @@ class IncrementLimits:
         )
 
     def _nodes(self, numbers: int) -> int:
-        """Return the number of nodes for ``numbers`` successive point numbers.
+        """Return how many table points result from ``numbers`` successive point numbers.
 
         Sections have numbers, and a table that starts or ends at the reference needs one more.
         """
@@ -101,7 +102,7 @@ class IncrementLimits:
         return numbers + (axis.travel[0] < axis.reference < axis.travel[1])
 
     def _own_points(self) -> int:
-        """Return the number of nodes in the longest block of point numbers that only this axis
+        """Return how many table points fit into the longest block of numbers that only this axis
         uses.
         """
         highest = self.definition.limit_number("max_number") or 0
@@ -122,8 +123,8 @@ class IncrementLimits:
         self.assumed.append(Assumption(of_axis, value, evidence))
 
     def _wave(self, limit: int, gap: int) -> Wave | None:
-        """Return the limits of a second (cyclic) table, if the control has this function and no
-        such table exists.
+        """Return the limits of a second (cyclic) table; None if the control cannot have it or has
+        one.
 
         Only on a rotary axis: the only page that describes it is about a worm.
         """
@@ -134,13 +135,11 @@ class IncrementLimits:
         return Wave(unit=self.scale.quantum("value"), increment=limit, room=gap, step=step)
 
     def _may_incline(self) -> bool:
-        """Return whether a line of inclination compensation may be written: the control has it and
-        no other line exists.
-        """
+        """Return whether inclination compensation is available on the control and not used yet."""
         return self.options.get("inclination") == "available" and not self.facts.inclined
 
     def _free_numbers(self) -> int:
-        """Return how many successive point numbers are free. Numbers with unknown contents are not.
+        """Return how many successive point numbers are free, without those of unknown contents.
 
         Raises UsageError if too few are left for a table.
         """

@@ -1,6 +1,4 @@
-"""The card's values for increments by section, and the point number of each section for its
-drawing.
-"""
+"""The card's values for a FANUC axis, and the point numbers of its sections for the drawing."""
 
 from __future__ import annotations
 
@@ -36,7 +34,10 @@ _PARAMETERS = {
 def increment_values(
     family: Family, axis: Axis, compensation: AxisCompensation, facts: AxisFacts
 ) -> dict[str, str]:
-    """Return the card's values of one axis. ``facts``: facts of the axis in the written files."""
+    """Return the card's values of one axis.
+
+    ``facts``: facts of the axis in the written files.
+    """
     scale, own = family.scale_of(axis), increments_of(facts)
     names = ("reference_number", "first_number", "last_number", "magnification")
     words = {name: getattr(own, name) for name in names}
@@ -69,7 +70,7 @@ def increment_values(
 
 
 def _feed_backlash(count: str, facts: AxisFacts) -> str:
-    """Return parameter 1851 as in the files. Without it: ``count``, the backlash of the table."""
+    """Return the value of 1851 in the files; if it is in none, ``count``, the table's backlash."""
     held = increments_of(facts).backlash
     return count if held is None else str(held)
 
@@ -111,7 +112,7 @@ def _neighbours(family: Family, axis: Axis, facts: AxisFacts) -> Iterator[str]:
 
 
 def _further(family: Family, axis: Axis, facts: IncrementFacts) -> str:
-    """Return further required parameters: second set, turn, backlash at rapid traverse.
+    """Return further parameters to type in: second data set, turn, backlash at rapid traverse.
 
     In addition to the grid and 1851. ``facts``: of the axis in the written files, with the turn of
     an endless axis.
@@ -142,7 +143,7 @@ def _further(family: Family, axis: Axis, facts: IncrementFacts) -> str:
 def numbered_sections(
     family: Family, axis: Axis, facts: AxisFacts, table: AxisCompensation
 ) -> NumberedSections | None:
-    """Return the sections by point number, from the written files. None if those contain no table.
+    """Return the sections of a table by point number; None if the written files have no table.
 
     ``facts``, and the ``table`` that was read back.
     """
@@ -182,7 +183,7 @@ def numbered_sections(
 def _held(
     family: Family, axis: Axis, facts: AxisFacts, table: AxisCompensation
 ) -> Mapping[int, int]:
-    """Return the increments at the points of an axis with ends, by number, as read back."""
+    """Return the increments by point number, as read back, for an axis that is not endless."""
     scale, increments = family.scale_of(axis), increments_of(facts)
     unit = scale.quantum("value") * (increments.magnification or 0)
     sign = -1 if scale.options.get("pitch_sign") == "-" else 1
@@ -259,7 +260,9 @@ def _words(
 
 
 def _owning(parameter: str, section: Section, unit: str) -> dict[str, str]:
-    """Return a parameter with its number and the section of that point, as text."""
+    """Return the texts for the drawing: a parameter, its point number, and the section it belongs
+    to.
+    """
     low, high = f"{section.low:.10g}", f"{section.high:.10g}"
     owns = control_text("owns {low} to {high} {unit}", low=low, high=high, unit=unit)
     return {"parameter": parameter, "number": str(section.number), "owns": owns}

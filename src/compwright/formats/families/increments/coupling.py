@@ -1,4 +1,4 @@
-"""Find the axes of a FANUC that move together, from its parameters.
+"""Find the axes of a FANUC that move together, by its parameters.
 
 8311 (axis synchronous control, simple synchronous control, twin table), 1817#6 (tandem control, the
 master has the odd servo number 1023), 8180, 8183 and 8186 (synchronous, composite and superimposed
@@ -32,7 +32,9 @@ _UNLIKE = {
 
 
 def couplings_of(parameters: Parameters, addresses: Sequence[str]) -> tuple[Coupling, ...]:
-    """Return the coupled axes of a control. ``addresses``: the axes in its files.
+    """Return the axes of a control that move together.
+
+    ``addresses``: the axes in its files.
 
     A number that names none of them may mean any: then no axis is worked on.
     """
@@ -47,8 +49,8 @@ def couplings_of(parameters: Parameters, addresses: Sequence[str]) -> tuple[Coup
 
 
 def _mastered(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coupling]:
-    """Yield the couplings of an axis by parameters 8311, 8180, 8183 and 8186, which contain the
-    number of the other axis.
+    """Yield the couplings by 8311, 8180, 8183 and 8186, whose value is the number of the master
+    axis.
     """
     for value in parameters.of(known.MASTERS):
         own_number = value.owner == "A" and value.whole in (0, value.index)
@@ -71,7 +73,9 @@ def _mastered(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coup
 def _every(
     addresses: Sequence[str], value: ParameterValue, unlike: str, *, switched: bool = False
 ) -> Iterator[Coupling]:
-    """Yield a coupling of every axis, for a parameter that does not state which axes it couples."""
+    """Yield a possible coupling of each axis, for a parameter that does not name the axes it
+    couples.
+    """
     for each in addresses:
         yield _parameter(value).coupling((), each, switched=switched, unlike=unlike)
 
@@ -83,7 +87,7 @@ def _others(addresses: Sequence[str], value: ParameterValue) -> tuple[str, ...]:
 def _masters(
     parameters: Parameters, value: ParameterValue, addresses: Sequence[str]
 ) -> tuple[str, ...]:
-    """Return the axes that a number may mean: counted over the machine, or within a path."""
+    """Return the axes that a master axis number may mean, which counts by machine or by path."""
     number = value.whole
     path = AxisParameters(parameters, str(value.index)).path
     if number >= _BY_PATH:
@@ -125,7 +129,7 @@ def _tandem(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coupli
 
 
 def _flexible(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coupling]:
-    """Yield the master and slave axes by 5660 to 5667; the slave moves in a ratio to the master."""
+    """Yield the masters and slaves in parameters 5660 to 5667; the slave follows at a ratio."""
     unlike = "flexible synchronous control moves it in a ratio with another axis"
     for master_number, slave_number in zip(known.FLEXIBLE[::2], known.FLEXIBLE[1::2], strict=True):
         for whose, slave in parameters.by_owner(slave_number).items():
@@ -140,7 +144,7 @@ def _flexible(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coup
 
 
 def _angular(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coupling]:
-    """Yield the axes of angular axis control. If 8211 or 8212 names none: every linear axis."""
+    """Yield the axes of angular axis control by 8211 and 8212; without these every linear axis."""
     unlike = "angular axis control moves it together with another axis"
     for value in parameters.of([known.ANGULAR]):
         if value.nonzero and not value.is_bits:
@@ -163,7 +167,9 @@ def _angular(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coupl
 def _named(
     parameters: Parameters, value: ParameterValue, addresses: Sequence[str]
 ) -> tuple[str, ...]:
-    """Return the axes that a number of a path, or of the machine, may mean."""
+    """Return the axes that an axis number in a parameter may mean, which counts by machine or by
+    path.
+    """
     return tuple(each for each in addresses if AxisParameters(parameters, each).named_by(value))
 
 

@@ -1,4 +1,4 @@
-"""The detection unit of an axis, by its files and by the job, which must agree."""
+"""The detection unit of an axis by the files and by the job, which must agree."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _SAME_UNIT = 1e-4
 
 @dataclass(frozen=True, slots=True)
 class DetectionUnit:
-    """The detection unit in mm or deg, with the parameters that state it."""
+    """The detection unit of an axis in mm or deg, with the parameters from which it follows."""
 
     size: float
     evidence: str
@@ -33,8 +33,7 @@ class DetectionUnit:
 
 
 def detection_unit(own: AxisParameters, kind: AxisKind) -> DetectionUnit | None:
-    """Return the detection unit: least command increment / CMR. None if the files do not state it
-    in a known way.
+    """Return least command increment / CMR; None if the files do not state both in a known form.
 
     1820 = 2 x CMR from 1 to 96, 100 + 1/CMR from 101 to 127 (B-63950EN/02 page 106, B-63943EN-1/02
     page 109). The least command increment is 0.001 mm or deg by IS-B (0.01 by IS-A, 0.0001 by
@@ -64,16 +63,14 @@ def detection_unit(own: AxisParameters, kind: AxisKind) -> DetectionUnit | None:
 
 
 def _command_multiplier(setting: int) -> tuple[Fraction, str]:
-    """Return the command multiplier (CMR) of a setting of 1820, as a number and as text."""
+    """Return the command multiplier (CMR) for a value of parameter 1820, as number and as text."""
     if setting in _DIVIDED:
         return Fraction(1, setting - 100), f"1/{setting - 100}"
     return Fraction(setting, 2), f"{setting / 2:g}"
 
 
 def _power(system: ParameterValue) -> int | None:
-    """Return the power of ten of the least command increment by 1013 or 1004. None for an
-    undocumented system.
-    """
+    """Return the least command increment's power of ten by 1013 or 1004; None if not documented."""
     stated = tuple(
         bit for bit in range(4 if system.number == known.SYSTEM else 2) if system.bit(bit)
     )
@@ -81,9 +78,7 @@ def _power(system: ParameterValue) -> int | None:
 
 
 def _unread(own: AxisParameters, kind: AxisKind) -> ParameterValue | None:
-    """Return the parameter that makes the detection unit unknown although the files contain its
-    setting.
-    """
+    """Return the parameter whose value makes the detection unit unknown; None if there is none."""
     multiplier, system, bits = own.get(known.MULTIPLIER), own.system, own.get(known.KIND)
     if system is not None and _power(system) is None:
         return system
@@ -94,8 +89,7 @@ def _unread(own: AxisParameters, kind: AxisKind) -> ParameterValue | None:
 
 
 def two_systems(own: AxisParameters) -> str:
-    """Return a text if 1013 and 1004 contradict each other about the increment system. Else an
-    empty one.
+    """Return a text if 1013 and 1004 state different increment systems; empty if they agree.
 
     1013 is the one that counts.
     """
@@ -113,7 +107,7 @@ def two_systems(own: AxisParameters) -> str:
 def resolved_options(
     values: IncrementAxisValues, options: Mapping[str, object]
 ) -> Mapping[str, object]:
-    """Return the options of an axis, completed by the detection unit in its files.
+    """Return the options of an axis, with the detection unit that follows from its files.
 
     A detection unit in the job must not contradict the files. Raises UsageError for a wrong option,
     and if the unit is unknown.
@@ -140,7 +134,7 @@ def resolved_options(
 
 
 def _silent(values: IncrementAxisValues, kind: AxisKind) -> bool:
-    """Return whether an unknown detection unit has no effect. Raises UsageError.
+    """Return whether an unknown detection unit can be ignored. Raises UsageError if it cannot.
 
     Nothing is active on the axis, or its files are contradictory, which is reported first.
     """

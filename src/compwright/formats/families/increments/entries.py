@@ -1,6 +1,4 @@
-"""Convert a compensation to parameters and point numbers of one axis with increments by section
-(FANUC).
-"""
+"""Convert a compensation to the parameters and pitch error data of one FANUC axis."""
 
 from __future__ import annotations
 
@@ -73,7 +71,7 @@ class Entries:
 
 
 def all_entries(family: Family, tables: Sequence[AxisTable]) -> tuple[Entries, ...]:
-    """Return the values to enter for each axis. No two axes share a point number.
+    """Return the values to enter for each axis, with point numbers that no two axes share.
 
     Raises UsageError if the free numbers are unknown, CapacityError with everything that the
     control cannot hold.
@@ -123,8 +121,7 @@ def all_entries(family: Family, tables: Sequence[AxisTable]) -> tuple[Entries, .
 
 
 def _first_point(family: Family, tables: Sequence[AxisTable]) -> int:
-    """Return the lowest point number for axes without one: from the controller's option, else the
-    lowest of the axes'.
+    """Return the lowest point number to use: by the controller's option, else by those of the axes.
 
     One axis' is enough: the others follow on from it.
 
@@ -139,7 +136,7 @@ def _first_point(family: Family, tables: Sequence[AxisTable]) -> int:
 
 
 def free_numbers_question(definition: Definition) -> Fault:
-    """Return the question about free point numbers, if neither files nor options state them."""
+    """Return the question which point numbers are free, to be answered by the user."""
     return Fault(
         message=(
             f"{definition.id}: the free point numbers are unknown. All axes share one "
@@ -160,7 +157,7 @@ def free_numbers_question(definition: Definition) -> Fault:
 
 
 class _WholeNumbers:
-    """The table of one axis, rounded to the whole numbers that the control stores.
+    """The table of one axis, rounded to the whole increments that the control can store.
 
     ``rapid``: the facts of the axis from which it takes the difference between both backlashes.
     """
@@ -187,7 +184,9 @@ class _WholeNumbers:
         self.others = 0 if existing is None else len(existing.others)
 
     def entries(self, used: Sequence[range], start: int) -> Entries:
-        """Return the values to enter. ``start``: the lowest number for an axis that has none.
+        """Return the values to enter.
+
+        ``start``: the lowest number for an axis that has no point numbers.
 
         Raises NotHeld.
         """
@@ -251,7 +250,7 @@ class _WholeNumbers:
     def _added_functions(
         self, steps: FloatArray, place: NumberPlace, used: Sequence[range], start: int
     ) -> InclinationAndCyclic:
-        """Return the inclination line and the second table that the control does not have yet."""
+        """Return the parameters of the new inclination line and second (cyclic) table."""
         parameters: dict[int, str] = {}
         points: dict[int, int] = {}
         sign = -1 if self.options.get("pitch_sign") == "-" else 1
@@ -286,7 +285,7 @@ class _WholeNumbers:
         return str(count)
 
     def _grid(self) -> tuple[FloatArray, float]:
-        """Return the nodes as whole spacings from the reference, and the spacing."""
+        """Return the table points as whole intervals from the reference (k,), and the interval."""
         positions = self.compensation.positions
         interval = float(positions[-1] - positions[0]) / (positions.size - 1)
         ratio = (positions - self.axis.reference) / interval
@@ -342,7 +341,7 @@ class _WholeNumbers:
             )
 
     def _magnification(self, differences: Sequence[FloatArray]) -> int:
-        """Return the existing magnification if it fits every increment, else the smallest one that
+        """Return the existing magnification if every increment fits it, else the smallest that
         fits.
 
         It divides every increment and keeps it within the limit.
@@ -365,7 +364,9 @@ class _WholeNumbers:
     def _kept(
         self, low: int, high: int, interval: float, used: Sequence[range], *, two: bool
     ) -> NumberPlace | None:
-        """Return the existing point numbers of the axis, if the table has exactly its sections."""
+        """Return the axis' existing point numbers if the new table has the same sections; else
+        None.
+        """
         now = self.facts.interval
         if now is None or abs(now - interval) > _ON_GRID * interval:
             return None
@@ -397,8 +398,8 @@ class _WholeNumbers:
     def _points(
         self, counts: FloatArray, steps: FloatArray, place: NumberPlace, magnification: int
     ) -> dict[int, int]:
-        """Return the increments by point number. Those of the second set are numbered as if it were
-        the first.
+        """Return the increments by point number; a second set is counted with the numbers of the
+        first.
         """
         reference = place.reference
         sign = -1 if self.options.get("pitch_sign") == "-" else 1
@@ -432,7 +433,9 @@ class _WholeNumbers:
         return str(int(count) * sign)
 
     def _length(self, value: float) -> Decimal:
-        """Return a length in mm or deg as exact text. Raises NotHeld."""
+        """Return a length in mm or deg as exact decimal text. Raises NotHeld if it has too many
+        digits.
+        """
         count, unit = Decimal(repr(round(value, 9))), self.axis.kind.unit
         step, (low, high) = length_step(self.scale, self.facts), self.scale.range("table_spacing")
         if count % step:
@@ -448,7 +451,7 @@ class _WholeNumbers:
 
 
 def magnifications(definition: Definition, facts: IncrementFacts) -> tuple[int, ...]:
-    """Return the magnifications (parameter 3623) that are possible, ascending.
+    """Return the possible magnifications (parameter 3623) of an axis, ascending.
 
     Only the existing one if another function depends on the table: it is not known whether the
     magnification counts for it.
@@ -459,8 +462,7 @@ def magnifications(definition: Definition, facts: IncrementFacts) -> tuple[int, 
 
 
 def length_step(scale: NumberScale, facts: IncrementFacts) -> Decimal:
-    """Return the value of the last digit of an axis' lengths, mm or deg. ``scale``: that of the
-    axis.
+    """Return the value (mm or deg) of the last digit in which an axis' lengths are written.
 
     For linear axes of a control in inches: a tenth of it, in inches.
     """
@@ -469,8 +471,6 @@ def length_step(scale: NumberScale, facts: IncrementFacts) -> Decimal:
 
 
 def first_point(options: Mapping[str, object]) -> int:
-    """Return the lowest usable point number. 0 if the control's files state which numbers are
-    free.
-    """
+    """Return the option for the lowest usable point number; 0 if it is not given."""
     given = options.get("first_point")
     return 0 if given is None else int(str(given))

@@ -1,6 +1,4 @@
-"""Family of tables with whole increments by section (FANUC), in one array of points that all axes
-share.
-"""
+"""The FANUC family of controls: whole increments between points, in one shared array."""
 
 from __future__ import annotations
 
@@ -54,7 +52,7 @@ RULES = ShapeRules(
 
 
 def _names(control: Family, files: Sequence[ControlFile]) -> Mapping[str, tuple[str, str]]:
-    """Return the axis names by the letters of parameter 1020."""
+    """Return the axis letters in parameter 1020, by the axis number."""
     names = StateReader(control, files, (), None).names() if files else {}
     return {
         name: (address, f"1020 of axis {address} in the control's files")
@@ -64,22 +62,20 @@ def _names(control: Family, files: Sequence[ControlFile]) -> Mapping[str, tuple[
 
 
 def _idle(state: ControlState, address: str) -> bool:
-    """Return whether nothing is active on an axis. Every reading contains the facts of all axes."""
+    """Return whether no table and no backlash is active on an axis."""
     facts = state.facts_of(address)
     return not (facts.enabled or increments_of(facts).backlash)
 
 
 def _shown(control: Family) -> Family:
-    """Return the control with additional functions counted by their most probable meaning, which is
-    listed as assumed.
-    """
+    """Return the control, for displays, with inclination and cyclic tables assumed available."""
     both = {"inclination", "cyclic"} & control.definition.options.keys()
     options = {**control.options, **dict.fromkeys(both, "available")}
     return type(control)(control.definition, options)
 
 
 class IncrementsFamily(Family):
-    """Tables of whole increments by section."""
+    """Controls whose tables are whole increments between points (FANUC)."""
 
     listing = Listing(
         file_values=file_values,
@@ -102,15 +98,15 @@ class IncrementsFamily(Family):
         address: str | None = None,
         activity: Activity = Activity(),  # noqa: B008 - frozen
     ) -> ControlState:
-        """Return the state of the control; arguments as those of `Family.read`. No file of these
-        controls switches a table off.
+        """Return the state of a control from its ``files``; see `Family.read`.
+
+        No file of these controls switches a table off.
         """
         del activity
         return StateReader(self, files, axes, address).read()
 
     def questions(self, axis: Axis, *, files: bool, given: Collection[str] = ()) -> Iterator[Fault]:
-        """Return the questions that the files leave open. The arguments are those of
-        `Family.questions`.
+        """Yield the questions that the files leave open for an axis; see `Family.questions`.
 
         Also the first free point number, which one axis gives for all, and the position from which
         points are counted.
@@ -144,15 +140,13 @@ class IncrementsFamily(Family):
         return AxisCard(values | files, numbered_sections(self, axis, facts, table))
 
     def between(self, request: BetweenRequest) -> Between:
-        """Return one straight line as parameters to type in, as an option; arguments as those of
-        `Family.between`.
-        """
+        """Return a straight line as straightness compensation, to type in; see `Family.between`."""
         return straightness_between(self, request)
 
     def sheets(
         self, compensations: Sequence[AxisCompensation], axes: Sequence[Axis]
     ) -> tuple[ControlFile, ...]:
-        """Return entry sheets or programs; arguments as those of `Family.sheets`.
+        """Return entry sheets, or G10 programs that enter the values; see `Family.sheets`.
 
         Raises UsageError for a program that an inch machine would read differently.
         """

@@ -1,5 +1,7 @@
-"""Read every line of a FANUC backup as single values. N03620Q1A1P40A2P140 is 40 of axis 1 and 140
-of axis 2; N10044Q0P-3 is a point of the array that all axes share.
+"""Read every value in a FANUC backup.
+
+N03620Q1A1P40A2P140 is 40 of axis 1 and 140 of axis 2; N10044Q0P-3 is a point of the array that all
+axes share.
 """
 
 from __future__ import annotations
@@ -60,7 +62,9 @@ _WORDS = {
 
 @dataclass(frozen=True, slots=True)
 class _Known:
-    """A parameter with its meaning as text. ``relevant``: the correction of an axis depends on it.
+    """The meaning of a parameter as text.
+
+    ``relevant``: the correction of an axis depends on it.
 
     It corrects an axis, refers to the shared numbers, or decides a unit, a kind or the zero.
     """
@@ -70,7 +74,7 @@ class _Known:
 
 
 def _known(definition: Definition) -> dict[int, _Known]:
-    """Return every parameter that compwright reads, and those that are active but not read."""
+    """Return every parameter with a known meaning: read by compwright, or active but not read."""
     found: dict[int, _Known] = {}
     for name, statement in definition.statements.items():
         match = _NUMBER.match(statement.form)
@@ -100,8 +104,8 @@ def file_values(
 
 @lru_cache(maxsize=_KEPT)
 def _of_text(definition: Definition, file: ControlFile) -> Mapping[str, FileValue]:
-    """Return every value of a text. The result is cached, because a comparison needs it several
-    times.
+    """Return every value in a text. The result is cached, because comparisons ask for it
+    repeatedly.
     """
     known = _known(definition)
     found: dict[str, FileValue] = {}
@@ -147,8 +151,8 @@ def _values(
 def value_location(
     _: Definition, entry: FileValue, __: Mapping[str, FileValue], state: ControlState | None
 ) -> tuple[tuple[str, ...], float | None]:
-    """Return the axes to which a value belongs, and the position of a point, mm or deg: the node at
-    the end of its section.
+    """Return the axes to which a value belongs, and a point's position (end of its section, mm or
+    deg).
     """
     if entry.axis:
         return (entry.axis,), None

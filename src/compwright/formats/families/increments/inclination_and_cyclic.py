@@ -1,4 +1,4 @@
-"""Functions that an option includes in the compensation: inclination and the second (cyclic) table.
+"""Inclination compensation and second (cyclic) table of a FANUC axis, if an option includes them.
 
 Inclination: three straight lines through four point numbers, in detection units, put out at the
 points and added to the pitch data (FANUC B-63522EN/02 page 222); zero at the reference, held
@@ -44,9 +44,7 @@ _EVIDENCE = {
 
 
 class _NotCountedError(Exception):
-    """Raised for a parameter that prevents the use of a function, with its state and what would
-    help.
-    """
+    """Raised if a parameter prevents the reading of a function; says what would help."""
 
     def __init__(self, value: ParameterValue, how: str, expected: str) -> None:
         super().__init__(how)
@@ -61,7 +59,7 @@ def counted(
     options: Mapping[str, object],
     increments: Increments,
 ) -> Counted:
-    """Return the functions of an axis that its options include."""
+    """Return those functions of an axis (inclination, cyclic table) that the options include."""
     wanted = [
         (OPTION_OF[each.words], each)
         for each in functions(values.own)
@@ -74,7 +72,7 @@ def counted(
 
 
 class Counted:
-    """The functions of one axis that are included in its compensation."""
+    """Inclination and cyclic table of one axis, as far as its compensation includes them."""
 
     def __init__(
         self,
@@ -91,7 +89,8 @@ class Counted:
     def curves(
         self, sections: IncrementSections | None, nodes: FloatArray, zero: float, scale: float
     ) -> Iterator[Curve]:
-        """Yield the corrections by these functions, with the sign of the pitch data.
+        """Yield the corrections that inclination and cyclic table add to that of the pitch error
+        table.
 
         ``nodes``: those of the table, mm or deg; ``zero``: the reference position; ``scale``: mm or
         deg per detection unit, with that sign. A function that cannot be counted is a fault.
@@ -113,7 +112,7 @@ class Counted:
     def _inclination(
         self, function: Function, sections: IncrementSections | None, nodes: FloatArray, zero: float
     ) -> FloatArray:
-        """Return the inclination lines at the nodes, in detection units."""
+        """Return the correction by inclination at the table's points, in detection units."""
         own = self.values.own
         points, amounts = (
             [own.get(number) for number in numbers]
@@ -139,8 +138,8 @@ class Counted:
         return np.asarray(line[:-1] - line[-1])
 
     def _cyclic(self, function: Function) -> tuple[float, FloatArray]:
-        """Return the interval, mm or deg, and the sums (k,) at the section ends of one period, in
-        detection units.
+        """Return the cyclic table: interval (mm or deg), sums (k,) at section ends (detection
+        units).
         """
         own, first = self.values.own, function.values[0]
         ends = [own.get(number) for number in (known.CYCLIC_FIRST, known.CYCLIC_LAST)]
@@ -173,17 +172,15 @@ AMOUNTS = (-32767, 32767)
 
 @dataclass(frozen=True, slots=True)
 class InclinationAndCyclic:
-    """Settings of inclination and second table: parameters by number, as text, and increments by
-    point number.
-    """
+    """New inclination and cyclic tables: parameter texts by number, increments by point number."""
 
     parameters: Mapping[int, str] = field(default_factory=dict)
     points: Mapping[int, int] = field(default_factory=dict)
 
 
 def line_parameters(numbers: Sequence[int], amounts: Sequence[int]) -> dict[int, str]:
-    """Return the parameters of a line through two point numbers. Raises NotHeld for amounts beyond
-    the control's range.
+    """Return the inclination parameters for a line through two points. Raises NotHeld beyond
+    limits.
     """
     low, high = AMOUNTS
     if not all(low <= amount <= high for amount in amounts):
@@ -200,8 +197,9 @@ def line_parameters(numbers: Sequence[int], amounts: Sequence[int]) -> dict[int,
 def second_table(
     totals: FloatArray, interval: str, used: Sequence[range], start: int, highest: int
 ) -> InclinationAndCyclic:
-    """Return a second table for the correction ``totals`` (k,), in the first unused numbers from
-    ``start`` on. Raises NotHeld.
+    """Return a second (cyclic) table for the correction ``totals`` (k,), in the first free numbers.
+
+    ``start``: the lowest number to use. Raises NotHeld if too few are free.
 
     ``interval``: the width of its sections, as text.
     """
@@ -220,5 +218,5 @@ def second_table(
 
 
 def repeats_alone(other: AxisCompensation, table: AxisCompensation) -> bool:
-    """Return whether an additional table repeats with its own period."""
+    """Return whether the table ``other`` repeats with a period that ``table`` does not have."""
     return other.period is not None and other.period != table.period

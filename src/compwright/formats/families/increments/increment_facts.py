@@ -1,4 +1,4 @@
-"""Facts in the control's own files about the sections of one axis. Only this family uses them."""
+"""What a FANUC's files state about the table sections of one axis."""
 
 from __future__ import annotations
 
@@ -9,8 +9,7 @@ from compwright.records.facts import AxisFacts
 
 @dataclass(frozen=True, slots=True)
 class PointNumber:
-    """A point number of an axis' table to which another function refers. Its place: ``size`` bytes
-    of a file from ``start`` on.
+    """A point number in the files by which another function refers to the table of an axis.
 
     ``label`` names it with its value; ``parameter`` is its name if it belongs to the axis alone,
     else empty.
@@ -26,9 +25,7 @@ class PointNumber:
 
 @dataclass(frozen=True, slots=True)
 class FunctionOnPoints:
-    """A function that is active in addition to a table and refers to its point numbers. ``points``:
-    which, None if unknown.
-    """
+    """An active function that refers to a table by point numbers (``points``; None if unknown)."""
 
     label: str
     points: tuple[PointNumber, ...] | None
@@ -36,7 +33,7 @@ class FunctionOnPoints:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class IncrementFacts:
-    """Facts about the increments by section of one axis. None: no file states the fact.
+    """What the files state about an axis' table and backlash. A value is None if no file states it.
 
     ``reference_number``, ``first_number``, ``last_number``: the numbers of its sections in the
     array that all axes share, ``negative_first`` that of the set for travel towards -, which counts
@@ -74,8 +71,7 @@ class IncrementFacts:
 
     @property
     def claimed(self) -> tuple[range, ...]:
-        """The point numbers that the axis uses: one set, or two of the same length. Empty if its
-        first is its last.
+        """The one or two ranges of point numbers that the axis uses; empty without a table.
 
         A full turn without the reference's own number claims that too.
         """
@@ -91,6 +87,8 @@ class IncrementFacts:
 
 
 def increments_of(facts: AxisFacts) -> IncrementFacts:
-    """Return the facts in the files about the sections of an axis. Empty if they do not name it."""
+    """Return what the files state about an axis' table sections; empty if they do not name the
+    axis.
+    """
     own = facts.of_family
     return own if isinstance(own, IncrementFacts) else IncrementFacts()

@@ -1,4 +1,4 @@
-"""Compare an axis in the control's files with the job."""
+"""Compare the job's statements about an axis with those of the control's files (FANUC)."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ SAME_PLACE = 1e-6
 
 
 def check_wrapping(values: IncrementAxisValues, kind: AxisKind) -> None:
-    """Check that job and files agree whether the axis is endless, and on its turn."""
+    """Check that job and files agree on whether the axis is endless, and on its turn."""
     wraps, bits = values.wraps(), values.own.get(known.KIND)
     if kind is not AxisKind.ROTARY or values.axis is None or wraps is None or bits is None:
         return
@@ -37,9 +37,7 @@ def check_wrapping(values: IncrementAxisValues, kind: AxisKind) -> None:
 
 
 def check_travel_limits(values: IncrementAxisValues, kind: AxisKind) -> None:
-    """Compare the software limits 1321 and 1320 with the job's travel. No limits are set if 1320 is
-    not above 1321.
-    """
+    """Compare the software limits 1321 and 1320 with the job's travel, if 1320 is above 1321."""
     if values.axis is None or (kind is AxisKind.ROTARY and values.wraps() is not False):
         return
     limits_found = [values.found(name) for name in ("limit_low", "limit_high")]
@@ -59,7 +57,7 @@ def check_travel_limits(values: IncrementAxisValues, kind: AxisKind) -> None:
 def check_reference(
     values: IncrementAxisValues, kind: AxisKind, reference: float, *, unanswered: bool
 ) -> None:
-    """Compare parameter 1240 with the job's reference. Note signs of a reference other than zero.
+    """Compare parameter 1240 with the job's reference, and report signs that it is not zero.
 
     ``reference``: the position from which the points are counted, mm or deg. ``unanswered``: there
     is a table, and the user did not confirm that the points are counted from there.
@@ -83,7 +81,8 @@ def check_reference(
 
 
 def points_question(axis: Axis, answer: object) -> Iterator[Fault]:
-    """Yield the question for an axis whose reference position is not machine zero (1240).
+    """Yield the question where points are counted from, if the reference (1240) is not machine
+    zero.
 
     Unless the ``answer`` is that the points are counted from it.
     """
@@ -110,7 +109,7 @@ def points_question(axis: Axis, answer: object) -> Iterator[Fault]:
 
 
 def check_return(values: IncrementAxisValues, *, two: bool) -> None:
-    """Compare the reference return direction (1006#5) with the job.
+    """Check that job and files (1006#5) agree on the direction of the reference return.
 
     It decides the sign of 3627, so two sets are refused; one set differs by a constant only.
     """

@@ -1,4 +1,4 @@
-"""Move the point numbers of a table together with all functions that refer to them.
+"""Change the point numbers of a table together with those in functions that refer to them.
 
 If that is impossible, the new table is refused with the parameter's name.
 """
@@ -25,8 +25,9 @@ _HELP = (
 def moved_numbers(
     axis: Axis, facts: IncrementFacts, place: NumberPlace, interval: float, magnification: int
 ) -> tuple[tuple[PointNumber, int], ...]:
-    """Return the new point numbers of the positions to which other functions refer. Empty if the
-    grid does not change.
+    """Return the new point number for each one by which other functions refer to the table.
+
+    Empty if no position gets a new number.
 
     ``place``, ``interval`` (mm or deg), ``magnification``: those of the new table. Raises NotHeld
     with the first function that the new grid would change.
@@ -44,7 +45,7 @@ def moved_numbers(
 
 
 def check_sets(facts: IncrementFacts, *, two: bool) -> None:
-    """Refuse a change between one and two sets of data if a function depends on the table.
+    """Raise NotHeld if functions depend on the table and it changes between one and two data sets.
 
     Raises NotHeld with the first function: it is not known whether it is active with both kinds.
     """
@@ -63,7 +64,7 @@ def _sets(*, two: bool) -> str:
 
 
 def _stays(axis: Axis, facts: IncrementFacts, place: NumberPlace, interval: float) -> bool:
-    """Return whether every point number keeps its position."""
+    """Return whether every point number keeps its position when the new table is written."""
     if (facts.reference_number, facts.interval) != (place.reference, interval):
         return False
     if axis.modulo is not None:  # a full turn, with or without the reference's own number
@@ -80,7 +81,8 @@ def _stays(axis: Axis, facts: IncrementFacts, place: NumberPlace, interval: floa
 
 
 def _check_kept(each: FunctionOnPoints, facts: IncrementFacts, magnification: int) -> None:
-    """Raise NotHeld if a function refers to an inactive table, or the magnification changes.
+    """Raise NotHeld if a function refers to an inactive table, or to one whose magnification
+    changes.
 
     Its effect with the new table would be unknown.
     """
@@ -117,7 +119,9 @@ def _point_in_place(
     place: NumberPlace,
     interval: float,
 ) -> int:
-    """Return the number of a point's position in the new grid."""
+    """Return the new number of a point whose position the new table keeps. Raises NotHeld
+    otherwise.
+    """
     old, first, last = (
         int(number or 0)
         for number in (facts.reference_number, facts.first_number, facts.last_number)
@@ -139,7 +143,7 @@ def _point_in_place(
 
 
 def _old_ends(axis: Axis, facts: IncrementFacts, interval: float) -> str:
-    """Return what would help where the new grid is finer than the old one and ends elsewhere."""
+    """Return the advice to keep the table's old ends, if the new interval divides the old one."""
     old = float(facts.interval or 0.0)
     ratio = old / interval
     if axis.modulo is not None or round(ratio) < 1 or abs(ratio - round(ratio)) > _ON_GRID:

@@ -1,4 +1,4 @@
-"""FANUC functions that are active in addition to the table and stay unchanged.
+"""FANUC functions that are active in addition to an axis' table and stay unchanged.
 
 Inclination, straightness, the second (cyclic) table, three-dimensional compensation.
 
@@ -35,8 +35,7 @@ OPTION_OF = {
 
 @dataclass(frozen=True, slots=True)
 class Function:
-    """A function that corrects the axis, or another axis by its position. With the parameters that
-    set it.
+    """A function, apart from table and backlash, that corrects an axis, with its parameters.
 
     ``points``: the parameters that name a number of the axis' own sections; None: the numbers that
     it depends on are unknown. ``moves``: it changes with the axis' own position.
@@ -49,14 +48,12 @@ class Function:
 
     @property
     def description(self) -> str:
-        """The function with its parameters and values."""
+        """The name of the function with its parameters and their values, as text."""
         return f"{self.words} ({', '.join(value.label for value in self.values)})"
 
 
 def functions(own: AxisParameters) -> Iterator[Function]:
-    """Yield every function that is active in addition to table and backlash, and stays
-    unchanged.
-    """
+    """Yield every function that corrects the axis in addition to table and backlash."""
     yield from _inclination(own)
     cyclic = _nonzero(own, known.CYCLIC)
     if cyclic and cyclic[0].number != known.CYCLIC_FACTOR:
@@ -70,7 +67,7 @@ def functions(own: AxisParameters) -> Iterator[Function]:
 
 
 def left_alone(every: Iterable[Function], options: Mapping[str, object]) -> list[Function]:
-    """Return the functions that the options exclude from reading and writing."""
+    """Return the functions that compwright neither reads nor writes, by the options."""
     return [
         function
         for function in every
@@ -81,8 +78,7 @@ def left_alone(every: Iterable[Function], options: Mapping[str, object]) -> list
 def functions_on_points(
     own: AxisParameters, every: Iterable[Function]
 ) -> tuple[FunctionOnPoints, ...]:
-    """Return the functions that refer to the point numbers of the axis, for code that moves these
-    numbers.
+    """Return the functions that refer to the axis' point numbers, with the place of each number.
 
     ``every``: the axis' functions.
     """
@@ -102,8 +98,8 @@ def functions_on_points(
 
 
 def straightness_functions(own: AxisParameters, alone: Sequence[Function]) -> str:
-    """Return the straightness functions that correct the axis and stay unchanged, as text. The text
-    changes with their values.
+    """Return the texts, with values, of straightness functions that correct the axis and stay
+    unchanged.
     """
     if all(each.words != _BENT for each in alone):
         return ""
@@ -138,7 +134,7 @@ def _inclination(own: AxisParameters) -> Iterator[Function]:
 
 
 def _straightness(own: AxisParameters) -> Iterator[Function]:
-    """Yield the axis pairs of straightness compensation that contain the axis.
+    """Yield a function for each axis pair of straightness compensation that contains the axis.
 
     As the moving one, whose sections have the points, or as the corrected one.
     """
@@ -169,7 +165,7 @@ def _straightness(own: AxisParameters) -> Iterator[Function]:
 
 
 def stays(function: Function) -> str:
-    """Return the remark about a function that stays unchanged."""
+    """Return the remark to the user about a function that stays unchanged."""
     if not function.moves:
         return (
             f"{function.description} is left as it is; it moves the axis by the position of another"

@@ -1,6 +1,4 @@
-"""Assign point numbers in an array that all axes share. An axis keeps its own numbers, or gets the
-first free block.
-"""
+"""Assign point numbers to axes: their existing numbers, or the first free block of the array."""
 
 from __future__ import annotations
 
@@ -13,7 +11,7 @@ from compwright.records.correction import ControlState
 
 
 class NoRoom(ValueError):  # noqa: N818 - it says what is the matter, and never leaves the room
-    """No free block of numbers is long enough."""
+    """Raised if no block of free point numbers is long enough for a table."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,7 +25,7 @@ class NumberPlace:
 
     @property
     def ranges(self) -> tuple[range, ...]:
-        """The one or two ranges of point numbers of the axis; the second for travel towards -."""
+        """The one or two ranges of the axis' point numbers; the second is for travel towards -."""
         own = range(self.first, self.last + 1)
         if self.negative_first is None:
             return (own,)
@@ -46,7 +44,7 @@ def find_place(
     claimed: Sequence[range] = (),
     start: int,
 ) -> NumberPlace:
-    """Return point numbers for a table with nodes from ``low`` to ``high``.
+    """Return point numbers for a table from ``low`` to ``high`` intervals from the reference.
 
     Whole spacings from the reference, low <= 0 <= high.
 
@@ -88,7 +86,7 @@ def kept_place(
     two: bool,
     endless: bool,
 ) -> NumberPlace | None:
-    """Return the existing point numbers of an axis, if they fit the new table exactly. Else None.
+    """Return the existing point numbers of an axis; None if they do not fit the new table exactly.
 
     Nodes ``low`` to ``high`` (whole spacings from the reference) has exactly its sections; None too
     if other axes use them.
@@ -115,7 +113,7 @@ def kept_place(
 
 
 def first_free(length: int, used: Sequence[range], start: int, highest: int) -> int | None:
-    """Return the first of ``length`` successive free numbers, from ``start`` on. None if there are
+    """Return the first of ``length`` successive free point numbers, at least ``start``; None if
     none.
     """
     for begin in range(start, highest + 2 - length):

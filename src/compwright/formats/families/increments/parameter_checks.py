@@ -1,4 +1,4 @@
-"""Checks of the parameters of a FANUC axis: refusals, references to its point numbers, and notes.
+"""Checks of the parameters of a FANUC axis that may change the meaning of its table.
 
 Functions that are active in addition to the table and stay are in `neighbour_functions`; functions
 of other axes only reserve their point numbers. Sources: `parameters` and docs/controllers/fanuc.md.
@@ -20,7 +20,7 @@ from compwright.records.axis import AxisKind
 
 
 def refusals(own: AxisParameters) -> Iterator[Fault]:
-    """Yield a fault for each parameter that makes the meaning of the axis' own data uncertain."""
+    """Yield a fault for each parameter that makes the meaning of the axis' table data uncertain."""
     totals = own.get(known.TOTALS)
     if totals is not None and totals.nonzero:
         yield totals.fault(
@@ -30,9 +30,7 @@ def refusals(own: AxisParameters) -> Iterator[Fault]:
 
 
 def pointed_numbers(parameters: Parameters) -> frozenset[int]:
-    """Return the point numbers to which inclination, straightness and cyclic compensation of any
-    axis refer.
-    """
+    """Return the point numbers to which inclination, straightness and cyclic compensation refer."""
     numbers = (*known.INCLINATION_POINTS, *known.STRAIGHTNESS_POINTS, *known.STRAIGHTNESS_MORE)
     values = parameters.of(numbers)
     cyclic = (number for _, numbers in parameters.second_tables for number in numbers)
@@ -40,7 +38,7 @@ def pointed_numbers(parameters: Parameters) -> frozenset[int]:
 
 
 def meets(own: AxisParameters, numbers: range) -> Iterator[Fault]:
-    """Yield a fault for a second table that uses the axis' own point numbers.
+    """Yield a fault if another table uses the axis' own point ``numbers``.
 
     Both would use the same data.
 
@@ -58,9 +56,7 @@ def meets(own: AxisParameters, numbers: range) -> Iterator[Fault]:
 
 
 def note_unconfirmed_bits(own: AxisParameters, notes: Notes) -> None:
-    """Note active functions of the axis that stay unchanged, because their meaning is not
-    confirmed.
-    """
+    """Report bits of 3605 that are set and stay unchanged; their meaning is not confirmed."""
     bits = own.get(known.PITCH_BITS)
     names = [] if bits is None else [f"3605#{bit}" for bit in range(1, 8) if bits.bit(bit)]
     if bits is not None and names:
@@ -68,7 +64,7 @@ def note_unconfirmed_bits(own: AxisParameters, notes: Notes) -> None:
 
 
 def _deciding_bits(own: AxisParameters, kind: AxisKind) -> dict[int, tuple[int, ...]]:
-    """Return the parameter bits on which the axis' table depends."""
+    """Return the bits, by parameter, on which the meaning of the axis' table data depends."""
     return {
         known.INCH: (0,) if kind is AxisKind.LINEAR else (),
         known.BACKLASH_BITS: () if own.get(known.BACKLASH_RAPID) is None else (4,),
@@ -78,7 +74,7 @@ def _deciding_bits(own: AxisParameters, kind: AxisKind) -> dict[int, tuple[int, 
 
 
 def unread_bits(own: AxisParameters, kind: AxisKind) -> Iterator[Fault]:
-    """Yield a fault for each required parameter that is not written as eight bits."""
+    """Yield a fault for each of the table's bit parameters that is not written as eight bits."""
     for number, bits in _deciding_bits(own, kind).items():
         value = own.get(number)
         if bits and value is not None and value.nonzero and not value.is_bits:
@@ -87,8 +83,7 @@ def unread_bits(own: AxisParameters, kind: AxisKind) -> Iterator[Fault]:
 
 
 def unclear_path(own: AxisParameters, kind: AxisKind) -> Iterator[Fault]:
-    """Yield a fault for each path parameter of the table that differs between paths, if the path of
-    the axis is unknown.
+    """Yield a fault for each parameter that differs between paths, if the axis' path is unknown.
 
     No file gives the path of the axis (parameter 981).
 

@@ -1,4 +1,4 @@
-"""Parameters of a control with increments by section (FANUC) that are only read.
+"""Parameters of a FANUC control that are read but never written.
 
 A backup holds thousands of parameters. Those listed here correct an axis, refer to the point
 numbers that all axes share, or decide a unit, a kind or a direction. Values belong to an axis (A),
@@ -120,7 +120,7 @@ class ParameterValue:
 
     @property
     def whose(self) -> tuple[str, int]:
-        """The kind and the number of the owner of the value."""
+        """The kind (axis A, path L, machine) and the number of the value's owner."""
         return self.owner, self.index
 
     @property
@@ -130,18 +130,18 @@ class ParameterValue:
 
     @property
     def place(self) -> str:
-        """The parameter, its value, and its place, as text."""
+        """The parameter with its value, file and line, as text."""
         return f"{self.label} ({self.file}, line {self.line})"
 
     @property
     def label(self) -> str:
-        """The control's name of the parameter, and its value."""
+        """The control's name of the parameter with its value, as text."""
         whose = {"A": f" of axis {self.index}", "L": f" of path {self.index}"}.get(self.owner, "")
         return f"parameter {self.number}{whose} = {self.text}"
 
     @property
     def whole(self) -> int:
-        """The value as a whole number, decimals removed."""
+        """The value as a whole number, without its decimals."""
         return int(Decimal(self.text))
 
     @property
@@ -169,7 +169,7 @@ class ParameterValue:
 
 
 class Parameters:
-    """The parameters of all files, as defined for one series of controls.
+    """The parameters in all files of a control, with the numbers valid for its series.
 
     ``rules``: the definition's rule for each group. ``another``, ``unknown``: values that are not
     zero, of numbers that are other parameters on this series, or whose meaning is unknown;
@@ -192,8 +192,8 @@ class Parameters:
 
     @cached_property
     def second_tables(self) -> tuple[tuple[ParameterValue, range], ...]:
-        """The point numbers of the second (cyclic) tables, each with the parameter of its first
-        number.
+        """The point numbers of each second (cyclic) table, with the parameter that states the first
+        one.
         """
         ends = [
             (first, AxisParameters(self, str(first.index)).get(CYCLIC_LAST))
@@ -207,9 +207,7 @@ class Parameters:
 
     @cached_property
     def contradictions(self) -> tuple[tuple[ParameterValue, ParameterValue], ...]:
-        """Values that contradict the first value of the same parameter and owner, each with that
-        first one.
-        """
+        """The pairs of different values that the files state for one parameter of one owner."""
         found = []
         for values in self.values.values():
             first: dict[tuple[str, int], ParameterValue] = {}
@@ -220,11 +218,11 @@ class Parameters:
         return tuple(found)
 
     def of(self, numbers: Iterable[int]) -> list[ParameterValue]:
-        """Return all values of some parameters, for any owner."""
+        """Return all values of the parameters ``numbers``, for every axis, path and machine."""
         return [value for number in numbers for value in self.values.get(number, ())]
 
     def by_owner(self, number: int) -> Mapping[tuple[str, int], ParameterValue]:
-        """Return the values of a parameter by owner. The last value counts."""
+        """Return the last value of a parameter for each owner (axis, path or machine)."""
         return self._held.get(number, {})
 
     def counts(self, number: int) -> bool:
@@ -283,18 +281,18 @@ class AxisParameters:
 
     @property
     def path(self) -> int | None:
-        """The path of the axis (parameter 981). None if the files do not state it."""
+        """The path to which the axis belongs (parameter 981); None if the files do not state it."""
         path = self.all.by_owner(PATH_OF_AXIS).get(("A", self.index))
         return None if path is None else path.whole or None
 
     @property
     def system(self) -> ParameterValue | None:
-        """The increment system: by axis (1013), on older series for the machine (1004)."""
+        """The axis' increment system: value of 1013, on older series of 1004 (machine)."""
         return self.get(SYSTEM) or self.get(SYSTEM_OF_MACHINE)
 
     def get(self, number: int) -> ParameterValue | None:
-        """Return the value that applies to the axis: its own, else that of its path, else that of
-        the machine. None without one.
+        """Return a parameter's value for the axis, else for its path, else for the machine; else
+        None.
 
         Without 981 the axis is assumed to be in the first path, as in a control that has only one.
         If the paths differ in a parameter that an axis' table depends on, `rivals` reports it and
@@ -304,28 +302,26 @@ class AxisParameters:
         return next((values[whose] for whose in self._owners if whose in values), None)
 
     def another(self, number: int) -> ParameterValue | None:
-        """Return the value for the axis under a number that means a different parameter on this
-        series.
+        """Return the axis' value of a number that is a different parameter on this series of
+        controls.
         """
         values = {value.whose: value for value in self.all.another if value.number == number}
         return next((values[whose] for whose in self._owners if whose in values), None)
 
     def bit(self, number: int, bit: int) -> bool | None:
-        """Return one bit; None if no file states it."""
+        """Return one bit of a parameter for the axis; None if no file states it."""
         value = self.get(number)
         return None if value is None else value.bit(bit)
 
     def contradictions(self) -> Iterator[Fault]:
-        """Yield a fault for each parameter of the axis that the files state twice with different
-        values.
-        """
+        """Yield a fault for each parameter of the axis with different values in the files."""
         for known, value in self.all.contradictions:
             if value.whose in self._owners:
                 yield value.fault(f"contradicts {known.file}, line {known.line}", known.label)
 
     def rivals(self, number: int, bits: Sequence[int]) -> list[ParameterValue]:
-        """Return the values of different paths that may apply to an axis of unknown path and whose
-        ``bits`` differ.
+        """Return a parameter's values in several paths, if ``bits`` differ and the axis' path is
+        unknown.
         """
         values = self.all.of([number])
         if self.path is not None or any(value.whose == ("A", self.index) for value in values):

@@ -1,4 +1,4 @@
-"""Find the pitch data in the files: points of the array that all axes share, by number."""
+"""Find the pitch error data in the files: points by number, in an array that all axes share."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _RECORD = re.compile(r"[ \t]*P[ \t]*-?[0-9]{1,4}[ \t]*")
 def point_rows(
     definition: Definition, gathered: Gathered, files: Sequence[ControlFile]
 ) -> list[FoundValue]:
-    """Return the lines with pitch data, in the order of the files.
+    """Return the lines with pitch error data, in the order of the files.
 
     Q0 marks pitch data, Q1 parameters, of which a control has some above 10000 too. Records without
     Q are pitch data if the whole file is a pitch file. In a file with parameters and pitch data
@@ -47,7 +47,9 @@ def point_rows(
 
 
 def _unmarked(file: ControlFile, *, with_parameters: bool) -> bool:
-    """Return whether all records of a file without Q can be pitch data.
+    """Return whether a file without Q addresses can be pitch error data throughout.
+
+    ``with_parameters``: it may also contain parameters.
 
     It holds nothing else, or (``with_parameters``) also parameters.
     """
@@ -63,7 +65,7 @@ def _unmarked(file: ControlFile, *, with_parameters: bool) -> bool:
 
 
 def _claims(gathered: Gathered) -> Iterator[range]:
-    """Yield the point numbers that each axis uses by 3621 and 3622, if these are readable."""
+    """Yield the range of point numbers from 3621 to 3622 of each axis, where both are readable."""
     for singles in gathered.singles.values():
         ends = [
             singles[name][-1].text for name in ("first_number", "last_number") if singles.get(name)
@@ -77,14 +79,14 @@ def _claims(gathered: Gathered) -> Iterator[range]:
 
 
 def point_number(row: FoundValue) -> int:
-    """Return the number of a point, from 0."""
+    """Return the point number, from 0, in a line of pitch error data."""
     return int(row.occurrence.tokens["number"].text) - POINTS_FROM
 
 
 def points_by_number(
     definition: Definition, gathered: Gathered, files: Sequence[ControlFile], notes: Notes
 ) -> dict[int, FoundValue]:
-    """Return the pitch data points, by point number.
+    """Return the pitch error data by point number, from 0.
 
     Repetitions of a number must agree, and the control must have the number.
     """

@@ -1,4 +1,4 @@
-"""Read the files of controls with whole increments by section (FANUC) as compensation.
+"""Read the files of a FANUC control as compensation.
 
 Every axis claims a range of numbers in one array that all axes share. Number n owns the section ((n
 - r - 1) b, (n - r) b), r the number of the reference position, b the interval; the total at a node
@@ -61,9 +61,7 @@ _COMPENSATION = {*GRID, "turn", "negative_first", "negative_offset", "bidirectio
 
 
 class StateReader:
-    """Reads the state of a control from its ``files``. ``axes`` and ``address`` as in
-    `Family.read`.
-    """
+    """Reads the state of a control from its ``files``; see `Family.read` for the arguments."""
 
     def __init__(
         self,
@@ -95,7 +93,7 @@ class StateReader:
         self.facts: dict[str, AxisFacts] = {}
 
     def read(self) -> ControlState:
-        """Return the state of the control. Errors as those of `Family.read`."""
+        """Return the state of the control; raises errors as `Family.read`."""
         named = [
             address
             for address in self.gathered.addresses()
@@ -149,7 +147,7 @@ class StateReader:
         return {address: name for address, name in names.items() if name is not None}
 
     def _cross(self) -> Iterator[CrossCompensation]:
-        """Yield the corrections between axes by straightness compensation, if the options include
+        """Yield the corrections between axes by straightness compensation, if an option includes
         it.
         """
         if self.family.options.get("straightness") != "available":
@@ -199,7 +197,7 @@ class StateReader:
         return wanted
 
     def _numbers(self) -> list[str]:
-        """Return the numbers of all axes in the files."""
+        """Return the axis numbers of all axes in the files."""
         return [address for address in self.gathered.addresses() if address != "0"]
 
     def _values(self, address: str, notes: Notes) -> IncrementAxisValues:
@@ -231,9 +229,7 @@ class StateReader:
             self.compensations[address] = compensation
 
     def _leave_alone(self, address: str) -> None:
-        """Note faults of an axis that is not part of the job. They do not stop the work on other
-        axes.
-        """
+        """Read an axis outside the job; its faults are reported but stop no other axis."""
         notes = Notes()
         values = self._values(address, notes)
         facts = with_neighbours(facts_of(values), values.own, self.family.options)
@@ -248,15 +244,15 @@ class StateReader:
             self.notes.find("CW-S042", "warning", axis=address, reasons=dict.fromkeys(reasons))
 
     def _filled(self) -> frozenset[int]:
-        """Return the point numbers that contain data or to which a function refers. A new table
-        must not use them.
+        """Return the point numbers that contain data, or to which a function refers: not free for
+        tables.
         """
         texts = {number: row.occurrence.tokens["value"].text for number, row in self.points.items()}
         return frozenset(number for number, text in texts.items() if text.strip("-0"))
 
     def _unknown(self) -> frozenset[int]:
-        """Return the point numbers with unknown contents, below the first free number that the user
-        states.
+        """Return the point numbers below the user's first free number whose contents are in no
+        file.
 
         A pitch file that was cut, or not given, does not make numbers free.
         """
@@ -266,7 +262,7 @@ class StateReader:
         return frozenset(number for number in range(first) if number not in self.points)
 
     def _refuse_partners(self) -> Iterator[Fault]:
-        """Check that both axes of a gantry have the same kind and detection unit."""
+        """Yield a fault if the two axes of a gantry differ in kind or in detection unit."""
         for axis in self.axes:
             if axis.gantry is None or axis.gantry not in self.facts:
                 continue
@@ -297,8 +293,8 @@ class StateReader:
                 )
 
     def _refuse_one_unit(self) -> Iterator[Fault]:
-        """Check that axes whose files state no detection unit but different multipliers (1820) do
-        not share the job's unit.
+        """Yield a fault if axes share the job's detection unit but have different multipliers
+        (1820).
         """
         shared: dict[object, ParameterValue] = {}
         for address in filter(self.facts.__contains__, self.wanted):
@@ -322,7 +318,7 @@ class StateReader:
                 )
 
     def _check_names(self) -> None:
-        """Check that the letter of a job's axis does not belong to another axis of the control
+        """Check that the letter of an axis in the job is not that of another axis of the control
         (1020).
         """
         for address, axis in self.wanted.items():
@@ -344,7 +340,9 @@ class StateReader:
                 )
 
     def _note_unknown(self) -> None:
-        """Note once the values whose parameter number has an unknown meaning on this series."""
+        """Report once the parameters whose number has an unknown meaning on this series of
+        controls.
+        """
         definition, values = self.family.definition, self.parameters.unknown
         numbers = sorted({value.number for value in values})
         if numbers:
@@ -375,9 +373,7 @@ class StateReader:
 def _paired(
     facts: AxisFacts, address: str, couplings: Sequence[Coupling], unread: frozenset[int]
 ) -> AxisFacts:
-    """Return the facts of an axis with its coupled axes, and the point numbers with unknown
-    contents.
-    """
+    """Return the facts of an axis, with its coupled axes and point numbers of unknown contents."""
     return replace(
         facts,
         of_family=replace(increments_of(facts), unread=unread),
@@ -418,7 +414,7 @@ def read_texts(
 
 
 def _as_lines(file: ControlFile, format_id: str) -> ControlFile:
-    """Return an entry sheet as equivalent parameter lines. Other files stay unchanged."""
+    """Return an entry sheet as a file of parameter lines; any other file as it is."""
     if not is_entry_sheet(file):
         return file
     return ControlFile(file.name, parameter_lines(file, format_id, []))

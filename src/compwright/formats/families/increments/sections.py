@@ -1,4 +1,4 @@
-"""The point numbers and the width of the sections of an axis' table, from its files."""
+"""The sections of an axis' table: their point numbers and their length, from the files."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ GRID = ("reference_number", "first_number", "last_number", "magnification", "tab
 
 @dataclass(frozen=True, slots=True)
 class IncrementSections:
-    """The point numbers of reference, first and last section; interval in mm or deg; magnification.
+    """An axis' table sections: numbers of first, last and reference point; interval; magnification.
 
     ``negative``: first number of the set for travel towards -; None: one set for both directions.
     """
@@ -32,18 +32,19 @@ class IncrementSections:
 
     @property
     def numbers(self) -> range:
-        """The point numbers of the sections, without those of the set for travel towards -."""
+        """The point numbers of the sections, without the second set for travel towards -."""
         return range(self.first, self.last + 1)
 
     @property
     def second(self) -> range | None:
-        """The point numbers of the set for travel towards -."""
+        """The point numbers of the second set, for travel towards -."""
         negative = self.negative
         return None if negative is None else range(negative, negative + len(self.numbers))
 
     def nodes(self, zero: float, *, round_turn: bool) -> FloatArray:
-        """Return the section ends, mm or deg, with the reference at ``zero``. An endless axis: one
-        turn from the reference on.
+        """Return the section ends, mm or deg, with the reference at ``zero``.
+
+        ``round_turn``: one turn from the reference on.
         """
         begin = self.reference if round_turn else self.first - 1
         steps = np.arange(begin, self.last + 1) - self.reference
@@ -51,13 +52,13 @@ class IncrementSections:
         return places
 
     def spans_turn(self, turn: float) -> bool:
-        """Return whether the sections span a turn, deg, from the reference."""
+        """Return whether the sections cover exactly one turn (deg), beginning at the reference."""
         return abs((self.last - self.reference) * self.interval - turn) < SAME_PLACE
 
 
 def read_sections(values: IncrementAxisValues, kind: AxisKind) -> IncrementSections | None:
-    """Return the sections of the table. None without a table, or with faults, which are added to
-    the notes.
+    """Return the sections of the axis' table; None without a table or with faults in its
+    parameters.
     """
     if values.yes("compensation_off"):
         _note_switched_off(values)
@@ -87,9 +88,7 @@ def read_sections(values: IncrementAxisValues, kind: AxisKind) -> IncrementSecti
 
 
 def _note_switched_off(values: IncrementAxisValues) -> None:
-    """Note that stored pitch error compensation is switched off completely, so no table can be
-    active.
-    """
+    """Report that stored pitch error compensation is off, so that no table can be active."""
     number = values.name("compensation_off")
     values.notes.switched_off(values.label, f"{number}#0 is 1: pitch error compensation is off")
     if values.axis is not None:
@@ -107,16 +106,15 @@ def _note_switched_off(values: IncrementAxisValues) -> None:
 
 
 def order(values: IncrementAxisValues) -> str:
-    """Return the required order of the three point numbers of an axis, by the names of their
-    parameters.
+    """Return the required order of point numbers by their parameters, such as "3621 <= 3620 <=
+    3622".
     """
     names = ("first_number", "reference_number", "last_number")
     return " <= ".join(values.name(name) for name in names)
 
 
 def repeats(values: IncrementAxisValues, kind: AxisKind, sections: IncrementSections) -> bool:
-    """Return whether the axis is endless: by the job, or by a table that spans a turn from the
-    reference.
+    """Return whether the table repeats: the job has an endless axis, or the sections span a turn.
 
     Not if the files state that it has ends (1006#1): there a turn need not close.
     """
@@ -130,8 +128,7 @@ def repeats(values: IncrementAxisValues, kind: AxisKind, sections: IncrementSect
 
 
 def idle_nodes(values: IncrementAxisValues, kind: AxisKind) -> tuple[float, ...]:
-    """Return the nodes of a table that is switched off (3623 = 0), mm or deg. Empty if they are
-    unknown.
+    """Return the section ends (mm or deg) of an inactive table (3623 = 0); empty if unknown.
 
     Its parameters are no table, or no job states where the reference is.
     """
@@ -183,7 +180,7 @@ def _checked(values: IncrementAxisValues, kind: AxisKind) -> IncrementSections |
 def _next_to_reference(
     values: IncrementAxisValues, kind: AxisKind, sections: IncrementSections
 ) -> IncrementSections | None:
-    """Return a full turn that begins at the point number after the reference, with a warning.
+    """Return one turn of sections that begins at the number after the reference, with a warning.
 
     Real controls accept it, the manual has 3621 = 3620.
 
@@ -210,8 +207,8 @@ def _next_to_reference(
 
 
 def _negative_first(values: IncrementAxisValues, own: range, highest: int) -> int | None:
-    """Return the first point number of the set for travel towards -. None with one set, or without
-    its number (a fault).
+    """Return the first point number of the set for travel towards -; None if there is no second
+    set.
     """
     if not values.yes("bidirectional"):
         return None

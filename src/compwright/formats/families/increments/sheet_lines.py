@@ -1,4 +1,4 @@
-"""Convert the entry sheet of a control with numbered parameters (FANUC) to equivalent lines."""
+"""Convert the entry sheet of a FANUC control to lines of a parameter file."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from compwright.records.correction import ControlFile
 
 
 def parameter_lines(file: ControlFile, format_id: str, faults: list[Fault]) -> bytes:
-    """Return an entry sheet as equivalent parameter lines. Faults are added to ``faults``.
+    """Return an entry sheet as lines of a parameter file. Errors are added to ``faults``.
 
     Line k of the result is line k of the sheet, so that messages name the right place.
     """

@@ -1,5 +1,4 @@
-"""Straightness compensation, if an option includes it: the correction of one axis by the position
-of another.
+"""Straightness compensation, by which the position of one axis corrects another, if options say so.
 
 Three pairs of axes (5711 to 5713 moving, 5721 to 5723 compensated), each with four numbers of the
 moving axis' points (5731, 5741, 5751 and on) and four amounts in detection units of the compensated
@@ -42,7 +41,7 @@ _UNKNOWN = (
 
 @dataclass(frozen=True, slots=True)
 class Pair:
-    """One pair of axes, by their addresses, with ``points`` and ``amounts`` (4,) as in the files.
+    """A moving axis and the axis it corrects, with four point numbers and their ``amounts``.
 
     ``place``: its parameter for messages.
     """
@@ -54,7 +53,7 @@ class Pair:
     place: ParameterValue
 
     def at(self, numbers: FloatArray, reference: int) -> FloatArray:
-        """Return the correction at point numbers (k,) relative to the reference."""
+        """Return the correction at point ``numbers`` (k,), relative to that at the reference."""
         keep = np.concatenate([[True], np.diff(self.points) > 0])
         at, levels = np.compress(keep, self.points), np.compress(keep, self.amounts)
         lines = np.interp(np.append(numbers, reference), at, levels)
@@ -62,7 +61,7 @@ class Pair:
 
 
 def row_of(pair: int, *, amounts: bool = False) -> range:
-    """Return the four parameters with the points, or with the amounts, of a pair (from 0)."""
+    """Return the four parameter numbers of an axis pair (from 0): its points or its amounts."""
     rows = known.STRAIGHTNESS_AMOUNTS if amounts else known.STRAIGHTNESS_POINTS
     first = rows[0] + 10 * pair
     return range(first, first + known.STRAIGHTNESS_USED)
@@ -71,7 +70,7 @@ def row_of(pair: int, *, amounts: bool = False) -> range:
 def straightness_pairs(
     parameters: Parameters, addresses: list[str], faults: list[Fault]
 ) -> Iterator[Pair]:
-    """Yield the active axis pairs. A pair that cannot be used is a fault with its parameter."""
+    """Yield the active axis pairs; a pair that cannot be used is a fault at its parameter."""
     unknown = (value for value in parameters.of(_UNKNOWN) if value.nonzero)
     faults += [
         value.fault("a straightness compensation that compwright does not know is active", "0")
@@ -104,14 +103,12 @@ def straightness_pairs(
 def _own(
     parameters: Parameters, value: ParameterValue, numbers: range | list[int]
 ) -> list[ParameterValue]:
-    """Return parameters with the same owner (path) as another one, in the order of their
-    numbers.
-    """
+    """Return the parameters ``numbers`` of the axis, path or machine to which ``value`` belongs."""
     return [each for each in parameters.of(numbers) if each.whose == value.whose]
 
 
 def free_pair(parameters: Parameters, moving: str) -> dict[int, ParameterValue] | None:
-    """Return the parameters of the first unused pair for the path of an axis, by role.
+    """Return the parameters of the first unused axis pair in the moving axis' path.
 
     Complete and at zero: 0 moving, 1 compensated, 2 to 5 points, 6 to 9 amounts.
 

@@ -1,5 +1,4 @@
-"""Write a compensation as whole increments by section (FANUC), into the user's own backup or
-minimal files.
+"""Write compensations as FANUC pitch error data, into the user's backup or into new small files.
 
 Only what belongs to the axis under work is written: its groups in lines that axes share, single
 bits, its own point numbers. Every other byte of a backup stays.
@@ -36,8 +35,9 @@ _NUMBER = re.compile(r"[0-9]{5}")
 def write_increments(
     family: Family, tables: Sequence[AxisTable], files: Sequence[ControlFile]
 ) -> tuple[ControlFile, ...]:
-    """Return the files that put ``tables`` into the control. ``files``: its own files, to be
-    patched.
+    """Return the files that load ``tables`` into the control.
+
+    ``files``: the control's own files, to be changed.
 
     Raises CapacityError with everything that the control cannot hold.
     """
@@ -55,7 +55,7 @@ def write_increments(
 
 
 def _homeless(definition: Definition, left: Entries) -> Iterator[Fault]:
-    """Yield a fault for each value that has no place in the control's own files.
+    """Yield a fault for each value that must be in the control's own files, but has no line there.
 
     Only if nothing else proves that the control has such a parameter.
     """
@@ -95,9 +95,7 @@ class _OwnFiles(Patches):
             self.rows.setdefault(point_number(row), []).append(row)
 
     def put(self, entry: Entries, faults: list[Fault]) -> Entries:
-        """Record the changes for one axis. Return the values without a place in the user's
-        files.
-        """
+        """Record the changes for one axis; return the values without a line in the user's files."""
         left = {
             name: value
             for name, value in entry.parameters.items()
@@ -140,8 +138,8 @@ class _OwnFiles(Patches):
         return replace(entry, parameters=left, points=missing, added=left_added)
 
     def _put_added(self, address: str, number: int, text: str) -> bool:
-        """Set a parameter of an added function in the files. Return whether they contain it for the
-        axis.
+        """Set a parameter of a new inclination or cyclic table; return whether the files contain
+        it.
         """
         names = [file.name for file in self.files]
         places = [
@@ -166,8 +164,8 @@ class _OwnFiles(Patches):
         return bool(places)
 
     def _existing_length(self, place: FoundValue, entry: Entries, value: Decimal) -> str:
-        """Return a length in the unit of the letter in the file: M mm, I inch, P the machine's
-        unit; deg for rotary axes.
+        """Return a length in the unit that its letter in the file gives: M mm, I inch, P the
+        machine's.
         """
         key = place.occurrence.tokens["key"].text.upper()
         inch = key == "I" or (key == "P" and bool(entry.inch))
@@ -175,13 +173,15 @@ class _OwnFiles(Patches):
         return length_text(value, inch=inch and entry.axis.kind is AxisKind.LINEAR, whole=whole)
 
     def _set(self, place: FoundValue, field: str, text: str) -> None:
-        """Change a field. If it already has the same value, it keeps its bytes."""
+        """Change the text of a field, unless it has the same value already."""
         old = place.occurrence.tokens[field].text
         if ("." in old) != ("." in text) or Decimal(old) != Decimal(text):
             self.replace(place.number, *set_field(place.occurrence, field, text))
 
     def _insert(self, missing: Mapping[int, int]) -> None:
-        """Insert missing points after the nearest lower one, in the style of that line."""
+        """Insert lines for missing points, each after the next lower point and in the style of its
+        line.
+        """
         for number, value in sorted(missing.items()):
             below = [one for one in self.rows if one < number]
             neighbour = self.rows[max(below) if below else min(self.rows)][-1]
@@ -191,9 +191,7 @@ class _OwnFiles(Patches):
             self.add_lines(neighbour.number, place, [line], before=not below)
 
     def changed_files(self, addresses: Collection[str]) -> tuple[ControlFile, ...]:
-        """Return the user's files that mention the axes or hold point data, with all changes
-        made.
-        """
+        """Return, with all changes, the user's files that name the axes or contain point data."""
         numbers = {row.number for rows in self.rows.values() for row in rows} | self.changed()
         for (address, _), singles in self.gathered.singles.items():
             if address in addresses:
@@ -202,8 +200,9 @@ class _OwnFiles(Patches):
 
 
 def _fresh(definition: Definition, left: Entries, taken: Collection[str]) -> Iterator[ControlFile]:
-    """Yield minimal files for the values without a place in the user's own files. ``taken``: file
-    names not to be used.
+    """Yield new small files for values without a line in the user's files.
+
+    ``taken``: file names not to be used.
     """
     for file in definition.writing:
         lines = list(_point_lines(definition, left) if file.rows else _lines(definition, left))
@@ -226,7 +225,7 @@ def _file(
 
 
 def _lines(definition: Definition, entry: Entries) -> Iterator[str]:
-    """Yield the parameter lines, in the order of the definition."""
+    """Yield the lines for the parameters of an axis, in the order of the definition."""
     linear, whole = entry.axis.kind is AxisKind.LINEAR, thousandths(definition)
     # Where the control's own files say its unit, a fresh line has the letter that they have; else M
     # says that it is in mm.
@@ -285,9 +284,7 @@ def _program(definition: Definition, file: WrittenFile, entry: Entries) -> Itera
 
 
 def sheet_rows(definition: Definition, entry: Entries) -> Iterator[SheetRow]:
-    """Yield the rows that an engineer types in: the parameters, then every point with the position
-    of the section's upper end.
-    """
+    """Yield the rows that an engineer types in: parameters, then points with their section ends."""
     for quantity, value in entry.parameters.items():
         number = name_of(definition, quantity)
         if isinstance(value, Decimal):
@@ -318,7 +315,7 @@ _PULSE = (
 
 
 def increment_sheets(family: Family, own: Sequence[AxisTable]) -> tuple[ControlFile, ...]:
-    """Return the entry sheets, and the programs if the options require them.
+    """Return an entry sheet per axis, and the G10 programs if an option requires them.
 
     ``own``: the tables of leading axes; those of gantry partners are derived from them.
     """
