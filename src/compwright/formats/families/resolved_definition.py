@@ -1,6 +1,4 @@
-"""A definition combined with its options and the contents of the control's files, for every
-family.
-"""
+"""A definition together with its options and with the contents of the control's files."""
 
 from __future__ import annotations
 
@@ -16,8 +14,7 @@ from compwright.records.correction import Assumption, ControlState
 
 
 class ResolvedDefinition:
-    """A definition with its options and a ``state``: the contents of the control's own files, empty
-    before reading.
+    """A definition with its options, and (``state``) what the control's files contain, once read.
 
     Raises UsageError for a wrong option, or one that contradicts the control's files.
     """
@@ -36,7 +33,7 @@ class ResolvedDefinition:
         self.options = resolve_options(definition, given, state, strict=strict)
 
     def in_state(self, state: ControlState | None, *, strict: bool = False) -> Self:
-        """Return the control with options that its own files answer.
+        """Return the control with the options that are answered by its own files.
 
         ``strict``: every option was given by the user, not by default. Raises UsageError where a
         given option contradicts the files.
@@ -44,14 +41,14 @@ class ResolvedDefinition:
         return type(self)(self.definition, self.given, state, strict=strict)
 
     def address(self, axis: Axis) -> tuple[str, Assumption | None]:
-        """Return the control's address of an axis, and the assumption behind it.
+        """Return the control's address of an axis, with the assumption made if the job gives none.
 
         Raises UsageError for an address that the control cannot have.
         """
         return normal_address(self.definition, axis)
 
     def options_of(self, axis: Axis | None, *, unit_needed: bool = True) -> Mapping[str, object]:
-        """Return the options of an axis, its own over those of the controller. Raises UsageError.
+        """Return the options of an axis, which override the controller's. Raises UsageError.
 
         The controller's alone count for an axis without a job. ``unit_needed`` as in
         `axis_options`.
@@ -59,8 +56,10 @@ class ResolvedDefinition:
         return axis_options(self.definition, self.options, axis, unit_needed=unit_needed)
 
     def existing_grid(self, axis: Axis) -> tuple[float, ...]:
-        """Return the nodes (ascending, mm or deg) of the table in the control's own files, active
-        or not. Empty without one.
+        """Return the positions (ascending, mm or deg) of the points of the table in the control's
+        files.
+
+        The table may be inactive. Empty without one.
         """
         address, _ = self.address(axis)
         existing = self.state.axes.get(address)
@@ -69,7 +68,7 @@ class ResolvedDefinition:
         return self.state.facts_of(address).grid
 
     def scale_of(self, axis: Axis) -> NumberScale:
-        """Return unit, sign and resolution of an axis' numbers, with the choices of its options."""
+        """Return unit, sign and resolution of an axis' numbers, which depend on its options."""
         options = self.options_of(axis)
         choices = {
             name: binding.values[binding.written(options)]

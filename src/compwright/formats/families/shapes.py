@@ -1,4 +1,4 @@
-"""The families of formats by the form of their tables, and the entry to a control's format."""
+"""The families of controls by the shape of their tables, and the entry to a control's format."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ RULES: Mapping[str, ShapeRules] = {
 
 
 def family_of(definition: Definition) -> type[Family]:
-    """Return the family of a control. Tables between axes need the extended family."""
+    """Return the family of a control, by its table shape and whether it has cross-axis tables."""
     return PairsFamily if has_cross(definition) else _FAMILIES[definition.layout.shape]
 
 

@@ -1,5 +1,4 @@
-"""Compare an axis' limits in the control's files with the job's travel, which must use the same
-coordinates.
+"""Compare an axis' limits in the control's files with the job's travel, in the same coordinates.
 
 Both must be in machine coordinates, or the table is in the wrong place.
 """
@@ -27,8 +26,9 @@ def check_travel(
     notes: Notes,
     refuse: Callable[[str, str, str], None],
 ) -> None:
-    """Compare the job's travel with the ``limits`` of the axis (low, high; mm or deg). ``names``:
-    their names on the control.
+    """Compare the job's travel with the axis' ``limits`` in the files (low, high; mm or deg).
+
+    ``names``: their names on the control.
 
     A travel outside them goes to ``refuse`` (message, expected, found), one that only partly
     exceeds them is a doubt; if the upper limit is not above the lower one, none are set.
@@ -60,7 +60,7 @@ def check_travel(
 def check_limits(
     gathered: Gathered, address: str, axis: Axis, facts: AxisFacts, notes: Notes
 ) -> None:
-    """Compare the limits in the ``facts`` of an axis with its travel; an endless axis has none."""
+    """Compare the limits that the files state for an axis with the travel in the job."""
     if axis.modulo is not None or facts.turn is not None or facts.limits is None:
         return
     places = gathered.found("limit_high", address, None)

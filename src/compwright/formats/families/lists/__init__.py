@@ -1,1 +1,1 @@
-"""Family of tables in one list per axis. Entries have an index; the header names the axis."""
+"""ISG kernel: tables in value lists, one list for each axis, with a header that names the axis."""

@@ -1,4 +1,4 @@
-"""Read the backlash from the lists of an axis, and refuse unknown kinds of compensation."""
+"""Read an axis' backlash from its lists, and refuse kinds of compensation that are unknown."""
 
 from __future__ import annotations
 
@@ -16,7 +16,10 @@ _MOST = 32767
 
 
 def backlash_of(of: AxisStatements, *, two: bool) -> float:
-    """Return the backlash, mm or deg. ``two``: a table with two columns is active."""
+    """Return the backlash of the axis in mm or deg.
+
+    ``two``: a table with two columns is active.
+    """
     switch = of.one("backlash_switch")
     gears = of.rows("backlash")
     lose = gears.get(0)
@@ -76,7 +79,7 @@ def _checked_backlash(
 
 
 def _check_gears(of: AxisStatements, gears: Mapping[int, FoundValue]) -> None:
-    """Every gear must have the backlash of the first one, or none."""
+    """Check that each gear stage has the backlash of the first one, or zero."""
     first = gears.get(0)
     for gear, found in gears.items():
         same = first is not None and same_value(found.text, first.text)
@@ -86,9 +89,7 @@ def _check_gears(of: AxisStatements, gears: Mapping[int, FoundValue]) -> None:
 
 
 def check_others(of: AxisStatements) -> None:
-    """Refuse, by name, any compensation of the axis other than table, backlash and one table from
-    another axis.
-    """
+    """Refuse compensations of the axis other than table, backlash and one cross-axis table."""
     for found in of.lists.places(of.address, "other"):
         if not _is_zero(found.text):
             name = found.occurrence.tokens["name"].text

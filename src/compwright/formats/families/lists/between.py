@@ -32,9 +32,7 @@ _STRAIGHT = 1e-9
 
 
 def lists_between(family: Family, request: BetweenRequest) -> Between:
-    """Return the lists with the cross-axis tables and the loading steps, or why the control
-    cannot hold them. Raises UsageError.
-    """
+    """Answer a request for corrections between axes: value lists and loading steps, or why not."""
     signs = {entry.output: _sign(family, request, entry) for entry in request.planned}
     before = request.read(request.base)
     writer = ListsWriter(family.definition, request.base)
@@ -59,7 +57,7 @@ def _values(family: Family, request: BetweenRequest, entry: PlannedCross) -> obj
 
 
 def _sign(family: Family, request: BetweenRequest, entry: PlannedCross) -> int:
-    """Return the factor from a correction to a value of the list."""
+    """Return the factor (1 or -1) by which a correction becomes a table value in the list."""
     meaning = _values(family, request, entry)
     if meaning is None:
         raise UsageError(
@@ -87,7 +85,7 @@ def _write(
     before: ControlState,
     planned: Sequence[PlannedCross],
 ) -> None:
-    """Write the sum of the existing and the added correction as one table. Raises CapacityError."""
+    """Write the existing correction plus the new one as one table. Raises CapacityError."""
     added = entry.added
     rivals = {each.input for each in before.cross if each.output == added.output} | {
         each.added.input for each in planned if each.added.output == added.output
@@ -151,7 +149,7 @@ def _sum(tables: Sequence[CrossCompensation], where: FloatArray) -> FloatArray:
 
 
 def _corners(positions: FloatArray, values: FloatArray) -> list[int]:
-    """Return the points where the curve bends. For a straight line: its ends."""
+    """Return the indices of the points where a curve bends; for a straight line only its ends."""
     kept = [0]
     for index in range(1, positions.size - 1):
         around = np.array([kept[-1], index + 1])
@@ -162,7 +160,7 @@ def _corners(positions: FloatArray, values: FloatArray) -> list[int]:
 
 
 def _steps(entry: PlannedCross, files: Sequence[ControlFile], meaning: str) -> list[dict[str, str]]:
-    """Return the loading steps of a table: first the sign, then the data."""
+    """Return the card's steps to load a cross-axis table: check the sign, then load the data."""
     added = entry.added
     axes = {"output": entry.output, "input": entry.input}
     loading = control_text(
@@ -187,7 +185,7 @@ def _steps(entry: PlannedCross, files: Sequence[ControlFile], meaning: str) -> l
 
 
 def _checking(entry: PlannedCross, meaning: str) -> str:
-    """Return the experiment that shows the sign of a value in the list."""
+    """Return the card's text on a trial that shows the sign of a table value."""
     added = entry.added
     factor, unit = outside_factor(added.output_kind.unit), shown_unit(added.output_kind.unit)
     low, high = (float(value) for value in added.positive[[0, -1]])

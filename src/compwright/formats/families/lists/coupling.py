@@ -35,7 +35,9 @@ _REMARK = re.compile(r"(?!)")  # without_remarks has taken them
 def couplings_of(
     files: Sequence[ControlFile], owners: Mapping[str, int], wanted: Sequence[str]
 ) -> tuple[Coupling, ...]:
-    """Return which axes follow another axis. ``owners``: axis number by file name.
+    """Return the axes that follow another axis by the lists.
+
+    ``owners``: axis number by file name.
 
     ``wanted``: the axes under work.
     """

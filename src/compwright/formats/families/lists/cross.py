@@ -1,4 +1,4 @@
-"""The table by which another axis corrects this one, in the list of the corrected axis."""
+"""Read the cross-axis table in an axis' list, by which the position of another axis corrects it."""
 
 from __future__ import annotations
 
@@ -84,12 +84,12 @@ def read_cross(
 
 
 def left_out(notes: Notes, label: str, why: str) -> None:
-    """Note a cross-axis table that stays unchanged."""
+    """Report a cross-axis table that is not read and stays unchanged."""
     notes.find("CW-S050.list", "warning", label=label, why=why)
 
 
 def _entries(lists: AxisStatements) -> list[tuple[Decimal, Decimal]]:
-    """Return position and value of every entry, as written. Empty without a valid table."""
+    """Return positions and values of a table's entries as written; empty without a valid table."""
     given = [
         place for name in CROSS_STATEMENTS for place in lists.lists.places(lists.address, name)
     ]

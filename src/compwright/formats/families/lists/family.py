@@ -1,6 +1,4 @@
-"""Family of tables in one list per axis, with one optional table by which another axis corrects
-it.
-"""
+"""ISG kernel controls: one value list for each axis, which may have a cross-axis table."""
 
 from __future__ import annotations
 
@@ -47,7 +45,7 @@ RULES = ShapeRules(
 def _own_limits(
     axis: Axis, compensation: AxisCompensation, capacity: Capacity, label: str
 ) -> Sequence[Fault]:
-    """Return the faults of the table of an endless axis, and of values outside the number type."""
+    """Return the faults of an endless axis' table and of values beyond the number type."""
     faults = limits.turn(capacity, compensation, label)
     low, high = capacity.value_range
     values = (*compensation.positive, *compensation.negative)
@@ -67,7 +65,7 @@ def _own_limits(
 
 
 class ListsFamily(Family):
-    """Tables with entries by index in one list per axis."""
+    """Controls whose tables are entries by index, in one value list for each axis."""
 
     listing = Listing(file_values=file_values)
     unanswered_option = UnansweredOption(
@@ -89,7 +87,7 @@ class ListsFamily(Family):
         return ListStateReader(self, axes, address, activity).read(files)
 
     def unit_of(self, axis: Axis) -> str:
-        """Return the unit of an axis' list as a word. New lists use tenths."""
+        """Return the unit of an axis' list by its word in the definition (new list: "tenths")."""
         address, _ = self.address(axis)
         return str(self.state.facts_of(address).stated.get("table_form", "tenths"))
 
@@ -117,8 +115,9 @@ class ListsFamily(Family):
         return counted(NumberScale(self.definition, axis.kind, options, {}), options, increment)
 
     def capacity(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
-        """Return the limits of an axis; arguments as those of `Family.capacity`. Two columns hold
-        the reversal error.
+        """Return the limits of an axis' table; see `Family.capacity`.
+
+        Two columns hold the reversal error.
 
         It is not known in which direction the control adds its backlash.
         """
@@ -183,7 +182,5 @@ class ListsFamily(Family):
         return AxisCard(values | named_files(self, axis, request.files))
 
     def between(self, request: BetweenRequest) -> Between:
-        """Return the list of the corrected axis with the added correction; arguments as those of
-        `Family.between`.
-        """
+        """Return the corrected axis' list with the added correction; see `Family.between`."""
         return lists_between(self, request)

@@ -1,5 +1,4 @@
-"""Read value lists, axis parameter lists and the start-up list, and return the statements that
-apply to each axis.
+"""Read value lists, axis parameter lists and the start-up list, and sort their lines by axis.
 
 The header of a list names its axis; without a header the start-up list does. If there is a start-up
 list, a value list that it does not name is not loaded.
@@ -31,13 +30,13 @@ _REMARK = re.compile(rb"/\*.*?(?:\*/|\Z)|#[^\r\n]*", re.DOTALL)
 
 
 def without_remarks(content: bytes) -> bytes:
-    """Return a file with its remarks blanked, so that all other bytes keep their place."""
+    """Return a file with blanks in place of comments, so that all other bytes keep their place."""
     return _REMARK.sub(lambda remark: re.sub(rb"[^\r\n]", b" ", remark[0]), content)
 
 
 @dataclass(slots=True)
 class ListsByAxis:
-    """The statements of all lists, sorted by axis and statement.
+    """The statements in all lists of a control, sorted by axis and statement.
 
     ``statements[address][statement]`` in the order of the files.
 
@@ -55,17 +54,17 @@ class ListsByAxis:
     missing: dict[str, FoundValue] = field(default_factory=dict)
 
     def places(self, address: str, statement: str) -> Sequence[FoundValue]:
-        """Return every file and line in which an axis list contains a statement."""
+        """Return each value of a statement in the lists of an axis, with its file and line."""
         return self.statements.get(address, {}).get(statement, ())
 
     def name(self, statement: str) -> str:
-        """Return the control's name of a statement, without its index."""
+        """Return the control's name of a statement, with ``[..]`` in place of an index."""
         form = self.definition.statements[statement].form
         head, bracket, tail = form.partition("[{index}]")
         return f"{name_in_form(head)}[..]{tail.split()[0]}" if bracket else name_in_form(form)
 
     def value_files(self, address: str) -> set[int]:
-        """Return the file indices of an axis' loaded value lists."""
+        """Return the file indices of the value lists that the control loads for an axis."""
         return {
             found.number
             for name, places in self.statements.get(address, {}).items()
@@ -79,9 +78,7 @@ def _in_value_list(definition: Definition, statement: str) -> bool:
 
 
 def read_lists(definition: Definition, files: Sequence[ControlFile], notes: Notes) -> ListsByAxis:
-    """Return the statements of each axis. Unreadable lines and lists of an unknown axis become
-    faults of ``notes``.
-    """
+    """Return the statements of each axis. Lines or lists that cannot be read become faults."""
     reader = text_reader(definition)
     texts: list[ReadText] = []
     for number, file in enumerate(files):
@@ -100,7 +97,7 @@ def read_lists(definition: Definition, files: Sequence[ControlFile], notes: Note
 def file_values(
     definition: Definition, files: Sequence[ControlFile], _: Sequence[ControlFile] = ()
 ) -> dict[str, FileValue]:
-    """Return every value of the lists, those of an axis by its number, whatever the file is called.
+    """Return every value in the lists by the number of its axis, independent of file names.
 
     Raises InputError for a file that cannot be opened.
     """
@@ -141,9 +138,7 @@ class _Sorter:
         self._check_count()
 
     def _check_count(self) -> None:
-        """Refuse entries of the start-up list beyond its number of lists, because they are not
-        loaded.
-        """
+        """Refuse start-up list entries beyond its stated count, because they are not loaded."""
         counts: Sequence[FoundValue] = self.lists.start_up.get(LISTED_COUNT, ())
         name = self.lists.name(LISTED_COUNT)
         for other in counts[1:]:
@@ -161,7 +156,7 @@ class _Sorter:
                 )
 
     def _by_index(self, statement: str) -> Mapping[int, FoundValue]:
-        """Return the entries of the start-up list. Two different entries with one index are a
+        """Return the start-up list's entries by index; two different entries with one index are a
         fault.
         """
         entries: dict[int, FoundValue] = {}
@@ -195,7 +190,7 @@ class _Sorter:
     def _address(
         self, text: ReadText, own: Sequence[Occurrence], indices: Sequence[int]
     ) -> str | None:
-        """Return the axis of a list. Its header and the start-up list must agree."""
+        """Return the axis of a list by its header and by the start-up list, which must agree."""
         headers = [
             FoundValue(each.tokens["axis"].text, each, text.number)
             for each in own
@@ -234,7 +229,7 @@ class _Sorter:
         return str(numbers.pop()) if len(numbers) == 1 else None
 
     def find_missing(self) -> None:
-        """Note lists that the start-up list names but that were not given."""
+        """Report the lists that the start-up list names but that are not among the files."""
         given = {_low(text) for text in self.texts}
         for index, name in self.names.items():
             if index in self.axes and base_name(name.text) not in given:
@@ -251,12 +246,12 @@ def _low(text: ReadText) -> str:
 
 
 def _value(occurrence: Occurrence) -> str:
-    """Return the value of a statement in an axis list."""
+    """Return the value in a line of an axis list, as text."""
     tokens = occurrence.tokens
     return tokens["value" if "value" in tokens else "axis"].text
 
 
 def entries(places: Sequence[FoundValue]) -> Iterator[tuple[int, FoundValue]]:
-    """Yield index and place of each entry of a table."""
+    """Yield the index of each table entry together with its line."""
     for found in places:
         yield int(found.occurrence.tokens["index"].text), found

@@ -43,8 +43,9 @@ from compwright.words.sentences import control_text, unconfirmed
 
 @dataclass(frozen=True, slots=True)
 class AxisList:
-    """The active compensation of an axis, whether its table is active, and the nodes of an inactive
-    table, mm or deg.
+    """An axis' active compensation, and whether its table is active.
+
+    ``idle``: the positions of an inactive table's points, mm or deg.
     """
 
     compensation: AxisCompensation
@@ -53,7 +54,7 @@ class AxisList:
 
 
 def read_axis(of: AxisStatements) -> AxisList:
-    """Return the compensation in the lists of an axis. Faults are added to its notes."""
+    """Return the compensation in the lists of an axis; faults are added to the axis' notes."""
     table = TableReader(of).read()
     active = None
     if table is not None:
@@ -87,9 +88,7 @@ def read_axis(of: AxisStatements) -> AxisList:
 
 
 class ListStateReader:
-    """Reads the state of a control from its lists. Arguments and errors as those of
-    `Family.read`.
-    """
+    """Reads the state of a control from its value lists; see `Family.read` for the arguments."""
 
     def __init__(
         self, family: Family, axes: Sequence[Axis], address: str | None, activity: Activity
@@ -165,7 +164,7 @@ class ListStateReader:
         )
 
     def _couplings(self, lists: ListsByAxis, files: Sequence[ControlFile]) -> None:
-        """Compare the couplings of axes with the job."""
+        """Compare the axis couplings in the files with the gantries of the job."""
         owners = {
             files[number].name: int(address)
             for address, numbers in lists.files.items()
@@ -207,7 +206,7 @@ class ListStateReader:
         )
 
     def _axis(self, lists: ListsByAxis, address: str, axis: Axis | None) -> None:
-        """Read an axis that is part of the job."""
+        """Read the compensation of an axis of the job."""
         reader = self._reader(lists, address, axis, self.notes, self.activity)
         own = read_axis(reader)
         self.compensations[address] = own.compensation
@@ -227,8 +226,8 @@ class ListStateReader:
             self._check_turn(axis, self.compensations[address])
 
     def _unasked(self, lists: ListsByAxis, address: str) -> None:
-        """Read the correction by another axis, for an axis that is not part of the job. With faults
-        it is left out and noted.
+        """Read the cross-axis table of an axis outside the job; one with faults is reported, not
+        read.
         """
         own, notes = Notes(), Notes()
         activity = Activity(stated=self.activity.stated)
@@ -244,7 +243,7 @@ class ListStateReader:
         self.cross.extend([between] if between is not None else [])
 
     def _twins(self, other: str, table: AxisCompensation) -> None:
-        """Note an axis outside the job with the same table as an axis of the job."""
+        """Report an axis outside the job that has the same table as an axis of the job."""
         if not np.any(table.positive) and not np.any(table.negative):
             return
         for address, mine in self.compensations.items():
@@ -270,7 +269,7 @@ class ListStateReader:
         return known or AxisKind.LINEAR
 
     def _check_turn(self, axis: Axis, table: AxisCompensation) -> None:
-        """Note a table that ends on an endless axis, or repeats on one with ends."""
+        """Report a table with ends on an endless axis, or a repeating one on an axis with ends."""
         if table.positions.size == 0 or (axis.modulo is None) == (table.period is None):
             return
         self.notes.find("CW-S056", "warning", axis.address, axis=axis.address, period=table.period)

@@ -1,4 +1,4 @@
-"""The statements of one axis in the lists. Each contradiction is noted once."""
+"""The statements of one axis in its lists; each contradiction is reported once."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ _KINDS: Mapping[int | str, AxisKind] = {
 
 
 class AxisStatements:
-    """The statements of one axis, with the values that later steps need.
+    """The statements in the lists of one axis, with checks of their values.
 
     ``axis``: that of a job, None without one; ``stated``: by neutral name. Faults go to ``notes``.
     """
@@ -92,7 +92,7 @@ class AxisStatements:
         return kind
 
     def one(self, statement: str) -> FoundValue | None:
-        """Return the place of a statement. Two different values are a fault."""
+        """Return the value of a statement with its line; two different values are a fault."""
         return self._agreed(statement, self.lists.places(self.address, statement))
 
     def _agreed(self, what: str, places: Sequence[FoundValue]) -> FoundValue | None:
@@ -106,7 +106,7 @@ class AxisStatements:
         return places[0] if places else None
 
     def needed(self, statement: str, given: FoundValue | None) -> FoundValue | None:
-        """Return the place of a statement that is required because ``given`` exists."""
+        """Return the value of a statement that must be in the lists because ``given`` is."""
         found = self.one(statement)
         if found is None and not self.lists.places(self.address, statement):
             name = self.lists.name(statement)
@@ -117,12 +117,13 @@ class AxisStatements:
         return found
 
     def word(self, quantity: str) -> str | None:
-        """Return the meaning of a choice, or its default if the lists do not contain it."""
+        """Return the meaning of a choice in the lists, or its default if they do not contain it."""
         found = self.one(self.definition.bindings[quantity].statement)
         return self.values.word(quantity, found) if found else self.values.absent(quantity)
 
     def is_active(self, switch: str, manual: str, *, zero: bool, label: str) -> bool:
-        """Return whether a table is active, by the switch of the axis and its manual activation.
+        """Return whether a table is active, by its parameter and by the parameter of manual
+        activation.
 
         A switch in no list counts as on; if it is off, the job's answer is required where
         measurements depend on it. ``zero``: the table holds only zeros.
@@ -161,12 +162,14 @@ class AxisStatements:
         return True
 
     def any_place(self) -> FoundValue | None:
-        """Return the place of any statement of the axis, for messages."""
+        """Return any line of the axis with its file, to be named in messages."""
         statements = self.lists.statements.get(self.address, {})
         return next((found for places in statements.values() for found in places), None)
 
     def rows(self, column: str) -> dict[int, FoundValue]:
-        """Return the entries of one column by index. Two different entries are a fault."""
+        """Return the entries of one column by index; two different entries with one index are a
+        fault.
+        """
         by_index: dict[int, list[FoundValue]] = {}
         for index, found in entries(self.lists.places(self.address, column)):
             by_index.setdefault(index, []).append(found)
@@ -174,7 +177,9 @@ class AxisStatements:
         return {index: found for index, found in agreed.items() if found is not None}
 
     def room(self, statement: str, default: int) -> int:
-        """Return the number of entries that fit; 0 in the list means ``default``."""
+        """Return how many entries the control reserves; ``default`` if the lists state 0 or
+        nothing.
+        """
         found = self.one(statement)
         number = int(found.text) if found is not None else 0
         if number:
@@ -190,7 +195,7 @@ class AxisStatements:
         *,
         needed: bool = True,
     ) -> None:
-        """Check that every entry exists and none is beyond the last one."""
+        """Check that a column has all entries from 0 up to ``count``, and none beyond."""
         name = self.lists.name(column)
         missing = count - sum(index < count for index in rows) if needed else 0
         if missing:
@@ -211,7 +216,7 @@ class AxisStatements:
     def check_ascending(
         self, places: Sequence[Decimal], setpoints: Mapping[int, FoundValue], otherwise: FoundValue
     ) -> None:
-        """Raise a fault for the first position that is not above the one before it."""
+        """Report as a fault the first position that is not above the position before it."""
         for index in range(1, len(places)):
             if places[index] <= places[index - 1]:
                 message = f"the positions do not ascend at entry {index}"

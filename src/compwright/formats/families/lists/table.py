@@ -1,4 +1,4 @@
-"""Read the table of an axis from its list as corrections by position."""
+"""Read the table in the list of an axis as corrections by position."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ COLUMNS = ("setpoint", "positive", "negative")
 def counted(
     definition_scale: NumberScale, options: Mapping[str, object], increment: float
 ) -> NumberScale:
-    """Return a number scale with one count equal to ``increment`` mm or deg."""
+    """Return the conversion of whole numbers that count ``increment`` (mm or deg) each."""
     return NumberScale(
         definition_scale.definition,
         definition_scale.kind,
@@ -44,8 +44,10 @@ def counted(
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ListTable:
-    """A table in mm or deg: ``positions`` (k,) ascending, corrections ``positive`` and ``negative``
-    (k,), ``period`` if it repeats.
+    """A table: ``positions`` (k,) ascending, corrections ``positive`` and ``negative`` (k,), mm or
+    deg.
+
+    ``period``: if the table repeats.
     """
 
     positions: FloatArray
@@ -56,13 +58,13 @@ class ListTable:
 
 
 class TableReader:
-    """Reads the table of one axis. Faults are added to its notes."""
+    """Reads the table of one axis from its list; faults are added to the axis' notes."""
 
     def __init__(self, of: AxisStatements) -> None:
         self.of = of
 
     def read(self) -> ListTable | None:
-        """Return the table in the list, active or not. None without a readable table."""
+        """Return the table in the list, active or not; None without a readable table."""
         of, before = self.of, len(self.of.notes.faults)
         rows = {column: of.rows(column) for column in COLUMNS}
         names = ("count", "unit", "interval", "start", "bilateral", "modulo", "manual")
@@ -95,15 +97,13 @@ class TableReader:
         return None if len(of.notes.faults) > before else table
 
     def _note_limits(self) -> None:
-        """Record the unit of the list and its number of entries, which apply to an empty table
-        too.
-        """
+        """Record the list's unit and its number of entries, which also apply to an empty table."""
         if self.of.one("unit") is not None and (word := self.of.word("table_form")) is not None:
             self.of.stated["table_form"] = word
         self.of.room("max_points", 0)
 
     def _needed_word(self, quantity: str, given: FoundValue | None) -> str | None:
-        """Return the meaning of a required choice."""
+        """Return the meaning of a choice that must be in the list because ``given`` is."""
         statement = self.of.definition.bindings[quantity].statement
         return None if self.of.needed(statement, given) is None else self.of.word(quantity)
 
@@ -133,7 +133,7 @@ class TableReader:
         )
 
     def scale(self, word: str | None, place: FoundValue | None) -> NumberScale | None:
-        """Return unit, sign and resolution of a table's numbers, by the word of its unit.
+        """Return unit, sign and resolution of a table's numbers, by the list's word for its unit.
 
         None, with a question, if the size of an increment is unknown.
         """
@@ -184,7 +184,7 @@ class TableReader:
         interval: FoundValue | None,
         place: FoundValue | None,
     ) -> list[Decimal]:
-        """Return the positions of the entries, as counts. They must ascend."""
+        """Return the positions of the entries in the list's counts, checked to ascend."""
         if interval is None:
             return []
         step = Decimal(interval.text)
@@ -210,7 +210,7 @@ class TableReader:
     def _listed(
         self, setpoints: Mapping[int, FoundValue], count: int, place: FoundValue | None
     ) -> list[Decimal]:
-        """Return the positions if every entry has its setpoint."""
+        """Return the positions written for the entries, each of which must have one."""
         self.of.complete(setpoints, count, "setpoint", place)
         result = [Decimal(setpoints[index].text) for index in range(count) if index in setpoints]
         start = self.of.one("start")
@@ -224,7 +224,9 @@ class TableReader:
     def _even(
         self, setpoints: Mapping[int, FoundValue], count: int, step: Decimal, interval: FoundValue
     ) -> list[Decimal]:
-        """Return equally spaced positions. Setpoints in the list must agree with them."""
+        """Return equally spaced positions by the interval; positions in the list must agree with
+        them.
+        """
         start = self.of.needed("start", interval)
         if start is None:
             return []
@@ -239,7 +241,7 @@ class TableReader:
         return result
 
     def _one_column(self, rows: Mapping[str, Mapping[int, FoundValue]]) -> None:
-        """Return the column for + for both directions. An existing column for - must be equal."""
+        """Check that the column for -, if the list contains one, equals the column for +."""
         for index, found in rows["negative"].items():
             first = rows["positive"].get(index)
             if first is not None and not same_value(first.text, found.text):
@@ -259,7 +261,7 @@ class TableReader:
         return value
 
     def _check_type(self, found: FoundValue) -> None:
-        """Check that a number fits the stated type of the values."""
+        """Check that a value fits the number type that the option ``value_type`` states."""
         kind = str(self.of.options.get("value_type"))
         most = VALUE_TYPES.get(kind)
         number = Decimal(found.text)
@@ -275,7 +277,9 @@ class TableReader:
     def _period(
         self, positions: Sequence[Decimal], curves: Sequence[Sequence[Decimal]], count: float
     ) -> float | None:
-        """Return the turn of a repeating table. Its first and last entry are the same position."""
+        """Return the turn of a repeating table, whose first and last entries must have equal
+        values.
+        """
         place = self.of.one("modulo")
         if self.of.word("repeats") != "yes" or place is None:
             return None

@@ -37,7 +37,7 @@ _CROSS_COLUMNS = ("cross_setpoint", "cross_correction")
 
 
 class ListsWriter:
-    """Records changes to the lists of a control. Raises InputError if they cannot be read."""
+    """Records changes to a control's value lists. Raises InputError if they cannot be read."""
 
     def __init__(self, definition: Definition, files: Sequence[ControlFile]) -> None:
         self.definition = definition
@@ -85,7 +85,9 @@ class ListsWriter:
             self._put(self.lists.places(address, "backlash"), "0")
 
     def _words(self, address: str) -> dict[str, str]:
-        """Set the unit of a new list, and two columns for every table."""
+        """Return the list's words for its unit (for a new list, the definition's) and for two
+        columns.
+        """
         bindings = self.definition
         unit = self.lists.places(address, "unit")
         return {
@@ -96,9 +98,7 @@ class ListsWriter:
     def put_cross(
         self, address: str, master: str, positions: Sequence[str], values: Sequence[str]
     ) -> None:
-        """Write the table by which ``master`` corrects an axis into the list of that axis. Numbers
-        are text.
-        """
+        """Write into the list of an axis the table by which the axis ``master`` corrects it."""
         self._home(address)
         single = {
             "cross_unit": "1",
@@ -110,7 +110,7 @@ class ListsWriter:
         self._activate(address, "cross_switch", "cross_manual")
 
     def files_of(self, addresses: Iterable[str]) -> tuple[ControlFile, ...]:
-        """Return the lists of some axes and the start-up list, with all changes."""
+        """Return the start-up list and the lists of the axes, with all changes."""
         numbers = {number for each in addresses for number in self.lists.files.get(each, ())}
         numbers |= {place.number for places in self.lists.start_up.values() for place in places}
         return self.patches.patched(numbers)
@@ -118,7 +118,7 @@ class ListsWriter:
     # --- where a table stands
 
     def _home(self, address: str) -> None:
-        """Create a list for an axis without one, and name it in the start-up list."""
+        """Create a list for an axis that has none, and enter it in the start-up list."""
         if self.lists.value_files(address):
             return
         file = self.definition.writing[0]
@@ -139,7 +139,7 @@ class ListsWriter:
         return name
 
     def _announce(self, address: str, name: str) -> None:
-        """Name a new list in the start-up list, if there is one."""
+        """Enter a new list in the start-up list, if the files contain one."""
         start_up = self.lists.start_up
         listed = [*start_up.get(LISTED_AXIS, ()), *start_up.get(LISTED_FILE, ())]
         if not listed:
@@ -155,9 +155,7 @@ class ListsWriter:
             self._put([place], str(int(place.text) + 1))
 
     def _interval(self, address: str, counts: Sequence[int]) -> int:
-        """Return the interval if the axis' list uses one and the positions allow it. Else 0: every
-        entry has its position.
-        """
+        """Return the interval of equally spaced entries; 0 if each entry has its own position."""
         own = self.lists.places(address, "interval")
         steps = set(np.diff(counts).tolist())
         even = bool(own) and not same_value(own[0].text, "0") and len(steps) == 1
@@ -172,7 +170,7 @@ class ListsWriter:
         columns: Mapping[str, Sequence[str]],
         known: Sequence[str],
     ) -> None:
-        """Set single statements, then the entries: in their lines, or all of them anew."""
+        """Write a table's single values and its entries, into the existing lines where they fit."""
         places = [f for column in known for f in self.lists.places(address, column)]
         new: dict[Entry, str] = {
             (column, index): texts[index]
@@ -207,9 +205,7 @@ class ListsWriter:
         new: Mapping[Entry, str],
         known: Sequence[str],
     ) -> bool:
-        """Return whether the entries keep their places, so that only values change in their
-        lines.
-        """
+        """Return whether all entries have a line already, so that only values in lines change."""
         old = {
             (column, index): found
             for column in known
@@ -229,9 +225,7 @@ class ListsWriter:
     def _anchor(
         self, address: str, names: Sequence[str], places: Sequence[FoundValue]
     ) -> FoundValue:
-        """Return the line before the first entry of a table, else the last line about the table,
-        else the last line of the list.
-        """
+        """Return the line at which a table's new entries are inserted."""
         if places:
             return min(places, key=lambda found: (found.number, found.occurrence.line))
         statements = self.lists.statements[address]
@@ -246,19 +240,19 @@ class ListsWriter:
         return print_form(self.definition.statements[statement].form, fields)
 
     def _put(self, places: Sequence[FoundValue], text: str) -> bool:
-        """Set a value at all its places. False if it has none."""
+        """Set a value in all lines that state it; return False if there is none."""
         for place in places:
             if not same_value(place.text, text):
                 self.patches.replace(place.number, *set_field(place.occurrence, "value", text))
         return bool(places)
 
     def _activate(self, address: str, switch: str, manual: str) -> None:
-        """Switch on a table if the lists finally switch it off."""
+        """Activate a table if the last value in the lists deactivates it."""
         self._put(self.lists.places(address, switch), "1")
         self._put(self.lists.places(address, manual), "0")
 
     def _take_out(self, found: FoundValue) -> None:
-        """Remove an old entry with its line. A remark over several lines stays."""
+        """Remove the line of an old entry, but keep a comment that reaches over several lines."""
         line = self.patches.line(found.number, _start(found))
         content = self.patches.files[found.number].content
         raw = content[line.start : line.end]
@@ -272,14 +266,14 @@ class ListsWriter:
 
 
 def _start(found: FoundValue) -> int:
-    """Return a byte position within the line of a statement."""
+    """Return the byte position at which the first value of a statement begins."""
     return next(iter(found.occurrence.tokens.values())).start
 
 
 def _texts(
     scale: NumberScale, quantity: str, values: FloatArray, label: str, faults: list[Fault]
 ) -> list[str]:
-    """Return numbers as whole counts. Other numbers are added to ``faults``."""
+    """Return numbers as text in whole counts; others are added to ``faults``."""
     texts = []
     for value in values:
         try:

@@ -1,1 +1,1 @@
-"""Extension of the grid family: cross-axis tables, and tables of an axis over itself."""
+"""SINUMERIK cross-axis tables (CEC), which correct an axis by its own or another axis' position."""

@@ -1,6 +1,4 @@
-"""Write corrections between axes (squareness, straightness) into free tables, with the steps to
-load them.
-"""
+"""Write corrections between axes (squareness, straightness) into free CEC tables."""
 
 from __future__ import annotations
 
@@ -46,7 +44,7 @@ from compwright.words.sentences import SentenceText, control_text, say
 def write_cross(
     control: Family, cross: Sequence[CrossCompensation], files: Sequence[ControlFile] = ()
 ) -> tuple[ControlFile, ...]:
-    """Return the files that add ``cross`` to the existing corrections: changed files, and new ones.
+    """Return the changed and new files that add ``cross`` to the existing corrections.
 
     Each entry goes into free tables of its own (one for both directions, or one for each) in
     addition to the existing ones; values are what is added to the output axis, mm or deg. Two
@@ -95,8 +93,8 @@ def write_cross(
 
 
 def _put(writer: CecWriter, entry: CrossCompensation, faults: list[Fault]) -> list[PairEntry]:
-    """Write the one or two tables by which one axis corrects another. Return those without a place
-    in the files.
+    """Write the one or two tables of a correction between axes; return those without lines in
+    files.
     """
     tables = writer.tables
     pair = tables.axis(entry.input), tables.axis(entry.output)
@@ -215,8 +213,8 @@ _OWN = "own files/"
 
 
 def pairs_between(family: Family, request: BetweenRequest, *, small: bool) -> Between:
-    """Return the cross-axis tables with the loading steps, or why the control has no room for
-    them.
+    """Answer a request for corrections between axes: tables and loading steps, or why there are
+    none.
 
     ``small``: the result is delivered in small files.
     """
@@ -238,7 +236,7 @@ def pairs_between(family: Family, request: BetweenRequest, *, small: bool) -> Be
 def _written(
     family: Family, request: BetweenRequest, before: ControlState
 ) -> tuple[ControlFile, ...]:
-    """Return the changed files, and new ones with unused names.
+    """Return the changed files, and new files whose names are not in use yet.
 
     A new file may have the same name as one that a former round left in the control: it must not
     replace that one.
@@ -259,7 +257,7 @@ def _written(
 
 
 def _named(family: Family, entry: PlannedCross, new: Sequence[ControlFile], *, small: bool) -> str:
-    """Return the names of the delivered files that contain a new table."""
+    """Return the names of the files to load that contain a new table, as text."""
     if not small:
         return and_joined([file.name for file in new])
     form = next(file.name for file in family.definition.writing if file.when == "cross")
@@ -273,8 +271,7 @@ def _steps(
     before: ControlState,
     after: ControlState,
 ) -> list[dict[str, str]]:
-    """Return the loading steps of new cross-axis tables: sign first, then the data, the
-    switches last.
+    """Return the card's loading steps for new cross-axis tables: sign, then data, then activation.
 
     Existing tables of the same axes belong to others, and stay unchanged.
     """

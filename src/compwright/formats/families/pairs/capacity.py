@@ -1,4 +1,4 @@
-"""The limits of a pair of tables by which an axis corrects itself, one for each direction."""
+"""The limits of two tables by which an axis corrects itself, one for each direction."""
 
 from __future__ import annotations
 
@@ -25,12 +25,10 @@ from compwright.words.sentences import control_text, unconfirmed
 
 
 class PairLimits(GridLimits):
-    """The limits of one axis' pair of tables, which replaces a table with backlash. A gantry needs
-    one pair per axis.
-    """
+    """The limits of an axis' two direction tables, which replace one table with backlash."""
 
     def capacity(self) -> Capacity:
-        """Return the limits in mm or deg. Raises CapacityError when too few tables may be
+        """Return the limits of the two tables. Raises CapacityError if fewer than two may be
         written.
         """
         label, kinds = f"axis {self.axis.name}", [self.axis.kind]
@@ -89,7 +87,7 @@ class PairLimits(GridLimits):
         return assumed
 
     def _points(self, addresses: Sequence[str]) -> int | None:
-        """Return how many points each of the tables may have. None: any number."""
+        """Return how many points each table may have; None if there is no limit."""
         tables = self.control.state.tables
         taken = self._tables(addresses, tables)
         fixed = self.definition.limit_number("cross_points")
@@ -100,7 +98,7 @@ class PairLimits(GridLimits):
         return resolved_number(self.definition, self.points_option(), self.options, fact)
 
     def _tables(self, addresses: Sequence[str], tables: PairTables) -> list[int]:
-        """Return the table indices that these axes will use."""
+        """Return the indices of the tables to be used for these axes."""
         allowed = allowed_tables(self.definition, self.options)
         taken: list[int] = []
         for address in addresses:
@@ -113,7 +111,7 @@ class PairLimits(GridLimits):
         return taken
 
     def _room(self, address: str) -> float:
-        """Return the part of CEC_MAX_SUM that tables from other axes leave, mm or deg."""
+        """Return how much of the limit CEC_MAX_SUM other axes' tables leave, mm or deg."""
         state = self.control.state
         facts = state.facts_of(address).pairs
         if facts.max_sum is None:

@@ -45,7 +45,10 @@ _TRANSFORMATIONS = {256: "TRANSMIT", 257: "TRANSMIT", 1 << 10: "TRAANG"} | dict.
 def couplings_of(
     files: Sequence[ControlFile], address: Callable[[str], str], wanted: Sequence[str]
 ) -> tuple[Coupling, ...]:
-    """Return the coupled axes. ``address``: function from any name of an axis to its address."""
+    """Return the axes that move together.
+
+    ``address``: function from any name of an axis to its address.
+    """
     return (*_masters(files, address, wanted), *_transformed(files, wanted))
 
 

@@ -24,7 +24,9 @@ from compwright.foundations.errors import Fault
 
 
 class ExistingTables:
-    """The cross-axis tables of one control. ``own``: its files, None if no file is patched.
+    """The cross-axis tables of one control.
+
+    ``own``: the files that contain them; None if no file is changed.
 
     ``allowed``: indices that may be written; ``in_use``: input and output axis of every existing
     table; ``kept``: the indices of compwright's own tables; ``stay``: those over an axis itself
@@ -43,7 +45,7 @@ class ExistingTables:
         self.kept: set[int] = set()
 
     def _used(self) -> dict[int, Pair]:
-        """Return input and output axis of every table in the files."""
+        """Return the input axis and output axis of every table in the files, by table index."""
         return {
             index: (self._axis_in(places, "cross_input"), self._axis_in(places, "cross_output"))
             for index, places in self.places.items()
@@ -55,7 +57,7 @@ class ExistingTables:
         return self.axis(found[-1].text) if found else ""
 
     def axis(self, name: str) -> str:
-        """Return the standard name of an axis."""
+        """Return the address of an axis, given by any of its names in the files."""
         if self.own is None:
             return normal_text(self.definition, name)
         return self.own.gathered.axis(name)
@@ -65,11 +67,11 @@ class ExistingTables:
         return address if self.own is None else self.own.gathered.spelled(address)
 
     def places_of(self, index: int, quantity: str) -> Sequence[FoundValue]:
-        """Return the files and lines that state a quantity of one cross-axis table."""
+        """Return each value of a quantity of one table, with its file and line."""
         return self.places.get(index, {}).get(quantity, ())
 
     def unnamed(self, index: int, quantity: str) -> list[FoundValue]:
-        """Return the places of one table's values, with ``()`` instead of the axis."""
+        """Return the values of a table in lines that have ``()`` in place of the axis."""
         statements, bindings = self.definition.statements, self.definition.bindings
         own = name_in_form(statements[bindings[quantity].statement].form)
         before = statements[bindings["cross_other"].statement].form.partition("{")[0]
@@ -81,11 +83,11 @@ class ExistingTables:
         ]
 
     def axis_places(self, output: str, quantity: str) -> Sequence[FoundValue]:
-        """Return the places of a quantity that all tables of one axis share."""
+        """Return the values of a quantity that applies to all tables on one output axis."""
         return () if self.own is None else of_axis(self.own.gathered, output).get(quantity, ())
 
     def factors(self, changed: Collection[int]) -> Iterator[Fault]:
-        """Yield the places where one of these changed tables multiplies another table."""
+        """Yield a fault for each table whose values a ``changed`` table multiplies."""
         for index in self.places:
             for place in self.places_of(index, "cross_multiplier")[-1:]:
                 if index in changed or int(place.text) - 1 not in changed or self.is_empty(index):
@@ -107,7 +109,7 @@ class ExistingTables:
         return index in self.places and is_zero(self.places[index])
 
     def off(self, index: int, output: str = "") -> bool:
-        """Return whether the files finally switch a table off.
+        """Return whether the last value in the files deactivates a table.
 
         By SD41300, or by MD32710 of its output axis if that is given.
         """
@@ -117,7 +119,7 @@ class ExistingTables:
         return any(places and same_value(places[-1].text, "0") for places in ends)
 
     def table_places(self, index: int) -> TablePlaces:
-        """Return the files and lines of one cross-axis table."""
+        """Return each value of one cross-axis table, with its file and line."""
         places = self.places.get(index, {})
         singles = {name: places[name] for name in DATA if name in places and name != "cross_value"}
         unnamed = [found for name in BETWEEN for found in self.unnamed(index, name)]
@@ -129,7 +131,7 @@ class ExistingTables:
         )
 
     def first_values(self, indices: Collection[int]) -> dict[int, int]:
-        """Return the line of the first value of these tables, by file index."""
+        """Return the line number of the first value of these tables in each file, by file index."""
         first: dict[int, int] = {}
         for index in indices:
             for row in self.places_of(index, "cross_value"):
@@ -138,9 +140,7 @@ class ExistingTables:
         return first
 
     def check_protected(self, index: int, output: str, faults: list[Fault]) -> None:
-        """Refuse a file that switches a table on before its values. The control would then not load
-        them.
-        """
+        """Refuse a file that activates a table before its values, which would not load."""
         for switches in (
             self.places_of(index, "cross_table_enabled"),
             self.axis_places(output, "cross_axis_enabled"),

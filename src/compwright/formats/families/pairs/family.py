@@ -1,6 +1,4 @@
-"""Family of cross-axis tables in addition to those of a grid: an axis over itself, or over
-another axis.
-"""
+"""SINUMERIK family of controls: a table for each axis, and cross-axis tables (CEC)."""
 
 from __future__ import annotations
 
@@ -53,8 +51,8 @@ from compwright.words.sentences import control_text, unconfirmed
 
 
 def with_sign_unknown(state: ControlState) -> ControlState:
-    """Return a state with the note that the sign of its cross-axis tables is unknown. They were
-    read as corrections.
+    """Return a state with the note that its cross-axis tables were read as corrections, sign
+    unknown.
     """
     if not state.tables.used:
         return state
@@ -82,7 +80,7 @@ _LISTING = "a listing with decimal commas, which the control does not take"
 
 
 def _shown(control: Family) -> Family:
-    """Return the control that shows cross-axis tables as corrections if their sign is unknown."""
+    """Return the control for displaying files: tables of unknown sign are shown as corrections."""
     if control.options.get("cec_sign", "") is not None:
         return control
     shown = PairsFamily(control.definition, {**control.options, "cec_sign": "correction"})
@@ -91,7 +89,7 @@ def _shown(control: Family) -> Family:
 
 
 def _drafted(control: Family) -> Family:
-    """Return the control that reads files for a new job file."""
+    """Return the control for drafting a job file from its files."""
     shown = _shown(control)
     draft = PairsFamily(control.definition, shown.options)
     draft.sign_assumed, draft.drafting = shown is not control, True
@@ -99,12 +97,12 @@ def _drafted(control: Family) -> Family:
 
 
 def _alone(control: Family, files: Sequence[ControlFile]) -> Sequence[str]:
-    """Return every axis separately. Each line names its axis, and each axis has its own table."""
+    """Return the addresses of all axes, because each axis can be read without the others."""
     return PairsReader(_shown(control), files, (), None, Activity()).named()
 
 
 class PairsFamily(GridFamily):
-    """A grid with cross-axis tables.
+    """Controls with a table for each axis and with cross-axis tables (SINUMERIK).
 
     ``sign_assumed``: its files are only shown, and the sign of these tables is unknown.
     """
@@ -149,9 +147,7 @@ class PairsFamily(GridFamily):
         own: Sequence[ControlFile],
         axes: Sequence[Axis],
     ) -> Delivery:
-        """Return the files to load: small files or the patched ones; arguments as those of
-        `Family.delivered`.
-        """
+        """Return the files to load, small ones or the changed own files; see `Family.delivered`."""
         self._check_form(own)
         faults: list[Fault] = []
         texts = texts_of(self.definition, own, faults)
@@ -164,14 +160,14 @@ class PairsFamily(GridFamily):
         return Delivery(tuple(files), small.back())
 
     def _small_files(self, own: Sequence[ControlFile]) -> bool:
-        """Return whether changes to the control's ``own`` files are delivered in small files."""
+        """Return whether changes to the control's ``own`` files are written as small files."""
         form = self.options.get("files")
         if any(self._unpatched(file) for file in own) or form == "patched":
             return form != "patched"
         return bool(own) and (form == "small" or any(map(self._holds_others, own)))
 
     def _holds_others(self, file: ControlFile) -> bool:
-        """Return whether a file has tables after several switches.
+        """Return whether a file contains tables that need different activation parameters.
 
         Loaded whole, it would assign again tables that are on, which the control protects. Tables
         between axes, such as one for each direction, share the switch of the axis that they
@@ -205,7 +201,7 @@ class PairsFamily(GridFamily):
         return {self.definition.bindings[name].statement for name in quantities}
 
     def _check_form(self, own: Sequence[ControlFile]) -> None:
-        """Refuse to patch files that the control would not load."""
+        """Refuse to change files that the control would not load in changed form."""
         if self.options.get("files") != "patched":
             return
         reasons = {file.name: why for file in own if (why := self._unpatched(file))}
@@ -224,7 +220,7 @@ class PairsFamily(GridFamily):
         )
 
     def _unpatched(self, file: ControlFile) -> str:
-        """Return why a file cannot be patched. Empty if it can."""
+        """Return why the control would not load a file after changes; empty if it would."""
         if is_container(file):
             return _ARCHIVE
         if is_listing(self.definition, file):
@@ -239,15 +235,15 @@ class PairsFamily(GridFamily):
         return _BLANK if blank else ""
 
     def capacity(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
-        """Return the limits of an axis; arguments as those of `Family.capacity`. A pair of tables
-        holds two curves.
+        """Return the limits of an axis' table or of its two direction tables; see
+        `Family.capacity`.
         """
         if one_curve or not available(self.options_of(axis)):
             return super().capacity(axis)
         return PairLimits(self, axis).capacity()
 
     def between(self, request: BetweenRequest) -> Between:
-        """Return separate cross-axis tables, if the control has them; arguments as those of
+        """Return cross-axis tables for the corrections, if the control has them; see
         `Family.between`.
         """
         if not available(self.options):
@@ -255,7 +251,7 @@ class PairsFamily(GridFamily):
         return pairs_between(self, request, small=self._small_files(request.found))
 
     def _named_files(self, request: CardRequest) -> dict[str, str]:
-        """Return the file names on the card, for a written table and for tables that become empty.
+        """Return the names of files for the card: of the written table and of tables set to zero.
 
         Of one table on an axis, and of those over itself that it empties; of a pair one table may
         be in a new file, the other in the control's own.
@@ -280,7 +276,8 @@ class PairsFamily(GridFamily):
         return names
 
     def _around_emptied(self, axis: Axis) -> dict[str, str]:
-        """Return the card's text about old tables of an axis over itself that a new table replaces.
+        """Return the card's text about an axis' old cross-axis tables, which the new table
+        replaces.
 
         While on, they are protected, and would keep their values.
         """

@@ -85,7 +85,7 @@ _SILENT = ("$MA_POS_LIMIT",)
 def file_values(
     definition: Definition, files: Sequence[ControlFile], naming: Sequence[ControlFile] = ()
 ) -> dict[str, FileValue]:
-    """Return every assignment in the files. The last one counts.
+    """Return every assignment in the files by name; the last value of a variable applies.
 
     ``naming``: further files that may list the names of the axes.
     """
@@ -118,7 +118,7 @@ def _lines(files: Sequence[ControlFile]) -> Iterator[tuple[str, int, str]]:
 
 
 def _units(lines: Sequence[tuple[str, int, str]]) -> Iterator[FileValue]:
-    """Yield the unit that most files state, once, and each file with another unit."""
+    """Yield the length unit of most files once, and each file with a different unit."""
     units_stated = [
         (file, number, match[1].upper())
         for file, number, line in lines
@@ -135,7 +135,7 @@ def _units(lines: Sequence[tuple[str, int, str]]) -> Iterator[FileValue]:
 
 
 def _named(lines: Iterator[str]) -> Iterator[tuple[str, str]]:
-    """Yield each axis name of the machine with its index."""
+    """Yield the name of each machine axis (MD10000) with its index."""
     for line in lines:
         if _NAMES not in line.upper():
             continue
@@ -170,9 +170,7 @@ def _meaning(group: str) -> str:
 def value_location(
     _: Definition, entry: FileValue, entries: Mapping[str, FileValue], __: ControlState | None
 ) -> tuple[tuple[str, ...], float | None]:
-    """Return the axes to which a value belongs, and the position of a table value, in the unit of
-    its file.
-    """
+    """Return the axes to which a value belongs, and a table value's position in its file's unit."""
     index = entry.name.partition("[")[2].rstrip("]").split(",")
     if entry.group == "$AA_ENC_COMP" and len(index) == 3:
         return (entry.axis,), _position(entries, entry.group, f"{index[0]},{index[2]}", index[1])

@@ -30,25 +30,26 @@ _SWITCHES = "SD41300 $SN_CEC_TABLE_ENABLE, MD32710 $MA_CEC_ENABLE"
 
 @dataclass(frozen=True, slots=True)
 class Units:
-    """The units of numbers in tables and machine data. ``inch``: the basic system; ``kind``: kind
-    of an axis by its address.
+    """The length units of tables and machine data.
+
+    ``inch``: the basic system; ``kind``: kind of an axis by its address.
     """
 
     inch: bool
     kind: Callable[[str], AxisKind]
 
     def basic(self, address: str) -> float:
-        """Return the factor from machine data of an axis to mm or deg."""
+        """Return the factor from the unit of an axis' machine data to mm or deg."""
         linear = self.kind(address) is not AxisKind.ROTARY
         return MILLIMETRES_PER_INCH if self.inch and linear else 1.0
 
     def may_be_inch(self, pair: Pair) -> bool:
-        """Return whether the unit of a table of these axes is unknown."""
+        """Return whether a table between these axes may be in mm or in inch."""
         return self.inch and any(self.kind(one) is not AxisKind.ROTARY for one in pair)
 
 
 class SingleValues:
-    """Reads single values from the ``gathered`` files."""
+    """Reads values of one table or axis from the ``gathered`` files."""
 
     def __init__(self, gathered: Gathered, notes: Notes) -> None:
         self.gathered = gathered
@@ -56,14 +57,15 @@ class SingleValues:
         self.notes = notes
 
     def values(self, label: str) -> Values:
-        """Return the values of one table or axis. ``label``: its name in messages."""
+        """Return the reader of values that calls a table or axis ``label`` in messages."""
         return Values(self.definition, label, self.notes)
 
     def word(
         self, label: str, quantity: str, found: FoundValue | None, *, tell: bool = True
     ) -> str | None:
-        """Return the meaning of a choice, or its default if it is missing. ``tell``: list the
-        default.
+        """Return the meaning of a choice, or its default if it is missing.
+
+        ``tell``: list the default as assumed.
 
         An unknown value is a fault.
         """
@@ -81,7 +83,10 @@ class SingleValues:
 
 @dataclass(frozen=True, slots=True)
 class _Switch:
-    """The last state of one switch in the files. ``word`` is None if they do not contain it."""
+    """The last value in the files of a parameter that activates a table.
+
+    ``word`` is None without one.
+    """
 
     quantity: str
     owner: str
@@ -91,7 +96,7 @@ class _Switch:
 
 @dataclass(frozen=True, slots=True)
 class _Leadscrew:
-    """The leadscrew error tables of an axis in the files.
+    """The leadscrew error tables (ENC_COMP) of an axis in the files.
 
     ``on``: one is switched on at the end. ``word``: last state of those that are not zero (``yes``,
     ``no``, ``unsaid``; empty: there is none).
@@ -102,7 +107,10 @@ class _Leadscrew:
 
 
 class TableLines(SingleValues):
-    """The lines of one table. ``pair``: its input and output axis."""
+    """The lines of one cross-axis table.
+
+    ``pair``: its input axis and output axis.
+    """
 
     def __init__(
         self, gathered: Gathered, index: int, places: Places, activity: Activity, units: Units
@@ -119,13 +127,11 @@ class TableLines(SingleValues):
 
     @property
     def itself(self) -> bool:
-        """Whether the table corrects an axis by its own position."""
+        """Whether the table corrects an axis by that axis' own position."""
         return self.pair[0] == self.pair[1]
 
     def on(self) -> bool:
-        """Return whether the files finally switch the table on, by both its switches. Nothing is
-        noted.
-        """
+        """Return whether the last values in the files activate the table, without any message."""
         ends = (
             ("cross_table_enabled", self.places),
             ("cross_axis_enabled", of_axis(self.gathered, self.pair[1])),
@@ -133,8 +139,7 @@ class TableLines(SingleValues):
         return all(self._ends_on(quantity, last(quantity, places)) for quantity, places in ends)
 
     def known_on(self) -> bool:
-        """Return whether the table is certainly on, by the files or, if they do not state it, by
-        the job.
+        """Return whether the table is active for certain, by the files or else by the job.
 
         If no answer is required, a missing switch counts as on.
         """
@@ -152,7 +157,7 @@ class TableLines(SingleValues):
         return values.known_word(binding, found.text) == "yes"
 
     def is_active(self, *, under_work: bool, stays: bool) -> bool:
-        """Return whether no file switches the table off, by one of its two switches.
+        """Return whether no file deactivates the table by one of its two activation parameters.
 
         Values of an unknown unit are refused. ``under_work``: its output axis is under work.
         ``stays``: its index is not to be written; then nothing depends on whether a table that no
@@ -183,8 +188,9 @@ class TableLines(SingleValues):
         return active is not False
 
     def to_millimetres(self) -> tuple[float, float]:
-        """Return the factors of positions and values to mm or deg. MD32711 = 0 of the output axis
-        means inch.
+        """Return the factors from a table's positions and values to mm or deg.
+
+        MD32711 = 0 of the output axis means inch.
         """
         metric = last("cross_metric", of_axis(self.gathered, self.pair[1]))
         if metric is None or self._ends_on("cross_metric", metric):
@@ -196,7 +202,7 @@ class TableLines(SingleValues):
         return base, corrected
 
     def _check_unit(self, owner: str, on_axis: Places) -> None:
-        """Refuse values that may be in inch."""
+        """Refuse a table whose values may be in inch."""
         metric = self.values(owner).one("cross_metric", on_axis.get("cross_metric", ()))
         if metric is not None:
             self.word(owner, "cross_metric", metric)
@@ -218,8 +224,8 @@ class TableLines(SingleValues):
         self.notes.find("CW-S034", severity, self.pair[1], label=label, switches=switches)
 
     def _was_active(self, ends: list[_Switch]) -> bool | None:
-        """Return whether a table of an axis over itself was active, by the axis' leadscrew table
-        and the job. None if unknown.
+        """Return whether an axis' own cross-axis table was active, by its leadscrew table and the
+        job.
         """
         words = [end.word for end in ends]
         word = "no" if "no" in words else None if None in words else "yes"
@@ -231,8 +237,7 @@ class TableLines(SingleValues):
         return self.activity.was_active(owner, _SWITCHES, word, place, self.notes)
 
     def _was_inactive(self, owner: str, word: str | None, place: FoundValue | None) -> bool:
-        """Return whether the table was inactive because the leadscrew table of its axis was
-        inactive.
+        """Return whether the table was inactive together with the leadscrew table of its axis.
 
         If the switch is in another file than the values, no program that loads the values switched
         it off.

@@ -1,6 +1,4 @@
-"""Options for cross-axis tables: whether there are any, which may be written, the meaning of
-their values.
-"""
+"""Options for cross-axis tables: whether they exist, which may be written, what values mean."""
 
 from __future__ import annotations
 
@@ -28,22 +26,22 @@ _SIGN_CHECK = (
 
 
 def available(options: Mapping[str, object]) -> bool:
-    """Return whether the control has cross-axis tables, by its option ``cec``."""
+    """Return whether the control has cross-axis tables, by the option ``cec``."""
     return options.get("cec") == "available"
 
 
 def holds_two_curves(options: Mapping[str, object], compensation: AxisCompensation) -> bool:
-    """Return whether a compensation needs a pair of tables, one for each direction."""
+    """Return whether a compensation needs two tables, because its directions differ."""
     return available(options) and not np.array_equal(compensation.positive, compensation.negative)
 
 
 def sign_known(control: Family) -> bool:
-    """Return whether the sign of table values is given: correction or error."""
+    """Return whether an option states the meaning of table values: correction or error."""
     return "cec_sign" not in control.definition.options or control.options["cec_sign"] is not None
 
 
 def sign_question(why: str, moved: str = "the axis") -> Fault:
-    """Return the question about the sign of table values, if it is not given.
+    """Return the question whether table values are corrections or errors.
 
     ``why`` it matters, ``moved``: what a value moves.
     """
@@ -62,9 +60,7 @@ def sign_question(why: str, moved: str = "the axis") -> Fault:
 
 
 def allowed_tables(definition: Definition, options: Mapping[str, object]) -> tuple[int, ...]:
-    """Return the table indices in the option ``cec_tables``. Raises UsageError for indices that the
-    control does not have.
-    """
+    """Return the table indices in the option ``cec_tables``. Raises UsageError for wrong ones."""
     given = options.get("cec_tables", ())
     if not isinstance(given, (tuple, list)) or not all(isinstance(index, int) for index in given):
         raise UsageError(
@@ -100,9 +96,7 @@ def tables_in_words(indices: Sequence[str]) -> str:
 
 
 def reserving(definition: Definition, points: int, which: str) -> str:
-    """Return the instruction to reserve memory for ``points`` in tables. ``which``: the tables, as
-    text.
-    """
+    """Return the instruction to reserve memory for ``points`` in the tables ``which`` (text)."""
     fixed = definition.limit_number("cross_points")
     if fixed is None:
         return control_text(
@@ -120,15 +114,13 @@ def reserving(definition: Definition, points: int, which: str) -> str:
 
 
 def free_tables(allowed: Sequence[int], in_use: Mapping[int, Pair], address: str) -> list[int]:
-    """Return the table indices for an axis over itself: its existing ones first, then free ones
-    that are allowed.
-    """
+    """Return the table indices an axis may use for itself: those it has, then free allowed ones."""
     own = [index for index in allowed if in_use.get(index) == (address, address)]
     return [*own, *(index for index in dict.fromkeys(allowed) if index not in in_use)]
 
 
 def too_few(name: str, format_id: str, needed: int, found: int, allowed: tuple[int, ...]) -> Fault:
-    """Return the fault that an axis has too few tables."""
+    """Return the fault that too few tables may be written for an axis."""
     return Fault(
         message=(
             f"axis {name}: {format_id} needs {needed} CEC tables that are free or "
@@ -151,8 +143,7 @@ def too_few(name: str, format_id: str, needed: int, found: int, allowed: tuple[i
 def unit_unknown(
     control: Family, label: str, output: str, kinds: Iterable[AxisKind]
 ) -> Iterator[Fault]:
-    """Yield why a cross-axis table that corrects ``output`` is not written: its unit is inch or
-    unknown.
+    """Yield why no table on the axis ``output`` is written: its unit is inch or unknown.
 
     These ``kinds``; the control works in inch and no file states their unit.
     """
@@ -175,7 +166,7 @@ def unit_unknown(
 
 
 def scale_of_pairs(control: Family, kind: AxisKind) -> NumberScale:
-    """Return unit, sign and resolution of a cross-axis table.
+    """Return unit, sign and resolution of the numbers in a cross-axis table.
 
     If the sign is not known, its structure can still be read.
     """

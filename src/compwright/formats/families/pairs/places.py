@@ -1,4 +1,4 @@
-"""The places of cross-axis tables in the control's files, by index and quantity."""
+"""The lines of cross-axis tables in the control's files, by table index and quantity."""
 
 from __future__ import annotations
 
@@ -34,9 +34,7 @@ Places = Mapping[str, Sequence[FoundValue]]
 
 
 def as_table(definition: Definition) -> Definition:
-    """Return the definition with its cross-axis tables described as tables on one axis, so that
-    the same code reads them.
-    """
+    """Return the definition with cross-axis tables defined as axis tables, for the same reader."""
     bindings = {
         name: replace(definition.bindings[cross], quantity=name) for cross, name in AS_TABLE.items()
     }
@@ -44,7 +42,7 @@ def as_table(definition: Definition) -> Definition:
 
 
 def places_of(gathered: Gathered) -> dict[int, dict[str, list[FoundValue]]]:
-    """Return every file and line by table index and quantity."""
+    """Return the lines of each cross-axis table, by table index and quantity."""
     found: dict[int, dict[str, list[FoundValue]]] = {}
     for quantity, places in gathered.singles.get((None, None), {}).items():
         for place in places:
@@ -55,26 +53,24 @@ def places_of(gathered: Gathered) -> dict[int, dict[str, list[FoundValue]]]:
 
 
 def last(quantity: str, places: Places) -> FoundValue | None:
-    """Return the last place of a quantity in the files."""
+    """Return the line in the files that states a quantity last."""
     found = places.get(quantity, ())
     return found[-1] if found else None
 
 
 def of_axis(gathered: Gathered, address: str) -> Places:
-    """Return the settings that all tables with the same corrected axis share."""
+    """Return the settings that apply to all cross-axis tables on one output axis."""
     return gathered.singles.get((address, None), {})
 
 
 def is_whole(places: Places) -> bool:
-    """Return whether a table is complete: all its single values, and its points without a gap."""
+    """Return whether a table is complete: all single values, and every point in sequence."""
     points = {int(row.occurrence.tokens["index"].text) for row in places.get("cross_value", ())}
     return all(name in places for name in NEEDED) and points == set(range(len(points)))
 
 
 def is_unused(places: Places) -> bool:
-    """Return whether a table contains only zeros, grid included: the control's default, no
-    table.
-    """
+    """Return whether all numbers of a table are zero, as by default in a control without it."""
     numbers = [place.text for name in AS_TABLE for place in places.get(name, ())]
     return bool(numbers) and all(Decimal(number) == 0 for number in numbers)
 
@@ -86,7 +82,7 @@ def is_zero(places: Places) -> bool:
 
 
 def print_of(places: Places) -> str:
-    """Return a code of eight characters that identifies the contents of a table."""
+    """Return a check code of eight characters for the contents of a table."""
     lines = [
         f"{name} {found.occurrence.tokens.get('index', found).text} {found.text}"
         for name in (*DATA, "cross_weight", "cross_type", *ADDED)

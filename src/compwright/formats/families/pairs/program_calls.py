@@ -1,6 +1,4 @@
-"""Calls between the programs in a control's files: which programs are executed, and which
-assignment is the last.
-"""
+"""Calls between a control's programs: which are executed, and which value is the last."""
 
 from __future__ import annotations
 
@@ -26,8 +24,9 @@ from compwright.records.correction import ControlFile
 
 @dataclass(frozen=True, slots=True)
 class StartDoubt:
-    """A line of ``file`` that may prevent the execution of a whole program. ``call``: the doubtful
-    line that calls the program.
+    """A line that may prevent a whole program from being executed.
+
+    ``call``: the doubtful line that calls the program.
     """
 
     file: str
@@ -37,7 +36,7 @@ class StartDoubt:
 
 @dataclass(frozen=True, slots=True)
 class Found:
-    """A program in a file, with doubts about its execution.
+    """A program in a file, with reasons why it may not be executed.
 
     ``computed``: faults of values known only while the program runs; ``start``: what may keep all
     of it from being executed; ``called``: another one calls it; ``loaders``: the programs of the
@@ -53,22 +52,22 @@ class Found:
 
     @property
     def ways(self) -> ProgramRuns:
-        """The possible runs through the program, each as the lines that it executes."""
+        """The possible runs through the program: each is a sequence of executed lines."""
         return self.program.ways(self.loaders)
 
     @property
     def doubted(self) -> bool:
-        """Whether some values of the program may not have been executed."""
+        """Whether some values that the program assigns may not have been executed."""
         return bool(self.program.values) and (self.start is not None or bool(self.program.flow))
 
     @property
     def forks(self) -> bool:
-        """Whether a statement may skip one of the program's values or calls."""
+        """Whether a statement can skip a value or a call of the program."""
         return bool(self.program.flow) or any(call.doubt for call in self.program.calls)
 
 
 def programs_of(definition: Definition, files: Sequence[ControlFile]) -> tuple[Found, ...]:
-    """Return the programs in ``files``. Calls between them are followed."""
+    """Return the programs in ``files`` that assign values, themselves or by calls."""
     names, returning = frozenset[str](), frozenset[str]()
     while True:
         read = [(file.name, _scanned(definition, file, names, returning)) for file in files]
@@ -97,9 +96,7 @@ def programs_of(definition: Definition, files: Sequence[ControlFile]) -> tuple[F
 def _scanned(
     definition: Definition, file: ControlFile, names: frozenset[str], returning: frozenset[str]
 ) -> Scanned:
-    """Return the possible runs through the program in a file, with its calls of the programs
-    ``names``.
-    """
+    """Return the programs in a file, with their calls of the programs ``names``."""
     content = file.content.upper() if names else b""
     known = frozenset(one for one in names if one.encode() in content)
     return scanned(definition, file, known, known & returning)
@@ -121,7 +118,7 @@ def _loaders(programs: Sequence[ProgramFlow]) -> frozenset[str]:
 def _start_doubts(
     programs: Sequence[tuple[str, ProgramFlow]], count: Mapping[str, int]
 ) -> dict[int, StartDoubt]:
-    """Return what may prevent the execution of each program: no call, or only doubtful calls."""
+    """Return for each program the reasons why it may not be executed, such as no call of it."""
     sites: dict[str, list[tuple[int, Call]]] = {}
     for place, (_, program) in enumerate(programs):
         for call in program.calls:
@@ -152,20 +149,18 @@ def _start_doubts(
 
 @dataclass(slots=True)
 class CallEnds:
-    """The last assignment of each variable, with its file, when a program executes all its lines
-    and calls.
-    """
+    """The last assignment of each variable if a program executes all its lines and calls."""
 
     gathered: Gathered
     by_name: Mapping[str, Found]
     known: dict[str, dict[Key, tuple[str, Occurrence]]] = field(default_factory=dict)
 
     def key(self, value: Occurrence) -> Key:
-        """Return the variable that a line assigns, as a key."""
+        """Return the variable to which a line assigns, with index and axis."""
         return entry_key(self.gathered.definition, value, self.gathered.names)
 
     def of(self, found: Found) -> dict[Key, tuple[str, Occurrence]]:
-        """Return the last assignments of a program."""
+        """Return the last assignment of each variable when a program and its calls are executed."""
         program, ends = found.program, dict[Key, tuple[str, Occurrence]]()
         self.known[program.name] = {}  # a call of itself
         lines: list[tuple[int, Occurrence | Call]] = [

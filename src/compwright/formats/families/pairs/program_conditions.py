@@ -1,5 +1,4 @@
-"""Conditions of a SINUMERIK program that depend on each other: equal conditions have equal answers
-in one run.
+"""Conditions of a SINUMERIK program that depend on each other, so that some runs are impossible.
 
 A run in which ``R1==1`` is true in one line has it true in the other one too, and ``R1<>1`` false,
 as long as R1 is not assigned between them.
@@ -51,7 +50,7 @@ _RELATIONS: Mapping[str, Callable[[float, float], bool]] = {
 
 @dataclass(frozen=True, slots=True)
 class Condition:
-    """A condition as a comparison of its ``subject`` with a number.
+    """A condition of a program, as the comparison of an expression (``subject``) with a number.
 
     Of a variable, or of a whole text that is 1 if it is true. ``names``: the variables in it;
     ``truth``: its value is true or false, and no other number; ``text``: as written, without
@@ -66,28 +65,28 @@ class Condition:
     text: str = ""
 
     def holds(self, value: float) -> bool:
-        """Return whether the condition is true for the subject ``value``."""
+        """Return whether the condition is true if its expression has this value."""
         return _RELATIONS[self.relation](value, self.value)
 
 
 @dataclass(frozen=True, slots=True)
 class Decision:
-    """A step of a program that continues at ``yes`` if its condition is true, else at ``no``."""
+    """A program line that continues at step ``yes`` if its condition is true, else at ``no``."""
 
     condition: Condition
     yes: frozenset[int]
     no: frozenset[int]
 
     def continues(self, values: Mapping[str, float]) -> frozenset[int] | None:
-        """Return the next step with these values. None if they do not decide it."""
+        """Return the next step with these values of variables; None if they do not decide it."""
         value = value_of(self.condition.text, values)
         return None if value is None else self.yes if value else self.no
 
 
 @dataclass(frozen=True, slots=True)
 class Case:
-    """A CASE step, which continues in ``by_number`` at the number of the expression ``text``, else
-    at ``other``.
+    """A CASE line, which continues where ``by_number`` says for the expression ``text``, else
+    ``other``.
     """
 
     text: str
@@ -95,7 +94,7 @@ class Case:
     other: frozenset[int]
 
     def continues(self, values: Mapping[str, float]) -> frozenset[int] | None:
-        """Return the next step with these values. None if they do not decide it."""
+        """Return the next step with these values of variables; None if they do not decide it."""
         value = value_of(self.text, values)
         if value is None or value % 1.0 != 0.0:  # rounded, by a rule that is not confirmed
             return None
@@ -103,9 +102,7 @@ class Case:
 
 
 def expression_of(text: str) -> str | None:
-    """Return an expression without irrelevant blanks. None if its value may change between lines,
-    or if it is long.
-    """
+    """Return an expression without blanks; None if it is long or its value may change by itself."""
     if len(text) > _LONGEST:
         return None
     text = re.sub(r"\s+", " ", text.upper().strip())
@@ -115,7 +112,7 @@ def expression_of(text: str) -> str | None:
 
 
 def condition_of(text: str) -> Condition | None:
-    """Return the condition in a text. None if its value may change between lines."""
+    """Return the condition in a text; None if its value may change by itself between lines."""
     expression = expression_of(text)
     if expression is None:
         return None
@@ -137,14 +134,14 @@ def condition_of(text: str) -> Condition | None:
 
 
 def number_of(word: str) -> float | None:
-    """Return the number of a word; None for other words."""
+    """Return the number that a word states; None for a word that is no number."""
     if (word := word.upper()) in _TRUTH:
         return _TRUTH[word]
     return float(word) if _PLAIN_NUMBER.fullmatch(word) else None
 
 
 def value_of(text: str, values: Mapping[str, float]) -> float | None:
-    """Return the value of an expression, 1 for a true condition. None if it is unknown.
+    """Return the value of an expression (1 for true) with these variables; None if it is unknown.
 
     Without blanks; None too if it depends on the order of operators without brackets: two
     comparisons, a comparison and AND or OR, XOR and AND, NOT and a calculation.
@@ -183,8 +180,7 @@ def value_of(text: str, values: Mapping[str, float]) -> float | None:
 
 
 def _calculated(text: str, masked: str, values: Mapping[str, float]) -> float | None:
-    """Return the whole number of a variable, sum, difference, product or quotient. None if it is
-    unknown or not whole.
+    """Return the whole-number result of a sum, difference, product or quotient; None if unknown.
 
     What a variable of whole numbers makes of it depends on its type.
     """
@@ -216,7 +212,7 @@ def without_known_answers(
     decisions: Mapping[int, Decision | Case],
     setting: Sequence[Mapping[str, str | None]],
 ) -> list[frozenset[int]]:
-    """Return the possible next steps, without answers to conditions that never occur.
+    """Return the steps that may follow each step, without those that contradict known values.
 
     Every run that comes to the condition has set its variables to the same numbers before.
 
@@ -256,7 +252,7 @@ def _depths(text: str) -> list[int]:
 
 
 def _masked(text: str) -> str:
-    """Return a text with its bracket contents replaced by zeros."""
+    """Return a text with zeros in place of everything inside brackets."""
     depths = _depths(text)
     return "".join(
         "0" if depth > 0 and before > 0 else sign
@@ -265,7 +261,7 @@ def _masked(text: str) -> str:
 
 
 def _bare(text: str) -> str:
-    """Return a text without brackets around the whole."""
+    """Return a text without the brackets that enclose all of it."""
     while text[:1] == "(" and text[-1:] == ")" and 0 not in _depths(text)[:-1]:
         text = text[1:-1]
     return text
@@ -276,8 +272,7 @@ def together(
     setting: Mapping[int, Collection[str]],
     reached: Callable[[int], set[int]],
 ) -> Iterator[dict[int, frozenset[int]]]:
-    """Yield, for each consistent set of answers to dependent conditions, the next step after each
-    condition.
+    """Yield, for each possible combination of condition results, the step after each condition.
 
     ``setting``: the variables that steps set; ``reached``: the steps that may follow a step.
     """
@@ -316,7 +311,7 @@ def _changes(
     setting: Mapping[int, Collection[str]],
     reached: Callable[[int], set[int]],
 ) -> bool:
-    """Return whether a run may change a variable between two of the conditions in ``places``."""
+    """Return whether a variable of the condition may change between two lines that test it."""
     variables = condition.names | {ANY}
     behind = set().union(*map(reached, places))
     between = (place for place, names in setting.items() if not variables.isdisjoint(names))
@@ -324,7 +319,7 @@ def _changes(
 
 
 def _values(conditions: Sequence[Condition]) -> list[float]:
-    """Return values of a subject that give every possible set of answers to its conditions."""
+    """Return values of an expression that cover all combinations of results of its conditions."""
     if any(one.truth for one in conditions):
         return [0.0, 1.0]
     numbers = sorted({one.value for one in conditions})

@@ -1,5 +1,4 @@
-"""Find statements that can prevent the execution of values in a SINUMERIK file. Such a file is a
-program.
+"""Find statements that can prevent the execution of values in a SINUMERIK file (then a program).
 
 The list of harmless statements is closed; everything else counts as program flow, so that no kind
 of jump, loop, call or synchronised action is missed. Statements after the last value do not count.
@@ -138,8 +137,9 @@ _UNIT = re.compile(r"(?<![A-Z_$])G(?:(?P<inch>70|700)|71|710)(?!\d)", re.IGNOREC
 
 @dataclass(frozen=True, slots=True)
 class FlowLine:
-    """A line that can change the order of execution, as written. ``missing``: the called program,
-    if it is not among the files.
+    """A program line that can change the order of execution, as written.
+
+    ``missing``: the called program, if it is not among the files.
     """
 
     line: int
@@ -149,7 +149,7 @@ class FlowLine:
 
 @dataclass(frozen=True, slots=True)
 class Call:
-    """A line that calls the program ``name``, always or on a condition.
+    """A program line that calls the program ``name``, always or only on a condition.
 
     ``conditional``; ``doubt``: what in its own program may keep it from being executed.
     """
@@ -162,7 +162,7 @@ class Call:
 
 @dataclass(slots=True)
 class ProgramFlow:
-    """The order of execution of one program with ``values``.
+    """One program that assigns values, with the lines that affect the order of execution.
 
     ``called``: the evidence that it runs only if another program calls or starts it; ``flow``:
     lines that may skip values, before the last one; ``late``: such lines after it; ``dividing``:
@@ -187,7 +187,7 @@ class ProgramFlow:
     followed: frozenset[str] = frozenset()
 
     def ways(self, loaders: frozenset[str]) -> ProgramRuns:
-        """Return the possible runs through the program to its values and to its calls of
+        """Return the possible runs through the program, as the lines with values and calls of
         ``loaders``.
         """
         return possible_runs(
@@ -197,13 +197,12 @@ class ProgramFlow:
 
     @property
     def span(self) -> str:
-        """The line numbers of the program's values, as text."""
+        """The first and last line number of the program's values, as text."""
         lines = [value.line for value in (*self.values, *self.behind)]
         return f"lines {lines[0]} to {lines[-1]}"
 
     def branches(self, keys: Callable[[Occurrence], Key]) -> Iterator[tuple[Occurrence, int]]:
-        """Yield variables that two branches assign: the second assignment with the line of the
-        first.
+        """Yield each second assignment of a variable in another branch, with the line of the first.
 
         Before the first branch, repeated assignments are a sequence.
         """
@@ -218,16 +217,14 @@ class ProgramFlow:
 
 @dataclass(frozen=True, slots=True)
 class Scanned:
-    """The programs of a file with values, and faults of lines whose value is known only during
-    execution.
-    """
+    """The programs in a file, and faults of values that are computed during execution."""
 
     programs: tuple[ProgramFlow, ...]
     computed: tuple[Fault, ...]
 
     @property
     def leaves_out(self) -> bool:
-        """Whether a statement can prevent the execution of a value."""
+        """Whether a statement of the programs can prevent the execution of a value."""
         return any(one.values and (one.called or one.flow) for one in self.programs)
 
 
@@ -238,7 +235,7 @@ def scanned(
     known: frozenset[str] = frozenset(),
     returning: frozenset[str] = frozenset(),
 ) -> Scanned:
-    """Return the order of execution of the programs in a file, as far as it can be read.
+    """Return the programs in a file with their order of execution, as far as it can be read.
 
     ``known``: names of programs whose calls are wanted; ``returning``: those of them whose call
     changes nothing in what is executed after it.
@@ -252,7 +249,7 @@ def scanned(
 
 
 def program_name(text: str) -> str:
-    """Return the name by which a program is called. Empty if ``text`` contains none."""
+    """Return the name by which the program in a text is called; empty without a program."""
     found = _PROGRAM_NAME.fullmatch(text.split(";", 1)[0].strip())
     return "" if found is None else found["name"].upper()
 
@@ -313,7 +310,7 @@ def _noted_calls(
 
 
 def _plain_call(code: str) -> str:
-    """Return the program that a line may call, if the call is its whole statement. Else empty."""
+    """Return the program that a line calls without a condition; empty for any other line."""
     bare = _bare(code)
     label = _LABEL.match(bare)
     bare = bare[0 if label is None else label.end() :]
@@ -325,7 +322,7 @@ def _plain_call(code: str) -> str:
 
 
 def _calls(code: str, known: frozenset[str]) -> tuple[str, ...]:
-    """Return the ``known`` programs that a line calls."""
+    """Return those of the programs ``known`` that a line calls."""
     bare = _SKIPPED.sub("", _bare(code), count=1) if _bare(code)[:1] == "/" else _bare(code)
     label = _LABEL.match(bare)
     bare = bare[0 if label is None else label.end() :]
@@ -359,7 +356,7 @@ def _step(number: int, code: str, followed: Collection[str], *, marked: bool) ->
 
 
 def _sets(code: str) -> dict[str, str | None]:
-    """Return the variables that a statement assigns, each with its expression.
+    """Return the variables to which a statement assigns, each with its expression.
 
     None if its value may change from line to line; any variable, if the statement is not known, or
     stops until the operator goes on.
@@ -389,7 +386,7 @@ def _sets(code: str) -> dict[str, str | None]:
 
 
 def _note(code: str, number: int, program: ProgramFlow, known: Collection[str]) -> None:
-    """Record a program line without a value."""
+    """Add to ``program`` a line that assigns none of the values, such as a jump or a call."""
     bare = _bare(code)
     label = _LABEL.match(bare)
     if label is not None:
@@ -422,7 +419,7 @@ def _bare(code: str) -> str:
 
 
 def harmless(code: str) -> bool:
-    """Return whether a statement does not affect which lines are executed."""
+    """Return whether a statement has no effect on which lines are executed."""
     known = _HARMLESS.fullmatch(code)
     if known is not None:
         message = (known["message"] or "").strip()
@@ -437,14 +434,16 @@ def harmless(code: str) -> bool:
 
 
 def _defined(known: re.Match[str]) -> list[str | None]:
-    """Return the variables that a statement defines. None if the list contains other words."""
+    """Return the variables that a definition statement (DEF) names; None for words that are no
+    names.
+    """
     pieces = re.split(r",(?![^\[]*\])", known["defined"] or "")
     found = [_DEFINED.fullmatch(piece.strip()) for piece in pieces if known["defined"]]
     return [None if one is None else one[1].upper() for one in found]
 
 
 def _plain(text: str) -> bool:
-    """Return whether an expression calls only functions without side effects."""
+    """Return whether an expression contains no function that has side effects."""
     text = _STRING.sub("0", text)
     if len(text) > _LONGEST:
         return False
@@ -468,7 +467,7 @@ def _plain(text: str) -> bool:
 def _codes(
     definition: Definition, file: ControlFile, needed: Collection[int]
 ) -> Iterator[tuple[int, str]]:
-    """Yield the relevant lines of a file, without their comments.
+    """Yield number and code of each line that can affect values or their execution.
 
     Those ``needed``, and all that are not plain lines of an export; of these, only the variables
     that the definition reads.
@@ -531,7 +530,7 @@ def _fault(file: str, number: int, code: str) -> Fault:
 
 @lru_cache(maxsize=16)
 def _names(definition: Definition) -> frozenset[str]:
-    """Return the variables that the definition reads."""
+    """Return the names of the variables that the definition reads."""
     heads = {
         statement.form.partition("[")[0].partition("=")[0].upper()
         for statement in definition.statements.values()

@@ -54,7 +54,7 @@ _CLOSING = {"ENDIF": "IF", "ENDWHILE": "WHILE", "ENDFOR": "FOR", "ENDLOOP": "LOO
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """One line of a program, reduced to its effect on the order of execution.
+    """One program line, reduced to what matters for the order of execution.
 
     ``names``: its label and block number; ``code``: what it does, strings emptied, empty if it does
     not affect the order of lines; ``marked``: it is one of those in question (a value, a call);
@@ -73,7 +73,7 @@ class Step:
 
 @dataclass(frozen=True, slots=True)
 class ProgramRuns:
-    """The steps of one program, with the steps that may follow each of them.
+    """The lines of one program (steps), with the lines that may be executed after each.
 
     After the last one are its end, from where the calling program continues, and the place where
     everything stops: by M2, an alarm, or an unknown statement.
@@ -88,7 +88,7 @@ class ProgramRuns:
     decisions: Mapping[int, Decision] = field(default_factory=dict)
 
     def consistent(self) -> Iterator[ProgramRuns]:
-        """Yield the runs for each consistent set of answers to dependent conditions."""
+        """Yield the possible runs for each combination of condition results that can occur."""
         setting = {place: step.sets for place, step in enumerate(self.steps) if step.sets}
 
         def behind(place: int) -> set[int]:
@@ -104,8 +104,9 @@ class ProgramRuns:
             yield replace(self, next=tuple(follow), decisions={})
 
     def left_out(self) -> int | None:
-        """Return the line of a marked step that no run can execute together with all others. None
-        if a run can execute all.
+        """Return the number of a line with a value that no run executes together with all others.
+
+        None if one run can execute all.
         """
         first: int | None = None
         for ways in self.consistent():
@@ -117,14 +118,14 @@ class ProgramRuns:
         return first
 
     def unreached(self) -> Iterator[tuple[int, int]]:
-        """Yield the marked lines that no run reaches, each with the line that leads past it."""
+        """Yield the lines with values that no run reaches, each with the line that bypasses it."""
         reached = self._reached()
         for place, step in enumerate(self.steps):
             if step.marked and place not in reached:
                 yield step.line, self._passing(place)
 
     def exclusive(self) -> tuple[int, int] | None:
-        """Return two marked lines of which every run reaches at most one. None without such."""
+        """Return two lines with values of which a run executes at most one; None without."""
         marked = [place for place, step in enumerate(self.steps) if step.marked]
         after = {place: self._reached(place) for place in marked}
         for i, one in enumerate(marked):
@@ -134,7 +135,7 @@ class ProgramRuns:
         return None
 
     def unavoidable(self, lines: Collection[int]) -> list[int]:
-        """Return marked ``lines`` of which every complete run executes at least one.
+        """Return those of the ``lines`` of which every complete run executes at least one.
 
         A single one that all runs execute, else those that may be the first in a run.
 
@@ -180,7 +181,7 @@ class ProgramRuns:
         return seen
 
     def _passing(self, place: int) -> int:
-        """Return the line before ``place`` after which no run continues with the next line."""
+        """Return the number of the line before ``place`` that never continues with the next."""
         before = (i for i in range(place - 1, -1, -1) if i + 1 not in self.next[i])
         return self.steps[next(before, 0)].line
 
@@ -211,7 +212,7 @@ def possible_runs(steps: Iterable[Step]) -> ProgramRuns:
 
 
 def _decision(step: Step, follow: frozenset[int], after: int) -> Decision | None:
-    """Return the possible next steps after a condition. None if other facts decide too."""
+    """Return the two next steps of a condition; None if more than the condition decides."""
     found = _ASKING.fullmatch(step.code)
     jumps = len(_GO.findall(step.code))
     condition = None if found is None or step.skipped else condition_of(found["condition"])
@@ -224,9 +225,7 @@ def _decision(step: Step, follow: frozenset[int], after: int) -> Decision | None
 def _choice(
     step: Step, place: int, places: Mapping[str, Sequence[int]], follow: frozenset[int], stop: int
 ) -> Decision | Case | None:
-    """Return the next step after a CASE with a known number, or after a FOR that is never executed.
-    None for other lines.
-    """
+    """Return the branches of a CASE, or of a FOR that may be skipped; None for other lines."""
     loop = None if step.skipped else FOR.fullmatch(step.code)
     if loop is not None:
         condition = condition_of(f"({loop['first']})<=({loop['last']})")
@@ -251,7 +250,7 @@ def _choice(
 
 
 def _merged(steps: list[Step]) -> list[Step]:
-    """Return the steps with neighbouring marked steps merged, because an export has thousands.
+    """Return the steps with successive lines of values merged to one, to save time.
 
     Block numbers to which no jump leads are not kept as names.
     """
@@ -284,7 +283,7 @@ def _word(step: Step) -> str:
 
 @dataclass(slots=True)
 class _Blocks:
-    """The block structure of a program: opening, ELSE and closing lines, by index.
+    """The blocks (IF, loops) of a program: their opening, ELSE and closing lines, by index.
 
     ``ends``: by the index of an opening line, and of ELSE, the closing line; ``elses``: by an IF
     its ELSE; ``starts``: by a closing line the opening one.
@@ -315,7 +314,7 @@ def _blocks(steps: Sequence[Step]) -> _Blocks:
 def _following(
     steps: Sequence[Step], place: int, places: Mapping[str, Sequence[int]], blocks: _Blocks
 ) -> set[int]:
-    """Return the possible next lines after a line that affects the order of execution."""
+    """Return the lines that may be executed after a line that affects the order of execution."""
     step, word, after, end = steps[place], _word(steps[place]), place + 1, len(steps)
     stop = end + 1
     if "GOTO" in step.code.upper():
@@ -347,7 +346,7 @@ def _following(
 def _destinations(
     code: str, place: int, places: Mapping[str, Sequence[int]]
 ) -> Iterator[Sequence[int]]:
-    """Yield the possible target lines of each jump and repetition in a line."""
+    """Yield the lines to which each jump or repetition in a line may lead."""
     for go in _GO.finditer(code):
         yield _destinations_of(go, place, places)
     repeated = _REPEATED.match(code)
@@ -358,7 +357,7 @@ def _destinations(
 def _destinations_of(
     go: re.Match[str], place: int, places: Mapping[str, Sequence[int]]
 ) -> Sequence[int]:
-    """Return the possible labels of a jump, by its direction.
+    """Return the labels to which a jump may lead, by its direction (GOTOF, GOTOB).
 
     GOTOF searches from its line to the end of the program, GOTOB from its line to the start, GOTO
     and GOTOC to the end and then elsewhere.
@@ -375,8 +374,7 @@ def _destinations_of(
 def _targets(
     go: re.Match[str], place: int, places: Mapping[str, Sequence[int]], stop: int
 ) -> set[int]:
-    """Return the targets of a jump. A computed jump may reach every label; a missing label stops
-    the program.
+    """Return the lines to which a jump may lead: all labels if computed, the end if none exists.
 
     A stop if the control gives an alarm, because there is no such label in that direction.
     """

@@ -1,4 +1,4 @@
-"""Programs among a control's files: decide or ask whether their values were executed."""
+"""Programs among a control's files: decide, or ask, whether the values in them were executed."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ _CORRECTING = frozenset({"value", "backlash", "cross_value"})
 def not_carried_out(
     definition: Definition, files: Sequence[ControlFile]
 ) -> tuple[tuple[ControlFile, ...], tuple[Finding, ...]]:
-    """Return ``files`` without programs that were not executed by the job's answer, and findings
-    that name these (CW-S073).
+    """Return ``files`` without programs that the job states were not executed, and findings on
+    these.
 
     Raises InputError if that is impossible: a value that every run of the program executes, or a
     file that also holds other values, to which the answer does not apply.
@@ -72,7 +72,7 @@ def _two_kinds(found: Found) -> Fault:
 
 
 def _executed_in_any_case(definition: Definition, programs: Sequence[Found]) -> Iterator[Fault]:
-    """Yield the faults of programs that execute a value other than 0 in every run."""
+    """Yield a fault for each program that assigns a value other than 0 in every run."""
     correcting = {
         place: {one.line for one in found.program.values if _corrects(definition, one)}
         for place, found in enumerate(programs)
@@ -140,7 +140,7 @@ def check_programs(
     activity: Activity,
     notes: Notes,
 ) -> None:
-    """Check whether the values of programs were executed. Raise a question if that is open.
+    """Check whether the values in programs were executed, and ask the user if this is unknown.
 
     For axes that are ``wanted`` (empty: all) and for tables.
 
@@ -171,9 +171,7 @@ def check_programs(
 
 
 def _unlisted(gathered: Gathered, programs: Sequence[Found]) -> Iterator[Fault]:
-    """Yield a fault for each axis name that the files do not list. It may be a variable that means
-    any axis.
-    """
+    """Yield a fault for each axis name that the files do not list, as it may be a variable."""
     names, seen = gathered.names, set[str]()
     for found in programs:
         for value in found.program.values if names.places else ():
@@ -201,7 +199,7 @@ def _unlisted(gathered: Gathered, programs: Sequence[Found]) -> Iterator[Fault]:
 
 
 def _omitted_value(found: Found) -> Iterator[Fault]:
-    """Yield the faults of values, or calls, that one run cannot all execute."""
+    """Yield a fault if no single run can execute all values and calls of a program."""
     program = found.program
     if not (program.flow or program.calls):
         return
@@ -255,7 +253,7 @@ def _omitted_value(found: Found) -> Iterator[Fault]:
 
 
 def _twice(gathered: Gathered, file: str, program: ProgramFlow) -> Iterator[Fault]:
-    """Yield the faults of variables that are assigned in two branches."""
+    """Yield a fault for each variable that two branches of a program assign."""
 
     def key(one: Occurrence) -> Key:
         return entry_key(gathered.definition, one, gathered.names)
@@ -281,7 +279,7 @@ def _twice(gathered: Gathered, file: str, program: ProgramFlow) -> Iterator[Faul
 def _called_late(
     gathered: Gathered, programs: Sequence[Found], concerns: Callable[[Occurrence], bool]
 ) -> Iterator[Fault]:
-    """Yield the faults of variables whose last value depends on the order of calls."""
+    """Yield a fault for each variable whose last value depends on the order of program calls."""
     if not any(one.program.calls for one in programs):
         return
 
@@ -310,9 +308,7 @@ def _called_late(
 
 
 def _never(found: Found, unit: str) -> Iterator[Fault]:
-    """Yield the faults of statements that always change a program's values, or those of its
-    caller.
-    """
+    """Yield a fault for each statement that always prevents or changes values of a program."""
     file, program = found.file, found.program
     if program.behind and program.ended is not None:
         yield Fault(

@@ -50,7 +50,7 @@ _DIRECTIONS = {"0": tuple(Direction), "1": (Direction.POSITIVE,), "-1": (Directi
 
 @dataclass(frozen=True, slots=True)
 class Writable:
-    """The tables that may be written, by the address of each axis of a job.
+    """The cross-axis tables that may be written, by the address of the corrected axis.
 
     ``sign_known``: the meaning of a value is known. ``drafted``: those that may be written on any
     other axis; None if the files are only shown.
@@ -61,20 +61,20 @@ class Writable:
     drafted: Collection[int] | None = None
 
     def stays(self, one: TableLines) -> bool:
-        """Return whether a table of a job's axis over itself stays unchanged.
+        """Return whether an active table by which an axis corrects itself stays unchanged.
 
         Its index is not among those to be written, and it is known to be on.
         """
         return self.not_ours(one.index, one.pair[1]) and one.known_on()
 
     def not_ours(self, index: int, output: str) -> bool:
-        """Return whether a table on the job's axis ``output`` must not be written."""
+        """Return whether table ``index`` on the axis ``output`` must not be written."""
         given = self.indices.get(output, self.drafted)
         return given is not None and index not in given
 
 
 def _largest(places: Places) -> float:
-    """Return the largest weighted value of a table, in the unit of the files."""
+    """Return the largest amount in a table, multiplied by its weight, in the unit of the files."""
     weight = last("cross_weight", places)
     factor = abs(float(weight.text)) if weight is not None else 1.0
     amounts = [abs(float(row.text)) for row in places.get("cross_value", ())]
@@ -83,7 +83,7 @@ def _largest(places: Places) -> float:
 
 
 class CecReader(SingleValues):
-    """Reads the cross-axis tables. Faults are added to ``notes``.
+    """Reads all cross-axis tables (CEC) in the files; faults are added to ``notes``.
 
     ``scale``: that of a table on one axis (`places.as_table`). ``wanted``: the axes under work
     (none: all). ``units``: units of the numbers. Some tables cannot be read as a curve: the range
@@ -115,7 +115,7 @@ class CecReader(SingleValues):
         self.quiet: list[int] = []
 
     def read(self) -> Cec:
-        """Return all cross-axis tables in the files."""
+        """Return all cross-axis tables in the files, and those that cannot be used."""
         places = self.places
         tables = [self._table(index, found) for index, found in places.items()]
         self._note_empty()
@@ -138,7 +138,7 @@ class CecReader(SingleValues):
         )
 
     def _table(self, index: int, places: Places) -> CecTable | None:
-        """Return one table. None if there is no usable table."""
+        """Return one table; None if its lines contain none or it cannot be used."""
         if not any(name in places for name in DATA) or is_unused(places):
             return None
         one = _CrossTableReader(self.gathered, index, places, self.activity, self.units)
@@ -162,13 +162,13 @@ class CecReader(SingleValues):
         return None
 
     def _note_empty(self) -> None:
-        """Note tables of zeros whose grid cannot be read."""
+        """Report tables of zeros whose positions cannot be read."""
         if self.quiet:
             self.notes.find("CW-S054", "info", tables=self.quiet)
 
     def _leave_alone(self, one: _CrossTableReader) -> None:
-        """Keep an unreadable table that does not affect the job's axes. Else its faults are those
-        of the files.
+        """Leave a table with faults unchanged if it does not affect the job's axes; else report its
+        faults.
         """
         faults = one.notes.faults
         damaged = "cross_value" not in one.places or not is_whole(one.places) or one.damaged
@@ -182,7 +182,7 @@ class CecReader(SingleValues):
         return not self.wanted or any(self._touches(one.pair, each) for each in self.wanted)
 
     def _note_left_alone(self, one: _CrossTableReader, why: str) -> None:
-        """Keep a table unchanged, and note the largest correction that it adds."""
+        """Record a table that stays unchanged, with the largest correction that it adds."""
         active, product, touched = one.on(), one.times is not None, self._touched(one)
         largest = one.to_millimetres()[1] * _largest(one.places) if active else 0.0
         if one.times is not None:
@@ -200,7 +200,7 @@ class CecReader(SingleValues):
         )
 
     def _touches(self, pair: Pair, address: str) -> bool:
-        """Return whether a table corrects an axis.
+        """Return whether a table of this axis pair corrects the axis at ``address``.
 
         A name that is no machine axis may be another name of the axis with that letter.
         """
@@ -216,7 +216,7 @@ class CecReader(SingleValues):
         return pair[1].rstrip("0123456789") in letters - {"AX"}
 
     def _max_sums(self) -> dict[str, float]:
-        """Return the limit of the sum by output axis."""
+        """Return the limit of the sum of all tables on each output axis (CEC_MAX_SUM)."""
         sums: dict[str, float] = {}
         for (address, _), places in self.gathered.singles.items():
             label = control_text("axis {address}", address=str(address))
@@ -230,9 +230,7 @@ class CecReader(SingleValues):
         return sums
 
     def _metric(self) -> dict[str, bool]:
-        """Return, by output axis, whether the values of its tables are in mm, if a file states
-        it.
-        """
+        """Return for each output axis whether its tables are in mm, where a file states it."""
         stated = {
             address: self.word(f"axis {address}", "cross_metric", places["cross_metric"][-1])
             for (address, _), places in self.gathered.singles.items()
@@ -246,17 +244,19 @@ class _CrossTableReader(TableLines):
 
     @property
     def damaged(self) -> bool:
-        """Whether the lines of the table contradict each other."""
+        """Whether lines of the table contradict each other."""
         return any("contradicts" in fault.message for fault in self.notes.faults)
 
     @property
     def times(self) -> int | None:
-        """The table that multiplies this one. None: no table does."""
+        """The index of the table by which the control multiplies this one; None without one."""
         found = last("cross_multiplier", self.places)
         return None if found is None or int(found.text) == 0 else int(found.text) - 1
 
     def curve(self, scale: NumberScale, *, under_work: bool, stays: bool) -> CecTable | None:
-        """Return the table as a curve. The reasons why it is not one are added to the notes."""
+        """Return the table as corrections by position; None, with the reasons noted, if
+        unusable.
+        """
         singles = {name: self._one(name) for name in DATA if name != "cross_value"}
         count, anything = self.definition.limit_number("cross_tables"), next(iter(self.places))
         if count is not None and self.index >= count:
@@ -334,7 +334,7 @@ class _CrossTableReader(TableLines):
             self._wrong(message, found, expected=expected)
 
     def _unsupported_settings(self) -> None:
-        """Refuse settings whose effect is more than a curve, a weight and a switch."""
+        """Refuse a table with settings other than its points, its weight and its activation."""
         for quantity, what, expected in _ODD:
             found = self._one(quantity)
             if found is not None and Decimal(found.text) not in expected:
@@ -349,7 +349,7 @@ class _CrossTableReader(TableLines):
         return None
 
     def _simple(self, multiplier: FoundValue | None) -> bool:
-        """Return whether no other table multiplies the table."""
+        """Return whether the control multiplies the table by no other table."""
         if multiplier is None or int(multiplier.text) == 0:
             return True
         message = (

@@ -1,4 +1,4 @@
-"""Write small files with only the changed values of the axes under work.
+"""Write small files that contain only the changed values of the axes of the job.
 
 An archive in a container is never written back: what changes goes into files that the control loads
 in addition to it, and the same entries with their old values into files that restore them. Each
@@ -45,9 +45,7 @@ _CHANNEL = re.compile(rb"^[ \t]*CHANDATA\([0-9]+\)", re.MULTILINE | re.IGNORECAS
 
 @dataclass(frozen=True, slots=True)
 class _FilesSide:
-    """The contents of one set of files: the last occurrence of each variable, and the axis
-    names.
-    """
+    """The contents of the old or new files: each variable's last line, and the axis names."""
 
     entries: Mapping[Key, Occurrence]
     names: AxisNames
@@ -55,7 +53,7 @@ class _FilesSide:
 
 @dataclass(frozen=True, slots=True)
 class _Plan:
-    """The plan of one small file: its name, header, footer and entries.
+    """What one small file will contain: name, header, entries and footer.
 
     The entries that it enters, those that are done by hand, and those that it only shows.
     """
@@ -69,7 +67,7 @@ class _Plan:
 
 
 class SmallFiles:
-    """The small files of some axes.
+    """The small files that enter the changed values of some axes.
 
     ``own``: the control's files, containers opened; ``patched``: those of them that change, and new
     ones.
@@ -100,11 +98,11 @@ class SmallFiles:
         self.plans = [plan for plan in self._plans() if plan.enters or plan.by_hand]
 
     def files(self) -> tuple[ControlFile, ...]:
-        """Return the small files that enter the new values."""
+        """Return the small files that enter the new values into the control."""
         return tuple(self._file(plan, self._new_text) for plan in self.plans)
 
     def back(self) -> tuple[ControlFile, ...]:
-        """Return the small files that restore the old values."""
+        """Return the small files that restore the control's old values."""
         plans = [replace(plan, name=BACK + plan.name, as_it_is=()) for plan in self.plans]
         return tuple(self._file(plan, self._old_text) for plan in plans)
 
@@ -194,7 +192,7 @@ class SmallFiles:
     def _multiplied_by(
         self, tables: Mapping[str, Sequence[Key]], others: Sequence[str], written: Sequence[str]
     ) -> list[str]:
-        """Return the tables by which the control multiplies the tables ``others``."""
+        """Return the tables by which the control multiplies the values of the tables ``others``."""
         numbers = (
             int(value_of(self.new.entries[key])) - 1
             for table in others
@@ -211,7 +209,7 @@ class SmallFiles:
         pairs: Mapping[str, tuple[str, str]],
         machine_wide: Sequence[Key],
     ) -> _Plan:
-        """Return the file with new tables by which other axes correct an axis."""
+        """Return the small file with the new cross-axis tables that correct one axis."""
         mine = [
             table
             for table, (base, corrected) in pairs.items()
@@ -252,14 +250,14 @@ class SmallFiles:
         return _Plan(name, header, file.footer[-1:], tuple(enters), tuple(by_hand), tuple(as_it_is))
 
     def _unit_word(self) -> Iterator[str]:
-        """Yield the line that sets the unit, if the control's own files have one."""
+        """Yield the G command that sets the length unit, if the control's own files contain one."""
         for key, occurrence in self.old.entries.items():
             if self._is(key, ("unit_word",)):
                 yield value_of(occurrence)
                 return
 
     def _tables(self) -> dict[str, list[Key]]:
-        """Return the entries of each cross-axis table."""
+        """Return the entries (variables with index) of each cross-axis table."""
         tables: dict[str, list[Key]] = {}
         for key in self.new.entries:
             table = self._table(key)
@@ -282,7 +280,7 @@ class SmallFiles:
         return named.get("cross_input", ""), named.get("cross_output", "")
 
     def _moves(self, keys: Sequence[Key]) -> bool:
-        """Return whether a table contains a value other than zero."""
+        """Return whether a table has a value other than zero, so that it moves an axis."""
         values = [key for key in keys if self._is(key, ("cross_value",))]
         return any(not same_value(value_of(self.new.entries[key]), "0") for key in values)
 
@@ -293,7 +291,7 @@ class SmallFiles:
         return self._is(key, ("cross_table_enabled", "cross_weight", "cross_max_points"))
 
     def _is_hand(self, key: Key, *, pair: bool) -> bool:
-        """Return whether an entry must be set by hand at the control.
+        """Return whether a parameter has to be set by hand at the control, not by the file.
 
         It changes memory, or switches all tables on an axis for which a table is written.
         """
@@ -315,12 +313,12 @@ class SmallFiles:
         )
 
     def _global(self, key: Key) -> bool:
-        """Return whether an entry concerns the whole machine."""
+        """Return whether a parameter applies to the whole machine and not to one axis."""
         known = not self._is(key, ("unit_word",)) and bool(self.holds[key[0]])
         return known and not (self._has(key, "axis") or self._has(key, "table"))
 
     def _naming(self, address: str, pairs: Iterable[tuple[str, str]]) -> Iterator[Key]:
-        """Yield the entries that list the names of the axes in the files."""
+        """Yield the parameters that list the axis names which the file uses."""
         names = self.new.names
         involved = {address, *(axis for pair in pairs for axis in pair if axis)}
         channels = set()
@@ -355,7 +353,7 @@ class SmallFiles:
         return ControlFile(plan.name, content.encode("ascii"))
 
     def _marked(self, header: Sequence[str]) -> Iterator[str]:
-        """Yield a file header with the channel named in the control's own files."""
+        """Yield a file header with the channel line of the control's own files."""
         found = next((found for file in self.own if (found := _CHANNEL.search(file.content))), None)
         own = None if found is None else found[0].decode().strip()
         for line in header:
@@ -381,7 +379,7 @@ class SmallFiles:
         return self._text(key, self.new.entries[key])
 
     def _text(self, key: Key, occurrence: Occurrence) -> str:
-        """Return a value. An axis under work has the same name as in the other lines."""
+        """Return an entry's new value as text; an axis has the same name in all lines."""
         text = value_of(occurrence)
         if not self._is(key, _BETWEEN):
             return text
@@ -389,7 +387,7 @@ class SmallFiles:
         return self.new.names.written(address) if address in self.systems else text
 
     def _old_text(self, key: Key) -> str | None:
-        """Return the old value of an entry, as text.
+        """Return the old value of an entry as text.
 
         A value that was in no file goes back to its assumed value, and a switch to whether the
         table was active, which the job may state differently from the files.
@@ -410,7 +408,7 @@ class SmallFiles:
 
 
 def ordered(keys: Sequence[Key]) -> list[Key]:
-    """Return table entries in order, with the values of each table by index."""
+    """Return the entries grouped by variable, those of each variable ascending by index."""
     rows: dict[str, list[Key]] = {}
     for key in keys:
         rows.setdefault(key[0], []).append(key)

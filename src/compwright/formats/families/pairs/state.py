@@ -1,5 +1,4 @@
-"""Read a control's own files with cross-axis tables as compensation of the axes, and between
-them.
+"""Read the files of a control with cross-axis tables as compensation of and between axes.
 
 Values in two members of a commissioning archive must agree.
 """
@@ -49,7 +48,7 @@ from compwright.words.sentences import control_text
 
 
 class PairsReader(GridReader):
-    """Reads the files of a control, cross-axis tables included."""
+    """Reads the files of a control, including its cross-axis tables."""
 
     export_instead = (
         "the tables and the machine data as text (AX_EEC.INI, NC_CEC.INI, INITIAL.INI), or the"
@@ -106,23 +105,26 @@ class PairsReader(GridReader):
         )
 
     def named(self) -> list[str]:
-        """Return the axis addresses in the files. Tables of an axis over itself are included."""
+        """Return the axis addresses in the files, including axes with a cross-axis table on
+        themselves.
+        """
         return list(dict.fromkeys((*super().named(), *self.cec.own_axes())))
 
     def couplings(self) -> Sequence[Coupling]:
-        """Return which axes move together (gantry, synchronised axes), by the control's files."""
+        """Return the axes that move together by the files (gantry, synchronised axes)."""
         texts = texts_of(self.definition, self.files, [])
         return couplings_of(texts, self.gathered.axis, list(self.wanted))
 
     def between(self) -> Collection[str]:
-        """Return both axes of each cross-axis table."""
+        """Return the input and output axes of all cross-axis tables."""
         return {
             name for table in self.cec.tables if table.input != table.output for name in table.pair
         }
 
     def elsewhere(self, address: str) -> bool:
-        """Return whether CEC tables correct an axis by its own position. Without their sign the
-        correction is unknown.
+        """Return whether cross-axis tables correct an axis by its own position.
+
+        If their sign is unknown, the user is asked.
         """
         active = self.cec.active((address, address))
         if active and not self.sign_known:
@@ -132,9 +134,7 @@ class PairsReader(GridReader):
         return bool(active) or bool(self.cec.uncounted(address))
 
     def axis(self, address: str, axis: Axis | None) -> AxisReading:
-        """Return the compensation of an axis, as `GridReader.axis` does, with its tables over
-        itself.
-        """
+        """Return the compensation of an axis, including cross-axis tables by its own position."""
         own = super().axis(address, axis)
         pairs = self.cec.facts(address, sign_known=self.sign_known)
         compensation = with_own_tables(self.cec, own.compensation)
@@ -155,8 +155,10 @@ class PairsReader(GridReader):
         )
 
     def _others_protected(self, address: str, system: int | None) -> str:
-        """Return the switches of all other tables in the same file that are on, separated by ``;``.
-        These tables are protected during loading.
+        """Return the activation parameters, as text, of the other tables in the same file that are
+        active.
+
+        The control protects active tables during loading.
         """
         own = None if system is None else str(system - 1)
         ours = {row.number for row in self.gathered.rows.get((address, own), ())}
@@ -181,11 +183,13 @@ class PairsReader(GridReader):
         )
 
     def staying(self, compensation: AxisCompensation) -> tuple[AxisCompensation, ...]:
-        """Return the tables that correct an axis by its own position and stay unchanged."""
+        """Return the cross-axis tables by an axis' own position that stay unchanged."""
         return staying(self.cec, compensation)
 
     def cross(self) -> tuple[CrossCompensation, ...]:
-        """Return the corrections between axes. Tables of unknown sign stay unchanged."""
+        """Return the corrections between axes, without tables of unknown sign (these stay
+        unchanged).
+        """
         cross = cross_tables(self.cec, self._kind)
         if self.sign_known or not cross:
             return cross
@@ -197,11 +201,11 @@ class PairsReader(GridReader):
         return ()
 
     def pair_tables(self) -> PairTables:
-        """Return which cross-axis tables the files contain."""
+        """Return which cross-axis tables the files contain, active or not."""
         return PairTables(self.cec.occupied, self.cec.reserved, self.cec.stay())
 
     def active_lines(self) -> dict[str, FoundValue]:
-        """Return lines with an active correction. Tables of an axis over itself are included."""
+        """Return for each axis name a line with an active correction, also of cross-axis tables."""
         lines = super().active_lines()
         for places in places_of(self.gathered).values():
             base, corrected = (last(name, places) for name in ("cross_input", "cross_output"))
@@ -214,9 +218,7 @@ class PairsReader(GridReader):
         return lines
 
     def _kind(self, address: str) -> AxisKind:
-        """Return the kind of an axis (linear, rotary): by the job, else by the files, else linear.
-        It only affects units.
-        """
+        """Return the kind of an axis (linear, rotary) by the job, else the files, else linear."""
         axis = self.wanted.get(address)
         if axis is not None:
             return axis.kind
@@ -240,9 +242,7 @@ _SHOWN = 2
 
 @lru_cache(maxsize=8)
 def contradictions(file: ControlFile) -> tuple[Fault, ...]:
-    """Return the faults of variables with different values in two members of an archive, with both
-    lines.
-    """
+    """Return a fault for each variable with different values in two members of an archive."""
     container, _ = opened(file)
     seen: dict[str, tuple[str, str, int]] = {}
     faults = []
@@ -268,7 +268,7 @@ def contradictions(file: ControlFile) -> tuple[Fault, ...]:
 
 
 def _assigned(content: bytes) -> dict[str, tuple[str, int]]:
-    """Return the last value of every system variable in an archive member, and its line."""
+    """Return the last value of each system variable in an archive member, with its line."""
     found: dict[str, tuple[str, int]] = {}
     line, place = 1, 0
     for match in _LINE.finditer(content):
@@ -281,7 +281,7 @@ def _assigned(content: bytes) -> dict[str, tuple[str, int]]:
 
 
 def compared(gathered: Gathered, address: str, system: str, unit: str) -> str:
-    """Return three values of an axis for comparison with the control's display, in ``unit``.
+    """Return three table values of an axis to compare with the control's display, in ``unit``.
 
     As in the archive: the largest and the smallest of its table, and the backlash.
     """

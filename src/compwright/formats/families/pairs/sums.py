@@ -1,6 +1,4 @@
-"""Add the cross-axis tables (SINUMERIK CEC) of each axis pair to one curve, within the control's
-limit.
-"""
+"""Add the cross-axis tables (CEC) of each pair of axes to one curve, up to the control's limit."""
 
 from __future__ import annotations
 
@@ -22,7 +20,7 @@ def without_cut_sums(
     may_stay: Callable[[CecTable], bool],
     wanted: Iterable[str] = (),
 ) -> Cec:
-    """Return the tables without those whose sum on the output axis exceeds the control's limit.
+    """Return the tables, without those of an output axis whose sum exceeds the control's limit.
 
     The control cuts such a sum off: it is not a curve, but the same before and after if all of them
     ``may_stay``. Otherwise it is a fault of the state. ``wanted``: the axes under work (none: all);
@@ -63,7 +61,7 @@ def without_cut_sums(
 
 
 def _reach(cec: Cec, tables: Sequence[CecTable]) -> tuple[float, float]:
-    """Return the smallest and the largest possible sum of all ``tables`` on one output axis."""
+    """Return the smallest and largest sum of ``tables`` that can occur on an output axis."""
     low = high = 0.0
     for pair in dict.fromkeys(table.pair for table in tables):
         curves = [curve for _, _, *both in _merged(cec.active(pair)) for curve in both]
@@ -75,7 +73,8 @@ def _reach(cec: Cec, tables: Sequence[CecTable]) -> tuple[float, float]:
 def _merged(
     tables: Sequence[CecTable],
 ) -> list[tuple[float | None, FloatArray, FloatArray, FloatArray]]:
-    """Return period, nodes and sum of all tables by direction, for each period and start.
+    """Return period, positions and the sum of the tables (+, -), for each period and start
+    position.
 
     The sum of curves that are straight between their nodes is straight between the nodes of all of
     them.
@@ -100,8 +99,8 @@ def _merged(
 
 
 def with_own_tables(cec: Cec, compensation: AxisCompensation) -> AxisCompensation:
-    """Return the compensation of an axis with its tables over itself. They are its table if it has
-    no other one.
+    """Return an axis' compensation, including cross-axis tables that correct it by its own
+    position.
     """
     mine = cec.active((compensation.address, compensation.address))
     own = _as_tables(compensation, [table for table in mine if not table.stays])
@@ -120,7 +119,7 @@ def staying(cec: Cec, compensation: AxisCompensation) -> tuple[AxisCompensation,
 def _as_tables(
     compensation: AxisCompensation, tables: Sequence[CecTable]
 ) -> tuple[AxisCompensation, ...]:
-    """Return tables of an axis over itself as tables of that axis."""
+    """Return cross-axis tables by which an axis corrects itself as tables of that axis."""
     return tuple(
         replace(
             compensation,
@@ -138,8 +137,7 @@ def _as_tables(
 
 
 def cross_tables(cec: Cec, kind: Callable[[str], AxisKind]) -> tuple[CrossCompensation, ...]:
-    """Return the corrections between axes, in the order of the indices. Tables with different
-    periods are separate.
+    """Return the corrections between axes by table index; those of different periods are separate.
 
     A table that cannot be read as a curve stays unchanged and is not included: its effect is the
     same before and after.

@@ -1,4 +1,4 @@
-"""Switch on new cross-axis tables in the control's own files, without activating others."""
+"""Activate new cross-axis tables in the control's own files, without activating other tables."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from compwright.foundations.errors import Fault
 
 
 class Switches:
-    """The switches of ``tables``: one of each table, and one for all tables on an axis."""
+    """The activation parameters of ``tables``: of each table (SD41300), of each axis (MD32710)."""
 
     def __init__(self, tables: ExistingTables) -> None:
         self.tables = tables
         self.own = tables.own
 
     def table_on(self, index: int) -> None:
-        """Switch on a new table of compwright if the files switch it off."""
+        """Activate a new table of compwright if the files deactivate it."""
         if self.own is None:
             return
         switches = self.tables.places_of(index, "cross_table_enabled")
@@ -29,8 +29,7 @@ class Switches:
             self.own.put(quantity, self.tables.places_of(index, quantity), "0")
 
     def sum_on(self, output: str, faults: list[Fault]) -> None:
-        """Switch on the sum on an axis if the files switch it off, unless that would activate other
-        tables.
+        """Activate MD32710 of an axis, unless that would activate tables of others on the axis.
 
         If no file states whether it is on, it will be switched on by hand: the same tables must not
         be inactive there either.
@@ -75,7 +74,7 @@ class Switches:
         indices: Collection[int],
         named: Mapping[str, str],
     ) -> None:
-        """Switch tables on by the last switch of each file.
+        """Activate tables by setting the last line of their activation parameter in each file.
 
         Or after their values if the switch comes before them: there it has to stay off.
         """
@@ -122,7 +121,7 @@ class Switches:
         )
 
     def _may_activate(self, index: int, output: str) -> bool:
-        """Return whether switching MD32710 on may activate a table of others on ``output``.
+        """Return whether activating MD32710 may activate a table of others on the axis ``output``.
 
         One that is switched on while its values are in no file.
         """
@@ -139,7 +138,7 @@ class Switches:
         return corrected == output or unlisted
 
     def _is_unread(self, index: int) -> bool:
-        """Return whether the files switch a table but contain none of its values."""
+        """Return whether the files state a table's activation but none of its values."""
         places = self.tables.places[index]
         return "cross_table_enabled" in places and not any(name in places for name in DATA)
 
@@ -151,7 +150,7 @@ class Switches:
         )
 
     def _check_shared(self, output: str, faults: list[Fault]) -> None:
-        """Check that our tables multiply no others, and that the axis has values in mm."""
+        """Check that no table of compwright multiplies another table, and that the unit is mm."""
         tables = self.tables
         faults.extend(tables.factors(tables.kept))
         faults.extend(

@@ -14,8 +14,9 @@ from compwright.records.facts import PairFacts
 
 @dataclass(frozen=True, slots=True)
 class CecTable:
-    """One table in the files. ``values`` (k,): the weighted correction of ``output`` at
-    ``positions`` (k,) of ``input``.
+    """One cross-axis table: the weighted correction of ``output`` at positions of ``input``.
+
+    ``values`` (k,) at ``positions`` (k,), mm or deg.
 
     ``directions``: in which it is active. ``period``: the table repeats. ``active``: no file
     switches it off. ``stays``: it corrects an axis over itself, and its index is not to be written.
@@ -33,13 +34,13 @@ class CecTable:
 
     @property
     def pair(self) -> Pair:
-        """The input and the output axis."""
+        """The input axis and the output axis of the table."""
         return self.input, self.output
 
 
 @dataclass(frozen=True, slots=True)
 class OddTable:
-    """A table that cannot be used, and why.
+    """A cross-axis table that cannot be used, with the reason.
 
     ``largest``: its largest amount, weighted, mm or deg, 0 where it is off. ``times``: the table by
     which it is multiplied.
@@ -54,14 +55,15 @@ class OddTable:
 
     @property
     def pair(self) -> Pair:
-        """The input and the output axis."""
+        """The input axis and the output axis of the table."""
         return self.input, self.output
 
 
 @dataclass(frozen=True, slots=True)
 class Cec:
-    """All cross-axis tables in the files. ``reserved``: points by index; ``max_sum``: by output
-    axis, mm or deg.
+    """All cross-axis tables in the files.
+
+    ``reserved``: points by index; ``max_sum``: by output axis, mm or deg.
 
     ``metric``: by output axis, whether values are in mm.
 
@@ -79,7 +81,9 @@ class Cec:
     prints: Mapping[int, str] = field(default_factory=dict)
 
     def left_alone(self, tables: Sequence[CecTable], why: str) -> Cec:
-        """Return a copy with ``tables`` moved to those that cannot be used."""
+        """Return a copy in which ``tables`` are among those that cannot be used, because of
+        ``why``.
+        """
         odd = [
             OddTable(one.index, *one.pair, why, float(np.max(np.abs(one.values)))) for one in tables
         ]
@@ -88,21 +92,21 @@ class Cec:
         return replace(self, tables=kept, odd=(*self.odd, *odd))
 
     def own_axes(self) -> list[str]:
-        """Return the axes with tables over themselves, active or not."""
+        """Return the axes that have tables by their own position, active or not."""
         pairs = [*(table.pair for table in self.tables), *(table.pair for table in self.odd)]
         return list(dict.fromkeys(output for base, output in pairs if base == output))
 
     def stay(self) -> frozenset[int]:
-        """Return the tables that correct an axis by its own position and stay unchanged."""
+        """Return the indices of tables by an axis' own position that stay unchanged."""
         counted = (table.index for table in self.tables if table.stays)
         return frozenset((*counted, *(table.index for table in self.odd if table.largest)))
 
     def active(self, pair: Pair) -> list[CecTable]:
-        """Return the active tables of an axis pair."""
+        """Return the active tables with this input axis and output axis."""
         return [table for table in self.tables if table.pair == pair and table.active]
 
     def facts(self, address: str, *, sign_known: bool) -> PairFacts:
-        """Return the facts about the tables of one axis."""
+        """Return what is known about the cross-axis tables on one axis."""
         mine = (table for table in self.active((address, address)) if not table.stays)
         own = {table.directions: table.index for table in mine}
         up, down = (own.get((direction,)) for direction in Direction)
@@ -116,8 +120,10 @@ class Cec:
         )
 
     def uncounted(self, address: str) -> str:
-        """Return the active tables of an axis over itself that are not used, as text. The text
-        changes with their values.
+        """Return as text the active tables by the axis' own position that are not part of the
+        result.
+
+        The text changes with their values.
         """
         mine = [table for table in self.odd if table.largest and table.output == address]
         return ", ".join(
@@ -131,8 +137,9 @@ class Cec:
         return ", ".join(self.prints.get(index, "-") for index in parts if index is not None)
 
     def _uncounted_tables(self, address: str, *, sign_known: bool) -> str:
-        """Return the active tables from other axes on one axis that cannot be used, as text. The
-        text changes with their values.
+        """Return as text the active tables by other axes' positions that cannot be used.
+
+        The text changes with their values.
         """
         active: list[CecTable | OddTable] = [table for table in self.odd if table.largest]
         if not sign_known:

@@ -40,7 +40,7 @@ _DIRECTIONS = {None: "0", Direction.POSITIVE: "1", Direction.NEGATIVE: "-1"}
 
 @dataclass(frozen=True, slots=True)
 class PairEntry:
-    """The contents of one table, as text: values by point, single values by quantity."""
+    """The contents of one cross-axis table as text: values by point, and single values."""
 
     index: int
     rows: tuple[str, ...]
@@ -48,8 +48,8 @@ class PairEntry:
 
 
 class CecWriter:
-    """Writes tables into the control's own files where they have a place. The others go to new
-    files.
+    """Writes tables into existing lines of the control's files, and into new files where none
+    exist.
     """
 
     def __init__(self, control: Family, own: OwnFiles | None) -> None:
@@ -60,7 +60,7 @@ class CecWriter:
         self.switches = Switches(self.tables)
 
     def own_pair(self, work: AxisToWrite) -> list[PairEntry]:
-        """Write the two tables of an axis over itself. Return those without a place in the files.
+        """Write an axis' two direction tables; return those without lines in the control's files.
 
         Raises UsageError if the meaning of a value is not given.
         """
@@ -85,8 +85,9 @@ class CecWriter:
         label: str,
         faults: list[Fault],
     ) -> list[PairEntry]:
-        """Write curves over the first axis of a pair into tables, by direction (None: both). Return
-        those without a place.
+        """Write curves into tables, one per direction or one for both; return those without lines.
+
+        ``pair``: input axis and output axis.
 
         Raises UsageError if the meaning of a value is not given: one of the two answers doubles the
         error.
@@ -102,7 +103,7 @@ class CecWriter:
         return left
 
     def _by_direction(self, indices: list[int]) -> list[int]:
-        """Return the table indices, so that a table for one direction keeps that direction."""
+        """Return the table indices in the order +, -, so that tables keep their direction."""
 
         def holds(index: int, text: str) -> bool:
             places = self.tables.places_of(index, "cross_direction")
@@ -116,9 +117,7 @@ class CecWriter:
         return indices if second is None or not rest else [rest[0], second, *rest[1:]]
 
     def empty_own(self, work: AxisToWrite) -> None:
-        """Set the old tables of an axis over itself to zero, if they are active and not used
-        again.
-        """
+        """Set to zero the active tables by an axis' own position that are not used again."""
         tables, address = self.tables, work.address
         for index, pair in tables.in_use.items():
             if pair != (address, address) or index in tables.kept:
@@ -182,7 +181,7 @@ class CecWriter:
         return PairEntry(index, tuple(row[field] for row in table.rows), singles)
 
     def _reserve(self, index: int, count: int, faults: list[Fault]) -> None:
-        """Reserve points for a table if the files reserve too few.
+        """Reserve memory for a table's points if the files reserve too little.
 
         As many as the option states, or as many as it has if none were reserved.
 
@@ -221,7 +220,7 @@ class CecWriter:
             self.own.put("cross_max_points", places, str(needed))
 
     def _placed(self, entry: PairEntry, pair: Pair, faults: list[Fault]) -> bool:
-        """Write a table into the control's own files. Return whether they contain it."""
+        """Write a table into the control's own files; return whether they contain lines for it."""
         places = self.tables.table_places(entry.index)
         # a switch alone is no place for a table
         held = self.own is not None and places.anywhere
@@ -239,7 +238,7 @@ class CecWriter:
         return held
 
     def _spelled(self, entry: PairEntry, places: TablePlaces) -> dict[str, str]:
-        """Return the single values. Each axis name keeps its spelling in the file."""
+        """Return a table's single values, in which axis names are spelled as in the file."""
         singles, axis = dict(entry.singles), self.tables.axis
         for name in BETWEEN:
             for place in places.singles.get(name, ()):
@@ -248,7 +247,9 @@ class CecWriter:
         return singles
 
     def new_file(self, when: When, address: str, entries: Sequence[PairEntry]) -> ControlFile:
-        """Return a new file of the definition for tables that no file of the control contains."""
+        """Return a new file, made from the definition, for tables that no file of the control
+        contains.
+        """
         file = next(
             file for file in self.definition.writing if file.when == when and file.rows is not None
         )
@@ -270,9 +271,7 @@ class CecWriter:
         return ControlFile(print_form(file.name, named), content)
 
     def missing_switches(self, entries: Iterable[PairEntry]) -> list[str]:
-        """Return the lines that switch new tables on, if the control's own files have no switch.
-        They come last.
-        """
+        """Return the lines that activate new tables, if the control's own files have none."""
         on = self.definition.choice("cross_table_enabled").text("yes")
         return [
             self._line("cross_table_enabled", entry.index, on)
@@ -287,7 +286,7 @@ class CecWriter:
 
 
 class PairsWriter(GridWriter):
-    """Writes a pair of tables instead of one table and backlash, if there are two curves."""
+    """Writes two direction tables instead of one table and backlash, if the directions differ."""
 
     def __init__(
         self, control: Family, files: Sequence[ControlFile], addresses: Iterable[str]
@@ -296,7 +295,9 @@ class PairsWriter(GridWriter):
         self.cec = CecWriter(control, self.own)
 
     def axis(self, work: AxisToWrite) -> list[ControlFile]:
-        """Write the table and backlash of one axis, as `GridWriter.axis` does."""
+        """Write the table and backlash of one axis, or its two direction tables; see
+        `GridWriter.axis`.
+        """
         self.cec.tables.allowed = allowed_tables(self.definition, work.options)
         if not holds_two_curves(work.options, work.compensation):
             return super().axis(work)
@@ -313,12 +314,12 @@ class PairsWriter(GridWriter):
         return [*fresh, *made]  # what switches tables on is loaded last
 
     def make_room(self, work: AxisToWrite) -> None:
-        """Remove corrections that a new table replaces, as `GridWriter.make_room` does."""
+        """Remove existing corrections that a new table replaces; see `GridWriter.make_room`."""
         self.cec.empty_own(work)
 
     def _put_pair(self, text: AxisText) -> set[str]:
-        """Write the single values of a pair into the control's own files. Return the quantities
-        that have a place there.
+        """Write single values into the control's files; return the quantities that have a line
+        there.
         """
         placed = self.put_backlash(text)
         if self.own is None:
@@ -332,7 +333,7 @@ class PairsWriter(GridWriter):
         return placed
 
     def files_naming(self, addresses: Collection[str]) -> set[int]:
-        """Return the files that mention the axes, as `GridWriter.files_naming` does."""
+        """Return the indices of the files that mention the axes; see `GridWriter.files_naming`."""
         tables = self.cec.tables
         pairs = {(address, address) for address in addresses}
         return super().files_naming(addresses) | {
