@@ -1,5 +1,4 @@
-"""Check a definition: its sample is readable, its hand-worked corrections are reproduced, and
-limits are enforced.
+"""Check a definition: its sample can be read, its hand-worked examples and its limits hold.
 
 Written files are read back, and the writer refuses a table beyond each limit.
 """
@@ -28,7 +27,8 @@ AGREEMENT = 1e-6
 
 
 def check_definition(definition: Definition) -> tuple[Fault, ...]:
-    """Return the faults of a definition. Empty if all checks succeed.
+    """Return the faults of a definition: sample not readable, wrong corrections, limits not
+    checked.
 
     Its keys were checked when it was loaded. Checked here: there are hand-worked expectations that
     show more than zeros at nodes, and each holds; the sample can be read; its tables can be
@@ -69,8 +69,7 @@ def disagreements(
     correction: Callable[[FloatArray, Direction], FloatArray],
     says: str,
 ) -> Iterator[Fault]:
-    """Yield a fault for each hand-worked correction of an expectation that differs from
-    ``correction``.
+    """Yield a fault for each hand-worked correction that differs from the computed ``correction``.
 
     ``correction``: mm or deg, at positions approached in a direction. ``says``: the sentence, {}
     its place.
@@ -91,7 +90,7 @@ def disagreements(
 def _worked_by_hand(
     expectation: Expectation, correction: Callable[[FloatArray, Direction], FloatArray]
 ) -> Iterator[tuple[int, Direction, float, float]]:
-    """Yield row, direction, expected and found correction of each hand-worked value."""
+    """Yield each hand-worked correction: row, direction, expected value and found value."""
     factor = TO_INSIDE[expectation.unit][1]
     for row, point in enumerate(expectation.at):
         for direction, expected in (
@@ -105,8 +104,8 @@ def _worked_by_hand(
 def largest_difference(
     expectation: Expectation, correction: Callable[[FloatArray, Direction], FloatArray]
 ) -> float:
-    """Return the largest difference between ``correction`` and the hand-worked values, in the unit
-    of the expectation.
+    """Return the largest difference between ``correction`` and the hand-worked values, in their
+    unit.
     """
     pairs = _worked_by_hand(expectation, correction)
     return max(abs(found - expected) for _, _, expected, found in pairs)
@@ -117,7 +116,7 @@ def _files(texts: Mapping[str, str]) -> list[ControlFile]:
 
 
 def read_expectation(definition: Definition, expectation: Expectation) -> AxisCompensation:
-    """Return the compensation that the definition reads from the files of an expectation."""
+    """Return the compensation that is read from the files of a hand-worked example."""
     axis = Axis(
         name=expectation.axis,
         kind=expectation.kind,
@@ -131,7 +130,7 @@ def read_expectation(definition: Definition, expectation: Expectation) -> AxisCo
 
 
 def _unproven(definition: Definition, shown: Sequence[AxisCompensation]) -> Iterator[str]:
-    """Yield facts that the expectations do not prove. ``shown``: the values read for each of them.
+    """Yield the properties (sign, backlash, ...) that the hand-worked examples do not test.
 
     Zeros show no sign, nodes alone not the correction between and beyond them, equal directions no
     backlash.
@@ -223,9 +222,7 @@ _MOST_POINTS = 20_000
 def unenforced_limits(
     control: Family, axis: Axis, compensation: AxisCompensation
 ) -> Iterator[Fault]:
-    """Yield a fault for every limit that the writer does not enforce. ``compensation``: a valid
-    table of ``axis``.
-    """
+    """Yield a fault for every limit of the definition that writing does not enforce."""
     capacity = control.capacity(axis)
     for name, broken, its_axis in _broken(control.definition, axis, compensation, capacity):
         try:
@@ -324,7 +321,7 @@ def _with_value(table: AxisCompensation, node: int, value: float) -> AxisCompens
 
 
 def _longer(table: AxisCompensation, capacity: Capacity) -> AxisCompensation:
-    """Return a table of zeros on the same grid with more points than allowed."""
+    """Return a table of zeros with more points, at the same spacing, than the control allows."""
     step = float(table.positions[1] - table.positions[0])
     count = int(capacity.max_points or 0) + 2
     positions = table.positions[0] + step * np.arange(count)

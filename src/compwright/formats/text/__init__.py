@@ -1,1 +1,1 @@
-"""The text of control files: conversion of bytes to statements and back, and patches."""
+"""The text of control files: convert bytes to statements and back, and change single values."""

@@ -1,5 +1,4 @@
-"""The addresses of axes in the control's files, all names of an axis, and the key of the entry in a
-line.
+"""Axis addresses and names in the control's files, and the key that identifies an entry.
 
 If the files list the names, all of them are one axis, with the name under which it was requested.
 Without the list each name is an axis of its own.
@@ -47,7 +46,7 @@ def normal_text(definition: Definition, address: str) -> str:
 
 
 def normal_address(definition: Definition, axis: Axis) -> tuple[str, Assumption | None]:
-    """Return the control's address of an axis, and the assumption behind it.
+    """Return the control's address of an axis, with the assumption made if the job gives none.
 
     If the control numbers its axes and the job gives only an axis letter, the number is the
     letter's index in the list of the definition (such as XYZABCUVW). Raises UsageError when the
@@ -82,7 +81,7 @@ def normal_address(definition: Definition, axis: Axis) -> tuple[str, Assumption 
 
 @dataclass(frozen=True, slots=True)
 class AxisNames:
-    """The names of the axes in the files, with the place of each.
+    """The names that a control's files give to the same axes, with the line of each name.
 
     ``places``: name -> place; ``machine``: those of them that are the machine's own names;
     ``requested``: place -> the name under which the axis was requested; ``place``: the form of a
@@ -95,20 +94,20 @@ class AxisNames:
     place: re.Pattern[str] | None = None
 
     def address(self, name: str) -> str:
-        """Return the standard name of an axis: the requested one, else its place, else ``name``
-        unchanged.
+        """Return the address of the axis with this name, or the name itself if the files do not
+        list it.
         """
         place = self.places.get(name, name)
         return self.requested.get(place, place)
 
     def known(self, name: str) -> bool:
-        """Return whether a name is that of a machine axis. If the files list no names, every name
-        is.
+        """Return whether a name belongs to a machine axis; true for any name if the files list
+        none.
         """
         return not self.places or name in self.places or self._is_place(name)
 
     def forms(self, address: str) -> set[str]:
-        """Return all names by which the files may call an axis."""
+        """Return all names that the files may use for the axis at an address."""
         one = self.address(address)
         return {
             address,
@@ -117,8 +116,8 @@ class AxisNames:
         }
 
     def unplaced(self, address: str, spoken_of: Iterable[str]) -> list[str]:
-        """Return the names in the files that may also mean ``address``, because the files do not
-        connect them.
+        """Return those of the names ``spoken_of`` that may mean the axis, because no list decides
+        it.
 
         The files give one as a place without a name, the other as names without a place.
         """
@@ -135,7 +134,7 @@ class AxisNames:
         return [name for name in spoken_of if self._is_place(name) and name not in named]
 
     def machine_name(self, address: str) -> str | None:
-        """Return the name of the axis at an address, for people. None if the files do not state it.
+        """Return the name of the axis at an address, such as X1; None if the files do not state it.
 
         The channel's letter if there is one (X), which measurement files have too, else the
         machine's name (X1).
@@ -147,7 +146,7 @@ class AxisNames:
         return next((name for name in names if len(name) == 1), names[0] if names else None)
 
     def written(self, address: str) -> str:
-        """Return the name of an axis for written lines.
+        """Return the name of an axis that new lines in the files use.
 
         ``address`` itself if it is its place or the machine's name, else its place.
         """
@@ -156,7 +155,9 @@ class AxisNames:
         return self.places.get(address, address)
 
     def of_machine(self, address: str) -> str:
-        """Return the machine's own name of an axis, ``address`` if it has none."""
+        """Return the machine axis name of an axis (such as X1), or ``address`` if the files give
+        none.
+        """
         one = self.address(address)
         named = (name for name in self.machine if self.address(name) == one)
         return next((name for name in named if not self._is_place(name)), address)
@@ -174,7 +175,7 @@ NAMES = ("machine_axis", "channel_axis", "channel_machine_axis")
 
 
 def entry_key(definition: Definition, occurrence: Occurrence, names: AxisNames) -> Key:
-    """Return the key of the entry in a line. ``names``: the axis names."""
+    """Return the key that identifies the variable in a line: its name, axis and index."""
     tokens = occurrence.tokens
     axis = tokens.get("axis")
     address = "" if axis is None else names.address(normal_text(definition, axis.text))
@@ -184,16 +185,16 @@ def entry_key(definition: Definition, occurrence: Occurrence, names: AxisNames) 
 
 
 def which_fields(definition: Definition, statement: str) -> list[str]:
-    """Return the fields that identify the entry of a statement, except the axis."""
+    """Return the fields, except the axis, that tell the entries of a statement apart."""
     return [name for name in definition.statements[statement].fields if name in _WHICH]
 
 
 def value_of(occurrence: Occurrence) -> str:
-    """Return the value of an entry as written."""
+    """Return the value in a line as text, as written."""
     which = ("axis", *_WHICH)
     return next(token.text for name, token in occurrence.tokens.items() if name not in which)
 
 
 def quantities_of(definition: Definition, statement: str) -> list[str]:
-    """Return the quantities that a statement of the files contains."""
+    """Return the quantities whose values a statement contains."""
     return [name for name, binding in definition.bindings.items() if binding.statement == statement]

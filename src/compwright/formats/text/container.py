@@ -1,4 +1,4 @@
-"""Open a commissioning archive, and return the texts in it that belong to the control's state.
+"""Open a commissioning archive, and return those of its texts that belong to the control's state.
 
 The container (``@@MMCIBN.``) is a relative of tar: a header of 512 bytes, the content, zeros up to
 the next multiple of 512, member after member up to the end of the file; the first member is a list
@@ -51,7 +51,7 @@ _KEPT = 8
 
 @dataclass(frozen=True, slots=True)
 class Member:
-    """One member of an archive: folder, name, kind, date, and the place of its bytes.
+    """One member of an archive: folder, name, kind, date, and the bytes that it occupies.
 
     Its kind as written there, the seconds of its date, and where its ``size`` bytes begin.
     """
@@ -65,13 +65,13 @@ class Member:
 
     @property
     def path(self) -> str:
-        """The folder and the name of the member."""
+        """The folder and name of the member as one path."""
         return self.folder + self.name
 
 
 @dataclass(frozen=True, slots=True)
 class Container:
-    """The contents of an archive.
+    """The members of an opened archive.
 
     ``state``: the texts that the control loads, in its order, each named after its container;
     ``programs``: every other member that is a text.
@@ -87,7 +87,8 @@ def is_container(file: ControlFile) -> bool:
 
 
 def unpacked(files: Sequence[ControlFile], faults: list[Fault]) -> tuple[ControlFile, ...]:
-    """Return the files with every archive replaced by its texts, which come first.
+    """Return the files, each archive replaced by the texts in it, which come before the other
+    files.
 
     Because all others were loaded over it. A container that cannot be opened goes to ``faults``.
     """
@@ -123,9 +124,7 @@ def programs_setting(file: ControlFile, words: tuple[str, ...]) -> tuple[str, ..
 
 @lru_cache(maxsize=_KEPT)
 def opened(file: ControlFile) -> tuple[Container | None, tuple[Fault, ...]]:
-    """Return the contents of an archive. None, with the reason, for a damaged, incomplete or
-    ambiguous one.
-    """
+    """Return the contents of an archive; None, with a fault, if it is damaged, cut or ambiguous."""
     faults: list[Fault] = []
     members = list(_members(file, faults))
     if not faults:
@@ -209,9 +208,7 @@ def _members(file: ControlFile, faults: list[Fault]) -> Iterator[Member]:
 
 
 def _not_listed(file: ControlFile, members: Sequence[Member]) -> Iterator[Fault]:
-    """Yield missing members that the list of contents names: the archive was cut short between two
-    members.
-    """
+    """Yield members that the archive's list of contents names but that are missing."""
     contents, *rest = members
     text = file.content[contents.start : contents.start + contents.size]
     listed = Counter(found[0].decode("latin-1") for found in _LISTED.finditer(text))

@@ -27,7 +27,9 @@ _KEPT = 32
 
 @dataclass(frozen=True, slots=True)
 class EntryChange:
-    """One changed entry as the control writes it. ``old`` or ``new`` None: it does not exist there.
+    """One entry that differs, as the control writes it.
+
+    ``old`` or ``new`` None: it does not exist there.
 
     ``address`` None: the line names no axis.
     """
@@ -40,8 +42,10 @@ class EntryChange:
 
 @dataclass(frozen=True, slots=True)
 class FileDiff:
-    """All changes in the order of the new files, then removed entries. ``untouched``: unchanged
-    lines of the old files.
+    """All entries that differ between two sets of files.
+
+    ``changes`` in the order of the new files, then removed entries; ``untouched``: unchanged lines
+    of the old files.
     """
 
     changes: tuple[EntryChange, ...]
@@ -50,7 +54,7 @@ class FileDiff:
 
 @dataclass(frozen=True, slots=True)
 class DiffEntry:
-    """One value of a statement: its axis and its text.
+    """One value of a statement, as text, with its axis.
 
     ``label`` returns the control's text up to the value; a function, because few labels of a whole
     backup are needed.
@@ -154,7 +158,7 @@ def _values(definition: Definition, occurrence: Occurrence, row: int) -> Iterato
 
 
 def _label(statement: Statement, occurrence: Occurrence, field: str, row: int) -> str:
-    """Return a line up to its value, to name the value."""
+    """Return the part of a line before its value, as a name for the value."""
     values = {name: token.text for name, token in occurrence.tokens.items()}
     marked = {**values, **{name: "\0" for name in statement.fields if name not in _IDENTITY}}
     text = print_form(

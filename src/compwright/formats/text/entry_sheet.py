@@ -1,5 +1,4 @@
-"""The typed-entry sheet: values that an engineer types in at the control, as CSV for people and
-programs.
+"""The entry sheet: a CSV file of the values that an engineer types in at the control.
 
 Comment lines ``# key: value``; columns point, position, value, unit; comma and decimal point. Point
 data have their number as point, parameters their name and no position. ``# value: error`` or ``#
@@ -44,8 +43,8 @@ class EntrySheet:
 
     @property
     def axis(self) -> str:
-        """The axis name in a sheet: the comment ``address``, else ``axis``, else from the file
-        name. It may be empty.
+        """The axis name of a sheet: its comment ``address``, else ``axis``, else from its file
+        name.
         """
         named = re.fullmatch(r"entry_(.+)\.csv", self.name, re.IGNORECASE)
         return (

@@ -1,6 +1,4 @@
-"""All values in a control's files by the control's own names. Order, line ends, blanks and block
-numbers do not matter.
-"""
+"""All values in a control's files by their names, independent of line order and layout."""
 
 from __future__ import annotations
 
@@ -26,7 +24,7 @@ _SECTION = re.compile(r"[ \t]*\[([^\]]+)\][ \t]*")
 
 @dataclass(frozen=True, slots=True)
 class FileValue:
-    """One value in the files, with its name on the control.
+    """One value in the files with the name that it has on the control.
 
     ``name``: the control's text up to the value; ``group``: under which many such entries are
     counted; ``axis``: the address that the entry names, empty if it names none.
@@ -47,14 +45,14 @@ class FileValue:
 
 @dataclass(frozen=True, slots=True)
 class FileValueChange:
-    """One entry that differs between two sets of files. None: it does not exist there."""
+    """One value that differs between two sets of files (None where it does not exist)."""
 
     old: FileValue | None
     new: FileValue | None
 
     @property
     def entry(self) -> FileValue:
-        """The new entry, or the old one if it was removed."""
+        """The new value, or the old one if the new files do not contain it."""
         found = self.new or self.old
         if found is None:
             raise ValueError
@@ -65,8 +63,7 @@ FileValues = Mapping[str, FileValue]
 
 
 def changes(old: FileValues, new: FileValues) -> tuple[FileValueChange, ...]:
-    """Return the differences in the order of the new files, then entries that exist only in the old
-    ones.
+    """Return the values that differ, in the order of the new files, then those that were removed.
 
     Numbers are the same whatever their decimals; TRUE is 1.
     """
@@ -96,7 +93,7 @@ def texts_of(files: Sequence[ControlFile]) -> tuple[ControlFile, ...]:
 
 
 def by_statements(definition: Definition, files: Sequence[ControlFile]) -> dict[str, FileValue]:
-    """Return the entries of files: by statements, by ``name = value``, or else line by line.
+    """Return all values of files: by statements, by ``name = value``, or else line by line.
 
     By the definition's statements; other lines by name within their section.
     """

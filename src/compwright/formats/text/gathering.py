@@ -1,4 +1,4 @@
-"""Collect the statements of several files as values of each axis and measuring system."""
+"""Collect the statements of several files as values by axis and measuring system."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class FoundValue(NamedTuple):
 
     @property
     def where(self) -> str:
-        """File and line, for messages."""
+        """The file and line of the value, as text for messages."""
         return f"{self.occurrence.file}, line {self.occurrence.line}"
 
 
@@ -51,11 +51,13 @@ class Gathered:
     naming: set[int] = field(default_factory=set)
 
     def axis(self, text: str) -> str:
-        """Return the address of an axis from any of its names."""
+        """Return the address of the axis that has this name in the files."""
         return self.names.address(normal_text(self.definition, text))
 
     def spelled(self, address: str) -> str:
-        """Return the name of an axis as the files write it. The address itself if they do not."""
+        """Return the axis name as it is written in the files; the address if they do not name the
+        axis.
+        """
         return self.spellings.get(address, [address])[0]
 
     def addresses(self) -> list[str]:
@@ -81,7 +83,7 @@ class Gathered:
         )
 
     def found(self, quantity: str, address: str, system: str | None) -> list[FoundValue]:
-        """Return every place of a quantity: for this system, else for the axis, else for the whole
+        """Return the values of a quantity: of the measuring system, else the axis, else the
         machine.
         """
         for key in ((address, system), (address, None), (None, None)):
@@ -136,7 +138,7 @@ def _key(gathered: Gathered, occurrence: Occurrence) -> Key:
 
 
 def first_set(places: Sequence[FoundValue]) -> list[FoundValue]:
-    """Return the places of the first parameter set (0), if a quantity has several sets."""
+    """Return the values that belong to the first parameter set (0), if a quantity has several."""
     return [
         place
         for place in places

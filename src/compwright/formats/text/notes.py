@@ -1,6 +1,4 @@
-"""Collect findings, assumptions and questions during reading. Findings of several readers are made
-here.
-"""
+"""Findings, assumptions and questions that readers collect, and the texts that readers share."""
 
 from __future__ import annotations
 
@@ -38,7 +36,7 @@ CORRECT_TRAVEL: Final = (
 
 @dataclass(slots=True)
 class Notes:
-    """Findings, assumptions, questions and faults, collected during reading."""
+    """The findings, assumptions, questions and faults that were collected while reading files."""
 
     faults: list[Fault] = field(default_factory=list)
     findings: list[Finding] = field(default_factory=list)
@@ -51,7 +49,7 @@ class Notes:
     open_answers: int = 0
 
     def take(self, other: Notes) -> None:
-        """Add the contents of other notes, except faults."""
+        """Add the findings, assumptions and questions of other notes, but not their faults."""
         self.findings.extend(other.findings)
         self.questions.extend(other.questions)
         self.contradictions.extend(other.contradictions)
@@ -60,7 +58,9 @@ class Notes:
             self.assume(note.fact, note.value, note.evidence)
 
     def ask_contradicted(self) -> None:
-        """Add questions for an answer that no table needs but that the files contradict."""
+        """Ask about each answer of the job that the files contradict, if no table needs an
+        answer.
+        """
         if not self.open_answers:
             for fault in self.contradictions:
                 self.ask(fault)
@@ -77,7 +77,9 @@ class Notes:
             self.assumed.append(note)
 
     def find(self, name: str, severity: str, axis: str = "", /, **values: object) -> None:
-        """Add a finding (`Finding.of`). ``axis``: the address of its axis, or its label with
+        """Add a finding.
+
+        Arguments as those of `Finding.of`; ``axis``: the address of its axis, or its label with
         further words.
 
         After which more may follow (``axis AX1, measuring system 2``).
@@ -87,19 +89,25 @@ class Notes:
         self.findings.append(Finding.of(name, grave, about, **values))
 
     def counted_as(self, label: str, name: str, value: str) -> None:
-        """Note the assumed value of a quantity that is not in the files, and what depends on it."""
+        """Report the value that is assumed for a quantity which is not in the files."""
         self.find("CW-S005", "warning", label, label=label, quantity=name, value=value)
 
     def switched_off(self, label: str, what: str) -> None:
-        """Note that a table in the files corrects nothing. ``what``: what switches it off."""
+        """Report that a table in the files corrects nothing.
+
+        ``what``: the statement that deactivates it.
+        """
         self.find("CW-S007", "info", label=label, switch=what)
 
     def no_table(self, label: str, *, off: bool = False) -> None:
-        """Note that no file contains a table of an axis. ``off``: the files activate none."""
+        """Report that no file contains a table of an axis.
+
+        ``off``: the files activate none.
+        """
         self.find("CW-S008", "info" if off else "warning", label, label=label)
 
     def taken_for(self, axis: str, address: str) -> None:
-        """Note which axis of the control was assumed for an axis of the job."""
+        """Report which axis of the control was assumed to be the axis of the job."""
         self.find("CW-S010", "warning", axis=axis, address=address)
 
     def refuse(
@@ -112,7 +120,7 @@ class Notes:
         hint: str,
         found: str | None = None,
     ) -> None:
-        """Note, once, a fault at the line of ``place`` that makes the files unusable.
+        """Add a fault at the line of ``place``, unless it is there already.
 
         ``expected``, ``found``: values; ``found`` defaults to the text of the place. ``hint``: the
         next step.
@@ -133,9 +141,9 @@ class Notes:
             self.faults.append(fault)
 
     def ignored(self, label: str, what: str, why: Literal["table", "rotary"]) -> None:
-        """Note a value that the control ignores, because the axis has a table or is rotary."""
+        """Report a value that the control ignores because the axis has a table or is rotary."""
         self.find("CW-S009", "warning", label=label, what=what, why=why)
 
     def idle_file(self, sentence: Sentence) -> None:
-        """Note a table file that does not belong to the files that the control loads."""
+        """Report a table file that is not among those that the control loads."""
         self.findings.append(Finding("CW-S012", "warning", sentence))

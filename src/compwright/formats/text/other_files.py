@@ -1,4 +1,4 @@
-"""Recognise files in a folder that contain no data of the control: hardware lists, notes."""
+"""Recognise files in a folder that contain no data of the control, such as notes."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def holds_no_data(definition: Definition, file: ControlFile) -> bool:
 
 
 def _of_commands(kind: TextKind) -> bool:
-    """Return whether every line of a text can be a command."""
+    """Return whether every line of this kind of text may be a command of a script."""
     return not (kind.other_lines_refused or kind.claims_at_start or kind.claims_anywhere)
 
 
@@ -46,8 +46,7 @@ def _numbered(definition: Definition) -> bool:
 def without_other_files(
     definition: Definition, files: Sequence[ControlFile]
 ) -> tuple[tuple[ControlFile, ...], tuple[Finding, ...]]:
-    """Return ``files`` of a folder without those that contain no data of the control, and the
-    finding that names them (CW-S084).
+    """Return ``files`` without those that contain no data of the control, and a finding on these.
 
     A file that was named itself stays. All files stay if none would be left, and for a control that
     does not number its blocks: there any line may be a command.

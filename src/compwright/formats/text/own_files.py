@@ -1,4 +1,4 @@
-"""Change the control's own files in place. Everything else keeps its bytes.
+"""Change values in the control's own files; everything else keeps its bytes.
 
 Values keep their decimal places, signs and blanks as far as the new ones allow; rows are added
 after the last one, as a copy of that line; rows that the new table does not use become zero. A
@@ -21,7 +21,7 @@ from compwright.records.correction import ControlFile
 
 @dataclass(frozen=True, slots=True)
 class TablePlaces:
-    """The places of a table in the files: its rows by index, and its single values by quantity.
+    """The lines of a table in the files: its rows by index, and its single values by quantity.
 
     ``value``: the quantity of a row's value; ``named``: the fields that every line of the table has
     (axis and system, or table).
@@ -39,8 +39,9 @@ class TablePlaces:
 
 
 class OwnFiles(Patches):
-    """Changes to the control's files, addressed by quantity. ``gathered``: the contents of the
-    files.
+    """The changes to a control's own files, by quantity.
+
+    ``gathered``: the contents of the files.
     """
 
     def __init__(
@@ -51,7 +52,7 @@ class OwnFiles(Patches):
         self.gathered = gathered
 
     def put(self, quantity: str, places: Sequence[FoundValue], text: str) -> bool:
-        """Set a single value at the place that counts. False if it has no place."""
+        """Set a single value in the lines that take effect; return False if no line states it."""
         binding = self.definition.bindings[quantity]
         by_file: dict[int, list[FoundValue]] = {}
         for place in places:
@@ -119,8 +120,7 @@ class OwnFiles(Patches):
         self.add_lines(anchor.number, next(iter(anchor.occurrence.tokens.values())).start, lines)
 
     def _row(self, anchor: FoundValue, places: TablePlaces, index: int, text: str) -> str:
-        """Return the line of a new value: a copy of the neighbouring row with another index and
-        value.
+        """Return a line for a new value: a copy of a neighbouring row with its own index and value.
 
         Without block number and comment.
         """
@@ -147,7 +147,7 @@ class OwnFiles(Patches):
 
 
 def styled(old: str, new: str) -> str:
-    """Return a number in the style of the file: decimal places and plus sign as before.
+    """Return a number with as many decimals, and a plus sign, as the old number in the file.
 
     Other text is returned unchanged.
     """
@@ -163,7 +163,7 @@ def styled(old: str, new: str) -> str:
 
 
 def _last(places: TablePlaces) -> FoundValue:
-    """Return the row with the highest index, else the last single value."""
+    """Return the row of a table with the highest index; without rows, the last single value."""
     if places.rows:
         return places.rows[max(places.rows)][-1]
     found = [place for singles in places.singles.values() for place in singles]

@@ -1,4 +1,4 @@
-"""Changes to files as (start, end, bytes) on the original. All other bytes stay.
+"""Changes to files by byte position; all other bytes stay as they are.
 
 A fresh file is a patch of a skeleton, so both cases share the code.
 """
@@ -27,9 +27,7 @@ class BytesChange:
 
 @dataclass(frozen=True, slots=True)
 class BytesPlace:
-    """A line as byte positions: its text from ``start`` to ``end``, the following line from
-    ``next``.
-    """
+    """The bytes of a line: its text from ``start`` to ``end``, the next line from ``next`` on."""
 
     start: int
     end: int
@@ -37,8 +35,9 @@ class BytesPlace:
 
 
 def set_field(occurrence: Occurrence, field: str, text: str) -> tuple[BytesChange, ...]:
-    """Return the changes that put ``text`` into a field of a statement. A line checksum is removed,
-    because it becomes wrong.
+    """Return the byte changes that put ``text`` into one field of a line.
+
+    A line checksum is removed, because it becomes wrong.
     """
     token = occurrence.tokens[field]
     changes = [BytesChange(token.start, token.end, text.encode("ascii"))]
@@ -66,7 +65,7 @@ def apply_changes(original: bytes, changes: Iterable[BytesChange]) -> bytes:
 
 
 class Patches:
-    """Collects the changes to files, by file index.
+    """Collects the changes to several files, each identified by its index.
 
     If the same bytes are replaced twice, the last text counts.
     """
@@ -80,7 +79,7 @@ class Patches:
         self._inserted: dict[int, list[BytesChange]] = {}
 
     def replace(self, number: int, *changes: BytesChange) -> None:
-        """Replace some bytes of the file by others."""
+        """Replace bytes in the file with the index ``number``."""
         replaced = self._replaced.setdefault(number, {})
         replaced.update({(change.start, change.end): change for change in changes})
 
@@ -90,12 +89,12 @@ class Patches:
         self._inserted.setdefault(number, []).append(change)
 
     def text(self, number: int, token: Token) -> str:
-        """Return the text of a token with the changes so far."""
+        """Return the text of a token, including changes made so far."""
         change = self._replaced.get(number, {}).get((token.start, token.end))
         return token.text if change is None else change.content.decode("latin-1")
 
     def line(self, number: int, place: int) -> BytesPlace:
-        """Return the line of the file that contains the byte with index ``place``."""
+        """Return the line that contains the byte ``place`` of a file."""
         content = self.files[number].content
         before = [
             found + len(end) for end in self._ends if (found := content.rfind(end, 0, place)) >= 0
@@ -107,8 +106,9 @@ class Patches:
     def like(
         self, number: int, occurrence: Occurrence, texts: Mapping[str, str], *, end: str = ""
     ) -> str:
-        """Return the line of a statement with other texts in some of its fields. ``end``: the last
-        field to include.
+        """Return a copy of a line with other texts in some of its fields.
+
+        ``end``: the last field to include.
         """
         line = self.line(number, occurrence.tokens[next(iter(texts))].start)
         stop = occurrence.tokens[end].end if end else line.end
@@ -122,7 +122,7 @@ class Patches:
     def add_lines(
         self, number: int, place: int, lines: Iterable[str], *, before: bool = False
     ) -> None:
-        """Add lines after (or ``before``) the line with the byte ``place``, with the same line end.
+        """Add lines after (or ``before``) the line that contains the byte ``place``.
 
         A last line without an end gets one, and the new last line has none.
         """
@@ -136,12 +136,12 @@ class Patches:
                 self.insert(number, line.next, text + end if found else end + text)
 
     def cut_line(self, number: int, place: int) -> None:
-        """Remove the line of the file that contains the byte with index ``place``."""
+        """Remove the line that contains the byte ``place`` of a file."""
         line = self.line(number, place)
         self.replace(number, BytesChange(line.start, line.next, b""))
 
     def changed(self) -> set[int]:
-        """Return the changed files, by their index."""
+        """Return the indices of the files with changes, each with its changed contents."""
         return {*self._replaced, *self._inserted}
 
     def patched(self, numbers: Iterable[int]) -> tuple[ControlFile, ...]:

@@ -1,5 +1,4 @@
-"""Copy a control's text without private data: known numbers and keywords stay, names, remarks and
-programs are removed.
+"""Copy a control's text without private data: numbers and keywords stay, names are removed.
 
 Statements that are read keep their numbers, and so do lines of numbers and keywords.
 """
@@ -48,8 +47,9 @@ _LETTERS: Final = re.compile(r"[A-Za-z0-9]{4,}")
 
 @dataclass(slots=True)
 class RedactedText:
-    """The text of a copy. ``renamed``: old name -> new name; ``words``: its keywords, in lower
-    case.
+    """A copy of a text without private data.
+
+    ``renamed``: old name -> new name; ``words``: its keywords, in lower case.
     """
 
     file: ControlFile
@@ -58,7 +58,7 @@ class RedactedText:
 
 
 class TextRedactor:
-    """Copies a control's text without private data. File names in it lose their folders.
+    """Copies a control's text without private data, and without the folders in file names.
 
     ``read``: the statements in it; ``kept``: other lines that may stay.
     """
@@ -80,7 +80,7 @@ class TextRedactor:
         self.result = RedactedText(file)
 
     def copy(self) -> RedactedText:
-        """Return the copy, the new names in it and its words."""
+        """Return the copy, the new names that it uses, and its keywords."""
         text = self.file.content.decode("latin-1")
         made, end = [], 0
         for line in self.reader.lines(text):
@@ -103,9 +103,7 @@ class TextRedactor:
         return code + self._remark(line.text[end:])
 
     def _remark(self, text: str) -> str:
-        """Return the replacement of a remark, which keeps only its mark. Text after its end is
-        removed too.
-        """
+        """Return the replacement of a comment, of which only the comment mark stays."""
         mark = next((mark for mark in self.kind.comment_marks if text.startswith(mark)), "")
         if mark != OPEN:
             return f"{mark} {self.cuts.remark(text[len(mark) :])}".rstrip() if mark else ""
@@ -115,7 +113,7 @@ class TextRedactor:
         return f"({self.cuts.remark(inside)}){behind}"
 
     def _statement(self, line: TextLine, code: str, statements: Sequence[Occurrence]) -> str:
-        """Return a line with statements. Private names in it are replaced."""
+        """Return a line that contains statements, with its private names replaced."""
         tokens = sorted(self._tokens(line, code, statements), key=lambda one: one[0].start)
         made, end = [], 0
         for token, kind in tokens:
@@ -163,7 +161,7 @@ class TextRedactor:
         return new
 
     def _other(self, code: str) -> str:
-        """Return the replacement of a line without known statements."""
+        """Return the replacement of a line that contains no known statement."""
         bare = code.strip()
         if self._stays(bare):
             return self._literal(code)
@@ -195,7 +193,7 @@ class TextRedactor:
 
 
 def _path(text: str) -> tuple[str, str, str]:
-    """Return the folder, the stem and the ending of a text that may be a file name."""
+    """Return folder, name and file ending of a text that may be a file name."""
     place = max(text.rfind("/"), text.rfind("\\")) + 1
     match = re.fullmatch(r"(?P<stem>.*?)(?P<ending>\.[A-Za-z0-9]{1,4})?", text[place:])
     assert match is not None  # noqa: S101 - every text has this form
@@ -203,9 +201,7 @@ def _path(text: str) -> tuple[str, str, str]:
 
 
 def same_statements(old: ReadText, new: ReadText, renamed: dict[str, str]) -> bool:
-    """Return whether two texts have the same statements in the same order, except replaced
-    names.
-    """
+    """Return whether two texts have the same statements in the same order, apart from new names."""
     return _comparable(old, renamed) == _comparable(new, {})
 
 

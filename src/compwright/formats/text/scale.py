@@ -1,5 +1,4 @@
-"""Convert numbers in the control's text to and from mm or deg, exactly: unit, sign and decimal
-places.
+"""Convert numbers in the control's text to mm or deg and back, without rounding.
 
 Reading uses decimal arithmetic, writing whole counts of the last decimal place, so a number that is
 written is read back unchanged.
@@ -32,12 +31,12 @@ EXACTNESS = 1e-3
 
 
 class NotHeld(ValueError):  # noqa: N818 - it says what is the matter, and never leaves the room
-    """Raised for a quantity that the control's text cannot represent exactly."""
+    """Raised if a control cannot store a value exactly, or has no place for it."""
 
 
 @dataclass(frozen=True, slots=True)
 class NumberScale:
-    """Unit, sign and decimal places of one axis' numbers.
+    """Unit, sign and decimal places of the numbers of one axis in the control's text.
 
     ``choices``: the neutral values on which signs depend.
     """
@@ -65,8 +64,9 @@ class NumberScale:
         return float(self._step(quantity) * self.factor(quantity))
 
     def range(self, quantity: str) -> tuple[float, float]:
-        """Return the range of the quantity in mm or deg. For an error: with the sign of the
-        correction.
+        """Return the smallest and largest value of a quantity in mm or deg.
+
+        For an error: with the sign of the correction.
         """
         binding = self.definition.measure(quantity)
         factor = float(self.factor(quantity))
@@ -74,7 +74,7 @@ class NumberScale:
         return (-high, -low) if self.sign(quantity) == "error" else (low, high)
 
     def sign(self, quantity: str) -> Sign:
-        """Return the sign of the number in the text: correction or error."""
+        """Return what a number in the text means, such as a correction or an error."""
         binding = self.definition.measure(quantity)
         if binding.sign_option is not None:
             return cast("Sign", self.options[binding.sign_option])
@@ -83,7 +83,10 @@ class NumberScale:
         return binding.sign if binding.sign is not None else "position"
 
     def read(self, quantity: str, text: str, position: Decimal = Decimal(0)) -> Decimal:
-        """Return a number of the text in mm or deg. ``position`` (mm or deg): that of the row."""
+        """Return a number in the control's text in mm or deg.
+
+        ``position`` (mm or deg): that of its row.
+        """
         number = Decimal(text) * self.factor(quantity)
         sign = self.sign(quantity)
         if sign == "error":
@@ -91,7 +94,7 @@ class NumberScale:
         return position - number if sign == "actual_position" else number
 
     def write(self, quantity: str, value: float, position: float = 0.0) -> str:
-        """Return a quantity in mm or deg as text of the control.
+        """Return a value in mm or deg as a number in the control's text.
 
         Raises NotHeld when the decimal places or the range do not allow it.
         """
@@ -125,6 +128,6 @@ class NumberScale:
 
 
 def in_range(measure: Measure, scale: NumberScale, value: Decimal) -> bool:
-    """Return whether a value that was read is in the range of its quantity."""
+    """Return whether a value in mm or deg is within the range that the definition allows."""
     low, high = scale.range(measure.quantity)
     return low <= value <= high

@@ -1,4 +1,4 @@
-"""Read the bytes of a control's file as statements, each token with its bytes in the file.
+"""Read the bytes of a control's file as statements, with the byte position of each value.
 
 Characters are read one byte each, so that comments in any 8-bit character set survive and spans fit
 the original. A line that looks like a known statement but cannot be read is a fault; if the
@@ -48,8 +48,9 @@ KEPT_TEXTS, KEPT_READERS = 256, 16
 
 
 class TextLine(NamedTuple):
-    """One line without its end. ``start``: its place in bytes; ``ended``: whether a line end
-    follows.
+    """One line without its line end.
+
+    ``start``: its place in bytes; ``ended``: whether a line end follows.
     """
 
     number: int
@@ -60,7 +61,7 @@ class TextLine(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class ReadText:
-    """The contents of a file.
+    """The statements of one file.
 
     ``number`` is its index among the files that were given; ``sections`` the names of all sections
     in it.
@@ -95,12 +96,12 @@ def no_text(content: bytes) -> str:
 
 @lru_cache(maxsize=KEPT_READERS)
 def text_reader(definition: Definition) -> TextReader:
-    """Return the reader of a definition. It is cached, with its templates compiled once."""
+    """Return the reader of files by a definition, which is compiled once and then cached."""
     return TextReader(definition)
 
 
 class TextReader:
-    """Reads files by one definition; `text_reader` returns the cached one."""
+    """Reads files by one definition; get it from `text_reader`, which caches it."""
 
     def __init__(self, definition: Definition) -> None:
         self.definition = definition
@@ -116,7 +117,7 @@ class TextReader:
         self.concerning = {kind.name: self._concerning(kind) for kind in definition.texts.values()}
 
     def of(self, kind: TextKind) -> list[Matcher]:
-        """Return the compiled statements of a kind of text, without that of its sections."""
+        """Return the compiled statements of a kind of file, without the one for section headers."""
         return [
             m
             for m in self.matchers.values()
@@ -124,8 +125,8 @@ class TextReader:
         ]
 
     def _concerning(self, kind: TextKind) -> re.Pattern[str] | None:
-        """Return words that occur in every relevant line of a text. None if other lines are refused
-        too.
+        """Return a pattern of words that any relevant line contains; None if every line is
+        relevant.
 
         In every line of a kind that is a statement with one of them, or looks like one.
 
@@ -140,9 +141,7 @@ class TextReader:
         return re.compile("|".join(map(re.escape, sorted(words))) or "(?!)", flags)
 
     def read(self, file: ControlFile, faults: list[Fault], number: int = 0) -> ReadText | None:
-        """Return the statements of a file. None when it cannot be read; faults are added to
-        ``faults``.
-        """
+        """Return the statements of a file; None, with ``faults``, if it cannot be read."""
         text, found = _read(self, file)
         faults.extend(found)
         return None if text is None else replace(text, number=number)
@@ -194,7 +193,7 @@ def _read(reader: TextReader, file: ControlFile) -> tuple[ReadText | None, tuple
 
 
 class _KindReader:
-    """Reads the lines of one file as one kind of text."""
+    """Reads the lines of one file by the rules for one kind of file."""
 
     def __init__(self, reader: TextReader, kind: TextKind, file: str, faults: list[Fault]) -> None:
         self.kind = kind
@@ -214,7 +213,7 @@ class _KindReader:
         self.seen_sections: list[str] = []
 
     def _passed_over(self, code: str) -> bool:
-        """Return whether a line does not concern compensation, so that it is skipped."""
+        """Return whether a line is skipped because it has nothing to do with compensation."""
         if self.concerning is None or self.concerning.search(code) is not None:
             return False
         return all(matcher.match(code) is None for matcher in self.wordless)
@@ -250,7 +249,7 @@ class _KindReader:
         )
 
     def _code(self, line: TextLine) -> str:
-        """Return a line without its comment. Character positions stay."""
+        """Return a line without its comment, each character at its old position."""
         mark = mark_before_statement(self.kind, line.text)
         if mark:
             return line.text.replace(mark, " " * len(mark), 1)
@@ -313,11 +312,11 @@ class _KindReader:
         self._fault(line, "cannot be read" + _hint(code), expected=expected, found=_shown(code))
 
     def _here(self, matcher: Matcher) -> bool:
-        """Return whether a statement has an effect in the current section."""
+        """Return whether a statement is valid in the current section of the file."""
         return matcher.section is None or matcher.section.fullmatch(self.section) is not None
 
     def _ours(self, piece: str) -> bool:
-        """Return whether a piece of a line would be a valid statement by itself."""
+        """Return whether a piece of a line would be a valid statement if it stood alone."""
         return line_number(piece) in self.kind.claims_at_start or any(
             form.fullmatch(piece) for matcher in self.matchers for form in matcher.forms
         )
@@ -352,7 +351,7 @@ class _KindReader:
         yield Occurrence(matcher.statement.name, self.file, line.number, tokens, place, checksum)
 
     def _concerns_us(self, probe: str) -> bool:
-        """Return whether a line could be a statement in the current section.
+        """Return whether a line resembles a statement that is valid in the current section.
 
         A key of the same name in another section is another key.
         """
@@ -369,7 +368,7 @@ class _KindReader:
     def _ending(
         self, lines: Sequence[TextLine], last: int, occurrences: Sequence[Occurrence]
     ) -> Iterator[Finding]:
-        """Check the end of a file, which may have been cut short.
+        """Check the end of a file for signs that the file was cut short.
 
         Without its end mark it may have been; if it ends within a number, it cannot be trusted.
         """
@@ -420,17 +419,13 @@ class _KindReader:
 
 
 def mark_before_statement(kind: TextKind, text: str) -> str:
-    """Return the comment mark before a statement that is given in a comment. Empty for other
-    lines.
-    """
+    """Return the comment mark of a line whose comment is a statement; empty for other lines."""
     marks = (mark + word for mark in kind.comment_marks for word in (BY_HAND, AS_IT_IS))
     return next((mark for mark in marks if text.startswith(mark)), "")
 
 
 def comment_start(kind: TextKind, text: str) -> int:
-    """Return where the comment of a line begins, with its mark. Without a comment: the length of
-    the line.
-    """
+    """Return the position at which a line's comment begins; its length if it has no comment."""
     if not kind.comments_anywhere:
         code = text.lstrip(" \t")
         return len(text) - len(code) if code.startswith(kind.comment_marks) else len(text)
@@ -439,7 +434,7 @@ def comment_start(kind: TextKind, text: str) -> int:
 
 
 def _nearest(matchers: Sequence[Matcher], probe: str) -> str:
-    """Return the statement template that is most similar to a line, by its first word."""
+    """Return the form of the statement whose first word a line contains, for use in a message."""
     fitting = [matcher for matcher in matchers if matcher.head and matcher.head in probe]
     if not fitting:
         return ""
@@ -449,7 +444,7 @@ def _nearest(matchers: Sequence[Matcher], probe: str) -> str:
 
 
 def _shown(text: str) -> str:
-    """Return a piece of a line in a form that is safe to print."""
+    """Return a piece of a line without characters that are unsafe to print."""
     shown = text.strip(" \t\r")[:60]
     return repr(shown) if shown else "an empty line"
 

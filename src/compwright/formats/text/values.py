@@ -1,6 +1,4 @@
-"""Select the value that counts from several places in the files, or the default if there is
-none.
-"""
+"""Select the value that is in effect from several lines in the files, or else the default."""
 
 from __future__ import annotations
 
@@ -20,26 +18,29 @@ _ROUNDING = 1e-5
 
 
 def name_of(definition: Definition, quantity: str) -> str:
-    """Return the control's name of a quantity: the first word of its template, or its number."""
+    """Return the control's name of a quantity, such as $MA_BACKLASH or the number 1851."""
     return name_in_form(definition.statements[definition.bindings[quantity].statement].form)
 
 
 @dataclass(frozen=True, slots=True)
 class Values:
-    """The values of one axis or one table. ``label``: its name in messages."""
+    """Selects the values of one axis or table.
+
+    ``label``: its name in messages.
+    """
 
     definition: Definition
     label: str
     notes: Notes
 
     def name(self, quantity: str) -> str:
-        """Return the control's name of a quantity."""
+        """Return the control's name of a quantity, such as a parameter number."""
         return name_of(self.definition, quantity)
 
     def one(
         self, quantity: str, places: Sequence[FoundValue], *, quiet: bool = False
     ) -> FoundValue | None:
-        """Return the place of a quantity that counts. Several files must agree.
+        """Return the line whose value of a quantity is in effect; different files must agree.
 
         Within a file the first, the last, or any if all have to be the same, as the binding states.
 
@@ -74,14 +75,14 @@ class Values:
         return first
 
     def _same(self, quantity: str, one: str, other: str) -> bool:
-        """Return whether two texts of a quantity mean the same: numbers, or words of a choice."""
+        """Return whether two texts of a quantity are equal as numbers, or as words of a choice."""
         binding = self.definition.bindings[quantity]
         if isinstance(binding, Choice) and (word := self.known_word(binding, one)) is not None:
             return word == self.known_word(binding, other)
         return same_value(one, other)
 
     def word(self, quantity: str, found: FoundValue | None) -> str | None:
-        """Return the meaning of a choice. None if it is in no file.
+        """Return the meaning of a choice in the files, such as "no"; None if no file states it.
 
         A text that the definition does not know is a fault at its line.
         """
@@ -101,8 +102,7 @@ class Values:
         return word
 
     def known_word(self, binding: Choice, text: str) -> str | None:
-        """Return the meaning of a choice's text, in upper or lower case. None if the definition
-        does not know it.
+        """Return the meaning of a choice's text, ignoring case; None if the definition has none.
 
         A number that represents a word may be rounded.
         """
@@ -115,7 +115,8 @@ class Values:
         return None
 
     def absent(self, quantity: str, meaning: str = "", *, tell: bool = True) -> str | None:
-        """Return the default of a quantity that is in no file, and report it as its rule states.
+        """Return the default of a quantity that is in no file, and report it if its rule requires
+        that.
 
         Not at all, in the list of assumptions, or with a warning too.
 
@@ -141,7 +142,7 @@ class Values:
 
 
 def _nearly(known: str, text: str) -> bool:
-    """Return whether two texts are fractions that differ only by rounding."""
+    """Return whether two texts are decimal numbers that are equal apart from rounding."""
     if "." not in known:
         return False
     try:

@@ -1,1 +1,1 @@
-"""Family of scripts with repeating tables. Values are whole fractions of an encoder count."""
+"""PMAC scripts with repeating tables, whose values are whole fractions of an encoder count."""

@@ -1,5 +1,4 @@
-"""The state of a motion control card after scripts: tables, settings, and the place of every
-number.
+"""The state of a motion control card (PMAC) after it has executed scripts: tables and settings.
 
 The order in which the card allows tables to be defined and deleted (ERR003), and in which scripts
 are sent.
@@ -24,7 +23,7 @@ Kind = Literal["COMP", "BLCOMP", "TCOMP"]
 
 @dataclass(frozen=True, slots=True)
 class Word:
-    """A piece of a script: its text, its number value, and its place.
+    """A piece of a script with its text, its number (if it is one) and its place in the file.
 
     ``start`` and ``end`` in bytes of the file that is the ``number``-th of those given. ``value``:
     its number, if it has one.
@@ -40,11 +39,11 @@ class Word:
 
     @property
     def found(self) -> FoundValue:
-        """The entry with file and line, in the form that notes need."""
+        """The piece as a value with file and line, for findings."""
         return FoundValue(self.text, Occurrence("script", self.file, self.line, {}), self.number)
 
     def fault(self, message: str, *, expected: str = "", found: str | None = None) -> Fault:
-        """Return a fault with the file and line of this entry."""
+        """Return a fault that names the file and line of this piece of a script."""
         text = self.text if found is None else found
         return Fault(
             message=message,
@@ -60,8 +59,7 @@ class Word:
 
 @dataclass(slots=True)
 class MemoryTable:
-    """A table in the memory of a motor: the number of ``needed`` entries, and the places of its
-    ``values``.
+    """A table in a motor's memory: how many entries it needs, and the entries in the script.
 
     ``desired``: looked up by the commanded position. ``plane``: over two motors.
     """
@@ -80,12 +78,15 @@ class MemoryTable:
 
     @property
     def counts(self) -> int:
-        """The length of the table in encoder counts of the source."""
+        """The table's length in encoder counts of the motor whose position selects the entry."""
         return 0 if self.length is None else int(self.length.text)
 
     @property
     def numbers(self) -> tuple[int, ...]:
-        """The entries of the table. Entry i is at i * length / entries, counted from 1."""
+        """The table's entries as numbers.
+
+        Entry i is at i * length / entries, counted from 1.
+        """
         return tuple(int(word.text) for word in self.values)
 
     @property
@@ -96,7 +97,7 @@ class MemoryTable:
 
 @dataclass(slots=True)
 class Script:
-    """The state of a control after executing scripts one after the other.
+    """The tables and settings of a control after it has executed scripts one after the other.
 
     ``tables``: by kind and motor; ``settings``: all assignments to compensation quantities, by
     quantity and motor (0: all motors), the last one counts; ``programs``: those in programs.
@@ -117,22 +118,22 @@ class Script:
     faults: list[Fault] = field(default_factory=list)
 
     def of(self, kind: Kind) -> list[MemoryTable]:
-        """Return the tables of a kind by motor."""
+        """Return the tables of one kind, by motor number."""
         return [table for (name, _), table in sorted(self.tables.items()) if name == kind]
 
     def setting(self, quantity: str, motor: int = 0) -> Word | None:
-        """Return the assignment that counts, which is the last one. None without one."""
+        """Return the last assignment of a setting of a motor; None without one."""
         found = self.settings.get((quantity, motor))
         return found[-1] if found else None
 
 
 def number_of(word: Word) -> int:
-    """Return the whole number in a piece of a script."""
+    """Return the whole number that a piece of a script states."""
     return int(word.text) if word.value is None else word.value
 
 
 def over_itself(script: Script, motor: int) -> list[MemoryTable]:
-    """Return the tables by which a motor corrects itself, wherever they are stored."""
+    """Return the tables by which a motor corrects itself by its own position."""
     return [
         table
         for table in script.of("COMP")
@@ -150,22 +151,22 @@ _SHORT = {"ROT": "ROTARY", "LOOK": "LOOKAHEAD", "GAT": "GATHER"}
 
 
 class Buffers:
-    """The buffers that scripts have defined so far, by name. For tables: the motors."""
+    """The memory buffers that scripts have defined so far: for each kind of table the motors."""
 
     def __init__(self) -> None:
         self.motors: dict[str, set[int]] = {}
 
     def define(self, name: str, motor: int = 0) -> None:
-        """Add a buffer (memory that a script reserves) to the card."""
+        """Record that a script has defined a buffer (memory for a table or program) for a motor."""
         self.motors.setdefault(long_name(name), set()).add(motor)
 
     def delete(self, name: str, motor: int) -> None:
-        """Remove a buffer; a missing one is no fault."""
+        """Record that a script has deleted a buffer; deleting a missing one is no fault."""
         found = self.motors.get(long_name(name), set())
         found -= {motor, 0}
 
     def refuses(self, kind: str, motor: int) -> str:
-        """Return why the card refuses to define a table. Empty if it accepts."""
+        """Return why the card would refuse to define a table; empty if it would accept."""
         mine = self.motors.get(kind, set())
         if motor in mine:
             return f"#{motor} has a {kind} already; delete it first"
@@ -175,7 +176,7 @@ class Buffers:
         return f"{', '.join(there)} was defined before it" if there else ""
 
     def keeps(self, kind: str, motor: int) -> str:
-        """Return why the card refuses to delete a table. Empty if it accepts."""
+        """Return why the card would refuse to delete a table; empty if it would accept."""
         mine = self.motors.get(kind, set())
         if motor in mine and any(other < motor for other in mine):
             return f"#{min(mine)}, a lower motor, has a {kind}"
@@ -183,7 +184,7 @@ class Buffers:
 
 
 def long_name(name: str) -> str:
-    """Return the whole name of a buffer."""
+    """Return the full name of a buffer, given by its full or short name."""
     return _SHORT.get(name.upper(), name.upper())
 
 
@@ -204,7 +205,7 @@ def order_dependent_values(script: Script) -> Iterator[Fault]:
 
 
 def _tables(script: Script) -> Mapping[tuple[str, int], list[tuple[str, Word]]]:
-    """Return the commands for each table, by kind and motor.
+    """Return the commands that define or delete each table, by kind of table and motor.
 
     Any two deletions are equal; a definition is equal only to the same definition.
     """
@@ -220,7 +221,7 @@ def _tables(script: Script) -> Mapping[tuple[str, int], list[tuple[str, Word]]]:
 def _other_ends(
     script: Script, name: str, words: Sequence[Word], ends: Sequence[str]
 ) -> Iterator[Fault]:
-    """Yield a fault if only file names decide which of several ``words`` of ``name`` is last.
+    """Yield a fault if only file names decide which of several statements is executed last.
 
     ``ends``: the result of each.
     """

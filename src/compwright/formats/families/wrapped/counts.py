@@ -1,6 +1,4 @@
-"""Convert encoder counts of a motor to mm or deg of its axis and back, exactly. Table entries are
-whole fractions of a count.
-"""
+"""Convert encoder counts of a motor to mm or deg of its axis and back, without rounding."""
 
 from __future__ import annotations
 
@@ -28,34 +26,34 @@ _SIGN = {"correction": 1, "error": -1, "lost_motion": -1}
 
 @dataclass(frozen=True, slots=True)
 class Counts:
-    """The counts of a motor per mm or degree, with the sign of its direction."""
+    """A motor's encoder counts per mm or degree of its axis, negative if it counts against the
+    axis.
+    """
 
     definition: Definition
     per_unit: float
 
     @property
     def quantum(self) -> float:
-        """The size of the value 1 in a table, mm or deg."""
+        """The correction in mm or deg that the table value 1 means."""
         return 1.0 / (PARTS * abs(self.per_unit))
 
     @property
     def count(self) -> float:
-        """The size of one encoder count, mm or deg."""
+        """The travel of the axis, mm or deg, for one encoder count."""
         return 1.0 / abs(self.per_unit)
 
     @property
     def forward(self) -> Direction:
-        """The axis direction in which the motor counts up. There only the table is active."""
+        """The axis direction in which the motor counts up; the backlash is active in the other."""
         return Direction.POSITIVE if self.per_unit > 0 else Direction.NEGATIVE
 
     def added(self, quantity: str, numbers: FloatArray) -> FloatArray:
-        """Return the correction of the axis, mm or deg, by table entries (k,). For backlash:
-        against `forward`.
-        """
+        """Return the axis' correction (k,), mm or deg, by table or backlash entries (k,)."""
         return numbers * (_SIGN[self._sign(quantity)] / (PARTS * self.per_unit)) + 0.0
 
     def entries(self, quantity: str, added: FloatArray, what: str) -> list[int]:
-        """Return the table entries for the correction ``added`` (k,), mm or deg.
+        """Return the table entries (k,) that give the correction ``added`` (k,), mm or deg.
 
         Raises NotHeld for values that are not whole parts of a count, or beyond the range of
         ``quantity``.
@@ -80,7 +78,7 @@ class Counts:
 
 
 def counts_of(definition: Definition, options: Mapping[str, object], name: str) -> Counts:
-    """Return the counts of an axis. Raises UsageError if they are unknown."""
+    """Return a motor's counts per unit of its axis. Raises UsageError if they are unknown."""
     given = options[COUNTS]
     if isinstance(given, (int, float)) and given != 0:
         return Counts(definition, float(given))
@@ -88,9 +86,7 @@ def counts_of(definition: Definition, options: Mapping[str, object], name: str) 
 
 
 def wrong_counts(counts: Counts, defined: float, place: CouplingStatement) -> Iterator[Fault]:
-    """Yield a fault where the counts of a motor contradict the definition of its axis, per mm, inch
-    or degree.
-    """
+    """Yield a fault if the option for a motor's counts contradicts the script's axis definition."""
     ratios = (defined / counts.per_unit / unit for unit in (1.0, MILLIMETRES_PER_INCH))
     if all(abs(ratio - 1.0) > _SAME_COUNTS for ratio in ratios):
         yield Fault(
@@ -107,7 +103,7 @@ def wrong_counts(counts: Counts, defined: float, place: CouplingStatement) -> It
 
 
 def counts_question(name: str, given: object) -> Fault:
-    """Return the question about the counts per unit of an axis' motor, if they are unknown."""
+    """Return the question how many counts a motor has per unit of its axis."""
     return Fault(
         message=f"axis {name}: the counts per mm or deg of its motor are not given, and the "
         "scripts do not contain them reliably",
@@ -124,7 +120,7 @@ def counts_question(name: str, given: object) -> Fault:
 
 
 def around(axis: Axis | None, zero: float, step: float) -> tuple[float, int]:
-    """Return the first node of the table as shown, and its number from motor zero.
+    """Return the position of the first table point to show, and its number from motor zero.
 
     The last one below the travel of an axis with ends.
     """

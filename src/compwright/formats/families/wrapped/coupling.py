@@ -47,7 +47,7 @@ _SCALE = 96
 
 
 def couplings_of(files: Sequence[ControlFile]) -> tuple[Coupling, ...]:
-    """Return which motors move together. The last statement about a motor counts."""
+    """Return the motors that move together, by the last statement on each motor."""
     plain = _without_macros(files)
     assigned = statements_in(plain, _ASSIGNED, _REMARK)
     motors = {int(found.match["motor"]) for found in assigned if found.match["motor"]}
@@ -59,8 +59,7 @@ def couplings_of(files: Sequence[ControlFile]) -> tuple[Coupling, ...]:
 def axis_scales(
     files: Sequence[ControlFile],
 ) -> Mapping[int, Sequence[tuple[float, CouplingStatement]]]:
-    """Return the counts per axis unit of each motor that drives an axis alone, with the statement
-    (`#1->10000X`).
+    """Return the counts per axis unit of each motor that drives an axis alone (`#1->10000X`).
 
     Without a number the axis counts in the motor's own counts; its unit is then no length.
     """
@@ -84,7 +83,7 @@ def axis_letters(files: Sequence[ControlFile]) -> Mapping[int, AxisFacts]:
 
 
 def _without_macros(files: Sequence[ControlFile]) -> list[ControlFile]:
-    """Return the files with their macros expanded, except macros with several values."""
+    """Return the files with their macros expanded, except macros with several possible values."""
     texts = [(file.name, file.content.decode("latin-1")) for file in files]
     values: dict[str, set[str]] = {}
     for found in (found for _, text in texts for found in _MACRO.finditer(text)):
@@ -97,9 +96,7 @@ def _without_macros(files: Sequence[ControlFile]) -> list[ControlFile]:
 
 
 def _definitions(files: Sequence[ControlFile]) -> dict[int, list[tuple[str, CouplingStatement]]]:
-    """Return each axis definition of a motor that may be its last one, with its coordinate
-    system.
-    """
+    """Return by motor the axis definitions that may be its last, with their coordinate system."""
     system, last = "1", dict[int, list[tuple[str, CouplingStatement]]]()
     for found in statements_in(files, _ASSIGNED, _REMARK):
         if found.match["system"]:
@@ -112,14 +109,14 @@ def _definitions(files: Sequence[ControlFile]) -> dict[int, list[tuple[str, Coup
 
 
 def _is_conditional(found: CouplingStatement) -> bool:
-    """Return whether a conditional block is open at a statement of a script."""
+    """Return whether a statement of a script is inside a conditional block."""
     before = found.match.string[: found.match.start()]
     names = [str(directive["name"]).upper() for directive in DIRECTIVE.finditer(before)]
     return sum(name.startswith("IF") for name in names) > names.count("ENDIF")
 
 
 def _terms(found: CouplingStatement) -> list[tuple[str, str]]:
-    """Return factor and axis of each term in an axis definition."""
+    """Return the factor and axis letter of each term in an axis definition such as 10000X+5Y."""
     return _TERM.findall("".join((found.match["axis"] or "").split()).upper())
 
 
@@ -128,7 +125,9 @@ def _factor(text: str) -> float:
 
 
 def _assigned(files: Sequence[ControlFile]) -> Iterator[Coupling]:
-    """Yield the motors of one axis, of which the lowest leads. Also those that a program places."""
+    """Yield the couplings of motors that drive the same axis; the motor with the lowest number
+    leads.
+    """
     axes: dict[tuple[str, str], tuple[int, float]] = {}
     definitions = sorted(_definitions(files).items())
     for motor, own, found in ((motor, *one) for motor, some in definitions for one in some):
@@ -151,7 +150,7 @@ def _assigned(files: Sequence[ControlFile]) -> Iterator[Coupling]:
 
 
 def _following(files: Sequence[ControlFile], motors: Iterable[int]) -> Iterator[Coupling]:
-    """Yield the motors whose position following is on or unknown. ``motors``: those of the files.
+    """Yield the motors that follow another motor (position following), or may do so.
 
     If no file explains the register, each of them may lead.
     """
@@ -185,7 +184,7 @@ def _sources(
     motor: int,
     register: int | None,
 ) -> list[int]:
-    """Return the motors to which a register belongs.
+    """Return the motors whose position a register may contain.
 
     By their feedback (Ixx03, Ixx04), or because it is one of their own (motor n has $80 of them
     from n times $80 on).
@@ -203,6 +202,6 @@ def _sources(
 
 
 def _number(some: Sequence[CouplingStatement]) -> int | None:
-    """Return the number of a setting; None if only the card knows it."""
+    """Return the number that a setting has in all statements; None if they differ or if unknown."""
     numbers = {whole_value(found.match["value"], {}) for found in some}
     return numbers.pop() if len(numbers) == 1 else None

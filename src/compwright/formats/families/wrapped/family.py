@@ -1,6 +1,4 @@
-"""Family of repeating tables in fractions of an encoder count from motor zero, with a backlash
-table. A script defines them.
-"""
+"""PMAC family of controls: repeating tables from motor zero, defined by scripts, with backlash."""
 
 from __future__ import annotations
 
@@ -45,7 +43,7 @@ from compwright.words.sentences import control_text
 
 
 def table_words(axis: Axis, table: MotorTable, counts: Counts, rate: str) -> dict[str, str]:
-    """Return the card's values: entries, length, spacing, gap, backlash and its rate."""
+    """Return the card's values of a table: entries, length, spacing, gap, backlash and its rate."""
     unit = axis.kind.unit
     spacing = table.length / len(table.entries) * counts.count
     gap = control_text("the length is one turn, and there is no gap")
@@ -91,7 +89,7 @@ RULES = ShapeRules(
 
 
 class WrappedFamily(Family):
-    """Repeating tables in fractions of an encoder count."""
+    """Controls with repeating tables, whose values are fractions of an encoder count (PMAC)."""
 
     listing = Listing(file_values=file_values)
     unanswered_option = UnansweredOption(
@@ -102,7 +100,7 @@ class WrappedFamily(Family):
     )
 
     def address(self, axis: Axis) -> tuple[str, Assumption | None]:
-        """Return the number of the motor; arguments as those of `Family.address`."""
+        """Return the number of the axis' motor; see `ResolvedDefinition.address`."""
         address, assumption = super().address(axis)
         if not 1 <= int(address) <= MOST_MOTORS:
             raise UsageError(
@@ -130,17 +128,16 @@ class WrappedFamily(Family):
         ).read()
 
     def questions(self, axis: Axis, *, files: bool, given: Collection[str] = ()) -> Iterator[Fault]:
-        """Return the missing answers; arguments as those of `Family.questions`. No file states the
-        counts of the motor.
-        """
+        """Yield the questions for an axis, such as its motor's counts; see `Family.questions`."""
         yield from super().questions(axis, files=files, given=given)
         counts = {**self.options, **axis.options}.get(COUNTS)
         if not counts:
             yield counts_question(axis.name, counts)
 
     def capacity(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
-        """Return the limits of an axis; arguments as those of `Family.capacity`. Raises UsageError
-        for unknown motor counts.
+        """Return the limits of one axis' table; see `Family.capacity`.
+
+        Raises UsageError for unknown motor counts.
         """
         del one_curve
         self.address(axis)
@@ -168,7 +165,7 @@ class WrappedFamily(Family):
         )
 
     def _existing_nodes(self, axis: Axis) -> tuple[tuple[float, ...], str]:
-        """Return the nodes of the table in the scripts, and why a new table cannot use them.
+        """Return the positions of the scripts' table points, and why a new table cannot use them.
 
         Over the travel and the reference of an axis with ends (the rest is in the gap where it
         repeats).
@@ -186,9 +183,7 @@ class WrappedFamily(Family):
     def _own_limits(
         self, axis: Axis, compensation: AxisCompensation, capacity: Capacity, label: str
     ) -> Sequence[Fault]:
-        """Return the faults of an endless axis' table, and of values outside the range of
-        entries.
-        """
+        """Return the faults of an endless axis' table, and of values that no entry can hold."""
         faults = limits.turn(capacity, compensation, label)
         if compensation.positions.size >= 2:
             self._entries(axis, compensation, faults)
@@ -200,9 +195,7 @@ class WrappedFamily(Family):
         axes: Sequence[Axis],
         files: Sequence[ControlFile] = (),
     ) -> tuple[ControlFile, ...]:
-        """Return one script, or all the user's own in their order; arguments as those of
-        `Family.write`.
-        """
+        """Return one new script, or all scripts of the user in their order; see `Family.write`."""
         tables, faults = check_tables(self, compensations, axes, self._own_limits)
         raise_all(CapacityError, faults)
         motors = [self._motor_table(axis, table) for _, axis, table in writable_tables(tables)]
@@ -241,7 +234,7 @@ class WrappedFamily(Family):
         return AxisCard(words | sign_check(table, request.check_at) | files)
 
     def between(self, request: BetweenRequest) -> Between:
-        """Return that a table of a third motor is needed, which the user has to add; arguments as
-        those of `Family.between`.
+        """Return the answer that the user has to add a table of a third motor; see
+        `Family.between`.
         """
         return alternative_answer(self.definition, request.planned)

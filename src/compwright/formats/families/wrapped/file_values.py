@@ -1,5 +1,7 @@
-"""The values of scripts: tables by motor and place, whatever the file and however the numbers are
-separated; variables by their number; the rest line by line.
+"""Read every value of PMAC scripts.
+
+Tables by motor and entry, whatever the file and however the numbers are separated; variables by
+their number; the rest line by line.
 """
 
 from __future__ import annotations

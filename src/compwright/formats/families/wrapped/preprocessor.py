@@ -1,5 +1,4 @@
-"""Process scripts as the sending program does before the card gets them: remarks, macros,
-conditional blocks.
+"""Process comments, macros and conditional blocks of scripts, as the program that sends them does.
 
 Sources: scripts of a machine as they are sent (github dhidas/IDCommon_ivu23_2.8m), for ``//``,
 ``#define`` and expressions; the manuals for operators.
@@ -37,7 +36,7 @@ _LONGEST = 2000
 
 @dataclass(slots=True)
 class ConditionalBlock:
-    """A conditional block of a script: where it began, and which branch is read.
+    """A conditional block of a script: where it begins, and the branch that is being read.
 
     ``asks``: the subject of its condition, with a number that grows whenever that may have changed;
     ``truth``: the answer for which its first branch is sent; ``awaited``: the macro whose
@@ -55,7 +54,7 @@ class ConditionalBlock:
 
 @dataclass(slots=True)
 class Conditions:
-    """The state of the preprocessor: defined macros and open conditional blocks.
+    """The state of the preprocessor at a line: defined macros and open conditional blocks.
 
     How often each was defined or removed. ``chosen``: the macros that were last defined or removed
     in one; ``guarded``: by name, the include guard in which a macro was last defined.
@@ -68,7 +67,7 @@ class Conditions:
     guarded: dict[str, ConditionalBlock] = field(default_factory=dict)
 
     def apply(self, match: re.Match[str], line: int) -> str:
-        """Process a directive; return its fault, or an empty text."""
+        """Process a preprocessor directive; return what is wrong with it, empty if nothing."""
         name, rest = match["name"].upper(), match["rest"]
         macro = _MACRO.fullmatch(rest) if name == "DEFINE" else None
         if self.open:
@@ -113,13 +112,11 @@ class Conditions:
             self.guarded[name] = self.open[0]
 
     def undecided(self, text: str) -> str:
-        """Return a macro in ``text`` that a conditional block may have changed. Empty without
-        one.
-        """
+        """Return a macro in ``text`` that a conditional block may have changed; else ""."""
         return next((name for name in self._names_in(text) if name in self.chosen), "")
 
     def guard_of(self, text: str) -> ConditionalBlock | None:
-        """Return the include guard that contains the definition of a macro in ``text``."""
+        """Return the include guard (#ifndef block) in which a macro of ``text`` is defined."""
         return next((self.guarded[n] for n in self._names_in(text) if n in self.guarded), None)
 
     def _names_in(self, text: str) -> Iterator[str]:
@@ -130,14 +127,14 @@ class Conditions:
 
     @property
     def here(self) -> tuple[tuple[ConditionalBlock, int], ...]:
-        """The open blocks, each with its branch."""
+        """The conditional blocks that are open at this line, each with the branch being read."""
         return tuple((block, block.branch) for block in self.open)
 
 
 def in_two_branches(
     one: tuple[tuple[ConditionalBlock, int], ...], other: tuple[tuple[ConditionalBlock, int], ...]
 ) -> bool:
-    """Return whether two places exclude each other, because they are in different branches.
+    """Return whether two places are in different branches of one block, so that only one is sent.
 
     In different branches of one block, or in branches of two blocks for opposite answers to one
     question: they are not both sent.
@@ -166,7 +163,7 @@ def expanded(text: str, macros: Mapping[str, str]) -> str:
 
 
 def in_numbers(text: str, macros: Mapping[str, str]) -> str:
-    """Return a text with its macros expanded and its expressions worked out, where they can be."""
+    """Return a text with its macros expanded and its expressions calculated where possible."""
     text = expanded(text, macros)
     for form in (_BRACKETS, _SUM):
         for _ in range(_DEPTH):
@@ -183,7 +180,7 @@ def _number(text: str) -> str:
 
 
 def expression_end(text: str, place: int) -> int:
-    """Return where the expression that begins at ``place`` ends. ``place`` itself if there is none.
+    """Return the end of the expression that begins at ``place``; ``place`` if there is none.
 
     Blanks are allowed around operators, but not before ``&`` and ``%``, which are commands.
     """
@@ -200,7 +197,7 @@ def expression_end(text: str, place: int) -> int:
 
 
 def _term_end(text: str, place: int) -> int | None:
-    """Return where the term at ``place`` ends: a number, a name, a bracket, a function of one."""
+    """Return the end of a term at ``place``: a number, a name, a bracket or a function call."""
     sign = re.compile(r"(?:[-+][ \t]*)?(?=\()").match(text, place)
     if sign is not None:
         return _closing(text, sign.end())
@@ -229,7 +226,7 @@ def _closing(text: str, place: int) -> int | None:
 
 
 def whole_value(text: str, macros: Mapping[str, str]) -> int | None:
-    """Return the whole number of an expression. None if it has none, or only the card knows it."""
+    """Return the whole-number value of an expression; None if it has none or it is unknown here."""
     text = expanded(text, macros)
     tokens: list[str] = []
     place = 0

@@ -49,9 +49,7 @@ from compwright.records.options import REFERENCE, REFERENCE_RETURN
 
 
 class WrappedStateReader:
-    """Reads the state of a control from its scripts. Arguments and errors as those of
-    `Family.read`.
-    """
+    """Reads the state of a control from its scripts; see `Family.read` for arguments and errors."""
 
     def __init__(
         self,
@@ -293,7 +291,9 @@ class WrappedStateReader:
         grids: Mapping[tuple[int, int], tuple[FloatArray, FloatArray]],
         step: float,
     ) -> AxisCompensation:
-        """Return the tables as one compensation. Tables on other grids are its ``others``."""
+        """Return a motor's tables as one compensation, in which tables with other points are
+        ``others``.
+        """
         parts: list[AxisCompensation] = []
         for (needed, length), (ahead, back) in grids.items():
             against = back + (0.0 if parts else step)
@@ -320,8 +320,8 @@ class WrappedStateReader:
         return replace(parts[0], others=tuple(parts[1:]))
 
     def _idle_nodes(self, motor: int, tables: Sequence[MemoryTable]) -> tuple[float, ...]:
-        """Return one round of the nodes of a motor's first table, mm or deg. Empty if its counts
-        are unknown.
+        """Return the positions of an inactive table's points over one period, mm or deg; empty if
+        unknown.
         """
         axis = self.axes.get(str(motor))
         if not tables or axis is None:
@@ -354,7 +354,7 @@ class WrappedStateReader:
     # --- what switches
 
     def _on(self, label: str, *, needed: bool) -> bool:
-        """Return whether tables are active, by the switch of all tables."""
+        """Return whether tables are active, by the variable that activates all tables."""
         place = self.script.setting("enabled")
         binding = self.definition.bindings["enabled"]
         name = "I51"
@@ -378,7 +378,7 @@ class WrappedStateReader:
         return word is None
 
     def _takes_up(self, label: str, motor: int, *, needed: bool) -> bool:
-        """Return whether backlash compensation is active: its rate is not 0."""
+        """Return whether backlash compensation of a motor is active, because its rate is not 0."""
         if not needed:
             return False
         name, place = f"I{motor}85", self.script.setting("take_up_rate", motor)
@@ -405,7 +405,7 @@ class WrappedStateReader:
         return False
 
     def _constant(self, motor: int, *, with_table: bool) -> int:
-        """Return the constant backlash, in fractions of a count."""
+        """Return a motor's constant backlash in the control's unit, a fraction of a count."""
         name, place = f"I{motor}86", self.script.setting("backlash", motor)
         if place is not None:
             return self._ranged(place, name)
@@ -481,9 +481,7 @@ class WrappedStateReader:
 
 
 def _closed(table: MemoryTable) -> FloatArray:
-    """Return the table entries (n + 1,) from motor zero, where the value is 0, to the end of the
-    table.
-    """
+    """Return the table entries (n + 1,) with the value 0 at motor zero in front."""
     return np.array([0, *table.numbers], dtype=np.float64)
 
 
@@ -494,7 +492,7 @@ def _add(
     *,
     both: bool,
 ) -> None:
-    """Add the correction of a table to that of other tables with the same points.
+    """Add the correction of a table to the sum of other tables that have the same points.
 
     It is added for both directions (``both``), or only against the counting direction.
     """

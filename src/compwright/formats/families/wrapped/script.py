@@ -1,4 +1,4 @@
-"""Read scripts of on-line commands: tables, settings and programs, with the place of every number.
+"""Read PMAC scripts of on-line commands: tables, settings and programs, and where each number is.
 
 Commands follow one another regardless of lines; the numbers of a table follow its definition. An
 unknown command is refused, because it may change the compensation.
@@ -79,9 +79,7 @@ _COMPUTED = re.compile(r"(?<![A-Z0-9(])I[ \t]*\([^=\r\n]*\)[ \t]*=(?!=)", re.IGN
 
 
 def read_script(definition: Definition, files: Sequence[ControlFile]) -> Script:
-    """Return the state of a control after executing ``files`` in this order. Faults are in its
-    ``faults``.
-    """
+    """Return the state of a control after executing ``files`` in this order, with all faults."""
     reader = _ScriptReader(definition, files)
     for number in range(len(files)):
         reader.read(number)
@@ -110,8 +108,8 @@ class _ScriptReader:
         self.line_ends: list[int] = []  # of the text: counting them for each word takes its square
 
     def read(self, number: int) -> None:
-        """Execute the commands of one file. The addressed motor stays the same from file to
-        file.
+        """Execute the commands of one file, beginning with the motor that the previous file
+        addressed.
         """
         file = self.script.files[number]
         self.file, self.number = file.name, number
@@ -140,7 +138,7 @@ class _ScriptReader:
                 place = match.end()
 
     def _separator(self, place: int) -> bool:
-        """Return whether a comma separates two entries."""
+        """Return whether the character at ``place`` is a comma between two table entries."""
         table = self.open
         return (
             self.text[place] == ","
@@ -150,7 +148,7 @@ class _ScriptReader:
         )
 
     def _directive(self, place: int) -> re.Match[str] | None:
-        """Return the preprocessor directive of a line."""
+        """Return the preprocessor directive in the line at ``place``; None for other lines."""
         before = self.text[self.text.rfind("\n", 0, place) + 1 : place]
         return DIRECTIVE.match(self.text, place) if not before.strip(" \t\r") else None
 
@@ -163,7 +161,7 @@ class _ScriptReader:
     def _carried_out(
         self, key: tuple[str, int], word: Word, guard: ConditionalBlock | None = None
     ) -> bool:
-        """Record a compensation command with its surrounding blocks or the ``guard`` of its macro.
+        """Record a compensation command with the conditional blocks in which it is.
 
         False, with a fault, if another branch of a block has the same: they are not both sent.
         """
@@ -191,7 +189,7 @@ class _ScriptReader:
         return True
 
     def complete(self) -> None:
-        """Note a table that the scripts do not complete."""
+        """Report a table whose entries are not complete at the end of the scripts."""
         table, self.open = self.open, None
         if table is not None and len(table.values) < table.needed:
             self._fault(
@@ -230,7 +228,7 @@ class _ScriptReader:
         return word.end
 
     def _idle_by_macro(self, word: Word) -> bool:
-        """Return whether a line has no effect after its macros are expanded."""
+        """Return whether a line is empty or without effect once its macros are expanded."""
         expanded_text = expanded(word.text, self.conditions.macros).rstrip()
         known = expanded_text != word.text.rstrip() and not self.conditions.undecided(word.text)
         match = _COMMAND.match(expanded_text) if known else None
@@ -340,7 +338,7 @@ class _ScriptReader:
     # --- settings
 
     def _assigned(self, match: re.Match[str]) -> int:
-        """Record an assignment. Return where it ends."""
+        """Record the assignment at a match; return the position in the text at which it ends."""
         end = expression_end(self.text, match.end())
         if end == match.end():
             word = re.compile(r"\S*").match(self.text, end)
@@ -390,7 +388,7 @@ class _ScriptReader:
                     yield name, motor
 
     def _program(self, place: int) -> int:
-        """Skip a program, and note the compensation quantities that it sets."""
+        """Skip a program, and report the compensation quantities that it sets."""
         self.complete()
         end = _END.search(self.text, place)
         if end is None:
@@ -401,7 +399,7 @@ class _ScriptReader:
         return end.end()
 
     def _in_program(self, place: int, end: int) -> None:
-        """Note the compensation quantities that a program sets, line by line, macros included."""
+        """Report the compensation quantities that a program sets, with its macros expanded."""
         for line in re.compile(r"[^\r\n]+").finditer(self.text, place, end):
             directive = DIRECTIVE.match(line[0].lstrip(" \t"))
             if directive is not None:

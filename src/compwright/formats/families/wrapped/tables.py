@@ -28,7 +28,7 @@ HELD = 3
 
 @dataclass(frozen=True, slots=True)
 class MotorTable:
-    """The table entries of a motor, whole fractions of a count.
+    """The table and backlash entries of a motor, in whole fractions of an encoder count.
 
     ``length`` in counts; ``lost``: the backlash table in addition to ``constant``.
 
@@ -56,8 +56,9 @@ class MotorTable:
 
 @dataclass(frozen=True, slots=True)
 class _Nodes:
-    """Numbers of nodes from the reference: ``first`` and ``last`` of the correction, ``low`` and
-    ``high`` of the table.
+    """The points of a table, numbered from the reference.
+
+    ``first`` and ``last`` of the correction, ``low`` and ``high`` of the table.
     """
 
     step: float
@@ -68,7 +69,8 @@ class _Nodes:
 
 
 def over_travel(ring: Sequence[float], axis: Axis) -> tuple[float, ...]:
-    """Return the nodes of ``ring`` that an axis with ends needs: over its travel and its reference.
+    """Return those points of a repeating table that lie on the travel or at the reference of an
+    axis.
 
     All if a round is too short for that.
 
@@ -93,7 +95,8 @@ def motor_table(
     *,
     ring: Sequence[float] = (),
 ) -> MotorTable | None:
-    """Return the table entries of an axis. None with reasons in ``faults``.
+    """Return the table entries that correct an axis; None, with reasons in ``faults``, if
+    impossible.
 
     ``ring``: one round of nodes, both ends, of the existing table; if the nodes are on it and it is
     long enough, number of entries and length stay the same.
@@ -127,7 +130,7 @@ def motor_table(
 def _numbers(
     compensation: AxisCompensation, nodes: _Nodes, counts: Counts, label: str
 ) -> tuple[tuple[int, ...], tuple[int, ...], int]:
-    """Return the entries of both tables and the constant backlash. Raises NotHeld."""
+    """Return the entries of the table and of the backlash table, and the constant backlash."""
     ahead, against = (
         _entries_of(compensation.curve(direction), nodes, counts)
         for direction in (counts.forward, counts.forward.opposite)
@@ -197,7 +200,7 @@ def _nodes(
 
 
 def _beyond_shape(compensation: AxisCompensation, label: str) -> list[Fault]:
-    """Return a fault for properties that a table of straight lines does not have."""
+    """Return a fault for each property of a compensation that one table of straight lines lacks."""
     more = compensation.others or compensation.slope or compensation.backlash
     if compensation.interpolation == "linear" and not more:
         return []
@@ -213,8 +216,9 @@ def _beyond_shape(compensation: AxisCompensation, label: str) -> list[Fault]:
 
 
 def _entries_of(curve: FloatArray, nodes: _Nodes, counts: Counts) -> FloatArray:
-    """Return the correction (size,) at the entries 1 to size, mm or deg. The last one is at motor
-    zero.
+    """Return the correction (size,) at the table's entries 1 to size, mm or deg.
+
+    The last one is at motor zero.
 
     Outside, the ends of ``curve`` are held.
     """

@@ -1,4 +1,4 @@
-"""Write tables of motors as scripts: a new one, or the user's own with new numbers.
+"""Write tables of motors as new scripts, or into the user's own scripts.
 
 In the user's own scripts every other byte stays. New commands are put where the card accepts them:
 tables from the highest motor down, all COMP before the buffers that must follow them. The result is
@@ -38,8 +38,9 @@ TAKE_UP = "take_up_rate"
 def fresh_script(
     definition: Definition, tables: Sequence[MotorTable], rates: Mapping[int, int]
 ) -> ControlFile:
-    """Return the script that defines ``tables`` in a card without any. ``rates``: backlash rate by
-    motor.
+    """Return a new script that defines ``tables`` in a card without tables.
+
+    ``rates``: backlash rate by motor.
     """
     file = definition.writing[0]
     falling = sorted(tables, key=lambda table: -table.motor)
@@ -82,7 +83,10 @@ def patched_scripts(
     rates: Mapping[int, int],
     faults: list[Fault],
 ) -> tuple[ControlFile, ...]:
-    """Return the user's own scripts with ``tables`` in them. Obstacles are added to ``faults``."""
+    """Return the user's own scripts with ``tables`` written into them.
+
+    What prevents it is added to ``faults``.
+    """
     patcher = _Patcher(definition, files, tables)
     for table in sorted(tables, key=lambda table: -table.motor):
         patcher.put(table, rates[table.motor])
@@ -105,7 +109,7 @@ class _Patcher:
         self.faults: list[Fault] = []
 
     def put(self, table: MotorTable, rate: int) -> None:
-        """Write the tables and settings of a motor into their places."""
+        """Write a motor's tables, backlash and rate into the scripts."""
         own = over_itself(self.script, table.motor)
         if own:
             first = next((one for one in own if one.motor == table.motor), own[0])
@@ -133,7 +137,7 @@ class _Patcher:
         self.faults.append(other.word.fault(message, expected=expected))
 
     def _replace(self, place: MemoryTable, entries: Sequence[int], length: int) -> None:
-        """Replace the numbers of a table. An unchanged number keeps its bytes."""
+        """Replace the entries of a table; a number that stays equal keeps its characters."""
         for word, value in ((place.entries, len(entries)), (place.length, length)):
             if word is not None:
                 self._number(word, value)
@@ -151,7 +155,7 @@ class _Patcher:
             self.patches.insert(last.number, last.end, text)
 
     def _remove(self, before: Word, word: Word) -> None:
-        """Remove an entry and the comma before it."""
+        """Remove a table entry and the comma before it."""
         between = self.patches.files[word.number].content[before.end : word.start]
         start = before.end + between.rfind(b",") if b"," in between else word.start
         if b"," in between and between[start - before.end + 1 :].strip():
@@ -171,14 +175,16 @@ class _Patcher:
             )
 
     def _assigned(self, word: Word, value: int) -> bool:
-        """Set an assignment to ``value``. False if it would change other variables too."""
+        """Set the value of an assignment; return False if that would change other variables as
+        well.
+        """
         if word in self.script.shared and number_of(word) != value:
             return False
         self._number(word, value)
         return True
 
     def _define(self, kind: str, table: MotorTable) -> None:
-        """Define a table that the scripts do not have, where the card accepts it."""
+        """Insert the definition of a new table at a place where the card accepts it."""
         lines = definition_lines(self.definition, kind, table)
         behind = (kind, *BEHIND[kind])
         for name, motor, word in self.script.commands:
@@ -198,7 +204,7 @@ class _Patcher:
             self._at_the_end(lines)
 
     def _before(self, word: Word, lines: Sequence[str]) -> None:
-        """Insert lines before a command and before the line that addresses its motor."""
+        """Insert lines before a command, and before the line that selects its motor."""
         line = self.patches.line(word.number, word.start)
         content = self.patches.files[word.number].content
         if re.fullmatch(rb"\s*(#\s*\d+)?\s*", content[line.start : word.start]):
@@ -227,7 +233,9 @@ class _Patcher:
         return next(one.motor for one in self.script.tables.values() if word in one.values)
 
     def _at_the_end(self, lines: Sequence[str]) -> None:
-        """Add lines at the end, but before a SAVE, which would otherwise not save them."""
+        """Add lines at the end of the scripts, but before a final SAVE, which stores what precedes
+        it.
+        """
         number = len(self.patches.files) - 1
         content = self.patches.files[number].content.removesuffix(b"\x1a")
         if (saved := _SAVE.search(content)) is not None:
@@ -255,8 +263,8 @@ class _Patcher:
             self._at_the_end(lines)
 
     def switch_on(self) -> None:
-        """Switch tables on if the scripts finally switch all of them off. That must not activate
-        others.
+        """Activate tables if the scripts deactivate all of them, unless that would activate other
+        tables.
         """
         switch = self.script.setting("enabled")
         binding = self.definition.bindings["enabled"]
@@ -287,7 +295,7 @@ class _Patcher:
 
 
 def _read_otherwise(before: Script, after: Script, tables: Sequence[MotorTable]) -> list[Fault]:
-    """Return the differences between the patched scripts, as read back, and the intended result."""
+    """Return the differences between the intended tables and the changed scripts when read back."""
     if after.faults:
         help_ = "the tables of these motors defined once, deletions before definitions"
         return [
