@@ -1,3 +1,1 @@
-"""Access to a control: open its files, decode them with two independent readers, compare the
-results.
-"""
+"""Open a control's files, decode them with two independent readers, and compare the results."""

@@ -1,6 +1,4 @@
-"""The card's data that depend on the control: rows and numbers of each axis, steps, changed
-entries, the way back.
-"""
+"""Data of the commissioning card that depend on the control: tables, steps, changes, restoring."""
 
 from __future__ import annotations
 
@@ -35,7 +33,7 @@ from compwright.words.sentences import ControlText, SentenceText, control_text, 
 def axis_documents(
     job: Job, control: Control, work: AxisWork, loaded: DecodedState, old: DecodedState
 ) -> Iterator[dict[str, Any]]:
-    """Yield an axis, and the slave axis of its gantry if that gets its own table."""
+    """Yield the card's data of an axis, and of its gantry slave if that gets a table of its own."""
     own = _axis(job, control, work, loaded, old)
     yield own
     axis = work.planned.axis
@@ -107,7 +105,9 @@ def _axis(
 
 
 def _numbering(numbered: NumberedSections | None) -> dict[str, Any] | None:
-    """Return the number of each section as plain data. None where sections have no numbers."""
+    """Return the point number of each table section as plain data; None if sections have no
+    numbers.
+    """
     if numbered is None:
         return None
     return {
@@ -123,7 +123,7 @@ def _numbering(numbered: NumberedSections | None) -> dict[str, Any] | None:
 
 
 def _backlash(table: AxisCompensation | None, held: DecodedState, axis: Axis) -> float:
-    """Return the backlash in addition to a table, mm or deg.
+    """Return an axis' backlash in mm or deg, including backlash that is counted in its curves.
 
     Also where the control's own parameter is counted in the curve of one direction.
     """
@@ -133,14 +133,14 @@ def _backlash(table: AxisCompensation | None, held: DecodedState, axis: Axis) ->
 
 
 def _typed(control: Control, axis: Axis, card: AxisCard) -> str:
-    """Return the backlash on the card, as the control's parameter."""
+    """Return the new backlash as the value of the control's parameter to type in."""
     return typed_backlash(control.definition, axis, card.values)
 
 
 def _typed_before(
     control: Control, axis: Axis, old: DecodedState, new: AxisCompensation | None
 ) -> str:
-    """Return the backlash value to restore, as the control's parameter: 0 where none was active.
+    """Return the old backlash as the value of the control's parameter; 0 if none was active.
 
     ``new``: the table whose points count where there were none.
     """
@@ -160,7 +160,7 @@ def _rows(
     new: tuple[AxisCompensation | None, float],
     typed: tuple[str, str],
 ) -> list[dict[str, str]]:
-    """Return the changes of a table, each with its unit.
+    """Return a row for each property of a table that changes, with old value, new value and unit.
 
     ``old``, ``new``: table and backlash; ``typed``: the old and the new backlash as the control's
     parameter.
@@ -203,15 +203,16 @@ def _range(low: str, high: str, unit: str) -> str:
 
 
 def _minus(number: str) -> str:
-    """Return a number to be read with its minus sign. One to be typed keeps the hyphen."""
+    """Return a number with a minus sign instead of a hyphen, for display (not for typing in)."""
     return number.replace("-", "−")
 
 
 def changes_document(
     control: Control, old: Sequence[ControlFile], entered: Sequence[ControlFile]
 ) -> dict[str, Any] | None:
-    """Return the changes by the ``entered`` files in the control's own files, as plain data. None
-    without own files.
+    """Return as plain data what the files ``entered`` change in the control's own files ``old``.
+
+    None without own files.
     """
     if not old or not entered:
         return None
@@ -223,7 +224,7 @@ def changes_document(
 
 
 def unconfirmed_diameters(control: Control, axes: Sequence[Axis]) -> list[str]:
-    """Return which facts about the tables of ``axes`` in diameter programming are not confirmed."""
+    """Return what is not confirmed about the tables of axes that are programmed in diameter."""
     return [
         ControlText(control.definition.diameter.card, {"name": axis.name})
         for axis in axes
@@ -237,9 +238,7 @@ def step_documents(
     loaded: DecodedState,
     between: Sequence[Mapping[str, Any]],
 ) -> list[Mapping[str, Any]]:
-    """Return the steps of the card in the order of the definition, then those for tables
-    ``between`` axes.
-    """
+    """Return the card's steps: those of the definition, then those for tables ``between`` axes."""
     tells = any("{gantry}" in rule.text for rule in control.definition.card)
     steps = [
         {
@@ -261,9 +260,7 @@ def step_documents(
 def restore_steps(
     control: Control, written: Mapping[str, AxisWork], loaded: DecodedState
 ) -> list[dict[str, Any]]:
-    """Return the steps that restore the old values by file and parameter, as far as the definition
-    states them.
-    """
+    """Return the steps that restore the old values, by file and parameter, as far as known."""
     axes = _with_values(control, written, loaded)
     return _plain(card_steps_of_all(control.definition, axes, control.definition.restore))
 
@@ -271,8 +268,7 @@ def restore_steps(
 def _with_values(
     control: Control, written: Mapping[str, AxisWork], loaded: DecodedState
 ) -> list[tuple[Axis, Mapping[str, str]]]:
-    """Return the axes with the values in the card's texts. Each axis is followed by the slave of
-    its gantry.
+    """Return each axis, followed by its gantry slave, with the values for the texts of its card.
 
     The same table or the same change, on numbers and in files of its own.
     """
@@ -305,7 +301,7 @@ def _with_all_files(
     between: Sequence[Mapping[str, Any]],
     files: Sequence[ControlFile],
 ) -> list[dict[str, Any]]:
-    """Return the steps. The loading step also names every file that no other step names."""
+    """Return the steps, in which the loading step also names the files that no other step names."""
     named = " ".join(f"{step['text']} {step.get('rows')}" for step in (*steps, *between))
     left = [file.name for file in files if file.name not in named]
     loading = next((step for step in steps if step["title"].startswith(("Load", "Enter"))), None)
@@ -316,9 +312,7 @@ def _with_all_files(
 
 
 def _card(control: Control, axis: Axis, work: AxisWork, loaded: DecodedState) -> AxisCard:
-    """Return the card of an axis, or of the slave ``axis`` of its gantry, from the files as read
-    back.
-    """
+    """Return the card of an axis or of its gantry slave, from the written files as read back."""
     leading, tables = work.planned.axis, loaded.state.axes
     return control.format.card(
         CardRequest(
@@ -339,8 +333,9 @@ def restore_texts(
     steps: bool,
     between: bool,
 ) -> list[str]:
-    """Return texts on how to restore the old state: with the control's own ``files`` or the small
-    files ``back``.
+    """Return texts on how to restore the old state, with the files ``files`` or ``back``.
+
+    ``files``: the control's own; ``back``: small files with the old values.
 
     ``steps``: `restore_steps` say the rest; ``between``: there are new cross-axis tables.
     """

@@ -1,4 +1,4 @@
-"""Check a definition with its sample, its hand-worked corrections and the virtual control."""
+"""Check a definition with its sample, its hand-worked corrections and the independent reader."""
 
 from __future__ import annotations
 
@@ -28,8 +28,9 @@ from compwright.records.correction import ControlFile
 
 @dataclass(frozen=True, slots=True)
 class CheckedDefinition:
-    """The definition in a file (None where it is unreadable), and all its faults. ``judged``: a
-    virtual control for it exists.
+    """A definition file with all its faults.
+
+    ``definition`` is None if the file cannot be read. ``judged``: a virtual control for it exists.
     """
 
     file: str
@@ -75,9 +76,7 @@ def _contents(session: Session, paths: Sequence[Path]) -> Iterator[tuple[str, by
 
 
 def _judge(definition: Definition) -> Iterator[Fault]:
-    """Yield a fault for every hand-worked correction that the virtual control does not
-    reproduce.
-    """
+    """Yield a fault for each hand-worked correction that the independent reader refutes."""
     for index, expectation in enumerate(definition.expect):
         try:
             yield from disagreements(
@@ -99,7 +98,9 @@ def _judge(definition: Definition) -> Iterator[Fault]:
 def _judged(
     definition: Definition, expectation: Expectation
 ) -> Callable[[FloatArray, Direction], FloatArray]:
-    """Return the correction of the virtual control with the files of an expectation."""
+    """Return the correction that the independent reader finds in the files of a hand-worked
+    example.
+    """
     control = virtual_control(
         definition.id,
         [ControlFile(name, text.encode("utf-8")) for name, text in expectation.files.items()],
@@ -112,8 +113,9 @@ def _judged(
 
 @dataclass(frozen=True, slots=True)
 class HandWorked:
-    """The largest difference between a reader (``formats`` or ``controllers``) and ``count``
-    hand-worked corrections, in ``unit``.
+    """The largest difference between a reader's result and the corrections worked out by hand.
+
+    ``count``: how many corrections; ``reader``: ``formats`` or ``controllers``.
     """
 
     format: str

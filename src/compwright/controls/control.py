@@ -1,4 +1,4 @@
-"""A control as commands use it: its definition, its options, and its files read by two readers.
+"""A control as commands use it: its definition and options, and its files as two readers see them.
 
 Every set of files is read by ``formats`` (from the definition) and by ``controllers`` (the judge).
 Where the two do not agree nothing is done with the files.
@@ -58,7 +58,7 @@ def _shown(value: object) -> str:
 
 @dataclass(frozen=True, slots=True)
 class Origin:
-    """Where the name and the options of a control were given, for messages.
+    """The place (job, plan or command line) that states the name and options of a control.
 
     ``folder``: what the path of a definition is relative to; ``carried``: the one in the plan.
     """
@@ -70,7 +70,7 @@ class Origin:
     carried: Texts = ()
 
     def named(self, error: UsageError) -> UsageError:
-        """Return the error with the place of each faulty option."""
+        """Return an error with the place at which each faulty option was given."""
         return UsageError(
             *(
                 replace(fault, place=f"{self.before_option}{fault.place}").in_file(self.file)
@@ -85,14 +85,17 @@ JOB_PLACE = "controller.format"
 
 
 def origin_of(job: Job, folder: Path) -> Origin:
-    """Return where a job names its control. ``folder``: the folder of its relative paths."""
+    """Return the place at which a job names its control.
+
+    ``folder``: the folder of its relative paths.
+    """
     if not job.file:
         return replace(COMMAND_LINE, folder=folder)
     return Origin(job.file, JOB_PLACE, "controller.options.", folder)
 
 
 def plan_origin(plan: Plan, file: Path) -> Origin:
-    """Return where a plan names its control."""
+    """Return the place at which a plan names its control."""
     return Origin(str(file), "format", "options.", carried=plan.definition)
 
 
@@ -126,7 +129,9 @@ class Control:
 
     @property
     def findings(self) -> tuple[Finding, ...]:
-        """Findings about results for this control, such as a missing independent second reader."""
+        """Findings that apply to all results for this control, such as a missing independent
+        reader.
+        """
         if self.definition.judged == "independent":
             return self.notes
         judged = Finding.of(
@@ -138,13 +143,11 @@ class Control:
         return (judged, *self.notes)
 
     def look_at(self, axis: Axis, table: AxisCompensation) -> Mapping[LoadingName, tuple[str, ...]]:
-        """Return what to check on the control, by verdict, where a ``table`` does not have its
-        planned effect.
-        """
+        """Return what to check at the control if a ``table`` has no planned effect, by verdict."""
         return look_at(self.format, axis, table)
 
     def in_state(self, state: ControlState) -> Control:
-        """Return the control with options that its own files answer, such as the machine's unit.
+        """Return the control with the options, such as the length unit, that its own files state.
 
         Raises UsageError where an option that was given contradicts the files.
         """
@@ -154,7 +157,7 @@ class Control:
             raise self.origin.named(error) from error
 
     def assumed(self, *states: ControlState, axes: Sequence[Axis] = ()) -> tuple[Assumption, ...]:
-        """Return every option that has its default value and that no file of ``states`` answers.
+        """Return as assumptions the options at their defaults that no file of ``states`` answers.
 
         ``axes``: those of a job; without one every axis of the states counts. An option that each
         of them answers, by the job or by its files, is not left at its default.
@@ -198,9 +201,7 @@ class Control:
 def open_control(
     session: Session, format_id: str, given: Mapping[str, object], origin: Origin = COMMAND_LINE
 ) -> Control:
-    """Return a control by its id or by the path of a definition. Raises UsageError with every
-    fault.
-    """
+    """Return a control by its id or its definition's path. Raises UsageError with all faults."""
     try:
         definition, notes = _definition(session, format_id, origin)
     except UsageError as error:
@@ -219,9 +220,7 @@ def open_control(
 def _definition(
     session: Session, name: str, origin: Origin
 ) -> tuple[Definition, tuple[Finding, ...]]:
-    """Return the definition of a control, and findings about it. The copy in a plan takes
-    precedence. Raises UsageError.
-    """
+    """Return a control's definition, with findings about it; a copy in a plan takes precedence."""
     if not origin.carried:
         found = definition_named(session, name, origin.folder)
         return found, () if found.id == name or is_path(name) else (
@@ -266,8 +265,7 @@ def decode(
     carried_out: bool = False,
     drafting: bool = False,
 ) -> DecodedState:
-    """Read control files with both readers and compare the results. For a user's definition only
-    one reader exists.
+    """Read control files with both readers and compare their results.
 
     ``axes``: those of a job; ``address``: the one axis wanted. Either names the axis of a table
     that does not. ``written``: compwright has just written these files. ``active``: the job's
@@ -350,16 +348,14 @@ def decode(
 
 
 def _judged_at(definition: Definition, axis: Axis) -> Mapping[str, str]:
-    """Return the motion (feed or rapid) for which an axis is judged, where it makes a
-    difference.
-    """
+    """Return the motion (feed or rapid) of an axis; empty if it makes no difference."""
     differs = "backlash_rapid" in definition.bindings and axis.motion != "feed"
     return {"motion": axis.motion} if differs else {}
 
 
 def _check_meaning(control: Control, state: ControlState, axes: Sequence[Axis]) -> None:
-    """Check that the option and the entry sheet of an axis agree whether values are errors or
-    corrections.
+    """Check that the option and the entry sheet of an axis agree on errors or corrections as
+    values.
     """
     own = {axis.address: axis.options.get(TABLE_VALUES) for axis in axes}
     faults = []
@@ -391,9 +387,7 @@ def _check_meaning(control: Control, state: ControlState, axes: Sequence[Axis]) 
 
 
 def _systems(state: ControlState) -> dict[str, int]:
-    """Return the measuring system of the table that was read, by address: from the job, else from
-    option or files.
-    """
+    """Return the number of the measuring system whose table was read, by axis address."""
     return {
         address: facts.encoder_system
         for address, facts in state.facts.items()

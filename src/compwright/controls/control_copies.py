@@ -1,4 +1,4 @@
-"""Copy a control's files without names. The readers of the original check each copy.
+"""Copy a control's files without private names, and check each copy with the readers.
 
 The contents show the control.
 """
@@ -48,7 +48,7 @@ _BARE_TABLE = ".comp"
 
 @dataclass(frozen=True, slots=True)
 class ControlCopy:
-    """The copy of one file, its control, and the new names by the old ones."""
+    """The copy of one file without private names, with its control and the old and new names."""
 
     content: bytes
     control: str
@@ -57,7 +57,7 @@ class ControlCopy:
 
 @dataclass(frozen=True, slots=True)
 class ControlCopies:
-    """The copies by file name, the faults of other files, and the files of unknown controls."""
+    """The copies by file name, faults of files without a copy, files of unknown controls."""
 
     made: Mapping[str, ControlCopy]
     faults: tuple[Fault, ...]
@@ -93,7 +93,7 @@ def control_copies(
 def _decoded_otherwise(
     session: Session, files: Sequence[ControlFile], copies: Mapping[str, ControlCopy]
 ) -> Iterator[str]:
-    """Yield the names of files whose copies, taken together, give a different correction."""
+    """Yield the files whose copies, read together, give another correction than the originals."""
     shipped = shipped_definitions(session)
     shapes = {
         name: shipped[copy.control].layout.shape
@@ -141,8 +141,9 @@ def _copy(file: ControlFile, likely: Sequence[Definition], cuts: Cuts) -> Contro
 
 
 def _as_read(file: ControlFile, likely: Sequence[Definition]) -> tuple[Definition, ReadText]:
-    """Return the first control that reads a file without a fault, and the contents. Raises
-    InputError with the first control's faults.
+    """Return the first control that reads a file without a fault, and the contents of the file.
+
+    Raises InputError with the first control's faults.
     """
     first: tuple[Fault, ...] = ()
     for definition in likely:
@@ -154,7 +155,7 @@ def _as_read(file: ControlFile, likely: Sequence[Definition]) -> tuple[Definitio
 
 
 def _read(file: ControlFile, definition: Definition) -> ReadText | tuple[Fault, ...]:
-    """Return the contents of a file, or its faults."""
+    """Return the statements of a file, or the faults that prevent reading it."""
     faults: list[Fault] = []
     (text,) = texts_of(definition, [file], faults) or (file,)
     read = text_reader(definition).read(text, faults)
@@ -217,12 +218,12 @@ def _likely(
 
 
 def _set_of(name: str) -> str:
-    """Return the archive that contains a text. Empty for a file by itself."""
+    """Return the name of the archive that contains a text; empty for a file outside archives."""
     return name.rpartition("/")[0]
 
 
 def _named_by_others(files: Sequence[ControlFile]) -> frozenset[str]:
-    """Return the names of files that the text of another file contains, as settings name tables."""
+    """Return the names of files that other files mention, as settings mention table files."""
 
     def names(other: ControlFile, file: ControlFile) -> bool:
         name = re.escape(file.name.lower().encode(errors="replace"))
@@ -237,7 +238,7 @@ def _named_by_others(files: Sequence[ControlFile]) -> frozenset[str]:
 
 
 def _bare(file: ControlFile, definition: Definition, named: frozenset[str]) -> bool:
-    """Return whether a control's file contains no word that identifies the control."""
+    """Return whether the text of a file does not show which control it belongs to."""
     if "/" in file.name or RULES[definition.layout.shape].kept.begins(file.content):
         return True
     if not (file.name.lower().endswith(_BARE_TABLE) or file.name in named):
@@ -254,7 +255,7 @@ def _same_decoding(
     new: Sequence[ControlFile],
     renamed: Mapping[str, str],
 ) -> bool:
-    """Return whether both readers decode the copies like the originals.
+    """Return whether both readers find the same corrections in the copies and in the originals.
 
     True where the originals alone do not make a state of a control. ``renamed``: new names of axes
     by the old ones, in capitals.
@@ -274,9 +275,7 @@ def _same_decoding(
 def _ways_to_read(
     shipped: Mapping[str, Definition], control_id: str
 ) -> Iterator[tuple[str, dict[str, object]]]:
-    """Yield the controls with the same form of table (`Layout.shape`), with their options. The
-    given control comes first.
-    """
+    """Yield the controls with the same table shape, the given one first, with trial options."""
     shape = shipped[control_id].layout.shape
     relatives = [name for name, one in shipped.items() if one.layout.shape == shape]
     for name in sorted(relatives, key=lambda name: name != control_id):
@@ -285,9 +284,7 @@ def _ways_to_read(
 
 
 def _options(definition: Definition) -> Iterator[dict[str, object]]:
-    """Yield possible answers to the open questions of a control's files, until one makes them
-    readable.
-    """
+    """Yield trial options that answer what a control's files leave open, to make them readable."""
     rules = definition.options
     required: dict[str, object] = {
         name: _ANY_UNIT for name, rule in rules.items() if rule.asked is not None
@@ -329,8 +326,7 @@ def _decoded(
 
 
 def texts_in(file: ControlFile) -> tuple[ControlFile, ...]:
-    """Return the state texts in an archive, each with a path below the archive's name. None for
-    other files.
+    """Return the texts of the control's state in an archive; None for a file that is no archive.
 
     A copy of the container itself cannot be made: its checksum is not understood. Raises InputError
     for one that cannot be opened.

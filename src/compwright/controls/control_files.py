@@ -1,4 +1,4 @@
-"""The files of a control that somebody names, or the folder that holds them."""
+"""Find and read the files of a control that the user names, or the files in a folder."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def holds_archive(files: Sequence[ControlFile]) -> bool:
 def read_control(
     session: Session, control: Control, paths: Sequence[Path]
 ) -> tuple[ControlFile, ...]:
-    """Read the files of a control, as `read_files`. Raises InputError for those of another one."""
+    """Read the files of a control. Raises InputError if they belong to another control."""
     files = read_files(session, paths)
     refuse_other_control(session, control.definition, files, control.origin.format_place)
     return files
@@ -85,8 +85,7 @@ def read_files(session: Session, paths: Sequence[Path]) -> tuple[ControlFile, ..
 def files_for_job(
     session: Session, definition: Definition, files: Sequence[Path]
 ) -> tuple[list[Path], tuple[str, ...]]:
-    """Return the files that a job uses, and the omitted files of folders, one line each. Raises
-    InputError.
+    """Return the files that a job uses, and a line of text for each file of a folder left out.
 
     A folder of which all is taken stays a folder; a file that is named is always taken.
     """
@@ -141,7 +140,7 @@ def _fault(path: Path, message: str, wanted: str) -> InputError:
 
 
 def _endless_number(file: ControlFile) -> Fault | None:
-    """Return the fault of a file with a number too long for any control."""
+    """Return the fault of a file that contains a number too long for any control."""
     place = file.content.translate(_DIGITS).find(b"0" * (MOST_DIGITS + 1))
     if place < 0:
         return None
@@ -159,7 +158,7 @@ def _endless_number(file: ControlFile) -> Fault | None:
 
 
 def _long_text(file: ControlFile) -> Fault | None:
-    """Return the fault of a text that is longer than any control's text. Archives may be longer."""
+    """Return the fault of a text file (no archive) that is longer than any control's text."""
     if len(file.content) <= MOST_CONTROL_TEXT or is_container(file):
         return None
     return Fault(
@@ -172,7 +171,7 @@ def _long_text(file: ControlFile) -> Fault | None:
 
 
 def _long_together(files: Sequence[ControlFile]) -> Iterator[Fault]:
-    """Yield the fault of texts that together are longer than those of any control."""
+    """Yield a fault for texts that are together longer than all texts of any control."""
     sizes = [len(file.content) for file in files if not is_container(file)]
     if sum(sizes) > MOST_CONTROL_TEXTS:
         yield Fault(

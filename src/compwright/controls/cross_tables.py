@@ -1,6 +1,4 @@
-"""Write cross-axis tables into the control's files, read them back, and return the card's text
-about them.
-"""
+"""Write cross-axis tables into a control's files, read them back, and describe them on the card."""
 
 from __future__ import annotations
 
@@ -29,8 +27,7 @@ READ_BACK_WITHIN = 2e-6
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CrossOutcome:
-    """The result for corrections between axes: whether the control can hold them, all ``files`` to
-    load, and the new state.
+    """The result of writing corrections between axes: all files to load, and the new state.
 
     ``after``: None if nothing was written: the corrections between axes are the old ones.
     ``totals``: the resulting corrections between the axes of ``planned``, read back by the judge,
@@ -55,8 +52,7 @@ def write_planned(
     axes: Mapping[str, Axis],
     tabled: Collection[str] = (),
 ) -> CrossOutcome:
-    """Write the cross-axis tables in addition to ``tables`` (those of single axes), and read
-    everything back.
+    """Write the cross-axis tables in addition to the axis tables ``tables``, and read all back.
 
     ``control``: as it is in the state ``as_found``. ``tabled``: the axes (names of ``axes``) that
     get a table of their own in ``tables``. What the control cannot hold is not written: a finding
@@ -113,8 +109,7 @@ def write_planned(
 def _wrong(
     planned: Sequence[PlannedCross], before: DecodedState, after: DecodedState, quantum: float
 ) -> list[Fault]:
-    """Return a fault for every axis pair whose result differs from the old correction plus the
-    planned one.
+    """Return a fault for each pair of axes whose result is not its old plus its planned correction.
 
     Up to half a ``quantum``.
     """

@@ -1,5 +1,4 @@
-"""The correction that two independent readers decode from control files. A second process can use
-it without loading the readers.
+"""The corrections that two independent readers decoded from control files, without the readers.
 
 A control of one's own has no judge: the values that its one reader found are used in its place.
 """
@@ -17,7 +16,7 @@ from compwright.records.correction import ControlFile, ControlState
 
 @dataclass(frozen=True, slots=True)
 class SingleReader:
-    """The corrections of a control by the reader of the definition alone; mm or deg."""
+    """The corrections of a control by the definition's reader alone, mm or deg."""
 
     state: ControlState
 
@@ -32,8 +31,7 @@ class SingleReader:
     def cross_correction(
         self, base: str, corrected: str, positions: FloatArray, direction: Direction
     ) -> FloatArray:
-        """Return the correction of ``corrected`` with ``base`` at ``positions``. Several tables of
-        one pair are added.
+        """Return the correction of the axis ``corrected`` with the axis ``base`` at ``positions``.
 
         Arriving in ``direction``.
         """
@@ -51,9 +49,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class DecodedState:
-    """A set of control files as decoded by both readers. Without files no compensation is active
-    and there is no virtual control.
-    """
+    """Control files as decoded by both readers; without files no compensation is active."""
 
     files: tuple[ControlFile, ...]
     state: ControlState
@@ -63,16 +59,12 @@ class DecodedState:
 def judged_values(
     state: DecodedState, address: str, positions: FloatArray, direction: Direction
 ) -> FloatArray:
-    """Return the independent second reader's correction at ``positions`` (mm or deg). Zero for an
-    axis that is not in the files.
-    """
+    """Return the independent reader's correction at ``positions``, mm or deg (0: unknown axis)."""
     if state.judge is None or not judge_knows_axis(state.judge, address):
         return np.zeros(np.shape(positions))
     return state.judge.correction(address, positions, direction)
 
 
 def judge_knows_axis(judge: VirtualControl | SingleReader, address: str) -> bool:
-    """Return whether the independent second reader finds an axis in the files, in upper or lower
-    case.
-    """
+    """Return whether the independent reader finds an axis in the files, in any letter case."""
     return address.casefold() in {known.casefold() for known in judge.addresses()}

@@ -1,6 +1,4 @@
-"""Find the definition of a control: one that ships, by id; a user's file, by path; or the one in a
-plan.
-"""
+"""Find the definition of a control: supplied by compwright, in a user's file, or in a plan."""
 
 from __future__ import annotations
 
@@ -28,12 +26,12 @@ _YAML = (".yaml", ".yml")
 
 
 def is_path(name: str) -> bool:
-    """Return whether the name of a control is that of a file, not an id."""
+    """Return whether the name of a control is a file path and not an id."""
     return name.lower().endswith(_YAML) or "/" in name or "\\" in name
 
 
 def definition_named(session: Session, name: str, folder: Path) -> Definition:
-    """Return a definition that ships, by id, or one in a user's file that passes its checks.
+    """Return a supplied definition by its id, or that of a user's file if it passes its checks.
 
     ``folder``: what its path is relative to.
 
@@ -63,14 +61,12 @@ def own_definition(session: Session, path: Path) -> Definition:
 
 
 def shipped_definitions(session: Session) -> dict[str, Definition]:
-    """Return every definition that ships, by id. Raises InputError for an unreadable one."""
+    """Return all definitions supplied with compwright, by id. Raises InputError if unreadable."""
     return definitions_from(storage.definition_files(session))
 
 
 def name_conflicts(session: Session, definition: Definition) -> tuple[Fault, ...]:
-    """Return the fault of a definition with the id of a control that ships, in upper or lower
-    case.
-    """
+    """Return a fault if a definition has the id of a supplied one, whatever the letter case."""
     stems = (Path(name).stem for name, _ in storage.definition_files(session))
     shipped = {stem.casefold(): stem for stem in stems}.get(definition.id.casefold())
     if shipped is None:
@@ -87,7 +83,7 @@ def name_conflicts(session: Session, definition: Definition) -> tuple[Fault, ...
 
 
 def carried_definition(session: Session, texts: Texts) -> Definition:
-    """Return the definition in a plan. Raises InputError with every fault."""
+    """Return the definition that is copied into a plan. Raises InputError with every fault."""
     raise_all(InputError, _gate(texts))
     definition = definition_of(texts, own=True)
     raise_all(InputError, name_conflicts(session, definition))
@@ -95,8 +91,7 @@ def carried_definition(session: Session, texts: Texts) -> Definition:
 
 
 def files_of_definition(texts: Texts) -> dict[str, bytes]:
-    """Return the files of a definition in a plan, its own file first. Definitions that ship are
-    left out.
+    """Return the user's own files of a definition in a plan, without supplied definitions.
 
     Raises InputError where one lies outside of the definition's folder.
     """
@@ -146,7 +141,7 @@ def definitions_at(session: Session, path: Path) -> list[tuple[str, bytes, Find]
 
 
 def is_base(path: Path) -> bool:
-    """Return whether a file is only a base for other definitions and no control by itself."""
+    """Return whether a file is only a base that other definitions extend, and not a control."""
     return path.name.endswith(BASE_ENDING)
 
 
@@ -160,9 +155,7 @@ def _content(session: Session, path: Path) -> bytes:
 
 
 def _neighbour_files(session: Session, folder: Path) -> Find:
-    """Return the function that finds an extended definition: a YAML file near ``folder``, else one
-    that ships.
-    """
+    """Return a function that finds the definition to extend: near ``folder``, else supplied."""
 
     def find(name: str) -> tuple[str, bytes] | None:
         path = folder / name
@@ -174,9 +167,7 @@ def _neighbour_files(session: Session, folder: Path) -> Find:
 
 
 def _shipped(session: Session, format_id: str) -> Definition:
-    """Return a definition that ships. If a file has its name, only that file is read, because
-    reading all takes time.
-    """
+    """Return a supplied definition by its id, reading only its own file if possible."""
     files = dict(storage.definition_files(session))
     own = f"{format_id}.yaml"
     if own in files and not own.endswith(BASE_ENDING):
@@ -212,12 +203,12 @@ def _shipped(session: Session, format_id: str) -> Definition:
 
 
 def _names(definition: Definition) -> set[str]:
-    """Return the names of a definition without marks and capitals, for comparison."""
+    """Return the names of a control in lower case, letters and digits only, for comparison."""
     return {_plain(name) for name in (definition.id, *definition.aliases)}
 
 
 def _short(title: str) -> str:
-    """Return a title up to its first comma outside brackets."""
+    """Return a control's title up to its first comma that is not inside brackets."""
     depth = 0
     for place, letter in enumerate(title):
         depth += (letter == "(") - (letter == ")")

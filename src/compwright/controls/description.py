@@ -1,6 +1,4 @@
-"""Describe a control as lines of text: its form, quantities, limits and options, each with its
-evidence.
-"""
+"""Describe a control as text: its form, quantities, limits and options, each with its evidence."""
 
 from __future__ import annotations
 
@@ -34,9 +32,7 @@ _SIGNS = {
 
 
 def listing(definitions: Iterable[Definition]) -> Iterator[str]:
-    """Yield the controls by maker: id, title, accepted names, and how many facts have which
-    evidence.
-    """
+    """Yield a line for each control, by maker: id, title, other names, kinds of evidence."""
     makers: dict[str, list[Definition]] = {}
     for definition in definitions:
         makers.setdefault(definition.maker, []).append(definition)
@@ -58,9 +54,7 @@ def listing(definitions: Iterable[Definition]) -> Iterator[str]:
 
 
 def description(definition: Definition) -> Iterator[str]:
-    """Yield the description of a control: form, quantities, limits, options, each with its
-    evidence.
-    """
+    """Yield the lines that describe a control: form, quantities, limits, options, with evidence."""
     for heading, section in (
         ("The table", _table(definition)),
         ("What stands where", _quantities(definition)),

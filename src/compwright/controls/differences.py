@@ -23,8 +23,9 @@ from compwright.records.correction import AxisCompensation, ControlFile, Control
 
 @dataclass(frozen=True, slots=True)
 class AxisReadings:
-    """The compensation of all readable axes (None: no axis is). ``refused``: why another axis is
-    unreadable, by address.
+    """The compensation of all axes that could be read.
+
+    ``refused``: by address, why another axis could not.
     """
 
     state: ControlState | None
@@ -38,8 +39,7 @@ def read_axis_by_axis(
     among: Collection[str] | None = None,
     caught: type[InputError] | tuple[type[InputError], type[UsageError]] = InputError,
 ) -> AxisReadings:
-    """Return the compensation in ``files`` by reading one axis at a time. None if the
-    control's axes cannot be read alone.
+    """Return the compensation in ``files``, each axis read separately; None if that is impossible.
 
     ``among`` these if given.
 
@@ -63,7 +63,7 @@ def read_axis_by_axis(
 
 
 def _together(one: ControlState, other: ControlState) -> ControlState:
-    """Return two readings of the same files combined. Each contributes its own axes."""
+    """Return one state with the axes of two readings of the same files."""
     axes, facts = {**one.axes, **other.axes}, {**one.facts, **other.facts}
     return replace(one, axes=axes, facts=facts)
 
@@ -76,7 +76,7 @@ _MOST_FAULTS = 2
 
 @dataclass(frozen=True, slots=True)
 class ComparedSide:
-    """One set of files: all its values and its state.
+    """One of two compared sets of files: all its values, and its state if it can be read.
 
     None: it cannot be read; ``findings`` give the reason. ``unread``: the axes that could not be
     read, while others could.
@@ -89,13 +89,13 @@ class ComparedSide:
     unread: frozenset[str] = frozenset()
 
     def knows(self, address: str) -> bool:
-        """Return whether the correction of an axis is known."""
+        """Return whether the correction of an axis could be read."""
         return self.state is not None and address not in self.unread
 
 
 @dataclass(frozen=True, slots=True)
 class Placed:
-    """One differing entry, its axes (addresses), and the position of a table value."""
+    """One value that differs, with the addresses of its axes and its position in the table."""
 
     change: FileValueChange
     axes: tuple[str, ...]
@@ -103,14 +103,13 @@ class Placed:
 
     @property
     def entry(self) -> FileValue:
-        """The entry as it is now, or as it was."""
+        """The new value, or the old one if the new files do not contain it."""
         return self.change.entry
 
 
 @dataclass(frozen=True, slots=True)
 class CorrectionChange:
-    """The largest change of the correction of an axis: position, direction, old and new value, mm
-    or deg.
+    """The largest change of an axis' correction: position, direction, old and new value, mm or deg.
 
     ``at`` which position (of the axis that moves), arriving in which ``direction``; what it ``was``
     and is ``now``.
@@ -130,7 +129,7 @@ class CorrectionChange:
 
 @dataclass(frozen=True, slots=True)
 class Differences:
-    """The differences between two sets of files: ``entries``, then ``corrections`` by address.
+    """The differences between two sets of files: single values, then corrections by axis address.
 
     ``entries``: those that compensate first. ``cross`` by moving and corrected axis; ``complete``:
     both sides could be read completely, so the list is complete; ``uncompared``: the axes with
@@ -151,7 +150,7 @@ def compared_side(
     name: str,
     naming: Sequence[ControlFile] = (),
 ) -> ComparedSide:
-    """Return one set of files, read as far as possible.
+    """Return one set of files for a comparison, read as far as possible.
 
     ``name``: what it is called in findings; ``naming``: the other set, which may say what the axes
     are called.
@@ -173,7 +172,7 @@ def compared_side(
 def _in_part(
     control: Control, unread: ComparedSide, name: str, error: InputError | UsageError
 ) -> ComparedSide:
-    """Return a set of files that is only partly readable, with the axes that can be read."""
+    """Return a set of files of which only some axes can be read, with these axes."""
     named = {entry.axis for entry in unread.entries.values() if entry.relevant}
     seen: list[Finding] = []
 
@@ -204,7 +203,7 @@ def _unread_finding(name: str, what: str, error: InputError | UsageError) -> Fin
 def _with_data(
     control: Control, files: Sequence[ControlFile], entries: FileValues
 ) -> tuple[tuple[ControlFile, ...], str]:
-    """Return the files that contain compensation, and the names of those without any.
+    """Return the files that contain compensation, and as text the names of the others.
 
     A folder may contain notes too. A later file may repeat an entry.
     """
@@ -227,9 +226,7 @@ def _with_data(
 def _viewed(
     control: Control, files: Sequence[ControlFile], name: str, address: str | None = None
 ) -> tuple[ControlState, tuple[Finding, ...]]:
-    """Return the contents of the files, for one axis if required. If one reader refuses them, the
-    other reader's result.
-    """
+    """Return the contents of the files by both readers, or by one if the other cannot read them."""
     try:
         return decode(control, files, address=address).state, ()
     except CompwrightError as error:
@@ -282,7 +279,7 @@ def _placed(
 def _corrections(
     before: ComparedSide, after: ComparedSide, old: ControlState, new: ControlState
 ) -> dict[str, CorrectionChange]:
-    """Return the changes of axes that are in both sets, because missing is not zero."""
+    """Return the largest change of each axis that both sets of files contain."""
     stated = [
         {entry.axis for entry in side.entries.values() if entry.relevant} | set(state.axes)
         for side, state in ((before, old), (after, new))

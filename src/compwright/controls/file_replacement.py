@@ -1,6 +1,4 @@
-"""Put new files in place of the control's own, and check that they change only the intended
-values.
-"""
+"""Replace the control's own files by new ones, and check that only intended values change."""
 
 from __future__ import annotations
 
@@ -28,7 +26,9 @@ from compwright.verification.read_back import SAME
 def changed_neighbours(
     control: Control, old: Sequence[ControlFile], new: Sequence[ControlFile], axes: Sequence[Axis]
 ) -> list[Fault]:
-    """Return a fault for every changed entry of an axis outside ``axes`` and their gantries."""
+    """Return a fault for every changed value of an axis other than ``axes`` and their gantry
+    slaves.
+    """
     addresses = [name for axis in axes for name in (axis.address, axis.gantry) if name is not None]
     mine = all_names(control.definition, old, addresses)
     return [
@@ -51,8 +51,9 @@ def with_new_tables(
     tables: Sequence[ControlFile],
     tabled: Collection[str],
 ) -> tuple[ControlFile, ...]:
-    """Return the control's own files with new ``tables`` in their place. Entry sheets that these
-    replace are left out, and lines of files that the user changes by hand.
+    """Return the control's own files with the new ``tables`` in place of the old ones.
+
+    Left out: entry sheets that these replace, and lines of files that the user changes by hand.
     """
     new = {sheet.axis for file in tables if (sheet := _sheet(file)) is not None} | set(tabled)
     kept = [file for file in own if (sheet := _sheet(file)) is None or sheet.axis not in new]
@@ -70,7 +71,9 @@ def _sheet(file: ControlFile) -> EntrySheet | None:
 def contents_after_loading(
     before: Sequence[ControlFile], back: tuple[ControlFile, ...]
 ) -> tuple[ControlFile, ...]:
-    """Return the contents of the control after loading: what was read ``back``.
+    """Return the control's contents after loading: what was read ``back``.
+
+    An archive that was loaded but not read back stays, with the new files over it.
 
     Where an archive was loaded and not read back, that of ``before`` with the new files over it.
     """
@@ -86,7 +89,7 @@ def loadable_files(
     axes: Sequence[Axis],
     image: DecodedState | None,
 ) -> Delivery:
-    """Return those of the ``files`` written for ``axes`` that the control loads.
+    """Return those of the written ``files`` that have to be loaded into the control.
 
     Raises UsageError for a form of files that these have not, and CompwrightError (a fault of our
     own) where small files do something else than the whole ``image``, which they stand for.

@@ -1,4 +1,4 @@
-"""Gantries: the table for a slave axis that has its own table, grid or backlash."""
+"""Gantries: tables for a slave axis whose existing table differs from that of its master."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ _ANSWERS = (
 def partner_questions(
     job: Job, states: Mapping[str, DecodedState]
 ) -> tuple[list[Fault], list[Fault]]:
-    """Return questions about gantry slaves with different compensation, and contradictions between
+    """Return questions on gantry slaves that differ from their master, and contradictions of
     states.
 
     The job has to answer what such a partner gets.
@@ -97,8 +97,8 @@ def partner_questions(
 
 
 def differing(axis: Axis, state: ControlState) -> list[str]:
-    """Return how the slave axis of a gantry differs from its master: table, grid, backlash. Empty
-    without compensation.
+    """Return in what a gantry slave's compensation differs from its master's: values, points,
+    backlash.
     """
     leading, partner = _both(axis, state)
     facts, own_facts = (state.facts_of(address) for address in (axis.address, str(axis.gantry)))
@@ -126,8 +126,7 @@ def differing(axis: Axis, state: ControlState) -> list[str]:
 def with_partners(
     control: Control, fitted: FittedAxes, as_found: DecodedState
 ) -> list[tuple[Axis, FittedTable]]:
-    """Return the tables with those of gantry slaves, which get the same change as their master,
-    each on its own grid.
+    """Return all tables; a gantry slave's table gets the same change as its master's table.
 
     Raises CapacityError where the control cannot hold one.
     """
@@ -146,8 +145,7 @@ def with_partners(
 
 
 def check_partners(axes: Sequence[tuple[Axis, FittedTable]], loaded: DecodedState) -> None:
-    """Raise CompwrightError if the independent second reader finds a wrong table on the slave axis
-    of a gantry.
+    """Raise CompwrightError if the independent reader finds a wrong table on a gantry slave.
 
     A fault of our own; ``axes``: as `with_partners` returns them.
     """
@@ -185,7 +183,7 @@ def skew_findings(
     loaded: DecodedState | None,
     gains: Mapping[str, float],
 ) -> Iterator[Finding]:
-    """Yield the difference between the tables of both gantry axes before and after loading.
+    """Yield findings on the difference between a gantry's two tables, before and after loading.
 
     ``gains``: by how much the parameter that judges tables falls, mm or deg, by name of the axis.
     """
@@ -226,7 +224,7 @@ def skew_findings(
 
 
 def _skew(axis: Axis, state: DecodedState, where: FloatArray) -> list[FloatArray]:
-    """Return the correction of the slave axis minus that of the master axis, by direction."""
+    """Return the correction of the slave axis minus that of its master, by direction."""
     own, leading = (
         judged_correction(state, partner_of(axis, str(axis.gantry))),
         judged_correction(state, axis),
@@ -237,7 +235,7 @@ def _skew(axis: Axis, state: DecodedState, where: FloatArray) -> list[FloatArray
 def _skews_differ(
     axis: Axis, states: Mapping[str, DecodedState], measured_in: Sequence[str]
 ) -> bool:
-    """Return whether the two axes differed in another way during the first test than now."""
+    """Return whether the two tables differed otherwise during the first test than now."""
     test = [states[name] for name in measured_in if name in states and name != AS_FOUND]
     if not test or AS_FOUND not in states:
         return False
@@ -255,12 +253,12 @@ def _both(axis: Axis, state: ControlState) -> tuple[AxisCompensation, AxisCompen
 
 
 def _grid(table: AxisCompensation, idle: Sequence[float]) -> FloatArray:
-    """Return the nodes of a table, active or not. One node is a constant."""
+    """Return the positions of a table's points, active or not; one point alone is a constant."""
     return table.positions if table.positions.size > 1 else np.array(idle, dtype=np.float64)
 
 
 def _where(axis: Axis, *tables: AxisCompensation) -> FloatArray:
-    """Return positions over the travel and at the nodes of tables."""
+    """Return positions over the travel of the axes and at the points of their tables."""
     nodes = [other.positions for table in tables for other in (table, *table.others)]
     return np.unique(np.concatenate([np.linspace(*axis.travel, _DENSE), *nodes]))
 
@@ -268,8 +266,7 @@ def _where(axis: Axis, *tables: AxisCompensation) -> FloatArray:
 def _changed(
     control: Control, axis: Axis, partner: Axis, table: FittedTable, as_found: DecodedState
 ) -> FittedTable:
-    """Return the table of the slave axis: its own total plus the change of the master axis. Raises
-    CapacityError.
+    """Return a gantry slave's new table: its old one plus the change of its master's table.
 
     Over the travel. Node by node where that is good enough, else the one of two that moves the axes
     apart the least: node by node, or fitted.
@@ -332,8 +329,7 @@ def _by_node(
     capacity: Capacity,
     idle: Sequence[float],
 ) -> AxisCompensation | None:
-    """Return the slave axis' ``own`` table with the change of the master axis added at its nodes.
-    None where one curve cannot hold it.
+    """Return the slave's ``own`` table plus the master's change at its points; None if impossible.
 
     From ``old`` to ``new``.
 
@@ -373,9 +369,7 @@ def _by_node(
 
 
 def _rounded(table: AxisCompensation, capacity: Capacity) -> AxisCompensation | None:
-    """Return a table of total curves in the form of the control: one curve and a backlash, or two
-    curves. None where neither fits.
-    """
+    """Return a table as the control can store it (one curve and backlash, or two); else None."""
     quantum, step = capacity.quantum, capacity.backlash_quantum
     lost = 0.0 if step is None else round(table.backlash / step) * step
     single = replace(table, backlash=lost)

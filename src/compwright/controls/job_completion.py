@@ -1,6 +1,4 @@
-"""Complete a job with facts from its control: names of axes, and answers in the control's own
-files.
-"""
+"""Complete a job from its control's files: names of axes, units, measuring systems, references."""
 
 from __future__ import annotations
 
@@ -35,7 +33,7 @@ _AXIS_NAME = re.compile(r"[XYZABCUVW](?:[0-9]{0,2}|_\w*)")
 def named_axes(
     job: Job, control: Control, by_name: Callable[[], Mapping[str, tuple[str, str]]]
 ) -> tuple[Job, tuple[Assumption, ...]]:
-    """Return the job with the control's names of the axes, and the assumptions for that.
+    """Return the job with the control's addresses of its axes, and the assumptions made for that.
 
     ``by_name``: the addresses that the control's own files give to names of axes, and what says so;
     asked only where a job's address is none that the control can have. Raises UsageError for such
@@ -99,7 +97,7 @@ def _address(
 
 
 def _number_question(control: Control, axis: Axis, by_name: Mapping[str, tuple[str, str]]) -> Fault:
-    """Return the question for the number of an axis whose letter does not determine it."""
+    """Return the question for the axis number of an axis whose letter does not determine it."""
     names = ", ".join(f"{letter}: {number}" for letter, (number, _) in by_name.items())
     quantity = name_of(control.definition, "axis_letters")
     return Fault(
@@ -117,8 +115,7 @@ def _number_question(control: Control, axis: Axis, by_name: Mapping[str, tuple[s
 
 
 def completed_by_files(job: Job, states: Mapping[str, DecodedState], as_found: str) -> Job:
-    """Return the job completed from the control's own files: detection units, meaning of table
-    values, measuring systems.
+    """Return the job with detection units, value meanings and measuring systems from the files.
 
     ``states``: all that were read; ``as_found``: the name of the one that is in the control now.
     """
@@ -134,8 +131,9 @@ def completed_by_files(job: Job, states: Mapping[str, DecodedState], as_found: s
 
 
 def completed_axis(axis: Axis, states: Sequence[ControlState], given: Mapping[str, object]) -> Axis:
-    """Return an axis with the missing options from the control's own files. ``given``: the
-    controller's options.
+    """Return an axis with options that the control's files answer.
+
+    ``given``: the controller's options.
     """
     options = dict(axis.options)
     for name in (DETECTION_UNIT, TABLE_VALUES):
@@ -150,9 +148,7 @@ def completed_axis(axis: Axis, states: Sequence[ControlState], given: Mapping[st
 
 
 def _with_zero_of_homing(job: Job, as_found: DecodedState) -> Job:
-    """Return the job with the references that the control's homing defines. Raises UsageError if
-    the job contradicts them.
-    """
+    """Return the job with the references at which homing sets the correction to zero."""
     axes, faults = {}, []
     for name, entry in job.axes.items():
         facts, axis = as_found.state.facts_of(entry.axis.address), entry.axis
@@ -179,7 +175,7 @@ def _with_zero_of_homing(job: Job, as_found: DecodedState) -> Job:
 def with_counted_turns(
     job: Job, control: Control, tests: Mapping[str, Sequence[PlannedTest]]
 ) -> tuple[Job, tuple[Assumption, ...]]:
-    """Return the job with rotary axes over several turns treated as endless, with this assumption.
+    """Return the job with rotary axes that travel several turns assumed to be endless.
 
     Measured over less than half of their travel, where the control's table takes that turn again
     and again.
@@ -207,7 +203,7 @@ def with_counted_turns(
 
 
 def unknown_zeros(job: Job, control: Control, state: ControlState | None) -> Iterator[Fault]:
-    """Yield the axes of fixed positions whose zero of the correction is unknown.
+    """Yield a fault for each axis with fixed positions if the zero of its correction is unknown.
 
     Only the control's homing sets it, and neither files nor job state it.
     """
@@ -256,9 +252,7 @@ def _other_zero(job: Job, name: str, key: str, axis: Axis, place: float, home: D
 
 
 def _with_systems_in_use(job: Job, state: ControlState) -> Job:
-    """Return the job with the measuring systems from the control's files, where the job names
-    none.
-    """
+    """Return the job with the measuring systems in use by the files, where it names none."""
     axes = {}
     for name, entry in job.axes.items():
         found = state.facts_of(entry.axis.address).encoder_system
@@ -275,7 +269,7 @@ def _with_systems_in_use(job: Job, state: ControlState) -> Job:
 
 
 def other_joints(axis: Axis, facts: AxisFacts, state: str) -> Iterator[Fault]:
-    """Yield a fault where the files of a state give an axis another letter, or a second joint."""
+    """Yield a fault if the files give an axis' joint another letter, or the axis two joints."""
     letters, letter, own = facts.letters, (facts.name or "").upper(), axis.name.upper()
     place, stated = f"axes.{axis.name}", f"{letters}: joint {axis.address} is {letter}"
     if not letters:
@@ -310,9 +304,7 @@ def other_joints(axis: Axis, facts: AxisFacts, state: str) -> Iterator[Fault]:
 
 
 def length_unit(definition: Definition) -> tuple[OptionRule, str] | None:
-    """Return the option with the machine's unit of length, and the file that would state it. None
-    where the definition states it.
-    """
+    """Return the option for the machine's length unit, and the file that states it."""
     rules = definition.options.values()
     rule = next((rule for rule in rules if rule.settled_by == "length_unit"), None)
     if rule is None:
@@ -324,7 +316,7 @@ def length_unit(definition: Definition) -> tuple[OptionRule, str] | None:
 
 
 def keys_with_effect(definition: Definition) -> dict[str, bool]:
-    """Return the job keys that have an effect because of the control's files, for `idle_keys`.
+    """Return by name whether certain job keys have an effect on this control, for `idle_keys`.
 
     Measuring systems, axes otherwise than by address, backlash at rapid traverse by itself.
     """

@@ -1,6 +1,4 @@
-"""Corrections of the axes of a job and between them, by the second, independent reader (the virtual
-control).
-"""
+"""Corrections of and between a job's axes by the independent reader (the virtual control)."""
 
 from __future__ import annotations
 
@@ -23,12 +21,12 @@ from compwright.records.correction import CrossCompensation
 
 
 def judged_correction(decoded: DecodedState | None, axis: Axis) -> Correction:
-    """Return the correction of an axis by the independent second reader. Zero without files."""
+    """Return the correction of an axis by the independent reader; zero without files."""
     return no_correction if decoded is None else partial(judged_values, decoded, axis.address)
 
 
 def applied_correction(decoded: DecodedState | None, axis: Axis) -> Correction:
-    """Return `judged_correction` without the steps that the control never applies."""
+    """Return an axis' correction without the small steps that the control never applies."""
     correction = judged_correction(decoded, axis)
     held = None if decoded is None else decoded.state.axes.get(axis.address)
     if held is None or axis.unapplied_steps is None:
@@ -44,9 +42,7 @@ def applied_correction(decoded: DecodedState | None, axis: Axis) -> Correction:
 
 
 def active_corrections(decoded: DecodedState | None, axes: Mapping[str, Axis]) -> ActiveCorrections:
-    """Return the independent second reader's corrections of a job's axes and between them in a
-    state. Empty if the state is unknown.
-    """
+    """Return the independent reader's corrections of and between a job's axes; empty if unknown."""
     if decoded is None or decoded.judge is None:
         return NO_CORRECTIONS
     names = {axis.address: name for name, axis in axes.items()}
@@ -70,8 +66,7 @@ def _across(decoded: DecodedState, pair: tuple[str, str]) -> Correction:
 def judged_cross(
     decoded: DecodedState, at: FloatArray | None = None
 ) -> tuple[CrossCompensation, ...]:
-    """Return the corrections between axes by the independent second reader, by address: at the
-    nodes or at positions (k,).
+    """Return the independent reader's corrections between axes, at table points or positions (k,).
 
     Each pair of axes once, with the sum of all its active tables.
     """

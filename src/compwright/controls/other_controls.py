@@ -1,6 +1,4 @@
-"""Recognise the control of files by their statements, for files that were given with a wrong
-format.
-"""
+"""Recognise the control that files belong to, for files given with the wrong format."""
 
 from __future__ import annotations
 
@@ -30,8 +28,9 @@ def refuse_other_control(
     files: Sequence[ControlFile],
     place: str = COMMAND_LINE.format_place,
 ) -> None:
-    """Raise InputError if the ``given`` control reads nothing in ``files`` and another control that
-    ships does. ``place``: where its format was given.
+    """Raise InputError if the files belong to another control than the ``given`` one.
+
+    ``place``: where its format was given.
 
     Files with one statement of it, however damaged, are its own. Entry sheets have one form for all
     controls and show none.
@@ -66,7 +65,7 @@ def refuse_other_control(
 
 
 def statements_at_start(file: ControlFile, definition: Definition) -> int:
-    """Return how many statements with a typical word are at the beginning of a file."""
+    """Return how many statements that are typical of a control are in the first part of a file."""
     begins = file.content[:_LOOKED_AT]
     if len(begins) < len(file.content):
         begins = begins[: begins.rfind(b"\n") + 1]
@@ -75,7 +74,7 @@ def statements_at_start(file: ControlFile, definition: Definition) -> int:
 
 
 def _reads(definition: Definition, file: ControlFile) -> bool:
-    """Return whether a file has a statement with a typical word, or nothing but readable rows."""
+    """Return whether a file has a statement typical of a control, or only readable table rows."""
     faults: list[Fault] = []
     read = text_reader(definition).read(file, faults)
     if read is None:

@@ -1,6 +1,4 @@
-"""The effect of loading only some files of a set: harm to an axis, and how it is recognised after
-reading back.
-"""
+"""What happens if only some of the planned files are loaded, and how reading back shows it."""
 
 from __future__ import annotations
 
@@ -28,7 +26,7 @@ _MOST_FILES = 6
 
 @dataclass(frozen=True, slots=True)
 class PartialLoad:
-    """The names of the files that were loaded, and of those that were not."""
+    """The names of the planned files that were loaded, and of those that were not."""
 
     loaded: tuple[str, ...]
     missing: tuple[str, ...]
@@ -40,7 +38,7 @@ def harmful_parts(
     tables: Sequence[ControlFile],
     works: Mapping[str, AxisWork],
 ) -> tuple[str, ...]:
-    """Return, as text, each part of the ``tables`` that makes an axis worse if it is loaded alone.
+    """Return, as text, each subset of the files that makes an axis worse if it is loaded alone.
 
     ``own``: the control's files before.
     """
@@ -70,7 +68,7 @@ def harmful_parts(
 
 
 def _worse(work: AxisWork, new: Correction) -> str:
-    """Return by how much ``new`` makes the first test of an axis worse. Empty: it does not."""
+    """Return as text how much worse the first test would be with ``new``; empty if it is not."""
     first, axis = work.results[0], work.planned.axis
     name = judged_parameter(first)
     if name is None:
@@ -96,8 +94,7 @@ def _worse(work: AxisWork, new: Correction) -> str:
 
 
 def partial_load(before: FileValues, planned: FileValues, back: FileValues) -> PartialLoad | None:
-    """Return which files of a plan were loaded, if each was loaded completely or not at all. None
-    otherwise.
+    """Return which planned files were loaded and which were not; None if nothing shows that.
 
     By what the control's files held ``before``, what is ``planned`` and what was read ``back``.
     None: all were, none was, something else is wrong, or a value belongs to no file by its name.

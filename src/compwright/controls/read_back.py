@@ -1,4 +1,4 @@
-"""Compare everything read back from a control with the expected contents.
+"""Compare the contents read back from a control with the contents expected by the plan.
 
 The state that was patched, with the plan's files in their place.
 """
@@ -27,7 +27,10 @@ from compwright.foundations.units import outside_factor, outside_unit
 
 @dataclass(frozen=True, slots=True)
 class ReadBackDifferences:
-    """The differing values. ``own``: by the name of an axis of the plan; ``others``: all others."""
+    """The values read back that are not as expected.
+
+    ``own``: by the name of an axis of the plan; ``others``: all others.
+    """
 
     own: Mapping[str, tuple[Difference, ...]]
     others: Others
@@ -35,8 +38,8 @@ class ReadBackDifferences:
 
 
 def not_read_back(plan_file: Path, loaded: Sequence[Path]) -> Iterator[Finding]:
-    """Yield a note on files in the folder of `run`'s own tables, because they prove nothing about
-    the control.
+    """Yield a warning for files in the folder that `run` wrote, which were not read from the
+    control.
     """
     own = storage.resolved(plan_file.parent / "tables")
     for path in loaded:
@@ -47,8 +50,9 @@ def not_read_back(plan_file: Path, loaded: Sequence[Path]) -> Iterator[Finding]:
 def read_back_differences(
     control: Control, expected: ComparedSide, found: ComparedSide, names: Mapping[str, str]
 ) -> ReadBackDifferences:
-    """Return the differences between the contents read back and the expected ones. ``names``: axis
-    names by address.
+    """Return the differences between read-back and expected contents.
+
+    ``names``: axis names by address.
 
     Files that were not read back are ignored; so is a value that was in no file before, unless its
     file was. A neighbour's table of which a part is missing differs, as does a value
@@ -79,9 +83,7 @@ def read_back_differences(
 
 
 def _compared(placed: Placed, known: set[str]) -> bool:
-    """Return whether a difference counts: both sides state the value, or it is new in an existing
-    file.
-    """
+    """Return whether a difference counts: both sides state the value, or only the new file."""
     change = placed.change
     if change.new is None:
         return False
@@ -91,7 +93,7 @@ def _compared(placed: Placed, known: set[str]) -> bool:
 
 
 def _between_axes(placed: Placed, read: set[str]) -> bool:
-    """Return whether a missing value corrects one axis by another, and its file was read back."""
+    """Return whether a value missing in a file that was read back corrects one axis by another."""
     old = placed.change.old
     return len(set(placed.axes)) > 1 and old is not None and old.file in read
 
@@ -105,8 +107,8 @@ def _difference(placed: Placed, axis: str) -> Difference:
 def _corrections(
     whole: Differences, compensating: list[Placed], names: Mapping[str, str]
 ) -> Iterator[Difference]:
-    """Yield changes of the corrections of other axes and between axes that the compared entries
-    explain.
+    """Yield changed corrections of other axes and between axes, if a compared value belongs to
+    them.
     """
     touched = [set(one.axes) for one in compensating]
     for address, change in whole.corrections.items():
@@ -148,9 +150,7 @@ def _not_read(whole: Differences) -> list[Placed]:
 
 
 def _partly_read(control: Control, whole: Differences, found: ComparedSide) -> list[Placed]:
-    """Return the missing values of an axis' tables and lists of which other values were read
-    back.
-    """
+    """Return the missing values of tables and lists of which other values were read back."""
     missing = _not_read(whole)
     groups = {one.entry.group for one in missing}
     whereabouts = control.format.listing.value_location

@@ -32,9 +32,7 @@ _HINT = (
 
 
 def disagreements(state: ControlState, judge: VirtualControl) -> list[Fault]:
-    """Return where the independent second reader reads a different table than ``state``
-    contains.
-    """
+    """Return a fault for each table that the independent reader reads differently."""
     faults = []
     unseen = sorted(
         address for address in state.axes if not judge_knows_axis(judge, address)
@@ -70,8 +68,8 @@ def disagreements(state: ControlState, judge: VirtualControl) -> list[Fault]:
 def _apart(
     mine: Correction, theirs: Correction, where: FloatArray, table: tuple[str, str, str]
 ) -> Iterator[Fault]:
-    """Yield each direction in which two readings of a table differ at ``where`` (n,), with the
-    worst place.
+    """Yield a fault for each direction in which two readings of a table differ, at the worst
+    position.
 
     ``table``: its name, the message, the unit.
     """
@@ -90,7 +88,7 @@ def _apart(
 
 
 def _cross_disagreements(state: ControlState, judge: VirtualControl) -> list[Fault]:
-    """Compare the cross-axis tables of both readers. Several tables of one pair are added."""
+    """Compare the cross-axis tables of both readers, several tables of one axis pair added."""
     between = "the two independent file readers of compwright do not agree on a cross-axis table"
     mine: dict[tuple[str, str], list[CrossCompensation]] = {}
     for entry in state.cross:
@@ -137,9 +135,7 @@ def _total(
 
 
 def probe_positions(nodes: FloatArray) -> FloatArray:
-    """Return positions that test a whole table: its nodes, between them, and outside on both
-    sides.
-    """
+    """Return positions that test a whole table: at its points, between them, beyond both ends."""
     if nodes.size == 0:
         return np.array([-1000.0, 0.0, 1000.0])
     step = float(nodes[-1] - nodes[0]) / max(nodes.size - 1, 1) or 1.0
@@ -151,7 +147,7 @@ def probe_positions(nodes: FloatArray) -> FloatArray:
 
 
 def table_positions(nodes: FloatArray, travel: tuple[float, float]) -> FloatArray:
-    """Return positions at which a table of a plan defines the correction.
+    """Return positions at which a table defines the correction: up to its ends and the travel's.
 
     Beyond both a plan's table only holds its ends, whatever the control does there (it may repeat).
     """

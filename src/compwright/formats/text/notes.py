@@ -58,9 +58,7 @@ class Notes:
             self.assume(note.fact, note.value, note.evidence)
 
     def ask_contradicted(self) -> None:
-        """Ask about each answer of the job that the files contradict, if no table needs an
-        answer.
-        """
+        """Ask about each answer of the job that the files contradict, if no table needs one."""
         if not self.open_answers:
             for fault in self.contradictions:
                 self.ask(fault)
