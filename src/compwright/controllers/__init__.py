@@ -1,5 +1,4 @@
-"""Virtual controls: what a control does with given files. A second, independent reader reads these
-files.
+"""Virtual controls: independent readers of a control's files, which return its active correction.
 
 Sign, unit and interpolation of each control are stated here a second time, from its manual. Nothing
 is shared with the room that writes the files: where both agree, the agreement means something.

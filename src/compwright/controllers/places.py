@@ -6,7 +6,7 @@ from compwright.foundations.errors import Fault
 
 
 class OfLine:
-    """A value read from one line of a file."""
+    """A value that was read from one line of a file, with file and line number."""
 
     __slots__ = ()
     file: str
@@ -14,7 +14,7 @@ class OfLine:
 
     @property
     def shown(self) -> str:
-        """The text that a fault shows as found, unless the fault states another."""
+        """The text to show as found in a fault, unless the fault states another."""
         return ""
 
     def fault(self, message: str, *, expected: str = "", found: str = "") -> Fault:

@@ -1,4 +1,4 @@
-"""Facts that a virtual control needs in addition to its files."""
+"""The statements of the job that a virtual control needs in addition to the control's files."""
 
 from __future__ import annotations
 
@@ -16,8 +16,7 @@ Entry = TypeVar("Entry")
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Request:
-    """Facts by axis address that the files of a control do not contain. Upper and lower case are
-    equal.
+    """What the job states about the axes of a control, by address in any letter case.
 
     ``reference_return``: direction in which the reference is approached; ``encoder``: active
     measuring system, 1 or 2; ``kinds``: linear or rotary; ``modulo``: the turn of an endless axis,
@@ -42,13 +41,13 @@ class Request:
     axis_number: Mapping[str, int] = field(default_factory=dict)
 
     def is_under_work(self, address: str) -> bool:
-        """Return whether the axis is part of the job. Without a list every axis is."""
+        """Return whether an axis is part of the job; true for every axis if the job lists none."""
         return not self.axes_under_work or address.casefold() in {
             one.casefold() for one in self.axes_under_work
         }
 
     def is_active(self, switches: Sequence[float | None]) -> bool:
-        """Return whether a table is active, by the last values of its ``switches``.
+        """Return whether a table is active by the last values of its activation parameters.
 
         None: not in the files, counts as on unless `active` states otherwise.
         """
@@ -57,12 +56,11 @@ class Request:
         return all(switch is None or switch != 0.0 for switch in switches)
 
     def options_of(self, address: str) -> Mapping[str, object]:
-        """Return the options of one axis. Its own options override those of the controller."""
+        """Return the options of an axis: the controller's, overridden by those of the axis."""
         return {**self.options, **(by_address(self.axis_options, address) or {})}
 
     def returning(self, address: str) -> tuple[Direction, Assumption | None]:
-        """Return the referencing direction of an axis, by its option. Without it: ``+``, as an
-        assumption.
+        """Return the direction of an axis' reference return by its option; by assumption ``+``.
 
         Raises UsageError when the option ``reference_return`` is neither ``+`` nor ``-``.
         """
@@ -78,8 +76,7 @@ class Request:
         return direction, Assumption(f"reference_return of {address}", direction.value, evidence)
 
     def referenced(self, address: str) -> tuple[float, Assumption | None]:
-        """Return an axis' reference (machine coordinate, mm or deg), by its option. Without it: 0,
-        as an assumption.
+        """Return an axis' reference (machine coordinate, mm or deg) by its option; by assumption 0.
 
         Raises UsageError when it is not a finite number.
         """
@@ -103,9 +100,7 @@ class Request:
 
 
 def finite_number(value: object) -> float | None:
-    """Return the number in an option, given as a number or as text. None for anything else,
-    infinity and NaN included.
-    """
+    """Return the number in an option (number or text); None if it is not a finite number."""
     if isinstance(value, bool) or not isinstance(value, int | float | str):
         return None
     try:
@@ -116,9 +111,7 @@ def finite_number(value: object) -> float | None:
 
 
 def by_address(table: Mapping[str, Entry], address: str) -> Entry | None:
-    """Return the entry of an address: exact spelling first, then in any case of its letters. None
-    without one.
-    """
+    """Return a table's entry for an address, in exact spelling or else in any letter case."""
     if address in table:
         return table[address]
     return next(

@@ -21,7 +21,7 @@ from compwright.records.correction import Assumption, ControlFile
 
 
 class VirtualControl(Protocol):
-    """The interface of a control with loaded files.
+    """The interface of a virtual control: its files are loaded, and its corrections can be read.
 
     ``assumed``: facts that the files do not hold. ``notes``: what the control ignores or changes
     without a message, one sentence each with file and line (a caller that needs exactly what was
@@ -35,7 +35,7 @@ class VirtualControl(Protocol):
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """Notes about parts of the files that the control drops or ignores."""
+        """Notes on parts of the files that the control does not load or ignores."""
         ...
 
     def addresses(self) -> tuple[str, ...]:
@@ -43,9 +43,7 @@ class VirtualControl(Protocol):
         ...
 
     def nodes(self, address: str) -> FloatArray:
-        """Return the positions (k,) of the table points, ascending, mm or deg. Empty without a
-        table.
-        """
+        """Return the positions (k,) of an axis' table points, mm or deg; empty without a table."""
         ...
 
     def correction(self, address: str, positions: FloatArray, direction: Direction) -> FloatArray:
@@ -57,9 +55,7 @@ class VirtualControl(Protocol):
         ...
 
     def cross(self) -> tuple[tuple[str, str], ...]:
-        """Return (input, output) of the tables by which one axis corrects another. Empty without
-        any.
-        """
+        """Return (input axis, output axis) of the tables by which one axis corrects another."""
         ...
 
     def cross_correction(
@@ -114,8 +110,7 @@ def virtual_control(
     axes_under_work: Sequence[str] = (),
     axis_number: Mapping[str, int] | None = None,
 ) -> VirtualControl:
-    """Return the virtual control ``format_id`` with ``files`` (names without folders, raw bytes)
-    loaded.
+    """Return the virtual control named ``format_id`` with ``files`` loaded.
 
     By axis address: ``reference_return`` is the direction in which the reference is approached,
     ``encoder`` the active measuring system (1 or 2), ``kinds`` linear or rotary where no file

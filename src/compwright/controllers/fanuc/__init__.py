@@ -1,1 +1,1 @@
-"""The FANUC virtual control: what a FANUC does with given files."""
+"""The FANUC virtual control: reads a FANUC's files and returns the active correction."""

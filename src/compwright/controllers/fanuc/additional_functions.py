@@ -1,4 +1,4 @@
-"""Compensation of a FANUC axis in addition to its pitch data and its backlash.
+"""Inclination, cyclic and straightness compensation of a FANUC axis, in addition to its table.
 
 Stated from the manuals, independently of the room that writes the files:
 
@@ -60,7 +60,7 @@ _LARGEST = 32767
 
 @dataclass(frozen=True, slots=True)
 class InclinedLines:
-    """Straight lines through ``amounts`` (detection units) at ascending point numbers ``points``.
+    """Straight lines through compensation amounts (detection units) at ascending point numbers.
 
     Outside, the end values hold.
     """
@@ -69,8 +69,8 @@ class InclinedLines:
     amounts: tuple[int, ...]
 
     def at(self, numbers: FloatArray, reference: int) -> FloatArray:
-        """Return detection units at point ``numbers`` (any shape), relative to the point number of
-        the reference.
+        """Return the correction at point ``numbers`` (any shape) relative to the reference,
+        detection units.
         """
         corners = dict(zip(self.points, self.amounts, strict=True))
         here, there = (
@@ -82,7 +82,7 @@ class InclinedLines:
 
 @dataclass(frozen=True, slots=True)
 class Cycle:
-    """The second (cyclic) table, which repeats in both directions.
+    """The second (cyclic) pitch error table, which repeats in both directions.
 
     ``totals`` (n + 1,): detection units at the section ends, first and last 0; ``interval``: mm or
     deg.
@@ -92,9 +92,7 @@ class Cycle:
     totals: FloatArray
 
     def pulses(self, positions: FloatArray, *, ramp: bool) -> FloatArray:
-        """Return the total in detection units at ``positions`` (any shape, mm or deg from the
-        reference).
-        """
+        """Return the total in detection units at ``positions`` (mm or deg from reference)."""
         sections = np.mod(positions / self.interval, self.totals.size - 1)
         if ramp:
             return np.asarray(
@@ -107,7 +105,9 @@ class Cycle:
 
 @dataclass(frozen=True, slots=True)
 class Bend:
-    """Straightness compensation: ``lines`` over the axis ``moving`` shift the axis ``bent``.
+    """Straightness compensation: lines over the moving axis, by which the axis ``bent`` is
+    corrected.
+
     ``entry``: the parameter of the pair.
     """
 
@@ -118,9 +118,7 @@ class Bend:
 
 
 def inclination(machine: Machine, axis: int, faults: list[Fault]) -> InclinedLines | None:
-    """Return the inclination compensation of an axis. None if every amount is 0, or with a
-    fault.
-    """
+    """Return the inclination compensation of an axis; None if all amounts are 0, or if faulty."""
     at = [machine.entry(number, axis) for number in _INCLINED_AT]
     amounts = [machine.entry(number, axis) for number in _INCLINED]
     return _lines(at, amounts, f"inclination of axis {axis}", faults)
@@ -134,15 +132,13 @@ def cyclic_numbers(machine: Machine, axis: int) -> range:
 
 
 def inclined(machine: Machine, axis: int) -> MachineEntry | None:
-    """Return an inclination amount that is not 0. None if all are 0."""
+    """Return the first inclination amount of an axis that is not 0; None if there is none."""
     found = (machine.entry(number, axis) for number in _INCLINED)
     return next((entry for entry in found if entry is not None and not entry.zero), None)
 
 
 def bends(machine: Machine, faults: list[Fault]) -> Iterator[Bend]:
-    """Yield the axis pairs of straightness compensation with an amount other than 0. Each invalid
-    pair is a fault.
-    """
+    """Yield the axis pairs with straightness compensation; an invalid pair is a fault."""
     more = _any(machine, _MORE_STRAIGHT)
     if more is not None:
         faults.append(
@@ -170,7 +166,7 @@ def bends(machine: Machine, faults: list[Fault]) -> Iterator[Bend]:
 
 
 def refusing(machine: Machine, axis: int) -> Iterator[Fault]:
-    """Yield a fault for each parameter that may correct the axis and whose meaning is unknown."""
+    """Yield a fault for each parameter of unknown meaning that may correct the axis."""
     found = (machine.entry(number, axis) for number in machine.series.unknown)
     entry = next((entry for entry in found if entry is not None and not entry.zero), None)
     if entry is not None:
@@ -180,7 +176,7 @@ def refusing(machine: Machine, axis: int) -> Iterator[Fault]:
 
 
 def left_out(machine: Machine, axis: int, counted: frozenset[str]) -> Iterator[str]:
-    """Yield a remark for each function that is active on an axis but not included here."""
+    """Yield a note for each function that is active on an axis but not included here."""
     by_axis = {
         "inclination": ("inclination compensation", _INCLINED),
         "cyclic": ("the second (cyclic) pitch error table", CYCLIC[1:]),
@@ -213,7 +209,7 @@ def _lines(
     what: str,
     faults: list[Fault],
 ) -> InclinedLines | None:
-    """Return the lines through four numbers and four amounts. None if all are 0, or with a
+    """Return lines through four point numbers and amounts; None if all amounts are 0, or with a
     fault.
     """
     nonzero = [entry for entry in amounts if entry is not None and not entry.zero]
@@ -244,7 +240,7 @@ def _lines(
 
 
 def _of(machine: Machine, number: int, owner: Owner) -> MachineEntry | None:
-    """Return the value for one path, else the value for the machine."""
+    """Return a parameter's value for the path ``owner``; without one, its value for the machine."""
     found = machine.entries.get(number, {})
     return found.get(owner, found.get(MACHINE))
 
@@ -252,9 +248,7 @@ def _of(machine: Machine, number: int, owner: Owner) -> MachineEntry | None:
 def _one_axis(
     machine: Machine, owner: Owner, entry: MachineEntry, faults: list[Fault]
 ) -> int | None:
-    """Return the axis that an axis number means. None with a fault if it may also mean another
-    axis.
-    """
+    """Return the axis that an axis number means; None, with a fault, if it may mean several."""
     axes = () if entry.whole is None else machine.named(owner, entry.whole)
     if len(axes) == 1:
         return axes[0]
@@ -268,7 +262,7 @@ def _one_axis(
 
 
 def _naming(machine: Machine, numbers: Iterable[int], axis: int) -> Iterator[MachineEntry]:
-    """Yield the values that are axis numbers and may mean this axis."""
+    """Yield the values of parameters ``numbers`` that are axis numbers and may mean this axis."""
     for number in numbers:
         for owner, entry in machine.entries.get(number, {}).items():
             if entry.zero:
@@ -279,7 +273,7 @@ def _naming(machine: Machine, numbers: Iterable[int], axis: int) -> Iterator[Mac
 
 
 def _any(machine: Machine, numbers: Iterable[int]) -> MachineEntry | None:
-    """Return a value other than 0 of these parameters, for any owner. None if all are 0."""
+    """Return the first value of the parameters ``numbers`` that is not 0; None if there is none."""
     found = (entry for number in numbers for entry in machine.entries.get(number, {}).values())
     return next((entry for entry in found if not entry.zero), None)
 

@@ -1,5 +1,4 @@
-"""The grid of one FANUC axis from its parameters and points: its point numbers, and whether they
-are consistent.
+"""The point numbers and interval of a FANUC axis' table, and checks that they are consistent.
 
 Contradictions in the files become faults of the memory; open points become notes or assumptions.
 Sources: ``control``.
@@ -28,9 +27,7 @@ _WHOLE_TURN = 1e-6
 
 
 class AxisLoader:
-    """Builds axes from the parameter memory. The memory also collects faults, notes and
-    assumptions.
-    """
+    """Builds the tables of axes from the parameter memory, which also collects faults and notes."""
 
     def __init__(self, memory: Memory, request: Request) -> None:
         self.memory = memory
@@ -48,7 +45,7 @@ class AxisLoader:
 
     @contextmanager
     def stopping_nothing(self, axis: int) -> Iterator[None]:
-        """Turn faults in this context into notes, unless the axis is part of the job."""
+        """Turn faults raised inside this context into notes, unless the axis is part of the job."""
         before = len(self.memory.faults)
         yield
         odd = self.memory.faults[before:]
@@ -57,12 +54,16 @@ class AxisLoader:
             self.note(axis, f"is odd and left alone: {odd[0].message}")
 
     def neighbour(self, axis: int, options: Options) -> IncrementGrid | None:
-        """Return the grid of an axis outside the job. None, with a note, if it has faults."""
+        """Return point numbers and interval of an axis outside the job; None if they contain
+        errors.
+        """
         with self.stopping_nothing(axis):
             return self.grid(axis, options)
 
     def grid(self, axis: int, options: Options) -> IncrementGrid | None:
-        """Return the grid of an axis. None without pitch compensation, or with a fault."""
+        """Return an axis' point numbers and interval; None without pitch compensation or with a
+        fault.
+        """
         before = len(self.memory.faults)
         for remark in left_out(self.memory.machine, axis, options.counted):
             self.note(axis, remark)
@@ -140,9 +141,7 @@ class AxisLoader:
         return True if by_address(self.request.modulo, str(axis)) is not None else None
 
     def rotary(self, axis: int) -> bool:
-        """Return whether an axis is rotary: by 1006#0, else by the request, else by a turn in
-        3625.
-        """
+        """Return whether an axis is rotary: by 1006#0, else the request, else a turn in 3625."""
         bit = self.memory.bit(1006, 0, axis)
         requested = by_address(self.request.kinds, str(axis))
         if bit is not None:
@@ -168,7 +167,7 @@ class AxisLoader:
         return rotary
 
     def _endless(self, grid: IncrementGrid, *, rotary: bool) -> IncrementGrid:
-        """Return the grid with its turn, if its point numbers are those of an endless axis.
+        """Return the point numbers, with the turn if they are those of an endless axis.
 
         Numbers that nearly are become a fault.
         """
@@ -236,7 +235,7 @@ class AxisLoader:
         )
 
     def _bidirectional(self, grid: IncrementGrid) -> IncrementGrid:
-        """Return the grid with a second set of points for travel towards -, if 3605#0 = 1."""
+        """Return the point numbers, with a second set for travel towards - if 3605#0 = 1."""
         bit = self.memory.bit(3605, 0, grid.axis)
         if bit is None:
             self.memory.assumed.append(
@@ -274,7 +273,7 @@ class AxisLoader:
         return replace(grid, negative_from=start, offset=offset)
 
     def _remarks(self, axis: int) -> None:
-        """Note settings of the table that are not evaluated."""
+        """Add notes on settings of the table that compwright does not evaluate."""
         if self.memory.bit(1006, 3, axis):
             self.note(
                 axis,
@@ -290,7 +289,9 @@ class AxisLoader:
             )
 
     def _check_points(self, grid: IncrementGrid, options: Options) -> None:
-        """Add a fault if a point of the grid is missing or beyond the limit of the series."""
+        """Add a fault if a point of the table is missing, or its increment is beyond the series'
+        limit.
+        """
         needless = {
             start
             for start in grid.starts()
@@ -327,7 +328,7 @@ class AxisLoader:
                 )
 
     def fault(self, axis: int, message: str, expected: str, found: str = "") -> None:
-        """Add a fault at the first grid parameter of the axis that is given."""
+        """Add a fault at the first table parameter (36xx) that the files give for the axis."""
         number = next((n for n in (3621, *_GRID) if self.memory.given(n, axis)), None)
         if number is None:
             self.memory.faults.append(

@@ -1,6 +1,4 @@
-"""Faults that prevent the reading of a FANUC axis: contradicting paths, switches, unknown
-functions.
-"""
+"""Faults that prevent reading a FANUC axis: different paths, table off, unknown functions."""
 
 from __future__ import annotations
 
@@ -15,7 +13,7 @@ _TOTALS = 3602
 
 
 def stopping(memory: Memory, axis: int, *, rotary: bool) -> Iterator[Fault]:
-    """Yield a fault for each setting that makes the compensation of an axis unknown."""
+    """Yield a fault for each parameter that makes the compensation of an axis uncertain."""
     yield from memory.machine.contradicting(axis)
     yield from refusing(memory.machine, axis)
     yield from _deciding_bits(memory, axis, rotary=rotary)
@@ -37,7 +35,7 @@ def inclined_without_grid(memory: Memory, axis: int) -> Iterator[Fault]:
 
 
 def not_used(memory: Memory, axis: int) -> Iterator[Fault]:
-    """Yield a fault if the control does not use the table in the files, or its use is unknown."""
+    """Yield a fault if the control does not use the table in the files, or may not use it."""
     series, machine = memory.series, memory.machine
     totals, apart = machine.entry(_TOTALS, axis), machine.either(_TOTALS, axis)
     if apart is not None:
@@ -64,9 +62,7 @@ def not_used(memory: Memory, axis: int) -> Iterator[Fault]:
 
 
 def _deciding_bits(memory: Memory, axis: int, *, rotary: bool) -> Iterator[Fault]:
-    """Yield a fault for each required bit that is unreadable, or that differs between paths if the
-    axis' path is unknown.
-    """
+    """Yield a fault for each needed bit that cannot be read or that depends on the unknown path."""
     machine = memory.machine
     moves = memory.moves(axis)
     bits: list[tuple[int, int]] = [(1006, 0)] if moves else []

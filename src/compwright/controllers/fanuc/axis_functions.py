@@ -1,4 +1,4 @@
-"""The compensation of one FANUC axis: pitch data as totals, backlash, second (cyclic) table.
+"""The compensation of one FANUC axis: pitch error table, backlash, second (cyclic) table.
 
 Contradictions in the files become faults of the memory; open points become notes or assumptions.
 Sources: ``control``, ``additional_functions``.
@@ -29,7 +29,8 @@ _WHOLE_PERIODS = 1e-6
 def pitch_table(
     loader: AxisLoader, grid: IncrementGrid, options: Options, returning: Direction
 ) -> PitchTable | None:
-    """Return the totals of the pitch data, with the inclination where it is included.
+    """Return the pitch error table of an axis as totals, with inclination if the options include
+    it.
 
     The set of the reference-return direction is 0 at the reference; the other set is offset by
     3627. None where points of the grid are missing or faulty.
@@ -103,8 +104,7 @@ def backlash(loader: AxisLoader, axis: int, options: Options) -> int:
 def cycle(
     loader: AxisLoader, axis: int, grid: IncrementGrid | None, options: Options
 ) -> Cycle | None:
-    """Return the second (cyclic) table of an axis. None if it has none, it is not included, or it
-    has a fault.
+    """Return the second (cyclic) table of an axis; None if it has none or it is not included.
 
     ``grid``: the grid of the axis' main table.
     """
@@ -173,7 +173,7 @@ def cycle(
 
 
 def _rapid_unknown(loader: AxisLoader, axis: int, feed: int, options: Options) -> None:
-    """Add a fault for parameter 1852 on a series whose switch for it is unknown."""
+    """Add a fault if 1852 may apply at rapid traverse on a series where this is unknown."""
     rapid = loader.memory.whole_if_sound(1852, axis)
     if options.rapid and rapid is not None and rapid != feed:
         loader.memory.faults.append(
@@ -185,7 +185,7 @@ def _rapid_unknown(loader: AxisLoader, axis: int, feed: int, options: Options) -
 
 
 def _inclined(loader: AxisLoader, grid: IncrementGrid, options: Options, used: int) -> FloatArray:
-    """Return the inclination (k + 1,) at the section ends of a grid, in detection units.
+    """Return the correction by inclination (k + 1,) at the section ends, in detection units.
 
     Not multiplied by 3623. 0 where inclination is not counted.
     """
@@ -214,7 +214,7 @@ def _inclined(loader: AxisLoader, grid: IncrementGrid, options: Options, used: i
 
 
 def _check_turn(loader: AxisLoader, grid: IncrementGrid, pulses: int) -> None:
-    """Add a fault if the increments of a turn do not add up to 0."""
+    """Add a fault if the increments of one turn of an endless axis do not add up to 0."""
     if grid.turn is not None and pulses != 0:
         creep = pulses * grid.magnification
         loader.fault(

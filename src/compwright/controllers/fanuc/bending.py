@@ -1,4 +1,4 @@
-"""Straightness compensation of a FANUC: one axis is corrected by the position of another.
+"""Straightness compensation of a FANUC: the position of one axis corrects another axis.
 
 The amounts are put out at the pitch points of the moving axis; here they are straight lines between
 them (unconfirmed, and reported as an assumption). Sources: ``additional_functions``.
@@ -35,8 +35,10 @@ class Bending:
     turn: float | None
 
     def at(self, positions: FloatArray) -> FloatArray:
-        """Return the correction with the moving axis at ``positions`` (any shape). Beyond the ends
-        the end values apply.
+        """Return the correction of the axis ``bent`` with the moving axis at ``positions`` (any
+        shape).
+
+        Beyond the ends the end values apply.
         """
         x = positions - self.reference
         if self.turn is not None:
@@ -47,7 +49,7 @@ class Bending:
 def bending_of(
     loader: AxisLoader, grids: Mapping[int, IncrementGrid | None], options: Mapping[int, Options]
 ) -> Iterator[Bending]:
-    """Yield the axis pairs that an option includes and that concern an axis of the job.
+    """Yield the straightness compensations that an option includes and that concern the job's axes.
 
     Open questions about such a pair become faults of the memory.
     """
@@ -77,9 +79,7 @@ def bending_of(
 
 
 def _unit(loader: AxisLoader, bend: Bend, options: Mapping[int, Options]) -> float | None:
-    """Return the detection unit of the corrected axis, mm or deg. None with a fault where it is
-    unknown.
-    """
+    """Return the corrected axis' detection unit, mm or deg; None, with a fault, if unknown."""
     own = options.get(bend.bent)
     rotary = loader.known_rotary(bend.bent) is True
     unit = own.detection_unit if own is not None else None

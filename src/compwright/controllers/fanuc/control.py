@@ -1,5 +1,4 @@
-"""FANUC controls: stored pitch error compensation (one- or bidirectional), backlash, and further
-functions, by ``series``.
+"""FANUC virtual control: stored pitch error compensation, backlash, and further functions.
 
 Stated from the manuals, independently of the definition that writes the files:
 
@@ -52,8 +51,9 @@ _SAME_UNIT = 1e-4
 
 @dataclass(frozen=True, slots=True)
 class _FanucAxis:
-    """One axis of a virtual FANUC. ``backlash``: detection units; ``unit``: mm or deg per detection
-    unit, None if unknown.
+    """One axis of the virtual FANUC.
+
+    ``backlash``: detection units; ``unit``: mm or deg per detection unit, None if unknown.
     """
 
     table: PitchTable | None
@@ -85,9 +85,7 @@ class FanucControl:
         return tuple(self.axes)
 
     def nodes(self, address: str) -> FloatArray:
-        """Return the positions (k,) of the section ends, machine coordinates, mm or deg; empty
-        without a table.
-        """
+        """Return the positions (k,) of the section ends, mm or deg; empty without a table."""
         axis = self._axis(address)
         return np.empty(0) if axis.table is None else axis.table.positions() + axis.reference
 
@@ -116,7 +114,7 @@ class FanucControl:
         return np.asarray(axis.unit * pulses, dtype=np.float64)
 
     def cross(self) -> tuple[tuple[str, str], ...]:
-        """Return (moving, bent) of the axis pairs with straightness compensation."""
+        """Return (moving axis, corrected axis) of each pair with straightness compensation."""
         return tuple(dict.fromkeys((entry.moving, entry.bent) for entry in self.bent))
 
     def cross_correction(  # the protocol's names
@@ -212,7 +210,7 @@ def fanuc_control(
 
 
 def _memory(files: Sequence[ControlFile], request: Request, series: ControlSeries) -> Memory:
-    """Return the contents of all files. A file without any compensation parameter is a fault."""
+    """Return the contents of all files; a file without compensation parameters is a fault."""
 
     def pitch_sign(address: str) -> str:
         return str(request.options_of(address).get("pitch_sign", "+"))
@@ -236,7 +234,7 @@ def _memory(files: Sequence[ControlFile], request: Request, series: ControlSerie
 
 
 def _options(request: Request, memory: Memory, series: ControlSeries) -> dict[int, Options]:
-    """Return the options of each axis, with the detection unit of the files where none is given.
+    """Return the options of each axis; detection units that are not given come from the files.
 
     A given detection unit that contradicts the files is a fault.
     """
@@ -265,7 +263,7 @@ def _options(request: Request, memory: Memory, series: ControlSeries) -> dict[in
 
 
 def _unit_by(memory: Memory, axis: int) -> str:
-    """Return the parameter that states a detection unit."""
+    """Return the names of the parameters from which an axis' detection unit follows, as text."""
     system, least = memory.machine.system(axis), memory.machine.least_increment(axis)
     fine = least is not None and least < 0.9 * FINEST_CONFIRMED
     how = " (the bits of IS-D and IS-E: unconfirmed)" if fine else ""
@@ -284,7 +282,7 @@ def _no_unit(address: str) -> Fault:
 def _axis(
     loader: AxisLoader, axis: int, grid: IncrementGrid | None, options: Options
 ) -> _FanucAxis:
-    """Return one axis with its table and backlash. The loader collects the assumptions."""
+    """Return one axis with its table and backlash; its assumptions are added to the loader."""
     address = str(axis)
     returning, assumption = loader.request.returning(address)
     loader.memory.assumed += [assumption] if assumption is not None else []
@@ -310,7 +308,7 @@ def _axis(
 
 
 def _note_shared(loader: AxisLoader, grids: dict[int, IncrementGrid]) -> None:
-    """Note the points that two axes use: all axes share one array of points.
+    """Add a note on the points that two axes use in the array that all axes share.
 
     An axis whose magnification is 0 uses none; that its range overlaps another's is noted too.
     """
@@ -346,7 +344,9 @@ def _note_shared(loader: AxisLoader, grids: dict[int, IncrementGrid]) -> None:
 def _sharing(
     loader: AxisLoader, first: IncrementGrid, second: IncrementGrid, numbers: Sequence[int]
 ) -> None:
-    """Return a note whether two axes use their common point ``numbers`` in the same way."""
+    """Add a note that two axes use the points ``numbers``, and whether they use them in the same
+    way.
+    """
     shared = number_list(numbers)
     how = (
         "in the same way"

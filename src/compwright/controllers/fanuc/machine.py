@@ -1,5 +1,4 @@
-"""Machine settings of a FANUC for the pitch data: paths, unit systems, turns, and any parameter by
-axis, path or machine.
+"""Parameters of a FANUC by axis, path or machine: paths, units, turns, and any other.
 
 Stated from the manuals and from a real backup, independently of the room that writes the files:
 
@@ -77,11 +76,11 @@ class MachineEntry:
 
     @property
     def whole(self) -> int | None:
-        """Return a whole number, None for anything else."""
+        """Return the value as a whole number; None if it is not one."""
         return int(self.text) if _WHOLE.fullmatch(self.text) else None
 
     def bit(self, bit: int) -> bool:
-        """Return one of eight bits, 0 the rightmost."""
+        """Return one of the eight bits of the value; bit 0 is the rightmost."""
         return self.is_bits and self.text[-1 - bit] == "1"
 
     def fault(self, message: str, expected: str) -> Fault:
@@ -106,7 +105,7 @@ MACHINE: Owner = ("", 0)
 
 @dataclass(slots=True)
 class Machine:
-    """Parameter values by number and owner (axis, path, machine)."""
+    """The parameter values of a FANUC by number and owner (axis, path or machine)."""
 
     series: ControlSeries
     entries: dict[int, dict[Owner, MachineEntry]] = field(default_factory=lambda: defaultdict(dict))
@@ -114,7 +113,7 @@ class Machine:
     contradictions: list[tuple[Owner, Fault]] = field(default_factory=list)
 
     def take(self, owner: Owner, entry: MachineEntry) -> None:
-        """Store a value. A different value for the same owner is a contradiction."""
+        """Store a value; a different value for the same parameter and owner is a fault."""
         kept = self.entries[entry.number].setdefault(owner, entry)
         if _numeral(kept.text) != _numeral(entry.text) or {kept.letter, entry.letter} == {"M", "I"}:
             whose = " of {}{}".format(*owner) if owner[0] else ""
@@ -124,14 +123,14 @@ class Machine:
             self.contradictions.append((owner, fault))
 
     def typed(self, settings: Iterable[ParameterSetting]) -> None:
-        """Store the parameters of an entry sheet other than the pitch parameters."""
+        """Store the parameters of an entry sheet that do not belong to the pitch error table."""
         for each in settings:
             if each.number in _KEPT and each.axis is not None:
                 entry = MachineEntry(each.number, each.keyword, each.text, each.file, each.line)
                 self.take(("A", each.axis), entry)
 
     def contradicting(self, axis: int) -> Iterator[Fault]:
-        """Return the faults of contradicting values that may apply to an axis."""
+        """Return a fault for each parameter with different values that may apply to an axis."""
         return (
             fault
             for (letter, number), fault in self.contradictions
@@ -139,15 +138,13 @@ class Machine:
         )
 
     def path(self, axis: int) -> int | None:
-        """Return the path of an axis, None where parameter 981 does not state it (0 is the first
-        path).
-        """
+        """Return the path of an axis, from 0; None if parameter 981 does not state it."""
         home = self.entries.get(PATH_OF, {}).get(("A", axis))
         return None if home is None or home.whole is None else max(home.whole, 1)
 
     def entry(self, number: int, axis: int) -> MachineEntry | None:
-        """Return the parameter that applies to an axis: its own, else that of its path, else that
-        of the machine.
+        """Return a parameter's value for the axis, else for its path, else for the machine; else
+        None.
 
         An axis of unknown path is taken to be on the first; `either` reports whether that matters.
         """
@@ -156,9 +153,7 @@ class Machine:
         return next((found[owner] for owner in owners if owner in found), None)
 
     def either(self, number: int, axis: int, bit: int | None = None) -> Fault | None:
-        """Return a fault where paths differ in a parameter, or one ``bit`` of it, and the axis'
-        path is unknown.
-        """
+        """Return a fault if a parameter or bit differs between paths and the axis' is unknown."""
         found = self.entries.get(number, {})
         if self.path(axis) is not None or ("A", axis) in found:
             return None
@@ -172,19 +167,21 @@ class Machine:
         )
 
     def bit(self, number: int, bit: int, axis: int) -> bool | None:
-        """Return a bit that applies to an axis. None where no file states it."""
+        """Return a parameter's bit that applies to an axis; None if no file states it."""
         entry = self.entry(number, axis)
         return None if entry is None else entry.bit(bit)
 
     def is_endless(self, axis: int) -> bool | None:
-        """Return whether a rotary axis is endless. None where 1006 does not make it rotary."""
+        """Return whether a rotary axis is endless; None if 1006 does not make the axis rotary."""
         kind = self.entry(1006, axis)
         if kind is None or not kind.bit(0):
             return None
         return not kind.bit(1)
 
     def turn(self, axis: int) -> float:
-        """Return parameter 1260, deg per turn. 0 if it is missing or not a real number."""
+        """Return the travel per turn in parameter 1260, deg; 0 if it is missing or not a real
+        number.
+        """
         entry = self.entry(1260, axis)
         return float(entry.text) if entry is not None and "." in entry.text.rstrip(".") else 0.0
 
@@ -194,9 +191,7 @@ class Machine:
         return next((entry for entry in found if entry is not None), None)
 
     def least_increment(self, axis: int) -> float | None:
-        """Return the least increment, 0.001 for IS-B. None where no file states it in a known
-        way.
-        """
+        """Return the least increment (0.001 for IS-B); None if not stated in a known form."""
         system = self.system(axis)
         if system is None or not system.is_bits:
             return None
@@ -204,8 +199,8 @@ class Machine:
         return None if place is None else 10.0**-place
 
     def detection_unit(self, axis: int, *, rotary: bool) -> float | None:
-        """Return mm or deg per detection unit. None where the files do not state it in a known
-        way.
+        """Return the detection unit of an axis, mm or deg; None if the files do not state it
+        clearly.
         """
         coded, kind = self.entry(1820, axis), self.entry(1006, axis)
         least = self.least_increment(axis)
@@ -219,8 +214,7 @@ class Machine:
         return least * (0.1 * MILLIMETRES_PER_INCH if inch else 1.0) / multiplier
 
     def named(self, owner: Owner, number: int) -> tuple[int, ...]:
-        """Return the axes that an axis number may mean: counted over the machine, or within its
-        path.
+        """Return the axes that an axis number may mean, which counts by machine or by path.
 
         Empty means any axis: a further path whose axes are unknown.
         """
@@ -235,7 +229,7 @@ class Machine:
 
 
 def read_machine(files: Iterable[ControlFile], series: ControlSeries) -> Machine:
-    """Return the machine settings of all files. Sheets and pitch data contain none."""
+    """Return the parameters in all files, except those in entry sheets and pitch error data."""
     machine = Machine(series)
     for file in files:
         for owner, entry in _values(file, series):
@@ -245,7 +239,7 @@ def read_machine(files: Iterable[ControlFile], series: ControlSeries) -> Machine
 
 @lru_cache(maxsize=KEPT_FILES)
 def _values(file: ControlFile, series: ControlSeries) -> tuple[tuple[Owner, MachineEntry], ...]:
-    """Return the machine settings of one file, in its order."""
+    """Return the parameters in one file, in the order of the file."""
     kept = _KEPT if not series.own else {1001, *series.unknown}
     found: list[tuple[Owner, MachineEntry]] = []
     for match in _ROW.finditer(file.content):

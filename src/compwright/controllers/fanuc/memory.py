@@ -1,4 +1,4 @@
-"""The parameter memory of a FANUC after loading: settings and pitch data of all files, each once.
+"""The parameters and pitch error data of a FANUC after all files are loaded, each value once.
 
 Ranges and types: 16i technical report A-77810E (bidirectional pitch error compensation) and 0i-PB
 parameter manual B-63980EN/01 p. 100 for the meaning of 3620 to 3627; 0i-C parameter manual
@@ -36,7 +36,7 @@ _EIGHT_BITS = re.compile("[01]{8}")
 
 
 class Memory:
-    """Settings and pitch data of all files, with faults and notes.
+    """The parameters and pitch error data in all files, with faults and notes.
 
     A value that is given twice must be the same both times.
     """
@@ -73,13 +73,11 @@ class Memory:
         )
 
     def given(self, number: int, axis: int) -> bool:
-        """Return whether a parameter of an axis is in the files."""
+        """Return whether the files contain a parameter of an axis."""
         return bool(self._settings.get((number, axis, None)))
 
     def setting(self, number: int, axis: int) -> ParameterSetting:
-        """Return the setting of an axis with its file and line for a fault. The setting must
-        exist.
-        """
+        """Return a parameter of an axis that the files contain, with its file and line."""
         return self._settings[number, axis, None][0]
 
     def moves(self, axis: int) -> bool:
@@ -91,9 +89,7 @@ class Memory:
         return bool((self.whole(3623, axis) and low != high) or self.whole(1851, axis))
 
     def whole(self, number: int, axis: int) -> int | None:
-        """Return a whole number. None if it is not in the files, or is invalid (then with a
-        fault).
-        """
+        """Return a parameter as a whole number; None if it is missing or (with a fault) invalid."""
         lowest, highest = self._range(number)
 
         def convert(setting: ParameterSetting) -> int | None:
@@ -118,14 +114,17 @@ class Memory:
         return self._one((number, axis, None), convert)
 
     def whole_if_sound(self, number: int, axis: int) -> int | None:
-        """Return a whole number of an axis. None if it is invalid, without a fault."""
+        """Return an axis' parameter as a whole number; None, without a fault, if invalid."""
         before = len(self.faults)
         value = self.whole(number, axis)
         del self.faults[before:]
         return value
 
     def bit(self, number: int, bit: int, axis: int | None) -> bool | None:
-        """Return a bit. None when it is not in the files. ``axis`` None: a parameter of no axis."""
+        """Return a bit of a parameter; None if it is not in the files.
+
+        ``axis`` None: a parameter of no axis.
+        """
         return self._one((number, axis, bit), lambda setting: setting.text == "1")
 
     def length(self, number: int, axis: int, *, rotary: bool) -> float | None:
@@ -135,9 +134,7 @@ class Memory:
         return self._one((number, axis, None), lambda setting: self._length(setting, rotary=rotary))
 
     def entry_length(self, entry: MachineEntry, axis: int, *, rotary: bool) -> float | None:
-        """Return a length from the machine settings, mm or deg. Faults are handled as in
-        `length`.
-        """
+        """Return a parameter as a length in mm or deg; None, with a fault, if it is invalid."""
         setting = ParameterSetting(
             entry.number, axis, None, entry.letter, entry.text, entry.file, entry.line
         )
@@ -212,7 +209,9 @@ class Memory:
         key: tuple[int, int | None, int | None],
         convert: Callable[[ParameterSetting], Value | None],
     ) -> Value | None:
-        """Return the common value of all settings with ``key``. A different value is a fault."""
+        """Return the value that all settings with ``key`` have in common; a different one is a
+        fault.
+        """
         first: Value | None = None
         settings = self._settings.get(key, [])
         for setting in settings:
@@ -229,7 +228,7 @@ class Memory:
         return first
 
     def _keep(self, setting: ParameterSetting) -> None:
-        """Store a setting under its number, axis and bit."""
+        """Store a parameter value by its number, axis and bit."""
         number = setting.number
         if number in _BY_AXIS and setting.axis is None:
             self.faults.append(
@@ -267,7 +266,7 @@ class Memory:
             )
 
     def _keep_points(self, records: list[PointRecord]) -> None:
-        """Store the pitch data of one file.
+        """Store the pitch error data of one file.
 
         Records without Q in a file with parameters count only where no others do and they fill a
         whole range.
@@ -280,9 +279,7 @@ class Memory:
             self._keep_point(record)
 
     def _ranges(self) -> list[range]:
-        """Return the ranges of point numbers (3621 to 3622) of all axes, where they are
-        readable.
-        """
+        """Return the range of point numbers (3621 to 3622) of each axis, if both can be read."""
         texts = {
             axis: [
                 self._settings[number, axis, None][0].text

@@ -16,7 +16,7 @@ OPTIONAL_FUNCTIONS = ("inclination", "cyclic", "straightness")
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Options:
-    """Options of one axis. ``detection_unit``: mm or deg per detection unit, None if unknown.
+    """The options of one axis, such as its detection unit (mm or deg; None if unknown).
 
     ``ramp``: the pulses of a section are spread evenly over it, instead of output in its middle.
     ``pitch_sign``, ``offset_sign``: +1 or -1, of the pitch data and of 3627 (no manual page
@@ -40,9 +40,7 @@ class Options:
 def read_options(
     given: Mapping[str, object], series: ControlSeries, address: str, faults: list[Fault]
 ) -> Options:
-    """Return the options of an axis. An invalid one is added to ``faults`` and replaced by its
-    default.
-    """
+    """Return the options of an axis; an invalid option becomes a fault and takes its default."""
 
     def choice(name: str, choices: tuple[str, ...]) -> str:
         value = given.get(name, choices[0])

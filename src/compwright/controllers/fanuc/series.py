@@ -26,8 +26,9 @@ _COMMON = frozenset({1001, 1851, 1852})
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)  # one object for each series
 class ControlSeries:
-    """One family of FANUC controls. ``whole_lengths``: 3624 without a point counts least input
-    increments (16i and older).
+    """A family of FANUC controls with its limits, number formats and parameter numbers.
+
+    ``whole_lengths``: 3624 without a point counts least input increments (16i and older).
 
     ``systems``: parameters that state the increment system, the first one given counts.
     ``switched_by``: parameter whose bit 0 switches the pitch data off. ``own``: number in the files
@@ -45,7 +46,7 @@ class ControlSeries:
     unknown: range = range(0)
 
     def number_here(self, number: int) -> int | None:
-        """Return the number that this series uses for a parameter of the files.
+        """Return the standard number of a parameter that has another number on this series.
 
         None for a number that means something else on this series.
         """
@@ -54,7 +55,7 @@ class ControlSeries:
         return self.own.get(number)
 
     def with_own_numbers(self, text: str) -> str:
-        """Return a sentence with the parameters that this control has."""
+        """Return a sentence with its parameter numbers replaced by those of this series."""
         if not self.own:
             return text
         back = {str(known): str(number) for number, known in self.own.items()}

@@ -91,7 +91,7 @@ class _Sheet:
         self.headed = False
 
     def comment(self, line: str, number: int) -> None:
-        """Read a comment ``# key: value``. Other comments are ignored."""
+        """Read a comment line such as ``# key: value``; other comments are ignored."""
         match = _COMMENT.match(line)
         if match is None:
             return

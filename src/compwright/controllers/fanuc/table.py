@@ -1,4 +1,4 @@
-"""The total FANUC pitch error compensation by position, in whole detection units.
+"""The pitch error compensation of a FANUC by position, as totals in whole detection units.
 
 Stated from the manuals, independently of the definition that writes the files:
 
@@ -22,8 +22,9 @@ from compwright.records.axis import FloatArray
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class IncrementGrid:
-    """The grid of parameters 3605#0 and 3620 to 3627. ``interval``, ``turn``: mm or deg;
-    ``offset``: detection units.
+    """The table parameters 3605#0 and 3620 to 3627: point numbers, interval, turn.
+
+    ``interval``, ``turn``: mm or deg; ``offset``: detection units.
 
     ``negative_from``: 3626 with bidirectional data, else None. ``turn``: of an endless axis, else
     None.
@@ -40,8 +41,8 @@ class IncrementGrid:
     offset: int = 0
 
     def starts(self) -> tuple[int, ...]:
-        """Return the first point number of each set: for travel towards +, then for travel towards
-        - if that has its own.
+        """Return the first point number of the set, and of the second set for travel towards - if
+        any.
         """
         return (self.lowest,) if self.negative_from is None else (self.lowest, self.negative_from)
 
@@ -58,7 +59,7 @@ class IncrementGrid:
 
 @dataclass(frozen=True, slots=True)
 class PitchTable:
-    """Total corrections (k,) in detection units for each direction.
+    """The total corrections (k,) of a pitch error table in each direction, in detection units.
 
     At ``(first + i) * interval`` from the reference (mm or deg), i = 0..k-1.
 
@@ -72,15 +73,13 @@ class PitchTable:
     negative: FloatArray
 
     def positions(self) -> FloatArray:
-        """Return the nodes (k,) relative to the reference, ascending."""
+        """Return the positions (k,) of the section ends relative to the reference, ascending."""
         return np.asarray(
             self.interval * np.arange(self.first, self.first + self.positive.size), dtype=np.float64
         )
 
     def pulses(self, positions: FloatArray, *, positive: bool, ramp: bool) -> FloatArray:
-        """Return the total in detection units at ``positions`` (any shape, mm or deg from the
-        reference).
-        """
+        """Return the total in detection units at ``positions`` (mm or deg from reference)."""
         totals = self.positive if positive else self.negative
         x = np.asarray(positions, dtype=np.float64)
         if self.turn is not None:

@@ -1,4 +1,4 @@
-"""Blocks of FANUC text files as the control would read them: parameters, pitch error data, or both.
+"""Read the blocks of FANUC text files as the control does: parameters and pitch error data.
 
 A second, small reader on purpose: it shares nothing with the room that writes these files. Sources
 of the text form:
@@ -56,7 +56,9 @@ KEPT_FILES = 64
 
 @dataclass(frozen=True, slots=True)
 class ParameterSetting(OfLine):
-    """One value of a parameter. ``axis``: controlled axis number, None for a parameter of no axis.
+    """One value of a parameter.
+
+    ``axis``: controlled axis number, None for a parameter of no axis.
 
     ``bit``: number of a single bit, None for the whole value. ``keyword``: P, M or I as in a file,
     or the unit of a typed-entry sheet (pulse, mm, deg or nothing).
@@ -72,7 +74,7 @@ class ParameterSetting(OfLine):
 
     @property
     def label(self) -> str:
-        """The parameter number, bit and axis, for messages."""
+        """The parameter number with bit and axis, as text for messages."""
         bit = "" if self.bit is None else f"#{self.bit}"
         return f"parameter {self.number}{bit}" + (
             "" if self.axis is None else f" of axis {self.axis}"
@@ -86,7 +88,9 @@ class ParameterSetting(OfLine):
 
 @dataclass(frozen=True, slots=True)
 class PointRecord(OfLine):
-    """One pitch data record: point number (from 0), increment as written, and its mark (`Mark`)."""
+    """One record of pitch error data: point number from 0, increment as written, and kind of
+    record.
+    """
 
     number: int
     text: str
@@ -102,7 +106,7 @@ class PointRecord(OfLine):
 
 @dataclass(slots=True)
 class TapeContent:
-    """The contents of one file: settings and points in order, remarks, and faults."""
+    """The contents of one file: parameters and points in order, notes, and faults."""
 
     settings: list[ParameterSetting] = field(default_factory=list)
     points: list[PointRecord] = field(default_factory=list)
@@ -112,8 +116,9 @@ class TapeContent:
 
 @lru_cache(maxsize=KEPT_FILES)
 def read_file(file: ControlFile, series: ControlSeries) -> TapeContent:
-    """Return the contents of one file, given as bytes. It is ASCII; lines end with LF, CR LF, LF CR
-    CR or CR.
+    """Return the contents of one ASCII file.
+
+    Lines end with LF, CR LF, LF CR CR or CR.
 
     Parameters get the numbers used here (`ControlSeries.number_here`). Nothing is raised. The
     result is cached by content: do not change it.
@@ -135,12 +140,13 @@ def read_file(file: ControlFile, series: ControlSeries) -> TapeContent:
 
 
 class _Unreadable(Exception):  # noqa: N818  # a signal inside this module
-    """Raised for an unreadable block. Its text states what was expected."""
+    """Raised for a block that cannot be read; its text states what was expected."""
 
 
 class _TapeReader:
-    """Reads a file line by line. ``marks``: the number of ``%`` so far; odd ones open a tape
-    section, even ones close it.
+    """Reads a file line by line.
+
+    ``marks``: the number of ``%`` so far; odd ones open a tape section, even ones close it.
     """
 
     def __init__(self, file: str, series: ControlSeries) -> None:
@@ -158,7 +164,7 @@ class _TapeReader:
         self.above = False
 
     def take(self, raw: str, number: int) -> None:
-        """Read one line of the parameter or pitch data file."""
+        """Read one line of a file with parameters or pitch error data."""
         self.lines = number
         line = _COMMENT.sub(" ", raw).strip()
         if line.startswith("%"):
@@ -188,7 +194,8 @@ class _TapeReader:
                 self._wrong(number, raw, "the block cannot be read", str(error))
 
     def finish(self, *, ends_with_break: bool) -> None:
-        """Report what is missing in the file as a whole, and classify its records without Q.
+        """Add faults for what the whole file lacks, and decide whether records without Q are
+        points.
 
         These are parameters if other parameters occur among them.
         """
@@ -271,8 +278,8 @@ class _TapeReader:
             self._parameter(known or number, words, line)
 
     def _parameter(self, number: int, words: list[tuple[str, str]], line: int) -> None:
-        """Read ``[Q1] (L1 | A<axis> | S<spindle>) P<value> ...``. Skip groups of spindles and the
-        second path.
+        """Read ``[Q1] (L1 | A<axis> | S<spindle>) P<value> ...``, without spindles and the second
+        path.
         """
         if words and words[0][0] == "Q":
             if words[0][1] != "1":
@@ -343,7 +350,7 @@ class _TapeReader:
 
 
 def _words(rest: str) -> list[tuple[str, str]] | None:
-    """Return the words (letter, number) of a block after its N-number. None for any other text."""
+    """Return the words (letter, number) of a block after its N number; None for other text."""
     words = []
     position = 0
     rest = rest.rstrip()
@@ -357,7 +364,7 @@ def _words(rest: str) -> list[tuple[str, str]] | None:
 
 
 def _axis_number(text: str) -> int:
-    """Return a controlled axis number, 1 to 99."""
+    """Return the controlled axis number, from 1 to 99, that a text states."""
     if not re.fullmatch("0?[1-9]|[1-9][0-9]", text):
         raise _Unreadable("a controlled axis number from 1")
     return int(text)

@@ -1,1 +1,1 @@
-"""The HEIDENHAIN virtual control: what a HEIDENHAIN does with given files."""
+"""The HEIDENHAIN virtual control: reads its files and returns the active correction."""

@@ -57,8 +57,8 @@ class HeidenhainControl:
         return tuple(self.axes)
 
     def nodes(self, address: str) -> FloatArray:
-        """Return the positions (k,) of the axis' own table, active or not; mm or deg; empty without
-        one.
+        """Return the positions (k,) of the axis' own table, active or not, mm or deg; empty if
+        none.
         """
         table = self._axis(address).table
         return np.empty(0) if table is None else table.nodes()
@@ -72,7 +72,7 @@ class HeidenhainControl:
         return self._axis(address).correction(np.asarray(positions, dtype=np.float64), direction)
 
     def cross(self) -> tuple[tuple[str, str], ...]:
-        """Return (moving axis, corrected axis) of the tables that correct another axis."""
+        """Return (moving axis, corrected axis) of each table column that corrects another axis."""
         return tuple(self.crossed)
 
     def cross_correction(
@@ -113,7 +113,7 @@ class HeidenhainControl:
 def heidenhain_control(
     files: Sequence[ControlFile], request: Request, *, generation: Generation
 ) -> HeidenhainControl:
-    """Return a control of one generation with its files loaded, in any order.
+    """Return a control of one generation with its files loaded; their order does not matter.
 
     Entry sheets, .COM, .CMA and, for an iTNC 530, lines of machine parameters.
 

@@ -1,4 +1,4 @@
-"""The column description in an NCK table, between its first line and its column headings.
+"""The description of a table's columns in NCK controls, between first line and column headings.
 
 Two forms occur in public tables of these controls (none of them a .COM): ``#STRUCTBEGIN`` to
 ``#STRUCTEND`` with lines ``NAME =`` and ``WIDTH =``, and ``TableDescription (`` up to the bracket
@@ -25,8 +25,9 @@ _STRUCT = re.compile(r"\s*(NAME|WIDTH)\s*=\s*(\S+)\s*", re.IGNORECASE)
 
 @dataclass(slots=True)
 class ColumnWidths:
-    """The described width of each column in characters, in order. ``first``: the column with the
-    row numbers.
+    """The widths (characters) of a table's columns as its head describes them.
+
+    ``first``: the column with the row numbers.
     """
 
     widths: dict[str, int] = field(default_factory=dict)
@@ -49,7 +50,7 @@ class ColumnWidths:
 
 
 def described(lines: Sequence[Line]) -> tuple[ColumnWidths, list[Line]]:
-    """Return the column description of a table, and its other lines.
+    """Return the description of a table's columns, and the remaining lines of the table.
 
     Raises InputError for a description without its end, and for a column with its own unit inch.
     """

@@ -1,5 +1,4 @@
-"""Elements of HEIDENHAIN files: numbers, places, parameters, and the differences between the two
-generations.
+"""Elements of HEIDENHAIN files: numbers, lines, parameters, differences between generations.
 
 Lines of machine parameters of an iTNC 530: ``MP710.0 : 0.0040`` (index = axis number from 0) and
 ``MP730 : %00011``.
@@ -29,7 +28,7 @@ MOST_AXES = 18
 
 
 class Quantity(Enum):
-    """The meaning of a machine parameter of an axis."""
+    """What a machine parameter of an axis means: backlash, linear error or table selection."""
 
     BACKLASH = "backlash"
     LINEAR = "linear error"
@@ -38,7 +37,9 @@ class Quantity(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Generation:
-    """One of the two generations of HEIDENHAIN controls.
+    """The rules of one generation of HEIDENHAIN controls, iTNC 530 or NCK.
+
+    Parameter names, limits, and how axes are named.
 
     ``parameters``: name -> quantity; ``largest``: limit of backlash and linear error, both signs;
     ``numbers``: axes by the given axis number, from 1.
@@ -52,7 +53,8 @@ class Generation:
     numbers: Mapping[int, str] = field(default_factory=dict)
 
     def axis(self, number: int) -> str:
-        """Return the axis of a column number, from 1: as given, else in the fixed order of letters.
+        """Return the axis with a number (from 1): as the job states it, else in the order of
+        letters.
 
         The number itself where no letter is fixed, or the letter was given another number.
         """
@@ -61,7 +63,7 @@ class Generation:
         return self.numbers.get(number, free)
 
     def address(self, text: str) -> str:
-        """Return an axis name in a standard form for comparison."""
+        """Return an axis name in the spelling that is used for comparison."""
         return text.upper() if self.ignores_case else text
 
     def parameter(self, quantity: Quantity) -> str:
@@ -92,19 +94,19 @@ NCK = Generation(
 
 @dataclass(frozen=True, slots=True)
 class LinePlace(OfLine):
-    """A line of a file."""
+    """The file and line number of a line."""
 
     file: str
     line: int
 
     def __str__(self) -> str:
-        """Return file and line as text."""
+        """Return the file and line number as text."""
         return f"{self.file}, line {self.line}"
 
 
 @dataclass(frozen=True, slots=True)
 class Parameter:
-    """A parameter of one axis: backlash in mm or deg, linear error in mm/m, or a switch (0 or 1).
+    """A parameter of an axis: backlash (mm or deg), linear error (mm/m), or on/off (1 or 0).
 
     ``unit`` is empty where the file names none.
     """
@@ -117,7 +119,7 @@ class Parameter:
 
 
 def number(text: str) -> float | None:
-    """Return a decimal number with a point and without exponent, None for anything else."""
+    """Return the decimal number in a text without exponent; None for anything else."""
     return float(text) if _NUMBER.fullmatch(text) else None
 
 
@@ -127,7 +129,7 @@ def lines_of(text: str) -> list[str]:
 
 
 def binary_fault(file: str, content: bytes) -> Fault | None:
-    """Return the fault of a file that is no text."""
+    """Return the fault of a file that is binary and not text."""
     if b"\x00" not in content:
         return None
     return Fault(
@@ -149,7 +151,7 @@ _DECIMAL = re.compile("[0-9]{1,6}")
 
 @dataclass(slots=True)
 class ParameterLines:
-    """Parameters in their order, other lines (``stray``), and faults."""
+    """The parameters read from lines in order, other lines (``stray``), and faults."""
 
     parameters: list[Parameter] = field(default_factory=list)
     stray: list[tuple[LinePlace, str]] = field(default_factory=list)
@@ -159,9 +161,7 @@ class ParameterLines:
 def read_parameters(
     lines: Sequence[tuple[LinePlace, str]], generation: Generation
 ) -> ParameterLines:
-    """Read MP710, MP720 and MP730 of the axes that ``generation`` numbers. Other parameters and
-    comments are skipped.
-    """
+    """Read the lines with MP710, MP720 and MP730; other parameters and comments are skipped."""
     found = ParameterLines()
     for place, line in lines:
         code = line.split(";", 1)[0].strip()
@@ -203,7 +203,7 @@ def _read(code: str, place: LinePlace, found: ParameterLines, generation: Genera
 def _mask(
     text: str, place: LinePlace, found: ParameterLines, generation: Generation
 ) -> list[Parameter]:
-    """Return the bits of MP730, bit 0 for the first axis.
+    """Return MP730, a bit mask, as one on/off parameter per axis; bit 0 is the first axis.
 
     All digits of ``%00011``, all axes of a decimal number.
     """

@@ -28,8 +28,9 @@ _MOST_COLUMNS = 64
 
 @dataclass(frozen=True, slots=True)
 class TableBlock:
-    """The lines of a table between BEGIN and its end line. ``rest``: the text after the unit in the
-    BEGIN line.
+    """The lines of a table from BEGIN to its end line.
+
+    ``rest``: the text after the unit in the BEGIN line.
     """
 
     name: str
@@ -42,9 +43,7 @@ class TableBlock:
 
 @dataclass(frozen=True, slots=True)
 class CellGrid:
-    """The cells of a table by column name, None where blank. The column NR is checked and
-    removed.
-    """
+    """The cells of a table by column name (None: blank), without the column of row numbers."""
 
     names: tuple[str, ...]
     rows: tuple[tuple[str | None, ...], ...]
@@ -59,7 +58,7 @@ class CellGrid:
 def split_tables(
     lines: list[tuple[LinePlace, str]], faults: list[Fault]
 ) -> tuple[list[TableBlock], list[tuple[LinePlace, str]]]:
-    """Split the lines into tables and other text. Faults are added to ``faults``."""
+    """Split the lines of a file into tables and other lines; errors are added to ``faults``."""
     blocks: list[TableBlock] = []
     outside: list[tuple[LinePlace, str]] = []
     opened: TableBlock | None = None
@@ -131,7 +130,7 @@ def _opened(line: str, place: LinePlace, faults: list[Fault]) -> TableBlock | No
 
 
 def read_grid(block: TableBlock) -> CellGrid:
-    """Return the cells of a table. Raises InputError with every row whose columns are ambiguous."""
+    """Return the cells of a table. Raises InputError with each row whose columns are unclear."""
     description, lines = described(block.lines)
     filled = [(place, line) for place, line in lines if line.strip()]
     heading = (
@@ -175,7 +174,7 @@ def _row(
     wanted: int,
     starts: Sequence[int] | None,
 ) -> tuple[str | None, ...] | Fault:
-    """Return the cells of a row without its number. A text states what is wrong with the row.
+    """Return the cells of a row without its row number, or the fault that the row has.
 
     Where the table's description says so, a cell reaches from its column's first character (one of
     ``starts``) to the next one's. Else, with every cell filled, the blanks separate the columns;
@@ -210,7 +209,7 @@ def _row(
 def numbers(
     cells: Sequence[str | None], places: Sequence[LinePlace], label: str, faults: list[Fault]
 ) -> FloatArray:
-    """Return the numbers of a column, NaN where blank. Any other text is a fault."""
+    """Return a column as numbers, NaN where it is blank; any other text is a fault."""
     values = np.full(len(cells), np.nan)
     for index, (cell, place) in enumerate(zip(cells, places, strict=True)):
         parsed = None if cell is None else number(cell)

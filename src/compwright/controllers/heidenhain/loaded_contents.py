@@ -1,4 +1,4 @@
-"""The contents of HEIDENHAIN files, and which table is active for which axis.
+"""The contents of HEIDENHAIN files, and which table is active for the motion of which axis.
 
 And of the request, with the assumptions, notes and faults that the parts of the loader add.
 
@@ -36,9 +36,7 @@ class LoadedContents:
     faults: list[Fault] = field(default_factory=list)
 
     def kind(self, address: str) -> AxisKind:
-        """Return whether an axis is linear or rotary: as requested, else by its sheet, its turn, or
-        its letter.
-        """
+        """Return whether an axis is linear or rotary: by request, sheet, turn, or letter."""
         requested = by_address(self.request.kinds, address)
         by_unit = next(
             (sheet for sheet in self.sheets if sheet.address == address and sheet.kind is not None),
@@ -63,8 +61,9 @@ class LoadedContents:
         return kind
 
     def choice(self, name: str, allowed: tuple[str, str], address: str) -> str:
-        """Return an option of the moving axis. The first of ``allowed`` is the default. Raises
-        UsageError for another value.
+        """Return an option of the moving axis; the first of ``allowed`` is the default.
+
+        Raises UsageError for another value.
         """
         value = self.request.options_of(address).get(name, allowed[0])
         if value not in allowed:
@@ -80,7 +79,7 @@ def filled(com: Com) -> tuple[str, ...]:
 
 
 class AxisAssignment:
-    """Finds the moving axis of every .COM table. Faults and notes are added to ``given``."""
+    """Finds the moving axis of each .COM table; faults and notes are added to ``given``."""
 
     def __init__(self, given: LoadedContents) -> None:
         self.given = given
@@ -138,9 +137,7 @@ class AxisAssignment:
         return found
 
     def _check_keys(self, cma: Cma) -> None:
-        """Check that .COM and .CMA tables of an NCK control have the same axes as columns
-        (CfgAxes/axisList).
-        """
+        """Check that the .COM and .CMA tables of an NCK control have columns for the same axes."""
         if self.given.generation.name == ITNC530.name:
             return
         for com in self.given.coms:
@@ -155,7 +152,7 @@ class AxisAssignment:
             ]
 
     def _named_axis(self, com: Com) -> str | None:
-        """Return the moving axis of a .COM table without a .CMA table.
+        """Return the moving axis of a .COM table by its name, if there is no .CMA table.
 
         Named in its head or its file name, else the option ``axis``.
         """

@@ -1,6 +1,4 @@
-"""Build the axes of a HEIDENHAIN control from its files: tables, parameters, and which of them are
-active.
-"""
+"""Build the axes of a HEIDENHAIN control from the tables and parameters in its files."""
 
 from __future__ import annotations
 
@@ -18,7 +16,7 @@ from compwright.records.correction import Assumption
 
 
 class Loader:
-    """Builds the axes. Assumptions, notes and faults are added to ``given``."""
+    """Builds the axes of a control; assumptions, notes and faults are added to ``given``."""
 
     def __init__(
         self,
@@ -50,7 +48,7 @@ class Loader:
         return self.given.faults
 
     def axes(self) -> dict[str, HeidenhainAxis]:
-        """Return every axis that the files correct, in order of tables, sheets, parameters."""
+        """Return every axis that the files correct, by tables, entry sheets or parameters."""
         spoken: dict[str, None] = {}
         for com, moving in AxisAssignment(self.given).moving_axes():
             spoken.update(dict.fromkeys(filled(com)))
@@ -104,7 +102,7 @@ class Loader:
         )
 
     def _nonlinear(self, address: str, *, tabled: bool) -> bool:
-        """Return whether the tables of an axis are active, instead of its linear error."""
+        """Return whether an axis is corrected by tables and not by its linear error parameter."""
         unsaid = (
             tabled and not self.given.cmas if self.given.generation.name != ITNC530.name else tabled
         )
@@ -132,7 +130,7 @@ class Loader:
         return bit.value == 1.0
 
     def _linear_error(self, address: str, *, nonlinear: bool) -> float:
-        """Return the active linear error, mm/m."""
+        """Return the linear error parameter that is active on the axis, mm/m."""
         given = self._parameter(address, Quantity.LINEAR)
         name = self.given.generation.parameter(Quantity.LINEAR)
         rotary = self.given.kind(address) is AxisKind.ROTARY
@@ -168,9 +166,7 @@ class Loader:
             )
 
     def _parameter(self, address: str, quantity: Quantity) -> Parameter | None:
-        """Return a parameter of an axis. Different repetitions and values out of range are
-        faults.
-        """
+        """Return a parameter of an axis; different values or a value out of range are faults."""
         given = [
             p for p in self.given.parameters if p.address == address and p.quantity is quantity
         ]

@@ -38,7 +38,9 @@ _NO_UNIT = ("", "-", "bit")
 
 @dataclass(frozen=True, slots=True)
 class JudgedSheet:
-    """One entry sheet: ``values`` (k,) in mm or deg at ``nodes`` (k,). k = 0 without points.
+    """An entry sheet of one axis: ``values`` (k,) at ``nodes`` (k,), both in mm or deg.
+
+    k = 0 without points.
 
     ``errors``: the values are errors, else corrections. ``kind``: linear or rotary by the units,
     None where there is no unit.
@@ -61,7 +63,7 @@ def is_sheet(file: ControlFile) -> bool:
 
 
 def read_sheet(file: ControlFile, generation: Generation) -> tuple[JudgedSheet | None, list[Fault]]:
-    """Return the entry sheet, or None and all its faults."""
+    """Return the contents of an entry sheet, None if it has faults, and all its faults."""
     fault = binary_fault(file.name, file.content)
     if fault is not None:
         return None, [fault]
@@ -232,7 +234,9 @@ class _SheetLines:
         self.kind = kind
 
     def sheet(self) -> JudgedSheet | None:
-        """Return the entry sheet. None with a fault if it is empty or contradicts itself."""
+        """Return the entry sheet after its last line; None, with a fault, if it is empty or
+        unclear.
+        """
         before = len(self.faults)
         head = LinePlace(self.file, self.header.line if self.header else 1)
         if self.header is None and not self.faults:

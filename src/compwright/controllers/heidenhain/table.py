@@ -1,5 +1,4 @@
-"""HEIDENHAIN tables: ``.COM`` (correction values) and ``.CMA`` (which .COM is active for which
-axis).
+"""HEIDENHAIN tables: ``.COM`` (correction values), ``.CMA`` (the active .COM table of each axis).
 
 iTNC 530: one row per point, the point k lies at DATUM + k * spacing (TNC 407 technical manual p.
 153, iTNC 530 HSCI p. 655). NCK: the column AXISPOS lists the positions (MANUALplus 620 p. 716).
@@ -42,8 +41,9 @@ _KINEMATICS = {f"C{n}" for n in range(1, 7)}
 
 @dataclass(frozen=True, slots=True)
 class Com:
-    """One .COM table: ``values`` (k, columns) as written, NaN where blank. ``columns``: the
-    corrected axes.
+    """One .COM table: values (k, columns) as written, NaN where blank.
+
+    ``columns``: the corrected axes.
 
     iTNC 530: ``datum`` and ``distance`` as written, ``listed`` is None. NCK: ``listed`` (k,) =
     AXISPOS, ``negative`` (k,) = BACKLASH, None without that column. ``names``: the names by which a
@@ -64,7 +64,7 @@ class Com:
 
 @dataclass(frozen=True, slots=True)
 class Cma:
-    """One .CMA table: for each moving axis the .COM table in the active line.
+    """One .CMA table: the .COM table that its active line names for each moving axis.
 
     Moving axis -> name of its .COM (capitals, no ending); ``axes`` are all its axis columns.
     """
@@ -77,7 +77,7 @@ class Cma:
 
 @dataclass(slots=True)
 class Content:
-    """The contents of one text file, and its faults."""
+    """The tables and parameters in one text file, and its faults."""
 
     coms: list[Com] = field(default_factory=list)
     cmas: list[Cma] = field(default_factory=list)
@@ -87,9 +87,7 @@ class Content:
 
 
 def read_text(file: ControlFile, generation: Generation) -> Content:
-    """Return the tables and parameters of one file, given as bytes (ASCII). Faults are collected,
-    and nothing is raised.
-    """
+    """Return the tables and parameters of one ASCII file, with its faults; nothing is raised."""
     found = Content()
     fault = binary_fault(file.name, file.content)
     if fault is not None:
@@ -118,7 +116,7 @@ def read_text(file: ControlFile, generation: Generation) -> Content:
 def _read_outside(
     lines: list[tuple[LinePlace, str]], generation: Generation, found: Content, *, strict: bool
 ) -> None:
-    """Read the machine parameters in the lines outside of tables.
+    """Read the machine parameters in the lines outside tables.
 
     Any other text is a fault in a file with tables, else a note.
     """
@@ -183,9 +181,7 @@ def _names(block: TableBlock, stem: str | None) -> frozenset[str]:
 
 
 def _values(grid: CellGrid, columns: dict[str, str], faults: list[Fault]) -> FloatArray:
-    """Return an array (rows, columns) of numbers. A used column needs values in its first and last
-    row.
-    """
+    """Return a table as numbers (rows, columns); used columns need a first and a last value."""
     table = np.full((len(grid.rows), len(columns)), np.nan)
     for index, name in enumerate(columns):
         cells = grid.column(name)
@@ -206,9 +202,7 @@ def _by_spacing(
     found: Content,
     faults: list[Fault],
 ) -> Com:
-    """Return the .COM table of an iTNC 530, with DATUM and DIST in its head and columns
-    ``1=F()``.
-    """
+    """Return the .COM table of an iTNC 530, with DATUM and DIST in its first line."""
     head = _head(block, faults)
     columns: dict[str, str] = {}
     for name in grid.names:
@@ -246,7 +240,7 @@ def _by_spacing(
 
 
 def _head(block: TableBlock, faults: list[Fault]) -> dict[str, float]:
-    """Return DATUM and DIST in a BEGIN line."""
+    """Return the first position (DATUM) and the spacing (DIST) in a table's BEGIN line."""
     head: dict[str, float] = {}
     for entry in block.rest.replace(": ", ":").split():
         key, colon, text = entry.partition(":")
@@ -276,9 +270,7 @@ def _head(block: TableBlock, faults: list[Fault]) -> dict[str, float]:
 
 
 def _by_position(block: TableBlock, grid: CellGrid, stem: str | None, faults: list[Fault]) -> Com:
-    """Return the .COM table of an NCK control: AXISPOS, BACKLASH if any, then one column per
-    axis.
-    """
+    """Return the .COM table of an NCK control, with the positions in the column AXISPOS."""
     if block.rest:
         faults.append(
             block.place.fault(
@@ -325,7 +317,7 @@ def _by_position(block: TableBlock, grid: CellGrid, stem: str | None, faults: li
 
 
 def _cma(block: TableBlock, generation: Generation) -> Cma:
-    """Return the active line of a .CMA table.
+    """Return the .CMA table in a block of lines, of which only the active line is read.
 
     NCK: ``*`` in ACTIVE; iTNC 530: the only line, or the one with ``M`` in STATUS or ACTIVE.
     """

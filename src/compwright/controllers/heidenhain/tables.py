@@ -1,4 +1,4 @@
-"""HEIDENHAIN tables and sheets as curves: positions, units, signs, and values outside the table."""
+"""HEIDENHAIN tables and entry sheets as corrections by position, in mm or deg."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ class CorrectionCurve:
 
 @dataclass(frozen=True, slots=True)
 class OwnTable:
-    """The table of an axis over itself: one curve for each approach direction."""
+    """The corrections of an axis by its own position: one curve for each direction of approach."""
 
     positive: CorrectionCurve
     negative: CorrectionCurve
@@ -56,13 +56,15 @@ class OwnTable:
         return (self.positive if direction is Direction.POSITIVE else self.negative).at(positions)
 
     def nodes(self) -> FloatArray:
-        """Return the positions of both curves, ascending."""
+        """Return the positions of the points of both curves, ascending."""
         return np.union1d(self.positive.nodes, self.negative.nodes)
 
 
 @dataclass(frozen=True, slots=True)
 class HeidenhainAxis:
-    """One axis. ``nonlinear``: its tables are active, else its linear error.
+    """The compensation of one axis.
+
+    ``nonlinear``: its tables are active, else its linear error.
 
     Never both (TNC 407 technical manual p. 151).
 
@@ -114,8 +116,7 @@ _SAME_VALUE = 5e-5
 
 
 class OwnTableLoader:
-    """Builds the curves of axes over themselves and between axes. Faults and notes are added to
-    ``given``.
+    """Builds correction curves from tables; faults and notes are added to ``given``.
 
     ``own``: the versions of each axis' own table with their place; ``crossed``: moving and
     corrected axis -> curve.
@@ -127,8 +128,8 @@ class OwnTableLoader:
         self.crossed: dict[tuple[str, str], CorrectionCurve] = {}
 
     def load_com(self, com: Com, moving: str) -> None:
-        """Read the columns of a .COM table with the moving axis ``moving``: its own curves and
-        those of other axes.
+        """Read the columns of a .COM table that follows the axis ``moving``: for it and for other
+        axes.
         """
         nodes = self._nodes(com, moving)
         sign = self._sign(com, moving)
@@ -156,8 +157,8 @@ class OwnTableLoader:
             )
 
     def _nodes(self, com: Com, moving: str) -> FloatArray | None:
-        """Return the positions (k,) of all rows, mm or deg. None with a fault if they are not
-        equally spaced.
+        """Return the positions (k,) of all rows, mm or deg; None, with a fault, if unequally
+        spaced.
         """
         factor = self._length(com, moving)
         if com.listed is not None:
@@ -187,7 +188,7 @@ class OwnTableLoader:
         return np.asarray(nodes, dtype=np.float64)
 
     def _length(self, com: Com, address: str) -> float:
-        """Return mm per unit of a table for a linear axis; angles are always in degrees."""
+        """Return the factor from the length unit of a table to mm; 1 for angles."""
         if not com.inch or self.given.kind(address) is AxisKind.ROTARY:
             return 1.0
         self.given.assumed.append(
@@ -200,7 +201,7 @@ class OwnTableLoader:
         return _MM_PER_INCH
 
     def _sign(self, com: Com, moving: str) -> float:
-        """Return the sign factor from a table value to the correction."""
+        """Return the factor (1 or -1) from a table value to the correction."""
         chosen = self.given.choice("table_values", ("error", "correction"), moving)
         sheet = next(
             (one for one in self.given.sheets if one.address == moving and not one.nodes.size), None
@@ -225,8 +226,9 @@ class OwnTableLoader:
     def _second_curve(
         self, com: Com, moving: str, nodes: FloatArray, sign: float
     ) -> CorrectionCurve | None:
-        """Return the curve for an approach towards - (NCK, column BACKLASH). None if one curve
-        applies to both directions.
+        """Return the curve for approaches towards -; None if one curve applies to both directions.
+
+        It is the column BACKLASH of NCK controls.
         """
         chosen = self.given.choice("backlash_column", ("second_curve", "absent"), moving)
         if com.negative is None or np.all(np.isnan(com.negative)):
@@ -275,9 +277,7 @@ class OwnTableLoader:
         self.own[sheet.address].append((sheet.place, OwnTable(curve, curve)))
 
     def _check_grid(self, sheet: JudgedSheet) -> None:
-        """Check that the positions are equally spaced, because an iTNC 530 accepts only DATUM and a
-        spacing.
-        """
+        """Check that an entry sheet's positions are equally spaced, as an iTNC 530 requires."""
         if self.given.generation.name != ITNC530.name or sheet.nodes.size < 2:
             return
         steps = np.arange(sheet.nodes.size)
@@ -344,7 +344,7 @@ class OwnTableLoader:
         return curve
 
     def one_table(self, address: str) -> OwnTable | None:
-        """Return the axis' own table. A .COM table and an entry sheet for it must agree."""
+        """Return the axis' own table; a .COM table and an entry sheet of the axis must agree."""
         stated = self.own.get(address, [])
         for place, table in stated[1:]:
             first = stated[0][1]

@@ -1,1 +1,1 @@
-"""The ISG virtual control: what an ISG kernel does with given files."""
+"""The ISG virtual control: reads an ISG kernel's files and returns the active correction."""

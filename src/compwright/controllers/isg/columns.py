@@ -25,7 +25,7 @@ Entries = dict[str, dict[int, ListStatement]]
 def table_entries(
     axis: AxisLists, prefix: str, keys: Sequence[str], columns: Sequence[str]
 ) -> Entries:
-    """Return the entries of a section by column and index.
+    """Return the entries of a table in a list by column and index.
 
     Any other entry that is not 0 is refused by name: it may be an active compensation.
     """
@@ -43,7 +43,7 @@ def table_entries(
 def column(
     axis: AxisLists, entries: Mapping[int, ListStatement], count: int, name: str, largest: float
 ) -> FloatArray | None:
-    """Return one column (count,) in the unit of the list.
+    """Return one table column (count,) as numbers in the unit of the list.
 
     None with faults where an entry is missing, not a number, too large, or beyond the last index.
     """
@@ -70,7 +70,7 @@ def column(
 
 
 def largest_value(request: Request, address: str, axis: AxisLists, section: str) -> float:
-    """Return the largest possible table value, by the option ``value_type`` (default SGN32).
+    """Return the largest possible table value by the option ``value_type`` (default: SGN32).
 
     SGN16 and SGN32 hold whole numbers only; others are faults. Raises UsageError for an unknown
     type.
@@ -89,8 +89,7 @@ def largest_value(request: Request, address: str, axis: AxisLists, section: str)
 
 
 def unit_of(axis: AxisLists, name: str, request: Request, addresses: Sequence[str]) -> list[float]:
-    """Return mm or deg per unit of the list for each of ``addresses``. Empty with a fault where the
-    list states no unit.
+    """Return mm or deg per unit of the list for each axis; empty, with a fault, if not stated.
 
     Raises UsageError where the list counts encoder increments and the option ``encoder_increment``
     of an axis is missing, or is not a positive number.
@@ -120,7 +119,7 @@ def _increment(request: Request, address: str, name: str) -> float:
 
 
 def ascending(axis: AxisLists, positions: FloatArray, entries: Mapping[int, ListStatement]) -> None:
-    """Add a fault for the first position that does not ascend."""
+    """Add a fault for the first position that is not above the one before it."""
     steps = np.diff(positions)
     if steps.size and not np.all(steps > 0.0):
         index = int(np.argmax(~(steps > 0.0))) + 1

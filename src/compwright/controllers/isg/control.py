@@ -32,8 +32,9 @@ from compwright.records.correction import Assumption, ControlFile
 
 @dataclass(frozen=True, slots=True)
 class _ListAxis:
-    """One axis of a virtual ISG kernel. ``backlash`` > 0, mm or deg; ``home``: the direction in
-    which it adds nothing.
+    """One axis of a virtual ISG kernel.
+
+    ``backlash`` > 0, mm or deg; ``home``: the direction in which it adds nothing.
     """
 
     table: LeadscrewTable | None
@@ -73,9 +74,7 @@ class IsgControl:
         return total + (0.0 if direction is axis.home else direction.sign * axis.backlash)
 
     def cross(self) -> tuple[tuple[str, str], ...]:
-        """Return (master, slave) of the active cross-axis tables. A table of unknown sign is only
-        in ``notes``.
-        """
+        """Return (master, slave) of the active cross-axis tables whose sign is known."""
         return tuple(self.tables)
 
     def cross_correction(
@@ -148,9 +147,7 @@ def isg_control(files: Sequence[ControlFile], request: Request) -> IsgControl:
 def _loaded(
     axis: AxisLists, request: Request, assumed: list[Assumption], notes: list[str]
 ) -> tuple[_ListAxis, CrossTable | None]:
-    """Return one axis and the table by which another axis corrects it. Faults are stored in
-    ``axis``.
-    """
+    """Return one axis and its cross-axis table; faults are stored in the lists of the axis."""
     _check_type(axis, request)
     table = read_table(axis, request, assumed)
     backlash = read_backlash(axis, table, assumed)

@@ -34,8 +34,8 @@ DEFAULT_ROOM = 1001
 
 @dataclass(frozen=True, slots=True)
 class CrossTable:
-    """A cross-axis table: ``positions`` (k,) of ``master``, ascending; corrections ``values``
-    (k,) of ``slave``; mm or deg.
+    """A cross-axis table: corrections (k,) of ``slave`` by positions (k,) of ``master``, mm,
+    deg.
     """
 
     master: str
@@ -51,7 +51,7 @@ class CrossTable:
 def read_cross(
     axis: AxisLists, request: Request, assumed: list[Assumption], notes: list[str]
 ) -> CrossTable | None:
-    """Return the table by which another axis corrects this one.
+    """Return the table by which the position of another axis corrects this axis.
 
     None without one, with faults (kept in the axis), or if it is not active or its sign is unknown
     (kept in ``notes``).
@@ -86,8 +86,9 @@ def read_cross(
 
 
 def _entries(axis: AxisLists, request: Request) -> tuple[str, FloatArray, FloatArray] | None:
-    """Return the master axis, its positions and the values (k,) in units of the list. None without
-    a valid table.
+    """Return the master axis, its positions and the values (k,), in units of the list.
+
+    None without a valid table.
     """
     if not axis.section(SECTION):
         return None
@@ -121,7 +122,7 @@ def _entries(axis: AxisLists, request: Request) -> tuple[str, FloatArray, FloatA
 
 
 def _master(axis: AxisLists, *, filled: bool) -> str | None:
-    """Return the axis that corrects another one. None without a table, or with a fault."""
+    """Return the axis whose position corrects this one; None without a table, or with a fault."""
     number = axis.whole(SECTION + "master_ax_nr", 0)
     if number is None or number == 0:
         if filled:
@@ -135,7 +136,7 @@ def _master(axis: AxisLists, *, filled: bool) -> str | None:
 
 
 def cross_sign(request: Request, slave: str) -> float | None:
-    """Return the sign of the slave's table values, +1 or -1. None where it is not given.
+    """Return the sign (1 or -1) of the slave's table values; None if the job does not state it.
 
     Raises UsageError when the option ``cross_values`` is neither ``error`` nor ``correction``.
     """
@@ -148,7 +149,7 @@ def cross_sign(request: Request, slave: str) -> float | None:
 def refuse_plane(
     axis: AxisLists, request: Request, assumed: list[Assumption], notes: list[str]
 ) -> None:
-    """Refuse an active table over two axes, because its correction depends on both positions."""
+    """Add a fault for an active table that depends on the positions of two axes."""
     section = axis.section(PLANE)
     if not section.keys() - {"max_points", "manual_activation", "n_cycles"}:
         return
@@ -164,7 +165,7 @@ def refuse_plane(
 
 
 def refuse_others(axis: AxisLists) -> None:
-    """Refuse other kinds of compensation in a list by name, unless all their values are 0."""
+    """Add a fault for any other kind of compensation in a list with values that are not 0."""
     for name, statement in axis.section("kw.").items():
         known = name.startswith(("ssfk.", "crosscomp.", "crosscomp2."))
         if not known and statement.number() != 0.0:

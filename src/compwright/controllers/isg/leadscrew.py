@@ -39,7 +39,7 @@ SIGNS = {"error": -1.0, "correction": 1.0}
 
 @dataclass(frozen=True, slots=True)
 class LeadscrewTable:
-    """A table of corrections by position: for an approach towards + and towards -, mm or deg.
+    """Corrections by position, one curve for each direction of approach, mm or deg.
 
     ``positions`` (k,) ascending; ``positive``, ``negative`` (k,). ``period``: of a table that
     repeats. ``active``: it is switched on.
@@ -65,9 +65,7 @@ class LeadscrewTable:
 def read_table(
     axis: AxisLists, request: Request, assumed: list[Assumption]
 ) -> LeadscrewTable | None:
-    """Return the table of an axis. None without one or with faults, which are stored in the
-    axis.
-    """
+    """Return the leadscrew table of an axis; None without one, or with faults."""
     if not axis.section(SECTION):
         return None
     entries = table_entries(axis, SECTION, _KEYS, _COLUMNS)
@@ -111,7 +109,7 @@ def _required(axis: AxisLists, key: str, why: str) -> bool | None:
 
 
 def _count(axis: AxisLists, entries: Entries) -> int:
-    """Return the number of entries. 0 without a table, or with a fault."""
+    """Return the number of entries of the table; 0 without a table, or with a fault."""
     count = axis.whole(SECTION + "kw_nr_max", 0)
     filled = any(entries.values())
     if count is None:
@@ -170,7 +168,7 @@ def _positions(axis: AxisLists, entries: Entries, count: int) -> FloatArray | No
 
 
 def _required_number(axis: AxisLists, key: str, why: str, lowest: float) -> float | None:
-    """Return a required number between ``lowest`` and the largest. None with a fault."""
+    """Return the number of a required statement, at least ``lowest``; None with a fault."""
     name = SECTION + key
     if name not in axis.statements:
         axis.missing(name, why)
@@ -183,9 +181,7 @@ def _required_number(axis: AxisLists, key: str, why: str, lowest: float) -> floa
 
 
 def _begins(axis: AxisLists, first: float) -> None:
-    """Check that the listed positions and kw_startpos begin at the same position, as in the
-    vendor's example.
-    """
+    """Check that the listed positions begin at kw_startpos, as in the vendor's example."""
     start = axis.number(SECTION + "kw_startpos")
     if start is not None and start != first:
         statement = axis.statements[SECTION + "kw_startpos"]
@@ -236,8 +232,7 @@ def _period(
     negative: FloatArray,
     unit: float,
 ) -> float | None:
-    """Return the turn of a repeating table, mm or deg. Its first and last entry are the same
-    position.
+    """Return the turn of a repeating table, mm or deg, whose first and last entries must agree.
 
     ``positions`` count in ``unit``.
     """
@@ -261,7 +256,7 @@ def _period(
 def switched(
     axis: AxisLists, request: Request, parameter: str, section: str, assumed: list[Assumption]
 ) -> bool:
-    """Return whether a compensation is active, by its switch in the axis parameters.
+    """Return whether a compensation is active, by its parameter in the axis parameter list.
 
     With ``manual_activation`` set, an NC program has to call it.
     """

@@ -44,11 +44,11 @@ class ListStatement(OfLine):
 
     @property
     def shown(self) -> str:
-        """The rest of the line, as written."""
+        """The value of the statement as written, for messages."""
         return repr(self.text)
 
     def number(self) -> float | None:
-        """Return the value as a finite decimal number. None for anything else."""
+        """Return the value as a decimal number; None if it is not a finite number."""
         value = float(self.text) if _NUMBER.fullmatch(self.text) else math.nan
         return value if math.isfinite(value) else None
 
@@ -67,7 +67,7 @@ class AxisLists:
     faults: list[Fault] = field(default_factory=list)
 
     def add(self, statement: ListStatement) -> None:
-        """Add a statement. A second one of the same name must have the same value."""
+        """Add a statement; a second one with the same name must have the same value."""
         known = self.statements.setdefault(statement.name, statement)
         if _value(known) != _value(statement):
             self.faults.append(
@@ -78,8 +78,8 @@ class AxisLists:
             )
 
     def number(self, name: str) -> float | None:
-        """Return a statement's number. None if it is missing, or is not a number (then with a
-        fault).
+        """Return the number that a statement gives; None if it is missing or (with a fault)
+        invalid.
         """
         statement = self.statements.get(name)
         if statement is None:
@@ -90,8 +90,8 @@ class AxisLists:
         return value
 
     def switch(self, name: str) -> bool | None:
-        """Return a statement's 0 or 1. None if it is missing, or anything else (then with a
-        fault).
+        """Return the 0 or 1 that a statement gives; None if it is missing or (with a fault)
+        invalid.
         """
         value = self.number(name)
         if value is not None and value not in (0.0, 1.0):
@@ -100,9 +100,7 @@ class AxisLists:
         return None if value is None else value == 1.0
 
     def whole(self, name: str, lowest: int) -> int | None:
-        """Return a statement's whole number of at least ``lowest``. None if it is missing or
-        invalid.
-        """
+        """Return the whole number, at least ``lowest``, that a statement gives; else None."""
         value = self.number(name)
         if value is not None and (value != int(value) or not lowest <= value < 2**31):
             expected = f"a whole number from {lowest} on"
@@ -115,7 +113,7 @@ class AxisLists:
         self.faults.append(statement.fault(message, expected=expected))
 
     def missing(self, name: str, why: str) -> None:
-        """Add the fault that a statement is missing."""
+        """Add a fault that a required statement is missing, with the reason why it is required."""
         self.faults.append(
             Fault(
                 message=f"axis {self.address}: {why}",
@@ -137,9 +135,7 @@ class AxisLists:
 
 @dataclass(slots=True)
 class ControlLists:
-    """The contents of all lists: axes by logical number, notes, and faults that belong to no single
-    axis.
-    """
+    """The contents of all lists: statements by axis number, notes, and faults of no single axis."""
 
     axes: dict[str, AxisLists] = field(default_factory=dict)
     notes: list[str] = field(default_factory=list)
@@ -147,7 +143,7 @@ class ControlLists:
 
 
 def read_lists(files: Sequence[ControlFile]) -> ControlLists:
-    """Return the statements of all ``files`` by axis. Nothing is raised."""
+    """Return the statements of all ``files`` by axis, with all faults; nothing is raised."""
     lists = ControlLists()
     read = [(file.name, list(_statements(file, lists))) for file in files]
     started = _start_up([statement for _, found in read for statement in found], lists)
@@ -214,7 +210,7 @@ def _statements(file: ControlFile, lists: ControlLists) -> Iterable[ListStatemen
 
 
 def _named(match: re.Match[str]) -> str:
-    """Return a statement's name without blanks, and without leading zeros in its indices."""
+    """Return a statement's name without blanks and without leading zeros in indices."""
     return re.sub(r"\[0*(\d+)\]", r"[\1]", re.sub(r"\s+", "", match.group(1)).lower())
 
 
@@ -224,9 +220,7 @@ def _value(statement: ListStatement) -> float | str:
 
 
 def _start_up(statements: Iterable[ListStatement], lists: ControlLists) -> dict[str, str] | None:
-    """Return the axis of each list that a start-up list loads, by file name. None without a
-    start-up list.
-    """
+    """Return the axis number of each list in the start-up list; None without a start-up list."""
     found: dict[str, ListStatement] = {}
     for one in statements:
         if not one.name.startswith(("achs_kw", "zahl_kw")):
@@ -276,7 +270,7 @@ def _axis_number(statement: ListStatement, lists: ControlLists) -> str | None:
 def _address(
     name: str, found: list[ListStatement], started: dict[str, str] | None, lists: ControlLists
 ) -> str | None:
-    """Return the logical axis number of one list. None, with a fault, where it is unknown."""
+    """Return the axis number of one list; None, with a fault, if it is unknown."""
     headers = [statement for statement in found if statement.name in _HEADERS]
     numbers = [_axis_number(statement, lists) for statement in headers]
     by_start_up = (started or {}).get(name.casefold())
@@ -309,7 +303,7 @@ def _address(
 def _loaded(
     name: str, found: list[ListStatement], started: dict[str, str] | None, lists: ControlLists
 ) -> bool:
-    """Return whether a list is loaded. A start-up list, if given, must name it."""
+    """Return whether the control loads a list: a start-up list, if given, must name it."""
     if started is None or name.casefold() in started:
         return True
     if not any(statement.name.startswith("kw.") for statement in found):

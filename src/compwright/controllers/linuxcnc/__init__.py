@@ -1,1 +1,1 @@
-"""The LinuxCNC virtual control: what LinuxCNC does with given files."""
+"""The LinuxCNC virtual control: reads its files and returns the active correction."""

@@ -1,4 +1,4 @@
-"""LinuxCNC: screw compensation (``COMP_FILE``) and ``BACKLASH`` of each joint.
+"""LinuxCNC virtual control: screw compensation (``COMP_FILE``) and ``BACKLASH`` of each joint.
 
 Stated from the control's source and from runs of LinuxCNC 2.9.0~pre1, independently of the
 definition that writes the files:
@@ -88,7 +88,7 @@ class LinuxCncControl:
         return tuple(self.joints)
 
     def nodes(self, address: str) -> FloatArray:
-        """Return the positions (k,) of the rows that the control really loads, mm or deg."""
+        """Return the positions (k,) of the table rows that the control loads, mm or deg."""
         joint = self._joint(address)
         return np.empty(0) if joint.table is None else joint.table.nominal * joint.unit
 
@@ -103,7 +103,7 @@ class LinuxCncControl:
         return _looked_up(joint.table, x, direction) * joint.unit
 
     def cross(self) -> tuple[tuple[str, str], ...]:
-        """Return an empty tuple, because no table corrects one joint by the position of another."""
+        """Return no axis pairs, because no table corrects one joint by another joint."""
         return ()
 
     def cross_correction(  # the protocol's names
@@ -132,7 +132,7 @@ class LinuxCncControl:
 
 
 def _looked_up(table: CompTable, x: FloatArray, direction: Direction) -> FloatArray:
-    """Return the table's correction at ``x`` (machine units), computed as in the control.
+    """Return the correction at ``x`` (machine units), calculated as the control does.
 
     As in the servo loop: the row below plus its slope times the distance.
     """
@@ -178,9 +178,7 @@ def linuxcnc_control(files: Sequence[ControlFile], request: Request) -> LinuxCnc
 
 
 class _JointLoader:
-    """Builds the joints. It collects assumptions, notes, and faults that prevent the control from
-    starting.
-    """
+    """Builds the joints; collects assumptions, notes, and faults that prevent a start."""
 
     def __init__(
         self, inis: tuple[IniFile, ...], tables: dict[str, bytes], request: Request
@@ -229,8 +227,8 @@ class _JointLoader:
         return not wanted or not number.isdigit() or number in wanted
 
     def _kinematics(self) -> None:
-        """Refuse kinematics that mix joints, because a table corrects a joint but the test measured
-        an axis.
+        """Refuse kinematics in which an axis is moved by several joints, because tables correct
+        joints.
         """
         for ini in self.inis if self.request.reference else ():
             value = ini.find("KINS", "KINEMATICS")
@@ -244,8 +242,8 @@ class _JointLoader:
                 )
 
     def _wrapped(self, numbers: set[int]) -> None:
-        """Refuse a wrapped rotary axis. Its position counts beyond the turn, where the table
-        ends.
+        """Refuse a wrapped rotary axis, whose position counts on beyond the turn that the table
+        covers.
         """
         for ini in self.inis if self.request.reference else ():
             letters = letters_of_joints(ini)
@@ -264,7 +262,7 @@ class _JointLoader:
                     )
 
     def _orphans(self, numbers: set[int]) -> dict[int, str]:
-        """Return the tables that no INI names, by the joint that probably loads them."""
+        """Return tables that no INI file names, by the joint to which they probably belong."""
         named = {
             bare_name(value.text)
             for number in numbers
@@ -299,7 +297,7 @@ class _JointLoader:
         return int(axis) if re.fullmatch("[0-9]{1,3}", axis) and len(self.tables) == 1 else None
 
     def _value(self, number: int, key: str) -> IniValue | None:
-        """Return a joint's key over all INI files. Two different values are a fault."""
+        """Return the value of a joint's key in all INI files; two different values are a fault."""
         found = [
             value for ini in self.inis if (value := ini.find(f"JOINT_{number}", key)) is not None
         ]
@@ -443,8 +441,9 @@ class _JointLoader:
         return _LINEAR_UNITS[str(option)]
 
     def _named_unit(self, key: str, units: dict[str, float]) -> float | None:
-        """Return mm or deg per unit from [TRAJ]. A number there is the machine units per mm or
-        degree.
+        """Return mm or deg per machine unit by a key of the section [TRAJ].
+
+        A number there is the machine units per mm or degree.
         """
         found = [value for ini in self.inis if (value := ini.find("TRAJ", key)) is not None]
         sizes: list[float] = []

@@ -1,4 +1,4 @@
-"""LinuxCNC's INI files, read by the control's own rules.
+"""Read LinuxCNC INI files by the rules of the control.
 
 Only the first section of a name is searched, the first matching key counts, a value runs to the end
 of its line (a remark behind it belongs to the value), a key without a value counts as absent, a
@@ -24,7 +24,7 @@ _JOINT = re.compile(r"\[JOINT_([0-9]{1,3})\]")
 
 @dataclass(frozen=True, slots=True)
 class IniLine:
-    """One logical line, with the file and the line number where it starts."""
+    """One INI line, joined with its continuation lines, with its file and first line number."""
 
     text: str
     file: str
@@ -33,7 +33,7 @@ class IniLine:
 
 @dataclass(frozen=True, slots=True)
 class IniValue:
-    """The text after a key's equals sign."""
+    """The value of an INI key: the text after its equals sign."""
 
     text: str
     line: IniLine
@@ -52,14 +52,14 @@ class IniValue:
 
 @dataclass(frozen=True, slots=True)
 class IniFile:
-    """One INI file with its include files inserted."""
+    """One INI file in which include files are inserted."""
 
     name: str
     lines: tuple[IniLine, ...]
     faults: tuple[Fault, ...]
 
     def find(self, section: str, key: str) -> IniValue | None:
-        """Return the value of a key as the control finds it. None when the control finds none."""
+        """Return the value of a key as the control finds it; None if it finds none."""
         inside = False
         for line in self.lines:
             text = line.text.lstrip(_BLANKS)
@@ -84,9 +84,7 @@ class IniFile:
         return tuple(dict.fromkeys(int(number) for number in found))
 
     def repeated(self) -> tuple[str, ...]:
-        """Return remarks about repeated joint sections, of which the control reads only the
-        first.
-        """
+        """Return notes on repeated joint sections, of which the control reads only the first."""
         seen: set[str] = set()
         remarks = []
         for line in self.lines:
@@ -110,9 +108,7 @@ def _looks_like_ini(file: ControlFile) -> bool:
 
 
 def read_inis(files: Sequence[ControlFile]) -> tuple[tuple[IniFile, ...], frozenset[str]]:
-    """Return the INI files that no other file includes, with their includes inserted, and the names
-    of all files used.
-    """
+    """Return the INI files with their include files inserted, and the names of all files used."""
     by_name = {file.name: file for file in files}
     included: set[str] = set()
     read = [_expanded(file, by_name, included) for file in files if _looks_like_ini(file)]
@@ -153,7 +149,7 @@ def _expanded(file: ControlFile, files: Mapping[str, ControlFile], included: set
 
 
 def _lines(file: ControlFile, faults: list[Fault]) -> list[IniLine]:
-    """Return the logical lines of one file."""
+    """Return the lines of one file, each joined with its continuation lines."""
     found: list[IniLine] = []
     text = file.content.decode("utf-8", "replace")
     carried, started = "", 0
@@ -210,7 +206,7 @@ def joint_number(address: str) -> str:
 
 
 def letters_of_joints(ini: IniFile) -> str:
-    """Return the axis letter of each joint.
+    """Return the axis letter of each joint in one word, such as XYYZ.
 
     Those given to the kinematics; for kinematics other than trivkins the machine's axes, if each
     has one joint; else all letters in order.

@@ -1,5 +1,4 @@
-"""A LinuxCNC compensation file (``COMP_FILE``), loaded as the control does: line by line, stopping
-silently at a bad line.
+"""Load a LinuxCNC compensation file (``COMP_FILE``) as the control does, which ends at a bad line.
 
 The control reads pieces of up to 254 bytes, takes the first three numbers of each the way C's
 ``scanf`` does, and stops at the first piece without three numbers; the rest of the file is never
@@ -40,8 +39,7 @@ _NUMBER = re.compile(
 
 @dataclass(frozen=True, slots=True)
 class CompTable:
-    """The rows as the control stores them: positions in double precision, corrections and slopes in
-    single precision.
+    """The table rows as the control stores them (positions double, corrections single precision).
 
     ``nominal`` (k,); trims (what is added going + and -) and slopes (k,).
 
@@ -101,9 +99,7 @@ def load_table(content: bytes, file: str, comp_type: int) -> CompTable:
 
 
 def _plain(piece: bytes) -> bool:
-    """Return whether a piece is one row of separate numbers. After blanks any text may follow, but
-    no second row.
-    """
+    """Return whether a piece of the file is exactly one row of separate numbers."""
     words = piece.split(maxsplit=3)
     one_row = not any(mark in piece.strip() for mark in (b"\r", b"\x00"))
     return one_row and all(_NUMBER.fullmatch(word) for word in words[:3])
@@ -115,9 +111,7 @@ def _lost(rest: bytes) -> str:
 
 
 def _pieces(content: bytes) -> Iterator[tuple[int, bytes, bytes]]:
-    """Yield (line number, piece, following text), as the function ``fgets`` of the language C cuts
-    the file.
-    """
+    """Yield (line number, piece, following text), cut as the C function ``fgets`` does."""
     start, line = 0, 1
     while start < len(content):
         newline = content.find(b"\n", start, start + LONGEST_PIECE)
@@ -128,9 +122,7 @@ def _pieces(content: bytes) -> Iterator[tuple[int, bytes, bytes]]:
 
 
 def three_numbers(piece: bytes) -> tuple[float, float, float] | None:
-    """Return the three numbers that ``sscanf(piece, "%lf %lf %lf")`` finds at the start. None when
-    there are fewer.
-    """
+    """Return the three numbers that C's ``sscanf("%lf %lf %lf")`` would find; None for fewer."""
     text = piece.split(b"\x00", 1)[0]
     found: list[float] = []
     start = 0
@@ -144,7 +136,7 @@ def three_numbers(piece: bytes) -> tuple[float, float, float] | None:
 
 
 def leading_number(text: str) -> float | None:
-    """Return the number that ``%lf`` of scanf finds at the start of ``text``. None without one."""
+    """Return the number that C's ``%lf`` would find at the start of ``text``; None without one."""
     match = _NUMBER.match(text.encode("utf-8", "replace"))
     return None if match is None else _value(match)
 
@@ -177,9 +169,7 @@ def _power(mark: str, power: bytes | None) -> str:
 
 
 def _stored(rows: list[tuple[float, float, float]], comp_type: int, notes: list[str]) -> CompTable:
-    """Return the rows in the control's own precision: corrections and slopes single, positions
-    double.
-    """
+    """Return the rows rounded to the precision in which the control stores them."""
     columns = np.array(rows, dtype=np.float64).reshape(-1, 3)
     nominal = columns[:, 0].copy()
     with np.errstate(over="ignore", invalid="ignore", divide="ignore", under="ignore"):

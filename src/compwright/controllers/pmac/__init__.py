@@ -1,1 +1,1 @@
-"""The PMAC virtual control: what a PMAC does with given files."""
+"""The PMAC virtual control: executes its scripts and returns the active correction."""

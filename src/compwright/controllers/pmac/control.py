@@ -1,4 +1,4 @@
-"""Delta Tau PMAC and Turbo PMAC: leadscrew and backlash tables, constant backlash.
+"""PMAC and Turbo PMAC virtual control: leadscrew and backlash tables, constant backlash.
 
 Stated from the manuals (PMAC and Turbo PMAC, software reference and user manual), independently of
 the definition that writes the scripts:
@@ -47,8 +47,8 @@ class PmacControl:
         return tuple(str(number) for number in self.motors)
 
     def nodes(self, address: str) -> FloatArray:
-        """Return the positions (k,) of the entries of the motor's own tables, mm or deg. Active or
-        not.
+        """Return the positions (k,) of the entries of a motor's own tables, active or not, mm or
+        deg.
         """
         number, motor = self._motor(address)
         return self._scale(number).nodes(motor.tables) if motor.tables else np.empty(0)
@@ -66,7 +66,7 @@ class PmacControl:
         return motor.added(scale.motor(x), negative=negative) / scale.counts
 
     def cross(self) -> tuple[tuple[str, str], ...]:
-        """Return (source, target) of the active tables of one motor over another."""
+        """Return (source motor, target motor) of the active tables between two motors."""
         return tuple((str(source), str(target)) for source, target in self.tables)
 
     def cross_correction(
@@ -76,8 +76,10 @@ class PmacControl:
         positions: FloatArray,
         direction: Direction,  # noqa: ARG002
     ) -> FloatArray:
-        """Return the correction added to ``output`` with ``input`` at ``positions`` (any shape), mm
-        or deg. It is the same in both directions.
+        """Return the correction of ``output`` with ``input`` at ``positions`` (any shape), mm or
+        deg.
+
+        It is the same in both directions.
         """
         pair = next(
             (one for one in self.tables if (str(one[0]), str(one[1])) == (input, output)), None
@@ -144,7 +146,7 @@ def pmac_control(files: Sequence[ControlFile], request: Request) -> PmacControl:
 
 
 def _not_sent(card: Card, request: Request) -> list[Fault]:
-    """Return the commands for motors of the job that may not have been sent to the card.
+    """Return a fault for each command on the job's motors that may not have been sent to the card.
 
     If all were sent: those that cannot have been sent together.
     """
@@ -162,7 +164,7 @@ def _not_sent(card: Card, request: Request) -> list[Fault]:
 
 
 def _raised_or_noted(card: Card, judged: Judged, request: Request) -> list[str]:
-    """Raise the faults of motors of the job. Return the other faults as notes."""
+    """Raise the faults of motors of the job, and return those of other motors as notes."""
     faults = [
         fault for number, fault in judged.faults if not number or request.is_under_work(str(number))
     ]
@@ -177,7 +179,7 @@ def _scales(
     assumed: list[Assumption],
     card: Card,
 ) -> dict[int, MotorScale]:
-    """Return the counts per unit of each motor. None is possible for a motor outside the job."""
+    """Return the encoder counts per axis unit of each motor; without them outside the job None."""
     wanted = {number for number in numbers if request.is_under_work(str(number))}
     wanted |= {source for source, target in crossing if target in wanted}
     scales = {}
@@ -196,7 +198,7 @@ def _scales(
 
 
 def _agrees(number: int, counts: float, card: Card) -> None:
-    """Raise InputError where an axis definition states different counts per unit.
+    """Raise InputError if a script's axis definition states different counts per unit.
 
     1 means that the axis counts in counts, and an axis may count in inches.
     """

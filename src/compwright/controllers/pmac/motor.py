@@ -34,7 +34,7 @@ PER_COUNT = 16.0
 
 @dataclass(frozen=True, slots=True)
 class MotorScale:
-    """The scale of a motor: ``counts`` per mm or deg, negative where it counts against the axis.
+    """The encoder counts of a motor per mm or deg of its axis, negative if it counts against it.
 
     ``zero``: machine coordinate of motor zero, mm or deg.
     """
@@ -43,12 +43,13 @@ class MotorScale:
     zero: float
 
     def motor(self, x: FloatArray) -> FloatArray:
-        """Return motor positions (counts) from machine coordinates (mm or deg, any shape)."""
+        """Return motor positions (counts) for machine coordinates ``x`` (mm or deg, any shape)."""
         return (x - self.zero) * self.counts
 
     def nodes(self, tables: Sequence[CardTable]) -> FloatArray:
-        """Return the machine coordinates of all entries of ``tables`` and of motor zero, ascending,
-        over one length of each.
+        """Return the machine coordinates of all entries of ``tables`` and of motor zero, ascending.
+
+        Over one length of each table.
         """
         places = [
             table.length * np.arange(table.announced + 1) / table.announced for table in tables
@@ -73,7 +74,7 @@ class Motor:
 
     @property
     def tables(self) -> tuple[CardTable, ...]:
-        """All tables over the motor itself, active or not."""
+        """All tables by the motor's own position, active or not."""
         return (*self.own, *(() if self.varying is None else (self.varying,)))
 
     @property
@@ -82,7 +83,7 @@ class Motor:
         return not self.tables and not (self.constant and self.backlash_active)
 
     def added(self, position: FloatArray, *, negative: bool) -> FloatArray:
-        """Return the correction (counts) at ``position`` (counts, any shape).
+        """Return the correction (counts) at the motor position ``position`` (counts, any shape).
 
         ``negative``: the motor was last commanded in negative direction.
         """
@@ -97,16 +98,14 @@ class Motor:
 
 
 def looked_up(table: CardTable, position: FloatArray) -> FloatArray:
-    """Return a table's value (counts of its target) at ``position`` of its source (counts)."""
+    """Return a table's value (target counts) at ``position`` of its source motor (counts)."""
     nodes = table.length * np.arange(table.announced + 1) / table.announced
     values = np.array([0, *table.entries], dtype=np.float64) / PER_COUNT
     return np.asarray(np.interp(np.mod(position, table.length), nodes, values), dtype=np.float64)
 
 
 class Judged:
-    """Reads the active compensation of each PMAC motor. It collects assumptions and faults by
-    motor.
-    """
+    """Reads the active compensation of each motor; collects assumptions and faults by motor."""
 
     def __init__(self, card: Card, request: Request, assumed: list[Assumption]) -> None:
         self.card = card
@@ -122,7 +121,7 @@ class Judged:
         return {number: self._motor(number) for number in sorted(numbers)}
 
     def crossing(self) -> dict[tuple[int, int], list[CardTable]]:
-        """Return the tables of one motor over another, by (source, target)."""
+        """Return the tables between two motors, by (source motor, target motor)."""
         found: dict[tuple[int, int], list[CardTable]] = {}
         for table in self.card.tables.values():
             if table.kind == "COMP" and not table.plane and table.source != table.target:
@@ -131,7 +130,7 @@ class Judged:
         return found
 
     def _enabled(self) -> bool:
-        """Return whether the variable I51 is finally 1. If no script sets it, tables count as
+        """Return whether the last value of the variable I51 is 1; if none is set, tables are
         active.
         """
         setting = self.card.variables.get(ENABLE)
@@ -169,7 +168,7 @@ class Judged:
         return Motor(tuple(own), varying, size, self.enabled, backlash)
 
     def _closed(self, table: CardTable) -> None:
-        """Check the last entry. It is also motor zero, where the correction is 0 by definition."""
+        """Check that the last entry of a table, which is at motor zero, is 0."""
         if table.entries and table.entries[-1] != 0:
             message = (
                 f"the last entry of DEFINE {table.kind} of motor {table.motor} is the place of"
@@ -197,7 +196,7 @@ class Judged:
             self.faults.append((table.target, fault))
 
     def _register(self, number: int) -> float | None:
-        """Return a backlash variable. None if no script sets it, or with a fault."""
+        """Return the value of a backlash variable; None if no script sets it, or with a fault."""
         setting = self.card.variables.get(number)
         if setting is None:
             return None
@@ -208,7 +207,7 @@ class Judged:
         return value
 
     def _size(self, number: int, varying: CardTable | None, *, has_table: bool) -> float:
-        """Return the backlash at motor zero (Ixx86, 1/16 count)."""
+        """Return the constant backlash of a motor (variable Ixx86, 1/16 count)."""
         name = 100 * number + SIZE
         value = self._register(name)
         if value is None and name not in self.card.variables:
@@ -219,7 +218,7 @@ class Judged:
         return value or 0.0
 
     def _taken_up(self, number: int, varying: CardTable | None) -> bool:
-        """Return whether the take-up rate makes backlash compensation active."""
+        """Return whether backlash compensation is active, because its take-up rate is not 0."""
         name = 100 * number + TAKE_UP
         value = self._register(name)
         if value is None and name not in self.card.variables and self.request.active is None:

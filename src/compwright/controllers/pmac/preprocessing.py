@@ -1,5 +1,4 @@
-"""Preprocess a script for the virtual card: remove remarks, expand macros, and mark lines in
-conditional blocks.
+"""Preprocess a script for the virtual control: remove comments, expand macros, mark conditions.
 
 Independent of the room that writes scripts: Python's own grammar evaluates expressions.
 """
@@ -36,7 +35,7 @@ Block = tuple[int, int, tuple[bool, str, int], bool]
 
 
 def apart(here: Sequence[Block], there: Sequence[Block]) -> bool:
-    """Return whether two places in these blocks exclude each other."""
+    """Return whether two places cannot both be sent, because their conditional blocks differ."""
     return any(
         branch != its if begun == other else queried == question and answered is not answer
         for begun, branch, queried, answered in here
@@ -46,7 +45,7 @@ def apart(here: Sequence[Block], there: Sequence[Block]) -> bool:
 
 @dataclass(slots=True)
 class Preprocessor:
-    """The state of the preprocessor: macros and open conditional blocks.
+    """The macros and the open conditional blocks at a line of a script.
 
     ``macros``: name -> text; ``uncertain``: those that a block has defined or removed; ``blocks``:
     the line and the branch of every block that is open, with its question and the answer for which
@@ -65,7 +64,7 @@ class Preprocessor:
     in_guards: set[str] = field(default_factory=set)
 
     def takes(self, line: str, number: int) -> str | None:
-        """Process a line for the sending program. Return its fault, or an empty text.
+        """Process a preprocessor line; return its fault or an empty text, None for a command line.
 
         None if the line is for the card.
         """
@@ -119,7 +118,7 @@ class Preprocessor:
         return not self._words(text).isdisjoint(self.uncertain)
 
     def behind_guard(self, text: str) -> bool:
-        """Return whether the text depends on a macro of an include guard."""
+        """Return whether the text uses a macro that is defined inside an include guard."""
         return not self._words(text).isdisjoint(self.in_guards)
 
     def _words(self, text: str) -> set[str]:
@@ -171,7 +170,7 @@ def expression(text: str) -> str:
 
 
 def calculated(text: str) -> float | None:
-    """Return the value of an expression of numbers. None if it has none."""
+    """Return the value of an expression that contains only numbers; None if it has none."""
     if len(text) > _LONGEST or re.search(r"[^-+*/%&|^()\s.\dA-F$]|\*\*|//", text):
         return None
     plain = re.sub(r"\$([\dA-F]+)", r"0x\1", text.strip())

@@ -1,5 +1,4 @@
-"""Execute a download script of a PMAC command by command, and return the resulting state of the
-card.
+"""Execute a PMAC's download script command by command, and return the state of the card.
 
 ``;`` starts a remark. A table is announced (``DEFINE COMP``, ``DEFINE BLCOMP``) for the motor
 addressed last (``#n``); its entries follow as decimal whole numbers. The card refuses a table
@@ -70,7 +69,7 @@ _LATER = {
 
 @dataclass(frozen=True, slots=True)
 class ScriptPlace(OfLine):
-    """A line of a script."""
+    """The file and line number of a line of a script."""
 
     file: str
     line: int
@@ -78,7 +77,7 @@ class ScriptPlace(OfLine):
 
 @dataclass(frozen=True, slots=True)
 class CardTable:
-    """A table as the card stores it. Entries are in 1/16 count of ``target``.
+    """A table as the card stores it, with entries in 1/16 count of the motor ``target``.
 
     Entry i (from 1) is at i * ``length`` / n counts of ``source`` from its motor zero. ``plane``:
     over two motors; ``desired``: looked up by the commanded position.
@@ -98,7 +97,7 @@ class CardTable:
 
 @dataclass(frozen=True, slots=True)
 class VariableSetting:
-    """The last value of an I-variable. None where it is not a plain number."""
+    """The last value that scripts assign to an I-variable; None if it is not a plain number."""
 
     value: float | None
     text: str
@@ -132,7 +131,7 @@ class Card:
 
 
 def run_scripts(files: Sequence[ControlFile]) -> Card:
-    """Return the card after executing all ``files`` in their order. Nothing is raised."""
+    """Return the state of the card after executing all ``files`` in order; nothing is raised."""
     card, sending = Card(), Preprocessor()
     for file in files:
         text = file.content.decode("latin-1").removeprefix("\xef\xbb\xbf").upper()
@@ -160,9 +159,7 @@ def run_scripts(files: Sequence[ControlFile]) -> Card:
 
 
 class _Script:
-    """Executes one script. It remembers the addressed motor and the table that waits for
-    entries.
-    """
+    """Executes one script, with the motor that is addressed and the table that expects entries."""
 
     def __init__(self, card: Card, sending: Preprocessor) -> None:
         self.card = card
@@ -201,7 +198,9 @@ class _Script:
             )
 
     def _command(self, rest: str, place: ScriptPlace) -> int | None:
-        """Execute the first command of ``rest``. Return where it ends, None if it ends the line."""
+        """Execute the first command of ``rest``; return the position where it ends, None at line
+        end.
+        """
         if self.waiting is not None:
             match = _NUMBER.match(rest)
             if match is not None:
@@ -233,7 +232,7 @@ class _Script:
         return self._unknown(rest, place)
 
     def _unknown(self, rest: str, place: ScriptPlace) -> int | None:
-        """Refuse an unknown command, or skip one that its macros make harmless."""
+        """Refuse an unknown command, or skip it if its macros leave nothing to execute."""
         expanded = self.sending.put_in(rest)
         certain = expanded != rest and not self.sending.may_differ(rest)
         if certain and _HARMLESS.fullmatch(expanded.strip()):
@@ -247,7 +246,7 @@ class _Script:
         return None
 
     def _sent(self, what: str, motor: int, place: ScriptPlace) -> bool:
-        """Record a command about compensation, and return True.
+        """Record a compensation command; return False if the card got the same from another branch.
 
         False, with a fault, if another branch of a block has the same: the card did not get both.
         """
@@ -423,6 +422,6 @@ class _Script:
 
 
 def concerns_compensation(number: int) -> bool:
-    """Return whether an I-variable switches compensation or sets its size."""
+    """Return whether an I-variable activates compensation or determines its amount."""
     motor, kind = divmod(number, 100)
     return number == ENABLE or (1 <= motor <= HIGHEST_MOTOR and kind in (TAKE_UP, SIZE))

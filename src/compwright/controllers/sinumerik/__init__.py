@@ -1,1 +1,1 @@
-"""The SINUMERIK virtual control: what a SINUMERIK does with given files."""
+"""The SINUMERIK virtual control: reads its files and returns the active correction."""

@@ -1,5 +1,4 @@
-"""The names of a SINUMERIK's machine axes: AXn by index, by MD10000, and by channel (MD20080,
-MD20070).
+"""The names of a SINUMERIK's machine axes: AX1 by index, X1 by MD10000, X by channel (MD20080).
 
 A real archive mixes them (``$MN_AXCONF_MACHAX_NAME_TAB[0]="X1"`` and ``[0,AX1]``): they are one
 axis.
@@ -16,22 +15,25 @@ from compwright.controllers.sinumerik.text import ProgramContent, VariableAssign
 
 @dataclass(frozen=True, slots=True)
 class MachineAxisNames:
-    """The names of the machine axes. ``by_name``: upper-case name -> AXn; ``called``: AXn -> the
-    requested name.
+    """The names of the machine axes.
+
+    ``by_name``: upper-case name -> AXn; ``called``: AXn -> the requested name.
     """
 
     by_name: dict[str, str]
     called: dict[str, str]
 
     def name(self, text: str) -> str:
-        """Return the standard name AXn of an axis. An unknown name is returned unchanged."""
+        """Return the name AXn of an axis given by any name; an unknown name unchanged."""
         place = self.by_name.get(text.upper())
         if place is None:
             return self.called.get(text.upper(), text)
         return self.called.get(place, place)
 
     def is_machine_axis(self, name: str) -> bool:
-        """Return whether a name is that of a machine axis. Without lists every name is."""
+        """Return whether a name belongs to a machine axis; true for any name if the files list
+        none.
+        """
         upper = name.upper()
         numbered = upper.startswith("AX") and upper[2:].isdigit()
         return (
@@ -42,7 +44,7 @@ class MachineAxisNames:
         )
 
     def renamed(self, entry: VariableAssignment) -> VariableAssignment:
-        """Return an assignment with its axes under their standard names AXn."""
+        """Return an assignment in which axes have their names AXn."""
         axis = self.name(entry.axis) if entry.axis else ""
         names = self.name(entry.names) if entry.names else ""
         return (
@@ -53,7 +55,7 @@ class MachineAxisNames:
 
 
 def axis_names(contents: Sequence[ProgramContent], request: Request) -> MachineAxisNames:
-    """Return the axis names that the files list. A name used for two axes is left out."""
+    """Return the axis names that the files list, without names that they use for two axes."""
     meant: dict[str, set[str]] = {}
     for content in contents:
         for place, names in content.machine_names.items():

@@ -1,6 +1,4 @@
-"""Calls between a SINUMERIK's programs: which programs return or certainly start, and the order of
-assignments.
-"""
+"""Calls between a SINUMERIK's programs: which certainly start and return, and what is last."""
 
 from __future__ import annotations
 
@@ -18,7 +16,7 @@ _COMPENSATING = frozenset({"AA_ENC_COMP", "AN_CEC", "MA_BACKLASH"})
 
 @dataclass(frozen=True, slots=True)
 class PlacedBlock:
-    """A program and the file that contains it."""
+    """A program and the contents of the file in which it is."""
 
     content: ProgramContent
     block: ProgramBlock
@@ -87,7 +85,7 @@ class ProgramCalls:
         return [one for one in block.doubts if not self._always_returns(one.call)]
 
     def has(self, name: str) -> bool:
-        """Return whether a program with that name is in the files."""
+        """Return whether the files contain a program with that name."""
         return name in self._titles
 
     def calls_of(self, block: ProgramBlock) -> list[Line]:
@@ -99,7 +97,9 @@ class ProgramCalls:
         return block.title in self._sites
 
     def trail(self, block: ProgramBlock) -> list[Line]:
-        """Return the lines of a program. A call that certainly returns counts as a plain line."""
+        """Return the lines of a program; a call that certainly returns counts as an ordinary
+        line.
+        """
         back = {one.line for one in (*block.doubts, *block.late) if self._always_returns(one.call)}
         called = {line.number for line in self.calls_of(block)}
         return [
@@ -113,9 +113,7 @@ class ProgramCalls:
         ]
 
     def not_started(self, placed: PlacedBlock) -> tuple[str, Doubt] | None:
-        """Return the file and line that may prevent the start of a program. None if it certainly
-        starts.
-        """
+        """Return the file and line that may prevent a program's start; None without one."""
         behind: list[int] = []
         while id(placed.block) not in self._started:
             if placed.block.caller is not None:
@@ -129,14 +127,15 @@ class ProgramCalls:
         return None
 
     def in_doubt(self, block: ProgramBlock) -> bool:
-        """Return whether an earlier statement may skip an assignment or a call."""
+        """Return whether a statement of a program may skip an assignment or a call after it."""
         return bool(self.doubts(block)) or any(
             self._before(block, line) for line in self.calls_of(block)
         )
 
     def loads(self, placed: PlacedBlock, above: Collection[str] = ()) -> list[int]:
-        """Return lines that assign compensation other than 0 and of which every run executes at
-        least one. Empty if none exist.
+        """Return lines with a correction other than 0 of which every run executes at least one.
+
+        Empty if none exist.
         """
         if id(placed.block) not in self._loads:
             lines = {
@@ -155,9 +154,7 @@ class ProgramCalls:
         return self._loads[id(placed.block)]
 
     def lasts(self, placed: PlacedBlock) -> dict[str, VariableAssignment]:
-        """Return the last assignment of each variable, when a program and its called programs are
-        executed line by line.
-        """
+        """Return the last assignment of each variable if a program and its calls run."""
         key = id(placed.block)
         if key not in self._lasts:
             self._lasts[key] = {}

@@ -1,4 +1,4 @@
-"""The CEC tables in all files: which of them count, and why others do not.
+"""The cross-axis tables (CEC) in all files: which of them are in use, and why others are not.
 
 A builder's tables need not be curves (real archive: MIN -850, MAX 0, STEP 100; output ``(X)``, STEP
 0): such a table is ignored if all its values are zero; otherwise the correction of its pair of axes
@@ -42,8 +42,9 @@ def load_sag(
     screws: frozenset[str] = frozenset(),
     room: tuple[int, int] | None = None,
 ) -> Sag:
-    """Return the tables from all assignments in the order of the files. Faults and notes are added
-    to ``remarks``.
+    """Return the cross-axis tables (CEC) from all assignments, in the order of the files.
+
+    Faults and notes are added to ``remarks``.
 
     ``spelling``: upper case -> the known name of an axis; ``unknown_keys``: by table, a key that is
     not known; ``names``: which names are those of machine axes; ``lengths``: which axes have
@@ -117,7 +118,7 @@ def _note_sign(sign: int, request: Request, remarks: Remarks) -> None:
 
 
 def _without_products(tables: Mapping[int, SagTable], remarks: Remarks) -> list[SagTable]:
-    """Return the tables without those that may be part of an active product. These are reported.
+    """Return the tables without those that another table may multiply, which are reported.
 
     No page says what a product gives with a table that SD41300 switches off, or with weight 0. So
     only a table whose values are all zero certainly gives none.
@@ -137,7 +138,7 @@ def _without_products(tables: Mapping[int, SagTable], remarks: Remarks) -> list[
 
 
 def _remark(sag: Sag, output: str, pairs: Sequence[Pair], remarks: Remarks) -> None:
-    """Note how the control limits or switches off the sum of one output axis."""
+    """Add a note if the control limits or deactivates the sum of all tables on an output axis."""
     reached = 0.0
     for pair in pairs:
         base = pair[0]

@@ -1,4 +1,4 @@
-"""Build CEC tables from their assignments: valid curves, ignored tables, and faults."""
+"""Build cross-axis tables (CEC) from their assignments, with faults and ignored tables."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ _ELSE = {
 
 
 class CecTableLoader:
-    """Builds the CEC tables from their assignments.
+    """Builds the cross-axis tables (CEC) from their assignments.
 
     ``odd``: axes with an active table over themselves that cannot be evaluated, and why;
     ``left_out``: indices of ignored tables; ``uncounted``: axes with tables over themselves that
@@ -107,9 +107,7 @@ class CecTableLoader:
         return found
 
     def beyond(self, tables: Mapping[int, SagTable], room: tuple[int, int]) -> list[Fault]:
-        """Return the faults of tables that exceed the memory of the control (number of tables and
-        points).
-        """
+        """Return a fault for each table for which the control has too few tables or points."""
         most, points = room
         return [
             self.by_table[index][0].fault(
@@ -122,8 +120,8 @@ class CecTableLoader:
         ]
 
     def without_cut_sums(self, tables: Sequence[SagTable]) -> list[SagTable]:
-        """Return the tables without those whose output axis may exceed MD32720, if the job writes
-        none of them.
+        """Return the tables without those of axes whose sum may exceed MD32720 and that stay
+        unchanged.
 
         The part that is cut off stays the same and is not counted.
         """
@@ -145,13 +143,13 @@ class CecTableLoader:
         return [table for table in tables if table.output not in cut]
 
     def of_axis(self, axis: str, name: str) -> float | None:
-        """Return the last value of a machine data of an axis. None where the files do not contain
-        it.
-        """
+        """Return the last value of an axis' machine data; None if the files do not contain it."""
         return last_value(self.by_axis.get(axis.upper(), []), name)
 
     def switched_off(self, output: str) -> bool:
-        """Return whether MD32710 is finally 0, with a remark for either result."""
+        """Return whether the last value of MD32710 deactivates the tables on an axis, and report
+        it.
+        """
         enabled = self.of_axis(output, "MA_CEC_ENABLE")
         if enabled is None:
             self.remarks.assumed.append(
@@ -170,9 +168,7 @@ class CecTableLoader:
     def _curve(
         self, index: int, entries: Sequence[VariableAssignment], data: Sequence[VariableAssignment]
     ) -> SagTable | None:
-        """Return a table if it is a valid curve. A complete invalid one is ignored; one cut short
-        is a fault.
-        """
+        """Return a table as a curve; None if invalid, which is a fault if it was cut short."""
         names = {
             entry.name.removeprefix(f"{_PREFIX}_"): entry.names
             for entry in data
@@ -217,7 +213,9 @@ class CecTableLoader:
     def _in_mm(
         self, data: Sequence[VariableAssignment], base: str, output: str
     ) -> Sequence[VariableAssignment]:
-        """Return a table in mm. MD32711 of its output axis states whether it is in inch."""
+        """Return a table's assignments in mm; MD32711 of its output axis states the unit (mm or
+        inch).
+        """
         if self.of_axis(output, "MA_CEC_SCALING_SYSTEM_METRIC") != 0.0:
             return data
         return inches_in_mm(
@@ -229,7 +227,7 @@ class CecTableLoader:
     def _reasons(
         self, index: int, entries: Sequence[VariableAssignment], pair: Pair
     ) -> Iterator[str]:
-        """Yield the reasons why the effect of an active table differs from its values."""
+        """Yield the reasons why an active table has a different effect from its values."""
         for name, (most, why) in _ELSE.items():
             value = last_value(entries, name)
             if value is not None and not 0.0 <= value <= most:
@@ -249,7 +247,7 @@ class CecTableLoader:
         entries: Sequence[VariableAssignment],
         inner: Remarks,
     ) -> None:
-        """Ignore a complete table that cannot be evaluated.
+        """Ignore a complete table whose effect cannot be evaluated, and report why.
 
         An active table of an axis under work over itself is a fault instead. ``entries``: the
         assignments of the table, empty if it is off.
@@ -272,7 +270,7 @@ class CecTableLoader:
             self.odd[name] = f"{label_of(index)}: {why}"
 
     def _stays(self, index: int, output: str) -> bool:
-        """Return whether a table stays unchanged, because the job's ``cec_tables`` does not name
+        """Return whether a table stays unchanged because the option ``cec_tables`` does not name
         it.
         """
         if by_address(self.request.axis_options, output) is None:
@@ -281,8 +279,7 @@ class CecTableLoader:
         return not isinstance(named, list | tuple) or index not in named
 
     def _is_active(self, entries: Sequence[VariableAssignment], output: str, *, own: bool) -> bool:
-        """Return whether a table is active. `Request.active` decides for tables of an axis over
-        itself.
+        """Return whether a table is active; for tables by an axis' own position the job may decide.
 
         It does not if the leadscrew table of the axis is on: then it refers to that table, and a
         CEC table that is switched off was not active.
@@ -335,9 +332,7 @@ class CecTableLoader:
         )
 
     def _axis_of(self, data: Sequence[VariableAssignment], name: str, label: str) -> str:
-        """Return an axis of a table by its standard name. Empty with a fault if the files do not
-        state it.
-        """
+        """Return the name AXn of a table's axis; empty, with a fault, if not stated."""
         entry = single(data, name, self.remarks.faults)
         if entry is None or not entry.names:
             at = entry or data[0]
@@ -368,7 +363,7 @@ class CecTableLoader:
         factor_entries: dict[int, VariableAssignment],
         empty: set[int],
     ) -> None:
-        """Add a fault for a product with a table that is in no file."""
+        """Add a fault for a table that is multiplied by a table which is in no file."""
         for index, entry in factor_entries.items():
             if index not in found and index not in empty and not self.remarks.faults:
                 self.remarks.faults.append(
@@ -392,7 +387,7 @@ def _is_damaged(
 
 
 def label_of(index: int) -> str:
-    """Return the name of a table in messages."""
+    """Return the name by which messages call the table with this index."""
     return f"CEC table {index}"
 
 
@@ -408,7 +403,7 @@ def _ranges(indices: Sequence[int]) -> str:
 
 
 def _extremes(tables: Sequence[SagTable]) -> tuple[float, float]:
-    """Return the largest and the smallest possible sum of ``tables``.
+    """Return the largest and the smallest sum of ``tables`` that can occur.
 
     For tables with one input axis: the extremes of their sum; for several input axes: the sum of
     these.

@@ -1,5 +1,4 @@
-"""SINUMERIK 840D sl and related controls: leadscrew compensation, sag and cross tables (CEC), and
-backlash.
+"""SINUMERIK 840D sl virtual control: leadscrew compensation, cross-axis tables (CEC), backlash.
 
 EEC, ``$AA_ENC_COMP``; MD32450; also 828D, 840D power line and SINUMERIK ONE.
 
@@ -58,7 +57,7 @@ ROOM_828D = (8, 200)
 
 @dataclass(frozen=True, slots=True)
 class _SinumerikAxis:
-    """One axis of a virtual SINUMERIK.
+    """The leadscrew table and backlash of one axis of the virtual SINUMERIK.
 
     ``table``: of the active measuring system, values as in the file (errors). ``screw_on``: the
     table is on at the end of the files.
@@ -71,7 +70,7 @@ class _SinumerikAxis:
     screw_on: bool = False
 
     def shift(self, positions: FloatArray) -> FloatArray:
-        """Return the shift of the axis by its leadscrew table at ``positions`` (any shape)."""
+        """Return the correction of the axis by its leadscrew table at ``positions`` (any shape)."""
         if self.table is None or not self.enabled:
             return np.zeros(positions.shape)
         return np.asarray(0.0 - self.table.value(positions), dtype=np.float64)
@@ -90,15 +89,14 @@ class SinumerikControl:
     notes: tuple[str, ...]
 
     def addresses(self) -> tuple[str, ...]:
-        """Return the machine axes that the files correct. Those with only sag tables over
-        themselves come last.
+        """Return the machine axes that the files correct by their own positions.
 
         An axis that is only input or output of another one's table is not among them (`cross`).
         """
         return tuple(self.axes)
 
     def nodes(self, address: str) -> FloatArray:
-        """Return the positions (k,) of all points of the axis' own tables, active or not."""
+        """Return the positions (k,) of all table points of an axis, active or not, mm or deg."""
         name, axis = self._axis(address)
         return union(
             [
@@ -123,8 +121,8 @@ class SinumerikControl:
         return total
 
     def cross(self) -> tuple[Pair, ...]:
-        """Return (input, output) of the tables by which one axis corrects another, in order of
-        their index.
+        """Return (input axis, output axis) of the tables between two axes, in the order of their
+        index.
 
         Tables that are not a curve are left out and listed in ``notes``; so are all tables if the
         option ``cec_sign`` is not given.
@@ -164,7 +162,7 @@ class SinumerikControl:
         return self.sag.shift(pair, np.asarray(positions, dtype=np.float64), direction)
 
     def _axis(self, address: str) -> tuple[str, _SinumerikAxis]:
-        """Return an axis by its name in the files."""
+        """Return the axis that has this name in the files."""
         name = by_address({name: name for name in self.axes}, self.names.name(address))
         if name is None:
             raise unknown_axis(address, self.addresses())
@@ -174,7 +172,7 @@ class SinumerikControl:
 def sinumerik_control(
     files: Sequence[ControlFile], request: Request, *, room: tuple[int, int] | None = None
 ) -> SinumerikControl:
-    """Return the control with ``files`` loaded: first commissioning archives, then all other files.
+    """Return the control with ``files`` loaded: first archives, then all other files over them.
 
     In their container, and over them table files, machine data and whole text archives in any
     order.
@@ -242,7 +240,7 @@ def sinumerik_control(
 
 
 def _out_of_range(entry: VariableAssignment) -> Fault | None:
-    """Return the fault of a value that no SINUMERIK accepts. None for a valid one."""
+    """Return the fault of a value that no SINUMERIK accepts; None for a valid value."""
     value, expected = entry.value, ""
     if not math.isfinite(value):
         return entry.fault(f"value of ${entry.name} is not a finite number", found=str(value))
@@ -276,7 +274,7 @@ def _out_of_range(entry: VariableAssignment) -> Fault | None:
 
 
 class _AxisLoader:
-    """Builds leadscrew table and backlash of the axes from their assignments."""
+    """Builds the leadscrew tables and backlash of axes from their assignments."""
 
     def __init__(self, request: Request, remarks: Remarks, encoders: Mapping[str, int]) -> None:
         self.request = request
@@ -336,9 +334,7 @@ class _AxisLoader:
     def _table(
         self, name: str, system: int, given: Sequence[VariableAssignment]
     ) -> CompensationTable | None:
-        """Return the table of one measuring system. None without a valid one; a wrong one gives
-        faults.
-        """
+        """Return the table of one measuring system; None without a table, or with faults."""
         data = [entry for entry in given if entry.name.startswith(_PREFIX)]
         label = f"table of {name}, measuring system {system + 1}"
         if not data:
@@ -354,7 +350,7 @@ class _AxisLoader:
         return table
 
     def _factor(self, name: str, entries: list[VariableAssignment]) -> float:
-        """Return MD32452 of the first parameter set. 1 when the files do not contain it."""
+        """Return the backlash factor (MD32452) of the first parameter set; 1 without one."""
         if any(e.name == "MA_BACKLASH_DYN" and e.value != 0.0 for e in entries):
             self.remarks.assumed.append(
                 Assumption(

@@ -1,4 +1,4 @@
-"""Check whether statements of a SINUMERIK program let every assignment be executed.
+"""Check whether the statements of a SINUMERIK program let every assignment be executed.
 
 A file of such a control is a part program. Jumps (GOTOF, GOTOB, CASE), branches (IF), loops (FOR,
 WHILE, LOOP, REPEAT), calls (CALL, L100, PCALL, EXTCALL, a subprogram by its name), synchronised
@@ -73,8 +73,9 @@ _MOST_WORDS = 200
 
 @dataclass(slots=True)
 class ProgramBlock:
-    """One program in a file. ``doubts``: uncertain statements before its last assignment; ``late``:
-    after it.
+    """One program in a file, with statements that may prevent the execution of assignments.
+
+    ``doubts``: those before its last assignment; ``late``: those after it.
 
     ``branch``: number of branches so far; ``branches``: by line, the branch of each assignment, -1
     before any doubt. ``inches``: by line, what sets the unit of lengths; ``end``: where the program
@@ -96,7 +97,7 @@ class ProgramBlock:
 
     @classmethod
     def named(cls, name: str, line: int, *, behind: bool = False) -> ProgramBlock:
-        """Return the program name in a header or a file name.
+        """Return an empty program with the name in a program header or file name.
 
         ``behind``: other programs precede it in the file.
         """
@@ -110,7 +111,7 @@ class ProgramBlock:
         )
 
     def assigned(self, code: str, line: int) -> None:
-        """Record that a line contains an assignment, so that earlier doubtful statements matter."""
+        """Record that a line assigns compensation, so that doubtful statements before it matter."""
         opening = _NUMBER.match(code)
         number = opening["number"] if opening is not None else None
         self.trail.append(Line(line, _names(number), (), given=True))
@@ -119,7 +120,7 @@ class ProgramBlock:
         self.branches[line] = self.branch if self.doubts else -1
 
     def statement(self, code: str, line: int, whole: str) -> None:
-        """Record a program line that contains no compensation data.
+        """Record a line of the program that contains no compensation data.
 
         Strings emptied, no comment; ``whole``: as written.
         """
@@ -195,7 +196,7 @@ class ProgramBlock:
 
 
 def _assigned(words: Sequence[str]) -> dict[str, Words | None]:
-    """Return the program variables that a harmless statement assigns, with their values as words.
+    """Return the program variables that a plain assignment or definition sets, with their values.
 
     None for a value that may change without an assignment.
     """
@@ -218,7 +219,7 @@ def _value(words: Sequence[str]) -> Words | None:
 
 
 def _assigned_by(words: Sequence[str]) -> dict[str, Words | None]:
-    """Return the variables that any other statement may assign.
+    """Return the variables that a statement other than a plain assignment may change.
 
     Everything, except for forks, ends, motions and functions. In a stop (M0, M1) the operator may
     do it.
@@ -246,7 +247,7 @@ def _names(name: str | None) -> frozenset[str]:
 
 
 def _names_programs(words: Sequence[str]) -> bool:
-    """Return whether a statement may call any program that it names, not only the first."""
+    """Return whether any program named in a statement may be called, not only its first word."""
     return any("CALL" in word or word in _CALLERS for word in words)
 
 
@@ -271,7 +272,7 @@ def _calls_nothing(words: list[str]) -> bool:
 
 
 def is_given(right: str, *, naming: bool) -> bool:
-    """Return whether the right side of an assignment is a literal value, not a computed one.
+    """Return whether the right side of an assignment is a literal and not calculated.
 
     ``naming``: an axis name counts as one.
     """

@@ -37,11 +37,11 @@ class Lengths:
     rotary: Mapping[str, bool]
 
     def is_linear(self, axis: str) -> bool:
-        """Return whether an axis has lengths. An axis of unknown kind has."""
+        """Return whether an axis is linear; an axis of unknown kind counts as linear."""
         return not self.rotary.get(axis.upper(), False)
 
     def in_mm(self, entry: VariableAssignment) -> VariableAssignment:
-        """Return an assignment with the length of a linear axis in mm. Others are unchanged."""
+        """Return an assignment with a linear axis' length converted to mm; others as they are."""
         if not self.inch or entry.name not in _LENGTHS or not self.is_linear(entry.axis):
             return entry
         return replace(entry, value=entry.value * _MM)
@@ -66,8 +66,7 @@ def inches_in_mm(
 def lengths_of(
     contents: Sequence[ProgramContent], names: MachineAxisNames, request: Request
 ) -> tuple[Lengths, list[Fault]]:
-    """Return the units of all lengths, and their faults: contradicting systems, an unusual inch,
-    user-defined units.
+    """Return the length units of all files, with faults if they contradict or are user-defined.
 
     If no file states the basic system, the option ``units`` does (``inch``), else it is metric.
     """
@@ -143,7 +142,7 @@ def _wrong_units(
 
 
 def encoders_of(contents: Sequence[ProgramContent], names: MachineAxisNames) -> dict[str, int]:
-    """Return the number of measuring systems (MD30200) by upper-case axis."""
+    """Return the number of measuring systems (MD30200) of each axis, by upper-case name."""
     return {
         names.name(entry.axis).upper(): int(entry.value)
         for content in contents

@@ -1,4 +1,4 @@
-"""Conditions in a SINUMERIK program that depend on each other.
+"""Conditions in a SINUMERIK program that depend on each other, so that some runs are impossible.
 
 Two conditions on one variable that is not assigned between them get the same value. So the program
 is followed once for each value that makes a difference.
@@ -29,7 +29,7 @@ Words = tuple[str, ...]
 
 @dataclass(frozen=True, slots=True)
 class Question:
-    """The condition of a line: a comparison of ``what`` with a number.
+    """The condition of a program line, as the comparison of an expression with a number.
 
     ``what``: a variable, or the words of a whole condition. ``variables``: those in it; ``words``:
     the whole condition.
@@ -43,7 +43,7 @@ class Question:
     words: Words = ()
 
     def answer(self, value: float) -> bool:
-        """Return whether the condition is true for a value of ``what``."""
+        """Return whether the condition is true if its expression has this value."""
         less, same = value < self.number, value == self.number
         return {
             "==": same,
@@ -57,7 +57,7 @@ class Question:
 
 @dataclass(frozen=True, slots=True)
 class Fork:
-    """The lines that can follow a condition, as bits: when it is true, and when it is false."""
+    """A condition with the lines (as bits) that follow if it is true, and if it is false."""
 
     question: Question
     true: int
@@ -66,7 +66,8 @@ class Fork:
 
 @dataclass(frozen=True, slots=True)
 class Cases:
-    """The lines that can follow a CASE, as bits, by the number of the expression ``words``.
+    """A CASE with the lines (as bits) that follow for each number of its expression.
+
     ``other``: for any other number.
     """
 
@@ -76,9 +77,7 @@ class Cases:
 
 
 def question_of(words: Words) -> Question | None:
-    """Return the condition in these words. None for more than `_MOST_WORDS`, because the recursion
-    would be too deep.
-    """
+    """Return the condition that these words form; None if they are too many or form none."""
     found = _question_of(words) if len(words) <= _MOST_WORDS else None
     return None if found is None else replace(found, words=words)
 
@@ -122,7 +121,7 @@ def answered(
     assigning: Mapping[int, Mapping[str, Words | None]],
     behind: Callable[[int], int],
 ) -> Iterator[dict[int, int]]:
-    """Yield, for each possible set of answers, the lines that follow all linked conditions.
+    """Yield, for each possible combination of condition results, the lines that follow each one.
 
     ``assigning``: the variables that lines assign; ``behind``: the lines after a line, as bits.
     """
@@ -161,8 +160,7 @@ def ways_by_values(
     forks: Mapping[int, Fork | Cases],
     assigned: Sequence[Mapping[str, Words | None]],
 ) -> list[int]:
-    """Return the possible next lines of every line, as bits. Answers that contradict earlier
-    assignments are excluded.
+    """Return each line's possible next lines (bits) that earlier assignments do not exclude.
 
     ``every``: the next lines regardless of values. Each line collects the values that a variable
     may have before it, None among them if any value may be; lines that no run reaches stay as they
@@ -200,9 +198,7 @@ def ways_by_values(
 
 
 def _stored(name: str, value: float | None) -> float | None:
-    """Return the value of a variable after an assignment. None for a fraction, unless it is an R
-    parameter: INT rounds 0.5 up.
-    """
+    """Return the value that a variable has after an assignment; None if rounding is uncertain."""
     whole = value is None or value.is_integer()
     return value if whole or (name[:1] == "R" and name[1:].isdecimal()) else None
 
@@ -235,8 +231,7 @@ def _open_ways(
 
 
 def _result(words: Words, values: Mapping[str, float | None]) -> float | None:
-    """Return the value of an expression of comparisons, OR, AND, NOT and whole numbers. None if it
-    is unknown.
+    """Return the value of a logical or whole-number expression; None if it is unknown.
 
     A comparison next to another, or to OR or AND, without brackets is not taken apart; XOR is
     never.
@@ -279,9 +274,7 @@ def _result(words: Words, values: Mapping[str, float | None]) -> float | None:
 
 
 def _calculated(left: float, operator: str, right: float) -> float | None:
-    """Return the result of a calculation. None if it is not a whole number, because a whole-number
-    variable would round it.
-    """
+    """Return the whole-number result of a calculation; None if the result is not whole."""
     if operator not in ("+", "-", "*") and right == 0.0:
         return None
     if operator in ("DIV", "MOD") and (left < 0.0 or right < 0.0):
@@ -331,7 +324,7 @@ def _signed(words: Words) -> Words:
 
 
 def plain_number(word: str) -> float | None:
-    """Return the number of a word, TRUE and FALSE as 1 and 0. None for other words."""
+    """Return the number that a word states (TRUE is 1, FALSE is 0); None for other words."""
     if word in ("TRUE", "FALSE"):
         return float(word == "TRUE")
     return float(word) if re.fullmatch(r"[+-]?(\d+\.?\d*|\.\d+)", word) else None

@@ -1,5 +1,4 @@
-"""Load the files of a SINUMERIK in the control's order: first the commissioning archive, then small
-files over it.
+"""Load the files of a SINUMERIK: first the commissioning archive, then small files over it.
 
 A file loaded over an archive replaces single variables: the last value of a variable counts, and a
 variable that no small file names keeps the archive's value. Text files have no order among each
@@ -33,7 +32,10 @@ from compwright.records.correction import ControlFile
 
 @dataclass(slots=True)
 class Loaded:
-    """The loaded contents. ``under``: those of the archives; ``over``: those of all other files."""
+    """The loaded contents.
+
+    ``under``: those of the archives; ``over``: those of all other files.
+    """
 
     under: list[ProgramContent] = field(default_factory=list)
     over: list[ProgramContent] = field(default_factory=list)
@@ -45,7 +47,7 @@ class Loaded:
         return [*self.under, *self.over]
 
     def assignments(self, names: MachineAxisNames) -> list[VariableAssignment]:
-        """Return the final assignments in the order of loading, with standard axis names.
+        """Return the assignments that remain after loading, in order, with the axis names AXn.
 
         Those of the archive that a small file replaces are left out.
         """
@@ -56,7 +58,7 @@ class Loaded:
         return [*_within_new_ends(kept, over), *over]
 
     def unanswered(self, names: MachineAxisNames) -> list[Fault]:
-        """Return the faults of variables that one file gives as ``n/a`` and no other file gives."""
+        """Return a fault for each variable that a file gives as ``n/a`` and none assigns."""
         open_entries = [entry for content in self.contents for entry in content.not_given]
         assigned = {_variable(e) for e in self.assignments(names)} if open_entries else set()
         return [
@@ -71,7 +73,7 @@ class Loaded:
 
 
 def load(files: Sequence[ControlFile]) -> Loaded:
-    """Return the contents of all files. Faults are collected, and nothing is raised."""
+    """Return the contents of all files, with their faults; nothing is raised."""
     loaded = Loaded()
     for file in files:
         if not is_container(file.content):
@@ -91,7 +93,7 @@ def _variable(entry: VariableAssignment) -> tuple[str, int, int | None, str]:
 def _within_new_ends(
     kept: list[VariableAssignment], over: Sequence[VariableAssignment]
 ) -> list[VariableAssignment]:
-    """Return the archive's assignments without table points above a new, lower end.
+    """Return an archive's assignments without points beyond a smaller table end set later.
 
     The control keeps those points and does not use them.
     """
@@ -160,8 +162,7 @@ def is_container(content: bytes) -> bool:
 
 @lru_cache(maxsize=_KEPT)
 def active_files(file: ControlFile) -> Opened:
-    """Return the members of an archive that form the control's state, in their order. Equal
-    repetitions count once.
+    """Return the members of an archive that form the control's state, equal repetitions once.
 
     Nothing is raised: a container that is cut short or has wrong sizes, and two members of one name
     that differ, are faults. The result is cached by content: do not change it.
@@ -210,7 +211,7 @@ def active_files(file: ControlFile) -> Opened:
 
 
 def _contradictions(files: list[ControlFile]) -> Iterator[Fault]:
-    """Yield a fault for each variable whose final value differs between two members.
+    """Yield a fault for each variable whose last value differs between two archive members.
 
     A control writes its machine data into INITIAL.INI and, in parts, into the CFG members; MD11200
     alone is a command and may differ.
@@ -248,14 +249,14 @@ def _as_number(text: bytes) -> float | bytes:
 
 
 def _listed(content: bytes) -> list[str]:
-    """Return the names of the active members in the list of contents, without marks."""
+    """Return the names of the active members that an archive's list of contents states."""
     lines = content.decode("latin-1").splitlines()
     names = [line[len(_ACTIVE) :] for line in lines if line.upper().startswith(_ACTIVE)]
     return [name for name in names if not name.startswith("@@")]
 
 
 def _members(file: ControlFile) -> Iterator[_Member]:
-    """Yield the members of an archive in order.
+    """Yield the members of an archive in their order.
 
     Raises InputError where no header follows the end of a member, or the data end early.
     """
@@ -293,7 +294,7 @@ def _members(file: ControlFile) -> Iterator[_Member]:
 
 
 def _size(header: bytes) -> int | None:
-    """Return the size in a member's header. None where these bytes are no header."""
+    """Return the size that an archive member's header states; None if it is no header."""
     size, check_sum = _field(header, 124), _field(header, 148)
     whole = len(header) == _BLOCK and size.isdecimal() and check_sum.isdecimal()
     if not whole or sum(header) - sum(header[_SUM]) != int(check_sum):
@@ -302,5 +303,5 @@ def _size(header: bytes) -> int | None:
 
 
 def _field(header: bytes, start: int) -> str:
-    """Return the text from ``start`` to the next NUL byte."""
+    """Return the text in an archive header from ``start`` to the next NUL byte."""
     return header[start:].split(b"\x00", 1)[0].decode("latin-1").strip()

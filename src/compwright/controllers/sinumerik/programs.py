@@ -1,6 +1,4 @@
-"""Check whether all assignments in a SINUMERIK's programs were executed. If that is open, ask the
-user.
-"""
+"""Check whether all assignments in a SINUMERIK's programs were executed, or ask the user."""
 
 from __future__ import annotations
 
@@ -21,8 +19,7 @@ _EXPORT = "the control's own export of the data in place of the program"
 def check_programs(
     contents: Sequence[ProgramContent], names: MachineAxisNames, request: Request, *, inch: bool
 ) -> None:
-    """Check that every run of the programs executes all assignments. Programs of other axes are
-    ignored.
+    """Check that every run of the programs executes all assignments to the job's axes.
 
     Raises InputError for a variable assigned in two branches, assignments that no run executes
     together, a jump to an ambiguous label, and a unit of lengths other than the control's
@@ -148,7 +145,7 @@ def _out_of_order(
 
 
 def _not_all(placed: PlacedBlock, calls: ProgramCalls) -> Iterator[Fault]:
-    """Yield the fault of assignments or calls that one run cannot all execute."""
+    """Yield a fault if no single run can execute all assignments and calls of a program."""
     block = placed.block
     if not (calls.doubts(block) or calls.calls_of(block)):
         return

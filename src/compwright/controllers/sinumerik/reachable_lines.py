@@ -25,8 +25,9 @@ from compwright.controllers.sinumerik.linked_conditions import (
 
 @dataclass(frozen=True, slots=True)
 class Doubt:
-    """A statement that may change the order of execution. ``call``: the program that it only
-    calls.
+    """A statement that may change the order of execution.
+
+    ``call``: the program name, if it is only a call.
     """
 
     line: int
@@ -70,9 +71,7 @@ class Line:
 
 
 def _shortened(lines: Sequence[Line]) -> tuple[list[Line], list[set[int]]]:
-    """Return the lines with neighbouring assignments merged, and the numbers that each remaining
-    line represents.
-    """
+    """Return the lines with successive assignments merged, and the line numbers of each."""
     used = (word for line in lines for words in line.assigned.values() for word in words or ())
     wanted = {word for line in lines for word in line.words} | {EVERYTHING, *used}
     found: list[Line] = []
@@ -120,8 +119,7 @@ def _conflict(short: Sequence[Line], ways: Sequence[int]) -> tuple[int, int] | N
 
 
 def inevitable(lines: Sequence[Line], among: Collection[int]) -> list[int]:
-    """Return numbers ``among`` those of given lines of which every run executes at least one, a
-    single one if possible.
+    """Return those of the line numbers ``among`` of which every run executes at least one.
 
     Empty if a run may do without them.
     """
@@ -159,7 +157,7 @@ def _inevitable(
 
 
 def _in_step(lines: Sequence[Line]) -> Iterator[list[int]]:
-    """Yield the possible next lines (`_next`) for each set of answers to linked conditions.
+    """Yield each line's possible next lines for each combination of linked conditions' results.
 
     Motions and switching functions go on to the next line.
     """
@@ -176,9 +174,7 @@ def _in_step(lines: Sequence[Line]) -> Iterator[list[int]]:
 
 
 def _possible(lines: Sequence[Line]) -> tuple[list[int], dict[int, Fork]]:
-    """Return the possible next lines (`_next`) without excluded answers, and the conditions that
-    stay open.
-    """
+    """Return each line's possible next lines, and the conditions whose result is not known."""
     every = _next(lines)
     forks = {
         place: fork
@@ -198,9 +194,7 @@ def _possible(lines: Sequence[Line]) -> tuple[list[int], dict[int, Fork]]:
 def _choice(
     line: Line, bits: int, place: int, stop: int, names: Mapping[str, Sequence[int]]
 ) -> Fork | Cases | None:
-    """Return the next lines of a CASE by its number. A FOR is passed if its first number is above
-    its last one.
-    """
+    """Return the branches of a CASE, or of a FOR that may be skipped; None for other lines."""
     words, after = line.words, 1 << place + 1
     if line.skipped:
         return None
@@ -244,7 +238,7 @@ def always_returns(lines: Sequence[Line]) -> bool:
 
 
 def unclear_jumps(lines: Sequence[Line]) -> list[int]:
-    """Return the numbers of jumps and repetitions that match several labels of the program."""
+    """Return the line numbers of jumps and repetitions to a label that occurs several times."""
     names = _labels(lines)
     found = []
     for place, line in enumerate(lines):
@@ -270,7 +264,7 @@ def _labels(lines: Sequence[Line]) -> dict[str, list[int]]:
 
 
 def _sought(jump: str, name: str, place: int, names: Mapping[str, Sequence[int]]) -> list[int]:
-    """Return the labels that a jump at this place reaches first.
+    """Return the lines with the label at which a jump from this line may arrive.
 
     GOTOB searches back from its own line, GOTOF on from the next one; GOTO and GOTOC search on,
     then any before.
@@ -285,7 +279,7 @@ def _sought(jump: str, name: str, place: int, names: Mapping[str, Sequence[int]]
 
 
 def _reachable_after(follow: Sequence[int]) -> list[int]:
-    """Return for every line the lines that a run may reach after it."""
+    """Return for every line the lines that may be executed at any time after it."""
     behind = list(follow)
     changed = True
     while changed:
@@ -303,7 +297,7 @@ def _reachable_after(follow: Sequence[int]) -> list[int]:
 
 
 def _next(lines: Sequence[Line]) -> list[int]:
-    """Return for every line the possible next lines, as bits.
+    """Return for every line the lines that may be executed next, as bits.
 
     The bits after the last line are the end and the stop.
     """
@@ -331,7 +325,7 @@ def _next(lines: Sequence[Line]) -> list[int]:
 
 
 def _closed(word: str, place: int, start: int, other: int, ways: list[int]) -> int:
-    """Set the next lines of the lines of a block. Return those of its closing line."""
+    """Set the next lines of a block's lines; return the next lines of its closing line."""
     after = 1 << place + 1
     if word == "ENDIF":
         ways[start] |= 1 << (other + 1 if other >= 0 else place)

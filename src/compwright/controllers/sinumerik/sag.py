@@ -1,5 +1,4 @@
-"""SINUMERIK sag compensation (CEC, ``$AN_CEC``): the position of one axis corrects another axis, or
-itself.
+"""SINUMERIK cross-axis tables (CEC): the position of one axis corrects another axis or itself.
 
 Stated from the manuals (Function Manual Extended Functions 03/2013, chapter K3; 802D sl Function
 Manual 11/2012; Siemens' texts of the setting data):
@@ -36,7 +35,7 @@ Pair = tuple[str, str]
 
 @dataclass(frozen=True, slots=True)
 class SagTable:
-    """One CEC table.
+    """One cross-axis table (CEC) with its weight, direction and activation.
 
     ``direction``: 1, -1 or 0 for both; ``factor``: index of the table that MULT_BY_TABLE names,
     None without one; ``stays``: the table is not going to be written, so its effect is the same
@@ -53,8 +52,8 @@ class SagTable:
     stays: bool = False
 
     def value(self, positions: FloatArray, direction: Direction) -> FloatArray:
-        """Return the weighted correction at ``positions`` (any shape) of the input axis. Zero if
-        the table is not active.
+        """Return the weighted correction at ``positions`` (any shape); zero if the table is
+        inactive.
         """
         if not self.enabled or self.direction == -direction.sign:
             return np.zeros(positions.shape)
@@ -65,13 +64,15 @@ class SagTable:
         return self.enabled and self.weight != 0.0 and bool(np.any(self.table.values))
 
     def bound(self, direction: Direction) -> float:
-        """Return the largest absolute value of the table in ``direction``."""
+        """Return the largest absolute value that the table has in ``direction``."""
         return float(np.max(np.abs(self.value(self.table.positions(), direction))))
 
 
 @dataclass(frozen=True, slots=True)
 class Sag:
-    """All CEC tables in use. ``sign`` of their values: +1, -1, or 0 for unknown.
+    """All cross-axis tables (CEC) in use.
+
+    ``sign`` of their values: +1, -1, or 0 for unknown.
 
     ``off``: output axes that MD32710 switches off; ``limits``: MD32720 by output axis, mm or deg.
     ``odd``: axes with an active table over themselves that is not a curve, and why; ``uncounted``:
@@ -86,15 +87,15 @@ class Sag:
     uncounted: tuple[str, ...] = ()
 
     def pairs(self) -> tuple[Pair, ...]:
-        """Return input and output axis of all tables, in order of their index, each pair once."""
+        """Return (input axis, output axis) of all tables, by table index, each pair once."""
         return tuple(self.by_pair)
 
     def nodes(self, pair: Pair) -> FloatArray:
-        """Return the positions (k,) of the points of all tables of a pair, ascending."""
+        """Return the positions (k,) of the points of all tables of an axis pair, ascending."""
         return union([table.table.positions() for table in self._of(pair)])
 
     def own_shift(self, axis: str, positions: FloatArray, direction: Direction) -> FloatArray:
-        """Return the correction of an axis at ``positions`` by its tables over itself.
+        """Return the correction of an axis by tables of its own position, at ``positions``.
 
         If the sign is unknown, tables that stay unchanged are not counted. Raises UsageError where
         the correction is unknown.
@@ -148,9 +149,7 @@ class Sag:
         )
 
     def peak(self, pair: Pair) -> float:
-        """Return the largest absolute sum of the tables of a pair. With modulo tables it is an
-        upper bound.
-        """
+        """Return the largest absolute sum of an axis pair's tables, or a bound above it."""
         return max(self._peak(pair, direction) for direction in Direction)
 
     def _peak(self, pair: Pair, direction: Direction) -> float:
@@ -170,9 +169,7 @@ class Sag:
 
 
 def union(positions: Sequence[FloatArray]) -> FloatArray:
-    """Return the points (k,) of several tables, ascending. Points within 1e-9 mm or deg count as
-    one.
-    """
+    """Return the points (k,) of several tables, ascending, equal ones (within 1e-9) once."""
     filled = [nodes for nodes in positions if nodes.size]
     if len(filled) < 2:
         return filled[0] if filled else np.empty(0)

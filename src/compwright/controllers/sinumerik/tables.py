@@ -32,7 +32,8 @@ _LEAST_STEP = 1e-9
 
 @dataclass(frozen=True, slots=True)
 class CompensationTable:
-    """A table with values (k + 1,) as in the file, mm or deg, at ``lowest`` + i * ``step``.
+    """A table with values (k + 1,) at ``lowest`` + i * ``step``, mm or deg.
+
     ``modulo``: it repeats.
     """
 
@@ -68,7 +69,7 @@ class CompensationTable:
 
 @dataclass(slots=True)
 class Remarks:
-    """Assumptions, notes and faults of one control. All its parts add to the same record."""
+    """The assumptions, notes and faults that all parts of one control collect."""
 
     assumed: list[Assumption] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
@@ -76,25 +77,21 @@ class Remarks:
 
 
 def last_value(entries: Sequence[VariableAssignment], name: str) -> float | None:
-    """Return the last value assigned to a variable, because a load sequence switches off and on
-    again. None without one.
-    """
+    """Return the last value assigned to a variable, None without one."""
     return next((entry.value for entry in reversed(entries) if entry.name == name), None)
 
 
 def single(
     entries: Sequence[VariableAssignment], name: str, faults: list[Fault]
 ) -> VariableAssignment | None:
-    """Return the assignment of a variable that may be given once. Repetitions must agree."""
+    """Return the assignment of a variable that should occur once; repetitions must agree."""
     given = [entry for entry in entries if entry.name == name]
     _agree(given, faults)
     return given[0] if given else None
 
 
 def is_default(entries: Sequence[VariableAssignment], prefix: str) -> bool:
-    """Return whether a table is the control's own default: STEP, MIN and MAX are 0, and no value
-    differs from 0.
-    """
+    """Return whether all numbers of a table are 0, as in a control without such a table."""
     grid = [
         entry
         for entry in entries
@@ -115,7 +112,7 @@ def build_table(
     *,
     stranger: bool = False,
 ) -> CompensationTable | None:
-    """Return one table from all its assignments. None with faults in ``remarks``.
+    """Return one table from all its assignments; None, with faults in ``remarks``, if invalid.
 
     ``prefix``: name of the values' variable; ``label``: name of the table in messages; ``owner``:
     the axis or table whose IS_MODULO may have to be assumed; ``stranger``: the axis is not under
@@ -172,9 +169,7 @@ def build_table(
 def too_few_points(
     reserved: Sequence[VariableAssignment], table: CompensationTable, label: str
 ) -> list[Fault]:
-    """Return the fault of machine data that reserve too few points for the table. The control would
-    shorten it.
-    """
+    """Return the fault that machine data reserve too few points, so that the table is cut."""
     return [
         entry.fault(
             f"{label} reserves fewer points than the table needs",
@@ -187,7 +182,7 @@ def too_few_points(
 
 
 def _impossible(first: VariableAssignment, label: str, table: CompensationTable) -> list[Fault]:
-    """Return the faults of a complete table that cannot be evaluated."""
+    """Return the faults of a table that is complete but cannot be evaluated."""
     if np.any(np.diff(table.positions()) <= 0.0):
         return [
             first.fault(
@@ -230,9 +225,7 @@ class _Ends:
 def _ends(
     first: VariableAssignment, label: str, grid: tuple[float, float, float], faults: list[Fault]
 ) -> _Ends | None:
-    """Return where a table ends, k = (MAX - MIN) / STEP. None with a fault for an impossible
-    grid.
-    """
+    """Return the end of a table, point k = (MAX - MIN) / STEP; None if that is impossible."""
     step, low, high = grid
     if step <= 0.0 or high < low:
         faults.append(
@@ -263,9 +256,7 @@ def _ends(
 def _split(
     first: VariableAssignment, label: str, prefix: str, grid: tuple[float, float, float]
 ) -> Fault:
-    """Return the fault of a table whose MAX is between two points of different values. The manual
-    does not define the value there.
-    """
+    """Return the fault of a table whose end MAX is between two points with different values."""
     step, low, high = grid
     return first.fault(
         f"(MAX - MIN) / STEP of the {label} is not a whole number of steps, and its last point"
@@ -281,7 +272,7 @@ def _column(
     ends: _Ends,
     faults: list[Fault],
 ) -> FloatArray | None:
-    """Return the values (count,) of points 0 to count-1. None with a fault when some are missing.
+    """Return the values (count,) of points 0 to count-1; None, with a fault, if one is missing.
 
     They do not fill the grid. Values above MAX are ignored (FB2 09/2009, 6FC5397-1BP20-0BA0, p. 362
     and p. 370).
@@ -305,7 +296,7 @@ def _column(
 
 
 def _values(entries: Sequence[VariableAssignment], faults: list[Fault]) -> dict[int, float]:
-    """Return the value of each point. A repeated point must have the same value."""
+    """Return the value of each point; a repeated point must have the same value."""
     points: dict[int, list[VariableAssignment]] = defaultdict(list)
     for entry in entries:
         if entry.point is not None:

@@ -1,4 +1,4 @@
-"""Assignments in SINUMERIK text files, read as the control's program interpreter would read them.
+"""Read assignments in SINUMERIK text files as the control's program interpreter does.
 
 A second, small reader on purpose: it shares nothing with the room that writes these files. It reads
 only what moves an axis by its position: the leadscrew table (``$AA_ENC_COMP...``), backlash
@@ -136,7 +136,7 @@ _WHOLE = re.compile(r"[0-9]{1,9}")
 
 @dataclass(frozen=True, slots=True)
 class VariableAssignment(OfLine):
-    """One assignment: variable without ``$``, and value.
+    """One assignment: the variable without ``$``, its indices, and the value.
 
     ``number``: measuring system e or table t, 0 without either; ``point`` N.
 
@@ -164,13 +164,13 @@ class VariableAssignment(OfLine):
 
     @property
     def comparable(self) -> float | str:
-        """The right side in a form for comparison: the number, or the axis in capitals."""
+        """The right side for comparisons: a number, or an axis name in capitals."""
         return self.names.upper() if self.name in _NAMING else self.value
 
 
 @dataclass(slots=True)
 class ProgramContent:
-    """The contents of one file: its assignments in order, remarks, and faults.
+    """The contents of one file: its assignments in order, notes, and faults.
 
     ``machine_names``, ``channel_names``: names by index from 0; ``channel_places``: machine axes
     from 1 by index in the channel; ``facts``: plain assignments of `FACTS`; ``units``: lines that
@@ -201,8 +201,9 @@ class ProgramContent:
 
 @dataclass(slots=True)
 class _Program:
-    """The program of an archive during reading. ``header``: its line (0 without one); ``before``:
-    the assignments before it.
+    """The archive's program that is being read.
+
+    ``header``: its line (0 without one); ``before``: the assignments before it.
     """
 
     header: int = 0
@@ -212,7 +213,7 @@ class _Program:
 
 @lru_cache(maxsize=_KEPT)
 def read_file(file: ControlFile) -> ProgramContent:
-    """Return the contents of one file, given as bytes. Faults are collected, and nothing is raised.
+    """Return the contents of one file, with its faults; nothing is raised.
 
     A file may hold several programs, as an archive does: a line ``%_N_...`` opens the next one.
     Text between the end of a program (M17, M30, M02) and the next header is a fault, because the
@@ -267,7 +268,7 @@ def read_file(file: ControlFile) -> ProgramContent:
 
 
 def _note_flow(code: str, number: int, found: ProgramContent, whole: str, *, counted: bool) -> None:
-    """Record a line's effect on the order of execution of its program.
+    """Record how a line affects the order of execution of its program.
 
     ``counted``: it holds a statement that counts; ``whole``: the line with its strings.
     """
@@ -309,8 +310,7 @@ def _read_names(code: str, found: ProgramContent) -> None:
 
 
 def _with_points(lines: list[str]) -> list[str]:
-    """Return the lines of a file with decimal commas replaced by points, if they certainly are
-    decimal commas.
+    """Return the lines with points instead of decimal commas, if the file certainly has these.
 
     That is: such a value fills a line, and no value of the file has a point.
     """
@@ -321,7 +321,7 @@ def _with_points(lines: list[str]) -> list[str]:
 
 
 def _read_fact(code: str, file: str, number: int, found: ProgramContent) -> None:
-    """Record an assignment of one of the variables in `FACTS`."""
+    """Record an assignment of a machine setting that affects compensation (`FACTS`)."""
     match = _ASSIGNMENT.fullmatch(code)
     name = "" if match is None else match["name"].upper()
     if match is None or name not in FACTS or "=" not in match["sign_of_assignment"]:
@@ -335,9 +335,7 @@ def _read_fact(code: str, file: str, number: int, found: ProgramContent) -> None
 
 
 def _note_end(program: _Program, file: str, found: ProgramContent, *, last: bool) -> None:
-    """Note a program without an end. In the middle of an archive only one with compensation data
-    matters.
-    """
+    """Add a note on a program without an end, which may have been cut short."""
     if program.header and not program.ended and (last or len(found.assignments) > program.before):
         found.notes.append(
             f"{file}: no end (M17, M30 or M02) of the program that begins in line {program.header}:"
@@ -346,7 +344,7 @@ def _note_end(program: _Program, file: str, found: ProgramContent, *, last: bool
 
 
 def _read_line(code: str, file: str, number: int, found: ProgramContent, *, ended: bool) -> None:
-    """Read one line about compensation. A line that is not understood completely is a fault."""
+    """Read one line about compensation; a line that is not fully understood is a fault."""
 
     def wrong(message: str, expected: str) -> None:
         found.faults.append(
@@ -441,7 +439,7 @@ def _read_assignment(
 
 
 def _foreign_key(name: str, index: str, found: ProgramContent) -> bool:
-    """Record an unknown key of a table. Return False for any other key."""
+    """Record a CEC table variable that is not known; return False for any other variable."""
     known = name.startswith("AN_CEC_") and _WHOLE.fullmatch(index.strip()) is not None
     if known:
         found.unknown_keys[int(index)] = name
@@ -449,7 +447,7 @@ def _foreign_key(name: str, index: str, found: ProgramContent) -> bool:
 
 
 def _indices(kinds: tuple[str, ...], text: str) -> dict[str, str] | None:
-    """Return the indices in a bracket by kind, as written. None when they are different ones."""
+    """Return the indices in a bracket by kind, as written; None if they are of other kinds."""
     given = [index.strip() for index in text.split(",")]
     if len(given) != len(kinds):
         return None
@@ -461,5 +459,5 @@ def _indices(kinds: tuple[str, ...], text: str) -> dict[str, str] | None:
 
 
 def _number(text: str) -> float:
-    """Return a number in the control's notation, with an exponent written as ``EX``."""
+    """Return a number in the control's notation, in which an exponent is written ``EX``."""
     return float(text.upper().replace("EX", "E"))

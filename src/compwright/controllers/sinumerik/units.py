@@ -30,7 +30,7 @@ _REAL = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:E[+-]?[0-9]{1,2})?", re
 
 @dataclass(slots=True)
 class UnitLines:
-    """Statements about length units, each with its line.
+    """The statements about length units in a file, each with its line.
 
     ``metric``, whether the basic system is metric; ``inch``, MD10250 in mm; ``own``, MD10220;
     ``factors``, index and value of MD10230.
@@ -42,7 +42,7 @@ class UnitLines:
     factors: list[tuple[int, tuple[int, float]]] = field(default_factory=list)
 
     def read(self, code: str, number: int) -> None:
-        """Record the unit that a line sets. The line comes without its comment."""
+        """Record the length unit that a line of the file (without its comment) sets."""
         match = _UNITS.fullmatch(code)
         if match is None:
             return
@@ -58,8 +58,7 @@ class UnitLines:
 
 
 def truth(text: str) -> float | None:
-    """Return the number of a literal: ``1``, ``1.0``, ``TRUE``, ``'H1'``, ``'B1'``. None for other
-    text.
+    """Return the number of a literal such as ``1``, ``TRUE``, ``'H1'``; None for other text.
 
     Programming manual Job Planning 07/2010, 6FC5398-2BP40-0BA0, pages 54 and 73: INT and REAL
     become BOOL, 0 is FALSE.
@@ -72,7 +71,7 @@ def truth(text: str) -> float | None:
 
 
 def _decimal(text: str) -> float:
-    """Return a number of digits and points. NaN for other text."""
+    """Return the number in a text of digits and points; NaN for any other text."""
     try:
         return float(text)
     except ValueError:
