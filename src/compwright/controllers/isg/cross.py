@@ -34,9 +34,7 @@ DEFAULT_ROOM = 1001
 
 @dataclass(frozen=True, slots=True)
 class CrossTable:
-    """A cross-axis table: corrections (k,) of ``slave`` by positions (k,) of ``master``, mm,
-    deg.
-    """
+    """A cross-axis table: corrections (k,) of ``slave`` by positions (k,) of ``master``."""
 
     master: str
     slave: str

@@ -97,9 +97,7 @@ class ProgramCalls:
         return block.title in self._sites
 
     def trail(self, block: ProgramBlock) -> list[Line]:
-        """Return the lines of a program; a call that certainly returns counts as an ordinary
-        line.
-        """
+        """Return a program's lines, in which a call that certainly returns is an ordinary line."""
         back = {one.line for one in (*block.doubts, *block.late) if self._always_returns(one.call)}
         called = {line.number for line in self.calls_of(block)}
         return [
