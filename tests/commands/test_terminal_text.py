@@ -15,7 +15,7 @@ from rich.table import Table
 from compwright.cli.saying import errors, print_lines, tell
 from compwright.foundations.utf8 import visible, visible_lines
 from compwright.reporting.shown import Text, print_renderables
-from places import PROJECT
+from source_trees import nodes_below, trees
 
 #: Clear the screen; name the window; the same with one byte (ISO 6429: C1); turn the direction of
 #: writing (UAX 9); a zero-width joiner; a line of its own; half a character.
@@ -29,7 +29,6 @@ NAMES = (
     "x\ny",
     "\udcff",
 )
-SOURCES = sorted((PROJECT / "src" / "compwright").rglob("*.py"))
 
 
 def obeyed(text: str) -> list[str]:
@@ -80,17 +79,16 @@ def test_nothing_is_printed_past_the_doors() -> None:
     shows what it is given, is used there alone.
     """
     ways: dict[str, set[str]] = {}
-    for path in SOURCES:
-        place = path.relative_to(PROJECT / "src" / "compwright").as_posix()
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+    for module, tree in trees().items():
+        for node in nodes_below(tree):
             for way in _ways(node):
-                ways.setdefault(way, set()).add(place)
+                ways.setdefault(way, set()).add(module)
     assert ways == {
-        "click.echo": {"cli/saying.py"},
-        "rich.console.Console": {"reporting/shown.py"},
-        "rich.text": {"reporting/shown.py"},
-        "sys.stdout": {"cli/saying.py", "cli/shell.py"},
-        "sys.stderr": {"cli/saying.py", "cli/shell.py"},
+        "click.echo": {"cli.saying"},
+        "rich.console.Console": {"reporting.shown"},
+        "rich.text": {"reporting.shown"},
+        "sys.stdout": {"cli.saying", "cli.shell"},
+        "sys.stderr": {"cli.saying", "cli.shell"},
     }
 
 

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import ast
 import re
-from pathlib import Path
 
 import pytest
 
-import compwright
 from compwright.foundations.numerals import significant
+from source_trees import nodes_below, trees
 
 #: Rooms that speak of what was measured, estimated, fitted and predicted.
 SPEAKING = ("estimation", "evaluation", "fitting", "planning", "verification")
@@ -36,13 +35,11 @@ def test_no_exponents(value: float, digits: int, text: str) -> None:
 
 def test_no_sentence_takes_two_or_three_digits_in_a_way_that_writes_exponents() -> None:
     """``.2g`` and ``.3g`` write 150 µm as 1.5e+02 and 1500 as 1.5e+03."""
-    room = Path(compwright.__file__).parent
     found = [
-        f"{path.relative_to(room)}: {ast.unparse(node)}"
-        for name in SPEAKING
-        for path in sorted((room / name).rglob("*.py"))
-        if path.stem not in CERTIFICATES
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        f"{module}: {ast.unparse(node)}"
+        for module, tree in trees().items()
+        if module.partition(".")[0] in SPEAKING and module.rpartition(".")[2] not in CERTIFICATES
+        for node in nodes_below(tree)
         if isinstance(node, ast.FormattedValue)
         and node.format_spec is not None
         and re.search(r"\.[23]g", ast.unparse(node.format_spec))

@@ -21,8 +21,8 @@ from typing import TypeGuard
 import pytest
 
 from places import PROJECT
+from source_trees import nodes_below, trees
 
-SOURCE = PROJECT / "src" / "compwright"
 ROOMS = (
     *(
         "foundations",
@@ -166,23 +166,6 @@ class Import:
             f"{self.by} line {self.line} imports"
             f" {self.target}{f'.{self.name}' if self.name else ''}"
         )
-
-
-@cache
-def trees() -> dict[str, ast.Module]:
-    """Return every module of the source: dotted name below compwright -> tree."""
-    found = {}
-    for path in sorted(SOURCE.rglob("*.py")):
-        parts = path.relative_to(SOURCE).with_suffix("").parts
-        name = ".".join(parts[:-1] if parts[-1] == "__init__" and len(parts) > 1 else parts)
-        found[name] = ast.parse(path.read_text(encoding="utf-8"), str(path))
-    return found
-
-
-@cache
-def nodes_below(node: ast.AST) -> tuple[ast.AST, ...]:
-    """Return a node and all below it: many tests ask for those of the same module."""
-    return tuple(ast.walk(node))
 
 
 def statements_of(node: ast.AST) -> Iterator[ast.AST]:

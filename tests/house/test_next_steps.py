@@ -3,11 +3,8 @@
 from __future__ import annotations
 
 import ast
-from pathlib import Path
 
-from places import PROJECT
-
-SOURCE = PROJECT / "src" / "compwright"
+from source_trees import nodes_below, trees
 
 
 def hint_of(call: ast.Call) -> ast.expr | None:
@@ -15,12 +12,11 @@ def hint_of(call: ast.Call) -> ast.expr | None:
     return next((word.value for word in call.keywords if word.arg == "hint"), None)
 
 
-def faults(path: Path) -> list[ast.Call]:
+def faults(tree: ast.Module) -> list[ast.Call]:
     """Return the calls of a module that make a fault."""
-    tree = ast.parse(path.read_text(encoding="utf-8"))
     return [
         node
-        for node in ast.walk(tree)
+        for node in nodes_below(tree)
         if isinstance(node, ast.Call)
         and isinstance(node.func, ast.Name)
         and node.func.id == "Fault"
@@ -28,11 +24,11 @@ def faults(path: Path) -> list[ast.Call]:
 
 
 def test_every_fault_has_a_next_step() -> None:
-    calls = {path: faults(path) for path in sorted(SOURCE.rglob("*.py"))}
+    calls = {module: faults(tree) for module, tree in trees().items()}
     assert sum(map(len, calls.values())) > 500
     without = [
-        f"{path.relative_to(SOURCE)}:{call.lineno}"
-        for path, found in calls.items()
+        f"{module}:{call.lineno}"
+        for module, found in calls.items()
         for call in found
         if hint_of(call) is None
     ]
@@ -40,11 +36,11 @@ def test_every_fault_has_a_next_step() -> None:
 
 
 def test_next_steps_are_imperatives_without_a_full_stop() -> None:
-    for path in sorted(SOURCE.rglob("*.py")):
-        for call in faults(path):
+    for module, tree in trees().items():
+        for call in faults(tree):
             hint = hint_of(call)
             if isinstance(hint, ast.Constant):
-                place = f"{path.relative_to(SOURCE)}:{call.lineno}"
+                place = f"{module}:{call.lineno}"
                 assert isinstance(hint.value, str), place
                 assert hint.value[:1].islower() or hint.value[:1] == "`", place
                 assert not hint.value.endswith("."), place

@@ -14,7 +14,6 @@ from string import Formatter
 
 import jinja2.nodes
 import pytest
-from test_house import trees
 
 from compwright.formats.definition.schema import CardRule, Definition, LookRule
 from compwright.words.sentences import (
@@ -27,6 +26,7 @@ from compwright.words.sentences import (
 )
 from format_samples import DEFINITIONS
 from places import PROJECT
+from source_trees import nodes_below, trees
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "benchmarks"))
 
@@ -66,16 +66,20 @@ def _asked_in_source() -> tuple[tuple[str, str, frozenset[str]], ...]:
     return tuple(
         (f"{module}:{node.lineno}", name, frozenset(word.arg or "**" for word in node.keywords))
         for module, tree in trees().items()
-        for node in ast.walk(tree)
+        for node in nodes_below(tree)
         if isinstance(node, ast.Call) and _says(node)
         for name in _names(node.args[0])
     )
 
 
 def _says(call: ast.Call) -> bool:
-    called = ast.unparse(call.func)
-    if not call.args or called in ("say", "Finding.of"):
-        return bool(call.args)
+    function = call.func
+    last = function.attr if isinstance(function, ast.Attribute) else getattr(function, "id", "")
+    if not call.args or last not in ("say", "of", "find"):
+        return False
+    called = ast.unparse(function)
+    if called in ("say", "Finding.of"):
+        return True
     return called.endswith(".find") and any(name.startswith("CW-") for name in _names(call.args[0]))
 
 
@@ -112,7 +116,7 @@ def test_each_name_of_a_sentence_is_written_out_where_it_is_asked_for() -> None:
     computed = {
         module
         for module, tree in trees().items()
-        for node in ast.walk(tree)
+        for node in nodes_below(tree)
         if isinstance(node, ast.Call) and _says(node) and not list(_names(node.args[0]))
     }
     assert computed == HANDED_ON
@@ -129,8 +133,10 @@ def texts_of_controls() -> frozenset[str]:
     asked = (
         node.args[0]
         for tree in trees().values()
-        for node in ast.walk(tree)
-        if isinstance(node, ast.Call) and ast.unparse(node.func) == "control_text"
+        for node in nodes_below(tree)
+        if isinstance(node, ast.Call)
+        and isinstance(node.func, ast.Name)
+        and node.func.id == "control_text"
     )
     of_source = {ast.literal_eval(template) for template in asked}
     return frozenset(of_source.union(*map(_texts_of, DEFINITIONS.values())) - {""})
