@@ -18,7 +18,9 @@ _ROUNDING = 1e-5
 
 
 def name_of(definition: Definition, quantity: str) -> str:
-    """Return the control's name of a quantity, such as $MA_BACKLASH or the number 1851."""
+    """Return the control's name of a quantity: its parameter number, or the name of its
+    variable.
+    """
     return name_in_form(definition.statements[definition.bindings[quantity].statement].form)
 
 
