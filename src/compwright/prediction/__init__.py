@@ -1,1 +1,1 @@
-"""Predict the next test of an axis or circle, with its uncertainty."""
+"""Prediction of the next test of an axis or circle, with its uncertainty."""

@@ -1,4 +1,4 @@
-"""The active corrections of a control by position and direction: along an axis and between axes.
+"""The active corrections of a control, by position and direction: along an axis and between axes.
 
 A correction is what the control adds to the command, mm or deg, > 0 towards the positive end.
 """
@@ -36,32 +36,30 @@ def sum_of_corrections(one: Correction, other: Correction) -> Correction:
 def _together(
     one: Correction, other: Correction, sign: float, positions: FloatArray, direction: Direction
 ) -> FloatArray:
-    """Return ``one`` plus ``sign`` times ``other``. A module function, so that a correction can be
-    sent to another process.
-    """
+    """Return ``one`` plus ``sign`` times ``other`` (not nested: other processes must find it)."""
     return one(positions, direction) + sign * other(positions, direction)
 
 
 @dataclass(frozen=True, slots=True)
 class ActiveCorrections:
-    """All active corrections of a control. ``along``: of an axis by its own position; ``across``:
-    of an output axis by the position of an input axis.
+    """All active corrections of a control: ``along`` an axis by its own position, and ``across``
+    for an output axis by the position of an input axis.
     """
 
     along: Mapping[str, Correction]
     across: Mapping[tuple[str, str], Correction]
 
     def on(self, axis: str) -> Correction:
-        """Return the correction of an axis by its own position."""
+        """Return the correction of an axis as a function of its own position."""
         return self.along.get(axis, no_correction)
 
     def between(self, given: str, bent: str) -> Correction:
-        """Return the correction of the axis ``bent`` by the position of the axis ``given``."""
+        """Return the correction of the axis ``bent`` as a function of the position of ``given``."""
         return self.across.get((given, bent), no_correction)
 
     def displacement(self, axes: tuple[str, str]) -> Displacement:
-        """Return the function that gives the displacement (n, 2) mm of the tool in the plane of two
-        axes (names of the job).
+        """Return a function that gives the displacement (n, 2) mm of the tool by all corrections,
+        in the plane of two axes (names of the job).
 
         An axis outside the plane stands still; what it does to the two is the same everywhere on
         the circle.
@@ -89,8 +87,6 @@ NO_CORRECTIONS = ActiveCorrections({}, {})
 def correction_in_motion(
     correction: Correction, positions: FloatArray, moves: FloatArray
 ) -> FloatArray:
-    """Return the correction at ``positions`` (n,) of an axis that moves in the directions ``moves``
-    (n,).
-    """
+    """Return the correction at ``positions`` (n,) of an axis that moves in directions ``moves``."""
     either = [correction(positions, direction) for direction in Direction]
     return np.where(moves > 0.0, *either)

@@ -1,5 +1,4 @@
-"""Predict the next circular test: each measured sample is moved by the change of the tables, with
-new noise.
+"""Prediction of the next circular test: samples move with the change of the tables, noise is new.
 
 The measured path holds every error of the machine at the place of the circle, so that nothing of it
 has to be modelled to predict the change. What is random in a fresh test is drawn: the path from
@@ -41,8 +40,8 @@ _BOTH_TESTS: Final = 2.0
 
 @dataclass(frozen=True, slots=True)
 class CirclePath:
-    """The commanded positions (n,) mm of both axes in a run, in machine coordinates, and the
-    direction (n,) of each axis.
+    """Commanded positions (n,) mm of both axes in a run, in machine coordinates, and the direction
+    of motion (n,) of each axis.
 
     The reversal is that of the command; an axis that lags reverses later by less than a sample.
     """
@@ -74,7 +73,7 @@ def commanded_path(test: CircularTest, run: CircularRun, centre: tuple[float, fl
 def moved_test(
     test: CircularTest, centre: tuple[float, float], displacement: Displacement
 ) -> CircularTest:
-    """Return the test as it would have been measured with every point moved by ``displacement``.
+    """Return the circular test as measured if ``displacement`` moved every point of the path.
 
     What the displacement is in the centre of the circle, on the mean of both directions of motion,
     is left out: there the instrument is set up anew. The distance is exact; only the place of the
@@ -99,7 +98,7 @@ def moved_test(
 def predict_circle(
     before: CircularResult, expected: CircularResult, rng: np.random.Generator, draws: int
 ) -> CirclePrediction:
-    """Return the predicted result of a new circular test. ``expected``: the test ``before`` with
+    """Return the prediction of a repeated circular test. ``expected`` is the test ``before`` with
     the changed tables, evaluated and diagnosed.
 
     Parameters come from ``draws`` tests with fresh noise; causes, which are linear in the readings,
@@ -154,8 +153,8 @@ def _smoothed(run: CircularRun) -> FloatArray:
 
 
 def _parabolas(values: FloatArray) -> FloatArray:
-    """Return the value of a parabola through the `_WINDOW` neighbours of each of (n,) equally
-    spaced values. Fewer points stay unchanged.
+    """Return each of (n,) equally spaced values smoothed by a parabola through its `_WINDOW`
+    neighbours. Fewer values stay unchanged.
     """
     if values.size < _WINDOW:
         return values
@@ -173,8 +172,8 @@ def _parabolas(values: FloatArray) -> FloatArray:
 def _fresh_tests(
     test: CircularTest, diagnosis: Diagnosis | None, rng: np.random.Generator, draws: int
 ) -> Iterator[list[FloatArray]]:
-    """Yield the deviations (n,) mm of every run of ``draws`` simulated tests. Without a diagnosis
-    the smoothed samples are the path.
+    """Yield the deviations (n,) mm of every run for each of ``draws`` simulated tests. Their path
+    is the fitted one, or smoothed samples without a diagnosis.
     """
     fresh = () if diagnosis is None else diagnosis.fresh
     paths = [
@@ -210,9 +209,7 @@ def _fresh_tests(
 
 
 def _along(run: CircularRun, angles: FloatArray, rows: FloatArray) -> FloatArray:
-    """Return the ``rows`` (d, m), given at ``angles`` (m,), interpolated at the angles of ``run``
-    (d, n).
-    """
+    """Return the ``rows`` (d, m), known at ``angles`` (m,), interpolated at angles of ``run``."""
     if run.angles.size == angles.size:
         return rows
     order = np.argsort(angles)

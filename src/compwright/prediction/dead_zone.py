@@ -1,4 +1,4 @@
-"""Find steps of a correction that a control never applies.
+"""Steps of a correction that a control never applies, because they are in a dead zone.
 
 Such a control ramps its correction. From standstill of the ramp a small step is applied within one
 servo period, and a large one starts the ramp; one between the two (`Axis.unapplied_steps`) does
@@ -24,8 +24,8 @@ _PLACES = 501
 
 
 def applied_compensation(compensation: AxisCompensation, axis: Axis) -> AxisCompensation:
-    """Return the compensation that the control applies on traverses over the whole travel and back.
-    Unchanged where every step is applied.
+    """Return the compensation that the control applies in traverses over the whole travel and back,
+    which lacks steps in the dead zone.
     """
     if axis.unapplied_steps is None or compensation.positions.size == 0:
         return compensation
@@ -62,8 +62,8 @@ def applied_compensation(compensation: AxisCompensation, axis: Axis) -> AxisComp
 
 
 def unapplied_range(compensation: AxisCompensation, axis: Axis) -> tuple[float, float] | None:
-    """Return the smallest and the largest reversal (mm or deg) that the control never applies where
-    the axis reverses. None: all are applied.
+    """Return the smallest and largest step (mm or deg) that the control does not apply where the
+    axis reverses, or None if it applies all.
     """
     if axis.unapplied_steps is None or compensation.positions.size == 0:
         return None
@@ -80,8 +80,7 @@ def unapplied_range(compensation: AxisCompensation, axis: Axis) -> tuple[float, 
 def _traversed(
     nodes: FloatArray, table: FloatArray, before: float, axis: Axis
 ) -> tuple[FloatArray, FloatArray]:
-    """Return positions in the order of the traverse and the compensation applied there, linear in
-    between.
+    """Return positions in the order of a traverse, and the compensation applied at each.
 
     ``before``: what was applied at the turn. The nodes alone: the table is applied at once.
     """

@@ -1,4 +1,4 @@
-"""Simulate the noise of a new test: its contribution to the readings of an axis."""
+"""Simulated noise of the readings in a repeated test."""
 
 from __future__ import annotations
 
@@ -43,8 +43,8 @@ def fresh_noise(
     negative: int,
     rng: np.random.Generator,
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the noise of simulated tests at ``targets`` (m,), one per draw: (count, m, positive)
-    and (count, m, negative), mm or deg.
+    """Return the noise of simulated tests at ``targets`` (m,), mm or deg, one test per draw:
+    (count, m, positive) in + and (count, m, negative) in −.
 
     Scatter, tails, offsets and tilts of the traverses are drawn anew. Drift comes again as the
     first test showed it, but for `_DIFFERS`; the means differ by so much of what drifts within a
@@ -74,8 +74,8 @@ def fresh_noise(
 def _drifts(
     draws: NoiseDraws, share: FloatArray, u: FloatArray, positive: int, negative: int
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the drift in the readings of simulated tests, (count, m, positive) and (count, m,
-    negative).
+    """Return the drift in the readings of simulated tests, (count, m, positive) in + and (count, m,
+    negative) in −.
 
     At ``u`` (m,), -1 to 1, of fresh tests that drift by ``share`` (count,) as the first one did.
     """
@@ -100,8 +100,8 @@ def _drifts(
 def _traverses(
     draws: NoiseDraws, positive: int, negative: int, rng: np.random.Generator
 ) -> tuple[tuple[FloatArray, FloatArray], tuple[FloatArray, FloatArray]]:
-    """Return the offsets and the tilts of the traverses in + (count, positive) and in - (count,
-    negative), by the pattern of each draw.
+    """Return offset and tilt of each traverse in + (count, positive) and in − (count, negative),
+    drawn from the pattern of each draw.
     """
     shape = draws.count, positive + negative
     units = rng.standard_normal(shape) * (rng.random(shape) < draws.moved[:, np.newaxis])
@@ -120,15 +120,13 @@ def _traverses(
 
 
 def _few(positive: int, negative: int) -> tuple[int, int]:
-    """Return the number of traverses in + and - at which a wave is drawn, at most `_MOST_WAVED`
-    runs.
-    """
+    """Return how many traverses in + and − are drawn from a wave, at most `_MOST_WAVED`."""
     return min(positive, _MOST_WAVED), min(negative, _MOST_WAVED)
 
 
 @functools.lru_cache(maxsize=8)
 def _wave_root(positive: int, negative: int, pace: float) -> FloatArray:
-    """Return a matrix root of the covariance of offsets and tilts by a wave of unit size."""
+    """Return a root of the covariance matrix of traverse offsets and tilts that follow a wave."""
     few = _few(positive, negative)
     signs = np.repeat([1.0, -1.0], few)
     unit = wave_effects(np.concatenate(traverse_order(*few)), signs, sum(few), pace)
@@ -138,8 +136,8 @@ def _wave_root(positive: int, negative: int, pace: float) -> FloatArray:
 
 
 def _at_all(waves: FloatArray, positive: int, negative: int) -> tuple[FloatArray, FloatArray]:
-    """Return offsets and tilts (count, positive + negative) of all traverses, interpolated from
-    those drawn in ``waves`` (count, 2 k). A shorter traverse tilts less.
+    """Return offset and tilt (count, positive + negative) of all traverses, interpolated from those
+    drawn in ``waves`` (count, 2 k). A traverse with a smaller share of the test tilts less.
     """
     offset, tilt = np.split(waves, 2, axis=1)
     few = _few(positive, negative)
@@ -162,8 +160,7 @@ def _at_all(waves: FloatArray, positive: int, negative: int) -> tuple[FloatArray
 def _moved(
     draws: NoiseDraws, std: FloatArray, unit: FloatArray, order: tuple[IndexArray, IndexArray]
 ) -> tuple[FloatArray, FloatArray]:
-    """Return a shift with the standard deviation ``std`` (count,) for each traverse in + (count,
-    positive) and in -.
+    """Return a shift of standard deviation ``std`` (count,) for each traverse, in + and in −.
 
     Made of ``unit`` (count, positive + negative) by the pattern of each draw; ``order``: the places
     in time of the traverses.
@@ -181,8 +178,7 @@ def _moved(
 def _errors(
     draws: NoiseDraws, scale: FloatArray, way: int, runs: int, rng: np.random.Generator
 ) -> FloatArray:
-    """Return random errors of single readings (count, m, runs) in units of their ``scale`` (count,
-    m).
+    """Return random errors of single readings (count, m, runs), relative to ``scale`` (count, m).
 
     Normal, Student's (a normal one over the root of a mean square; Gelman et al., Bayesian Data
     Analysis, 3rd ed. 2013, section 17.2), or of a mixture with outliers (Tukey 1960).

@@ -1,6 +1,4 @@
-"""The scatter of new tests at each target and direction: errors of the means, and standard
-deviations.
-"""
+"""The scatter of repeated tests at each target and direction: errors of means, and s."""
 
 from __future__ import annotations
 
@@ -40,7 +38,7 @@ def fresh_scatter(
     rng: np.random.Generator,
 ) -> FreshScatter:
     """Return the scatter of simulated tests at ``targets`` (m,), one test for each of the s draws
-    of the ``noise``.
+    of ``noise``.
 
     They have ``runs_*`` readings in + and -; simulated reading by reading, evaluated as in ISO
     230-2:1997, 2.10 and 2.15. ``runs_*``: one number or (m,); 0: the direction is not measured.

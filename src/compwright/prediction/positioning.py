@@ -1,4 +1,4 @@
-"""Predict the next positioning test by simulated tests, and decide about its limits.
+"""Prediction of the next positioning test from simulated tests, and the decision about its limits.
 
 Drawn from the posterior of the error, the changed table and fresh noise.
 """
@@ -42,8 +42,7 @@ def predict_test(
     vdi: bool = False,
     only: str | None = None,
 ) -> Mapping[str, Quantiles]:
-    """Return the predicted quantiles of the parameters of a new test at m targets, after a change
-    of the correction.
+    """Return predicted quantiles of each parameter of a repeated test after a correction change.
 
     ``draws_positive``, ``draws_negative`` (s, m): s joint draws of the deviation in the state that
     was measured, + and -; ``scatter``: what the readings of a fresh test add to each, drawn with
@@ -76,7 +75,7 @@ def fresh_parameters(
     vdi: bool = False,
     only: str | None = None,
 ) -> dict[str, FloatArray]:
-    """Return the parameters (s,) of simulated tests under the names of the JSON.
+    """Return the parameters (s,) of simulated tests, by their names in the JSON.
 
     The deviations of their axes are ``positive``, ``negative`` (s, m); parameters that such a test
     does not have are left out. ``only``: the others of ISO 230-2 are not worked out.
@@ -93,8 +92,7 @@ def fresh_parameters(
 def fresh_slopes(
     positions: FloatArray, count: int, slope_std: float, rng: np.random.Generator
 ) -> FloatArray:
-    """Return extra deviations (count, m), mm, of simulated tests at another temperature of axis or
-    instrument.
+    """Return extra deviations (count, m), mm, of simulated tests at other temperatures.
 
     At ``positions`` (m,) or (count, m), mm. Each test has a slope of standard deviation
     ``slope_std`` (mm/mm), the same in both directions. No parameter depends on where it is zero.
@@ -114,8 +112,7 @@ def _quantiles(draws: FloatArray) -> Quantiles:
 def dithered_targets(
     travel: tuple[float, float], count: int, rng: np.random.Generator, margin: float = 4.0
 ) -> FloatArray:
-    """Return ``count`` random new targets (count,), ascending, one in each equal part of the
-    travel.
+    """Return ``count`` random new targets, ascending, one in each equal part of the travel.
 
     The i-th (from 0) at low + (i + 0.5 + u) * length / count, u in ±0.3.
 
@@ -144,8 +141,8 @@ def dithered_targets(
 
 
 def decide_prediction(quantiles: Quantiles, limit: float, guard: float = 0.0) -> Decision:
-    """Return the decision about a limit: accept if p95 + guard <= limit, reject if p05 - guard >
-    limit, else undecided. All in one unit.
+    """Return the decision about a limit in one unit: accept if p95 + guard <= limit, reject if p05
+    - guard > limit, else undecided.
 
     ``guard``: the expanded uncertainty of the measurement under the decision rule ``guarded`` (ISO
     14253-1), else 0. The quantiles hold what a repeated test may show, not what its instrument may

@@ -1,1 +1,1 @@
-"""A virtual machine with known errors. It gives the readings of a laser as records and as files."""
+"""A virtual machine with known errors, which gives readings of instruments as records and files."""

@@ -1,5 +1,5 @@
-"""Reads the section ``circles`` of a MACHINE.yaml as virtual circular tests. The schema with an
-example is ``docs/simulation.md``.
+"""The section ``circles`` of a MACHINE.yaml, read as virtual circular tests (schema and example:
+``docs/simulation.md``).
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ _SAMPLES: Final = (36, 100_000)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class VirtualCircle:
-    """A circle to be measured: its plan, its own errors, and the format of its file."""
+    """A circular test to simulate: how it is measured, its errors, and the format of its file."""
 
     plan: CirclePlan
     errors: CircleErrors
@@ -52,7 +52,7 @@ class VirtualCircle:
 
 
 def circles_schema(data: Mapping[str, Any]) -> cs.CoreSchema:
-    """Return the schema of the circles by name."""
+    """Return the schema of the circles in a MACHINE.yaml, by name."""
     each = {
         name: (name, _circle(name, CirclePlan(**usable(_PLAN, own)).axes))
         for name, own in data.items()
@@ -62,7 +62,7 @@ def circles_schema(data: Mapping[str, Any]) -> cs.CoreSchema:
 
 def circle_contradictions(data: Mapping[str, Any], axes: Mapping[str, Axis]) -> Iterator[KeyFault]:
     """Yield the faults of circles: wrong names, contradicting values, or a circle outside the
-    travel. ``axes`` are the machine's.
+    travel of the machine's ``axes``.
     """
     for name in data:
         path = ("circles", name)
@@ -96,7 +96,7 @@ def _outside(path: KeyPath, plan: CirclePlan, axes: Mapping[str, Axis]) -> Itera
 
 
 def _plane(letters: str) -> tuple[str, str]:
-    """Return the first and the second axis of a plane."""
+    """Return the first and the second axis of a plane, given as two letters."""
     match = _LETTERS.fullmatch(letters)
     if match is None or match[1] == match[2]:
         expected = "XY, YZ or ZX (first and second axis)"

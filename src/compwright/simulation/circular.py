@@ -1,5 +1,4 @@
-"""Simulate a circular test: the exact path of two axes with known errors, and the readings of a
-ballbar.
+"""Simulation of a circular test: exact path of two axes with known errors, and ballbar readings.
 
 Lengths mm, angles rad inside and deg at the door, signs as in the outside contract: deviation =
 measured minus commanded, lost motion > 0 lags the direction of motion, squareness > 0 for more than
@@ -30,8 +29,8 @@ _FEWEST, _MOST = 4, 1_000_000  # samples of a run
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CircleAxis:
-    """The errors of one of the two axes on the circle, as functions of its commanded position from
-    the centre.
+    """The errors of one of the two axes of a circle, as functions of its commanded position
+    relative to the centre.
 
     ``scale`` (relative, > 0 travels too far). ``lost_motion`` (mm; at u > 0, at u < 0): the axis
     lags its direction by half of it. ``lag`` (s): dead time. ``gain`` (1/s): Kv of a first-order
@@ -57,7 +56,7 @@ class CircleAxis:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CircleErrors:
-    """Errors of the pair of axes, the set-up and the instrument.
+    """Errors of a simulated circle that belong to the pair of axes, the set-up or the instrument.
 
     ``squareness`` beta (rad): actual first = first - beta * second. ``offset`` (mm, both axes):
     circle centre as seen from the set-up point. ``radius_change`` (mm): read on top in ccw, taken
@@ -79,7 +78,7 @@ class CircleErrors:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CirclePlan:
-    """How a circle is measured: radius, feed, arc, runs.
+    """The way a circle is measured: radius, feed, arc, runs.
 
     ``radius`` mm, ``feed`` mm/min along the path, ``arc`` (start, extent) deg, ``runs`` in each
     direction, the direction ``first`` run; ``sample_rate`` Hz, None for 1500 samples per turn;
@@ -100,25 +99,25 @@ class CirclePlan:
 
     @property
     def samples(self) -> int:
-        """The number of samples of the arc in one run. It is whole, so the true rate is `rate`."""
+        """The number of samples on the arc in one run, a whole number."""
         per_turn = _SAMPLES_PER_TURN if self.sample_rate is None else self.sample_rate * self._turn
         return round(per_turn * self.arc[1] / 360.0)
 
     @property
     def rate(self) -> float:
-        """The samples per second for a whole number of samples on the arc at the feed."""
+        """The samples per second that give a whole number of samples on the arc."""
         return self.samples / (self._turn * self.arc[1] / 360.0)
 
     @property
     def _turn(self) -> float:
-        """The time of one full circle, s."""
+        """The time that one full circle takes, s."""
         return 2.0 * math.pi * self.radius / (self.feed / 60.0)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Traverse:
-    """One run as the instrument records it: ``readings`` (n,) mm, overshoot included. ``start`` to
-    ``end`` are the arc.
+    """One run of a circle as recorded: ``readings`` (n,) mm with overshoot, of which indices
+    ``start`` to ``end`` are the arc.
     """
 
     run: CircularRun
@@ -129,7 +128,7 @@ class Traverse:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CircleRecording:
-    """A circular test and the recorded traverses, overshoot included, in the order of time."""
+    """A simulated circular test with its recorded runs in the order of time, overshoot included."""
 
     plan: CirclePlan
     test: CircularTest
@@ -143,7 +142,7 @@ def record_circle(
     seed: int = 0,
     corrections: CircleCorrection | None = None,
 ) -> CircleRecording:
-    """Return a simulated circular test with its traverses. ccw and cw alternate.
+    """Return a simulated circular test with its recorded runs, alternating between ccw and cw.
 
     Samples lie at half steps of the commanded angle: k of N at start + (k + 1/2) extent/N in ccw,
     mirrored in cw. ``corrections`` (a control's tables, or errors along the axes) are added to the
@@ -232,8 +231,8 @@ def _radii(
     travelled: FloatArray,
     corrections: CircleCorrection | None,
 ) -> FloatArray:
-    """Return the lengths (n,) mm that the bar shows at commanded ``angles`` (n,) deg, ``travelled``
-    (n,) rad after the start.
+    """Return the distances (n,) mm that the ballbar shows at commanded ``angles`` (n,) deg, where
+    the path is ``travelled`` (n,) rad long since the start.
     """
     d = 1.0 if sense == "ccw" else -1.0
     theta = np.radians(angles)
@@ -251,8 +250,8 @@ def _radii(
 
 @dataclass(frozen=True, slots=True)
 class _Motion:
-    """The motion of one axis, u = R cos(``angle``): angle (n,) rad, direction ``d``, ``travelled``
-    (n,) rad since the start.
+    """The motion of one axis, R cos(``angle``): ``angle`` (n,) rad, its direction ``d`` (+1, -1),
+    and the angle ``travelled`` (n,) rad since the start.
     """
 
     angle: FloatArray
@@ -267,8 +266,8 @@ def _axis(
     motion: _Motion,
     corrections: CircleCorrection | None,
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the actual position of an axis from the centre, and its displacement of the other
-    axis, both (n,) mm.
+    """Return the actual position of an axis relative to the centre, and how far it displaces the
+    other axis, both (n,) mm.
     """
     w = plan.feed / 60.0 / plan.radius  # rad/s
     behind, shrunk = w * axis.lag, 1.0
@@ -296,9 +295,7 @@ def _axis(
 
 
 def _spike(axis: CircleAxis, radius: float, angle: FloatArray, motion: _Motion) -> FloatArray:
-    """Return the spike after the last reversal, positive outward. None before the first
-    reversal.
-    """
+    """Return the spike (n,), positive outward, after the last reversal; 0 before the first one."""
     since = np.mod(motion.d * angle, math.pi)
     outward = np.where(np.cos(angle - motion.d * since) > 0.0, 1.0, -1.0)
     size: FloatArray = np.where(
@@ -322,8 +319,7 @@ def _corrected(
 
 
 def _noise(errors: CircleErrors, count: int, rng: np.random.Generator) -> FloatArray:
-    """Return simulated noise, (count,) mm: white noise plus noise that is correlated from sample to
-    sample.
+    """Return simulated noise (count,) mm: independent noise, plus noise correlated between samples.
 
     First-order autoregressive, stationary from the first sample.
     """

@@ -1,6 +1,4 @@
-"""A simulated circular test as the file that an instrument would leave: plain CSV, or the XML of a
-ballbar (``.b5r``).
-"""
+"""A simulated circular test as an instrument's file: plain CSV, or ballbar XML (``.b5r``)."""
 
 from __future__ import annotations
 
@@ -13,8 +11,7 @@ from compwright.simulation.circular import CirclePlan, CircleRecording, Traverse
 
 
 def to_circular_csv(test: CircularTest, extra: Mapping[str, str] | None = None) -> bytes:
-    """Return ``test`` as plain CSV (UTF-8, LF): angles in deg with six decimals, deviations in µm
-    with four.
+    """Return ``test`` as plain CSV (UTF-8, LF): angles in deg (six decimals), deviations in µm (4).
 
     Comment keys: what the test's header says, then ``extra``, then those that the test itself
     fixes. Rows stand run by run in the order of time within each.
@@ -48,8 +45,8 @@ def _listed(centre: tuple[float, ...]) -> str:
 
 
 def to_b5r(recording: CircleRecording, extra: Mapping[str, str] | None = None) -> bytes:
-    """Return ``recording`` in the structure of a ``.b5r`` file (UTF-8 with byte order mark),
-    readings in mm with five decimals.
+    """Return ``recording`` as XML like a ``.b5r`` file (UTF-8 with byte order mark), with readings
+    in mm and five decimals.
 
     ``extra``: ``machine`` and ``serial``. Printed results (FEATURE, ANALYSIS) and dates are left
     out: nothing is invented, and the same recording gives the same bytes.

@@ -1,4 +1,4 @@
-"""Smooth error curves over the travel: random by a seed, or through given points."""
+"""Smooth error curves over the travel: random from a seed, or through given points."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ _GRID: Final = 2001  # points over the travel on which the amplitude is set
 
 
 class DeviationCurve(Protocol):
-    """A curve of the deviation by position, mm or deg."""
+    """A function that gives the deviation at a position, mm or deg."""
 
     def at(self, positions: FloatArray) -> FloatArray:
-        """Return the deviation at ``positions`` (any shape)."""
+        """Return the deviation, mm or deg, at each of the ``positions`` (any shape)."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RandomCurve:
-    """A random smooth curve. The same ``seed`` gives the same curve.
+    """A random smooth curve, which depends only on its ``seed`` and sizes.
 
     A sum of cosines with normally distributed wave numbers of standard deviation 1/``length``:
     values about ``length`` (mm or deg) apart are still related, farther ones are not. Over
@@ -35,7 +35,7 @@ class RandomCurve:
     travel: tuple[float, float]
 
     def at(self, positions: FloatArray) -> FloatArray:
-        """Return the deviation at ``positions`` (any shape)."""
+        """Return the deviation, mm or deg, at each of the ``positions`` (any shape)."""
         where = np.asarray(positions, dtype=np.float64)
         if self.amplitude == 0.0:
             return np.zeros(where.shape)
@@ -58,15 +58,15 @@ class RandomCurve:
 
 @dataclass(frozen=True, slots=True)
 class PointCurve:
-    """Straight lines through ``values`` at ascending ``positions`` (both mm or deg). Beyond them
-    the end values continue.
+    """Straight lines through ``values`` at ascending ``positions`` (mm or deg), with constant
+    values beyond the ends.
     """
 
     positions: tuple[float, ...]
     values: tuple[float, ...]
 
     def at(self, positions: FloatArray) -> FloatArray:
-        """Return the deviation at ``positions`` (any shape)."""
+        """Return the deviation, mm or deg, at each of the ``positions`` (any shape)."""
         through: FloatArray = np.interp(positions, self.positions, self.values)
         return through
 

@@ -1,4 +1,4 @@
-"""Write a simulated test as plain long CSV, the file that an instrument would give."""
+"""A simulated test as plain long CSV, like the file of an instrument."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def to_csv(test: PositioningTest, extra: Mapping[str, str] | None = None) -> byt
 
 
 def _target(value: float) -> str:
-    """Return a target with six decimals where they are needed, else with three."""
+    """Return a target as text with three decimals, or with six where three would round it."""
     return _number(value, 6).removesuffix("000")
 
 

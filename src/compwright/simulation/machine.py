@@ -1,5 +1,4 @@
-"""A virtual machine: axes with known errors, and the positioning tests that an instrument would
-record on them.
+"""A virtual machine: axes with known errors, and positioning tests that an instrument would record.
 
 Everything is in mm or deg and in machine coordinates. Deviation = measured minus target, so a
 correction adds to the error.
@@ -27,8 +26,8 @@ Correction = Callable[[FloatArray, Direction], FloatArray]
 
 @dataclass(frozen=True, slots=True)
 class ScrewError:
-    """A periodic error: amplitude * sin(2 pi x / period + phase). ``period``, ``amplitude`` in mm
-    or deg, ``phase`` in rad, x from machine zero.
+    """A periodic error, amplitude * sin(2 pi x / period + phase), over the position x from machine
+    zero; ``period`` and ``amplitude`` in mm or deg, ``phase`` in rad.
     """
 
     period: float
@@ -38,7 +37,7 @@ class ScrewError:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AxisError:
-    """The error of an axis.
+    """The error of a virtual axis: slope, smooth curve, reversal, scatter and drift.
 
     ``slope`` is relative (mm per mm, > 0 travels too far), from the axis' reference position.
     ``reversal`` is the mean of B = mean(+) - mean(-), negative for lost motion, and
@@ -60,7 +59,7 @@ class AxisError:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TestPlan:
-    """How an axis is measured: ``targets`` (m,) ascending, ``runs`` per direction, zero offset
+    """The way an axis is measured: ascending ``targets`` (m,), ``runs`` per direction, zero offset
     ``datum`` and ``resolution`` of the instrument; mm or deg.
     """
 
@@ -74,7 +73,7 @@ class TestPlan:
     __test__ = False  # not a test class, whatever the name suggests to a collector
 
     def runs_in(self, direction: Direction) -> int:
-        """Return the number of traverses in one direction."""
+        """Return the number of traverses in the given direction."""
         return self.runs if self.directions in {"both", direction.value} else 0
 
     def seen(self, deviations: FloatArray) -> FloatArray:
@@ -109,8 +108,7 @@ class VirtualMachine:
     options: Mapping[str, object] = field(default_factory=dict)
 
     def error(self, axis: str, positions: FloatArray, direction: Direction) -> FloatArray:
-        """Return the true deviation at ``positions`` (any shape) approached in ``direction``, mm or
-        deg.
+        """Return the true error at ``positions`` (any shape) reached in ``direction``, mm or deg.
 
         Without noise, drift and the instrument's datum. Arriving in the axis' ``reference_return``
         direction the axis shows slope, smooth and screw error alone; arriving in the other
@@ -133,8 +131,7 @@ class VirtualMachine:
     def measure(
         self, axis: str, *, rng: np.random.Generator, correction: Correction | None = None
     ) -> PositioningTest:
-        """Return one simulated positioning test of ``axis``, rounded to the resolution of the
-        instrument.
+        """Return a simulated positioning test of ``axis``, rounded to the instrument's resolution.
 
         Error + correction + scatter + drift + datum.
 
@@ -173,8 +170,8 @@ class VirtualMachine:
     def record_circle(
         self, name: str, *, seed: int, corrections: Mapping[str, Correction] | None = None
     ) -> CircleRecording:
-        """Return one simulated circular test, with the errors of the circle and of the axes.
-        ``corrections``: the active corrections by axis.
+        """Return a simulated circular test with the errors of the circle and of its axes, and the
+        active ``corrections`` by axis.
 
         Raises UsageError for a circle that the machine does not have.
         """
@@ -193,8 +190,8 @@ class VirtualMachine:
         )
 
     def _along(self, corrections: Mapping[str, Correction]) -> CircleCorrection:
-        """Return the error plus the correction of an axis by position and direction. An axis
-        without a description has none.
+        """Return a function that gives error plus correction of an axis by position and direction,
+        0 for an axis that the machine does not describe.
         """
 
         def total(axis: str, positions: FloatArray, direction: FloatArray) -> FloatArray:
@@ -225,8 +222,7 @@ class VirtualMachine:
 
 
 def _progress(plan: TestPlan) -> tuple[FloatArray, FloatArray]:
-    """Return the time of each reading, (m, n) for + and for -: 0 at the first reading of the test,
-    1 at the last.
+    """Return the time of each reading, (m, n) for + and for −, from 0 (first reading) to 1 (last).
 
     Standard cycle (ISO 230-2:1997 figure 1): a traverse up through all targets, then one down, run
     after run. Step cycle (annex A): all approaches to one target, alternating + and -, before the

@@ -1,6 +1,4 @@
-"""Reads a MACHINE.yaml as a virtual machine. The schema with an example is
-``docs/simulation.md``.
-"""
+"""A MACHINE.yaml, read as a virtual machine (schema and example: ``docs/simulation.md``)."""
 
 from __future__ import annotations
 
@@ -65,9 +63,7 @@ _SHORTEST, _LONGEST = (
 
 @dataclass(frozen=True, slots=True)
 class _Units:
-    """The unit names of an axis in the keys, and the factor that converts a deviation to mm or
-    deg.
-    """
+    """The names of units in the keys of an axis, and the factor from a deviation to mm or deg."""
 
     position: str
     deviation: str
@@ -116,9 +112,7 @@ def read_machine(content: bytes, file: str) -> VirtualMachine:
 
 
 def _machine(data: Any, axes: Mapping[str, Axis]) -> cs.CoreSchema:
-    """Return the schema of a MACHINE.yaml. ``axes``: the axes as far as they are known in
-    advance.
-    """
+    """Return the schema of a MACHINE.yaml. ``axes``: its axes, as far as read in advance."""
     names = {"name": ("name", TEXT), "serial": ("serial", TEXT)}
     control = {"format": ("format", TEXT), "options": ("options", cs.dict_schema(strict=True))}
     each = {name: (name, _axis(axis)) for name, axis in axes.items()}
@@ -147,7 +141,9 @@ def _machine(data: Any, axes: Mapping[str, Axis]) -> cs.CoreSchema:
 
 
 def _contradictions(data: Mapping[str, Any], axes: Mapping[str, Axis]) -> Iterator[KeyFault]:
-    """Yield faults of names, of the version, and of contradicting values in a section."""
+    """Yield faults of names and of the schema version, and of values in a section that contradict
+    each other.
+    """
     if usable(_VERSION, data).get("version") != SCHEMA:
         expected, found = str(SCHEMA), shown(data.get("virtual_machine"))
         message = "is not a schema version that this compwright reads"
@@ -221,8 +217,8 @@ def _axis(axis: Axis) -> cs.CoreSchema:
         encoder: Encoder | None = None,
         **own: Any,
     ) -> VirtualAxis:
-        """Return the encoder of the axis. Without ``encoder`` the control's files state the
-        measuring system.
+        """Return the virtual axis. Without ``encoder`` the control's files state the measuring
+        system.
         """
         plan, motion = test or (
             TestPlan(targets=_spread_targets(axis, _least_targets(axis), 0)),
@@ -305,7 +301,7 @@ def _axis_error(
 
 
 def _points(axis: Axis) -> Keys:
-    """Return the schema of a curve through given points: positions, then values."""
+    """Return the keys of a curve through given points: positions, and the deviations there."""
     units = _UNITS[axis.kind]
     return {
         f"positions_{units.position}": ("positions", numbers()),
@@ -338,9 +334,7 @@ def _random(axis: Axis, amplitude: str) -> Keys:
 def _random_curve(
     axis: Axis, stream: int, amplitude: float = 0.0, length: float | None = None, seed: int = 0
 ) -> RandomCurve:
-    """Return the random curve of an axis. The axis' name is part of the seed, so that axes
-    differ.
-    """
+    """Return the random curve of an axis. Its name is part of the seed, so that axes differ."""
     return RandomCurve(
         amplitude=amplitude,
         length=0.25 * (axis.travel[1] - axis.travel[0]) if length is None else length,
@@ -387,8 +381,8 @@ def _test(axis: Axis) -> cs.CoreSchema:
 
 
 def _least_targets(axis: Axis) -> int:
-    """Return the smallest number of targets that ISO 230-2:1997 requires: 4.3.2, 4.3.3 (linear
-    axes), table 1 and 4.3.5 (rotary axes).
+    """Return the smallest number of targets in ISO 230-2:1997: 4.3.2, 4.3.3 (linear axes), table 1
+    and 4.3.5 (rotary axes).
     """
     span = axis.travel[1] - axis.travel[0]
     if axis.kind is AxisKind.LINEAR:
@@ -399,7 +393,7 @@ def _least_targets(axis: Axis) -> int:
 
 
 def _spread_targets(axis: Axis, count: int, seed: int) -> FloatArray:
-    """Return ``count`` targets P_i = (i - 1) p + r (ISO 230-2 clause 4.2), r random within ±0.3 p,
+    """Return ``count`` targets (i - 1) p + r, with r random within ±0.3 p (ISO 230-2, 4.2), rounded
     to 0.001 mm or deg.
 
     They keep a margin of 1 % of the travel from its ends, room to come from either side. The outer

@@ -1,4 +1,4 @@
-"""Differences between readings: noise, heavy tails, outliers, and shifted traverses.
+"""Random differences between readings: noise, heavy tails, outliers, and shifts of whole traverses.
 
 White noise is what every evaluation hopes for; machines and instruments need not follow.
 """
@@ -15,8 +15,8 @@ from compwright.records.axis import Direction, FloatArray
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TraverseShifts:
-    """Shifts of whole traverses (all readings of one run in one direction), as standard deviations
-    in mm or deg.
+    """Standard deviations, mm or deg, of shifts of whole traverses (all readings of a run in one
+    direction).
 
     ``offset``, ``slope`` (mm/mm, deg/deg, about the middle of the travel): drawn for each traverse;
     ``walk``: the step of the offset from one traverse to the next in the order of the cycle.
@@ -52,7 +52,7 @@ class SimulatedScatter:
         travel: tuple[float, float],
         rng: np.random.Generator,
     ) -> dict[Direction, FloatArray]:
-        """Return random scatter for the readings in each direction, (m, runs).
+        """Return random scatter of the readings in each direction, (m, runs).
 
         ``rng`` itself gives the noise, its children all else: what is not asked for changes no
         other number.
@@ -84,7 +84,7 @@ class SimulatedScatter:
         travel: tuple[float, float],
         rng: np.random.Generator,
     ) -> dict[Direction, FloatArray]:
-        """Return the shift of each traverse, in the order of measurement: up, down, and again."""
+        """Return the shift of the readings by traverse, drawn in the order + and − of each run."""
         own = self.traverses
         order = [(run, way) for run in range(max(runs.values())) for way in Direction]
         middle = 0.5 * (travel[0] + travel[1])

@@ -1,4 +1,4 @@
-"""Schemas of the values in a MACHINE.yaml: numbers, lists of numbers, texts, mappings."""
+"""Schemas of values in a MACHINE.yaml: numbers, lists of numbers, texts, mappings."""
 
 from __future__ import annotations
 
@@ -28,9 +28,7 @@ def number(
     most: float = _LARGEST,
     below: float | None = None,
 ) -> cs.CoreSchema:
-    """Return the schema of a number with limits. ``least`` and ``most`` are included, ``above`` and
-    ``below`` are excluded.
-    """
+    """Return the schema of a number, with bounds inclusive or (``above``, ``below``) exclusive."""
 
     def converted(value: float) -> Any:
         if 0.0 < abs(value) < _SMALLEST:
@@ -54,8 +52,8 @@ def whole(least: int, most: int) -> cs.CoreSchema:
 def numbers(
     factor: float = 1.0, *, length: int | None = None, at_least: int = 1, ascending: bool = False
 ) -> cs.CoreSchema:
-    """Return the schema of a list of numbers, ``length`` of them or ``at_least`` so many. A fault
-    concerns the whole list.
+    """Return the schema of a list of ``length`` numbers, or ``at_least`` so many. A fault names the
+    whole list.
     """
     one = SchemaValidator(number())
     wanted = f"a list of {f'at least {at_least}' if length is None else length} numbers"
@@ -73,7 +71,7 @@ def numbers(
 
 
 def _text(value: Any) -> str:
-    """Return a value as text; a number keeps its written form, and blanks are trimmed."""
+    """Return a value as text without blanks at its ends. A number keeps its written form."""
     if isinstance(value, bool) or not isinstance(value, str | int | float):
         refuse(KeyFault((), "is not a text", "a text", shown(value)))
     text = " ".join(str(value).split())
@@ -86,12 +84,12 @@ TEXT: Final = cs.no_info_plain_validator_function(_text)
 
 
 def choice(*words: str) -> cs.CoreSchema:
-    """Return the schema of a text that must be one of these words."""
+    """Return the schema of a text that must be one of ``words``."""
     return cs.no_info_before_validator_function(_text, cs.literal_schema(list(words)))
 
 
 def either(one: cs.CoreSchema, several: cs.CoreSchema) -> cs.CoreSchema:
-    """Return the schema of a single value or a list of values."""
+    """Return the schema of a single value (``one``) or a list of values (``several``)."""
     return cs.tagged_union_schema(
         {"one": one, "several": several},
         lambda value: "several" if isinstance(value, list) else "one",
@@ -99,7 +97,7 @@ def either(one: cs.CoreSchema, several: cs.CoreSchema) -> cs.CoreSchema:
 
 
 def record(build: Callable[..., Any], keys: Keys, needed: Collection[str] = ()) -> cs.CoreSchema:
-    """Return the schema of a mapping. ``build`` gets the existing values as keyword arguments."""
+    """Return the schema of a mapping, from which ``build`` makes the record (keyword arguments)."""
     return mapping(
         {key: schema for key, (_, schema) in keys.items()},
         lambda values: build(**{keys[key][0]: value for key, value in values.items()}),
@@ -108,7 +106,7 @@ def record(build: Callable[..., Any], keys: Keys, needed: Collection[str] = ()) 
 
 
 def usable(keys: Keys, data: Any) -> dict[str, Any]:
-    """Return the valid values of a mapping by name. Faults of the others are reported elsewhere."""
+    """Return the valid values of a mapping by name; faults of others are reported elsewhere."""
     given = data if isinstance(data, dict) else {}
     found = {
         name: checked(SchemaValidator(schema), given[key])
@@ -119,14 +117,14 @@ def usable(keys: Keys, data: Any) -> dict[str, Any]:
 
 
 def part(data: Any, *keys: str) -> Mapping[str, Any]:
-    """Return the mapping under these keys. Empty where there is none."""
+    """Return the nested mapping under the ``keys``, or an empty mapping if there is none."""
     for key in keys:
         data = data.get(key) if isinstance(data, dict) else None
     return data if isinstance(data, dict) else {}
 
 
 def same_but_for_case(path: KeyPath, names: Collection[str]) -> Iterator[KeyFault]:
-    """Yield a fault for names that would give the same file name."""
+    """Yield a fault if names differ only in case, so that their files would have the same name."""
     if len({name.lower() for name in names}) < len(names):
         expected = "names that make different file names"
         yield KeyFault(path, "has names that differ in upper and lower case only", expected)

@@ -1,1 +1,1 @@
-"""Decide whether the loaded table was active, and whether the axis is good now."""
+"""Decision whether the loaded table is active, and whether the axis keeps its limits now."""

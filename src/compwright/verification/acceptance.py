@@ -1,6 +1,4 @@
-"""Combine the decisions about limits and the loading verdicts to the total verdict of a
-verification.
-"""
+"""Total verdict of a verification, from the decisions about limits and the loading verdicts."""
 
 from __future__ import annotations
 
@@ -16,8 +14,7 @@ OverallVerdict = Literal["good", "bad", "undecided"]
 def overall_verdict(
     decisions: Iterable[Decision], loadings: Iterable[LoadingName], *, still_open: bool = False
 ) -> OverallVerdict:
-    """Return the verdict of a verification from the decisions of all limits and the loading
-    verdicts of all axes.
+    """Return the total verdict from the decisions about limits and the loading verdicts of axes.
 
     ``good``: every limit is met, every table is loaded and no proof is missing (``still_open``).
     ``bad``: a limit is exceeded, or a table is known to be active in another way than planned (not

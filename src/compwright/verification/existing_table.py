@@ -1,4 +1,4 @@
-"""Decide whether the existing table was active in the tests, before anything is written.
+"""Decision whether the existing table was active during the tests, made before anything is written.
 
 A test with it on, judged as a test after loading is, against one with it off
 (`verification.loading`).
@@ -23,7 +23,7 @@ _LISTED: Final = 0.05
 
 @dataclass(frozen=True, slots=True)
 class ExistingTableVerdict:
-    """The verdict of two tests of an axis about a table.
+    """The verdict of two tests of an axis on whether a table was active in them.
 
     ``on``, ``off``: names of the test with it and of the one without it; ``state``: the state in
     which it should have been active.
@@ -36,7 +36,7 @@ class ExistingTableVerdict:
 
     @property
     def contradicted(self) -> bool:
-        """Whether the active correction differs from the files, with odds of 99 to 1."""
+        """Whether the active correction differs from that in the files, with odds above 99 to 1."""
         if self.verdict.verdict != "undecided":
             return self.verdict.verdict not in ACTIVE
         fits = not any(finding.code == "CW-V001" for finding in self.verdict.findings)
@@ -44,16 +44,16 @@ class ExistingTableVerdict:
 
     @property
     def probability_active(self) -> float:
-        """The probability that the table was active as in the files."""
+        """The probability that the table was active with the values in the files."""
         return sum(each.probability for each in self.verdict.candidates if each.verdict in ACTIVE)
 
     @property
     def likely(self) -> tuple[Candidate, ...]:
-        """The possible events, the most probable first."""
+        """The possible explanations of the tests, the most probable first."""
         return tuple(each for each in self.verdict.candidates if each.probability >= _LISTED)
 
     def refusal(self, look_at: Sequence[str]) -> Sentence:
-        """Return why no table is written. ``look_at``: what to check on the control."""
+        """Return the sentence why no table is written. ``look_at``: what to check on the control."""
         found = self.verdict
         names = {found.verdict, *(each.verdict for each in self.likely)}
         return say(
@@ -74,8 +74,8 @@ class ExistingTableVerdict:
         )
 
     def finding(self) -> Finding | None:
-        """Return the finding that the table was active (CW-V030) or that the tests cannot decide it
-        (CW-V031). None where it is contradicted.
+        """Return the finding that the table was active (CW-V030), or that the tests cannot decide
+        it (CW-V031). None if the tests contradict it.
         """
         if self.contradicted:
             return None

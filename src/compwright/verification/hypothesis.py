@@ -1,4 +1,4 @@
-"""The ways in which a table may have been loaded.
+"""Hypotheses about how a table was loaded: correctly, not at all, or with a fault.
 
 A correction is what the control adds to the command, table and backlash compensation together. A
 constant common to both directions is the instrument's datum and does not count; a difference
@@ -33,7 +33,7 @@ RARE: Final = 0.05
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Hypothesis:
-    """One way in which a table may have been loaded.
+    """One hypothesis about how a table was loaded, such as with the wrong sign.
 
     ``positive``, ``negative`` (m,): the correction then, minus the correction that the expected
     deviation contains; ``free`` (2, m): a further difference, times a standard normal number.
@@ -59,13 +59,13 @@ class Hypothesis:
 
     @property
     def change(self) -> FloatArray:
-        """The change of the correction in + and - (2, m)."""
+        """The change of the correction in + and − that this hypothesis predicts, (2, m)."""
         return np.stack([self.positive, self.negative])
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Loading:
-    """The planned table and the earlier state of the control.
+    """The planned table, and the state of the control before it was loaded.
 
     ``new``: planned; ``old``: in the control before, active or not; ``active_before``: in the
     tests before, from which the expected deviation comes; ``others``: tables planned for other

@@ -1,5 +1,5 @@
-"""Build hypotheses about the loading: the corrections at the targets if the table has other values
-than planned.
+"""Construction of hypotheses about loading: the correction at the targets if the table has other
+values than planned.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ Held = dict[Direction, FloatArray]  # values at the nodes (k,)
 
 
 class HypothesisBuilder:
-    """Builds hypotheses about one loading at one set of targets.
+    """Builder of the hypotheses about one loading, for one set of targets.
 
     ``table``: the planned table alone, ``own`` (2, m): its correction; ``stay``: the correction of
     other tables, which stay in any case; ``old`` and ``old_backlash``: the correction before.
@@ -41,18 +41,18 @@ class HypothesisBuilder:
         self.has_old = bool(np.any(np.abs(self.old - self.stay) > 0.0))
 
     def at(self, one: AxisCompensation) -> Curve:
-        """Return the correction by a compensation in + and - (2, m)."""
+        """Return the correction at the targets by a compensation, in + and − (2, m)."""
         return np.stack([one.at(self.targets, direction) for direction in Direction])
 
     def jump(self, one: AxisCompensation) -> Curve:
-        """Return the part of the correction that comes from the backlash."""
+        """Return the part of the correction that comes from the backlash value."""
         return np.stack(
             [np.full(self.targets.size, one.backlash_at(direction)) for direction in Direction]
         )
 
     def total(self, curve: Curve, backlash: Curve | None = None) -> Curve:
         """Return the change of the correction if ``curve`` is active with ``backlash`` (default:
-        the new one).
+        the planned backlash value).
         """
         return (
             self.stay
@@ -64,8 +64,8 @@ class HypothesisBuilder:
     def made(
         self, name: LoadingName, change: Curve, weight: float, detail: str = "", **more: Any
     ) -> Hypothesis:
-        """Return the hypothesis with a change of the correction (2, m). ``more``: further fields of
-        it.
+        """Return the hypothesis ``name`` with a ``change`` of the correction (2, m). ``more``:
+        further fields of the record.
         """
         return Hypothesis(
             name=name,
@@ -80,19 +80,19 @@ class HypothesisBuilder:
     def both(
         self, name: LoadingName, curve: Curve, weight: float, detail: str = "", **more: Any
     ) -> Iterator[Hypothesis]:
-        """Yield a fault of the table twice: with the new and with the old backlash."""
+        """Yield two hypotheses of a faulty table: with the new and with the old backlash value."""
         yield self.made(name, self.total(curve), weight, detail, **more)
         if np.any(self.backlash != self.old_backlash):
             words = f"{detail}, with the old backlash" if detail else "with the old backlash"
             yield self.made(name, self.total(curve, self.old_backlash), 0.1 * weight, words, **more)
 
     def held(self) -> Held:
-        """Return the values of the planned table at its nodes."""
+        """Return the values of the planned table at its points, by direction."""
         return {d: self.table.curve(d) for d in Direction}
 
     def old_values(self) -> Held:
-        """Return the old values of the table at its nodes, without backlash and without tables that
-        stay.
+        """Return the old table values at the points of the new table, without backlash and without
+        tables that stay active.
         """
         nodes, old, stay = self.table.positions, self.loading.old, _only_others(self.loading.new)
         line = self.table.slope * (nodes - self.table.origin)
@@ -101,7 +101,7 @@ class HypothesisBuilder:
         }
 
     def values(self, curves: Mapping[Direction, FloatArray]) -> Curve:
-        """Return the correction of the table with other values (k,) at its nodes."""
+        """Return the correction at the targets if the table has the values ``curves`` (k,)."""
         return self.at(
             replace(
                 self.table,
@@ -111,8 +111,8 @@ class HypothesisBuilder:
         )
 
     def _from_zero(self, curve: Curve, curves: Mapping[Direction, FloatArray]) -> Curve | None:
-        """Return ``curve`` with each direction zero at the reference, as in the planned table. None
-        where that changes nothing.
+        """Return ``curve`` with both directions shifted to the planned value at the reference, or
+        None if that shifts both alike.
         """
         nodes, at = self.table.positions, self.loading.reference
         off = [
@@ -128,8 +128,8 @@ class HypothesisBuilder:
         weight: float,
         **more: Any,
     ) -> Iterator[Hypothesis]:
-        """Yield a table with other values: with unchanged zero, and with its zero at the
-        reference.
+        """Yield two hypotheses of a table with other values: as they are, and shifted to zero at
+        the reference.
         """
         curve = self.values(curves)
         yield from self.both(name, curve, weight, **more)
@@ -138,8 +138,8 @@ class HypothesisBuilder:
             yield from self.both(name, counted, 0.5 * weight, **more)
 
     def shifts(self, by: int, held: Held) -> Iterator[Held]:
-        """Yield the values ``held`` shifted by ``by`` nodes towards +. Free nodes get the end value
-        or zero.
+        """Yield the table values ``held`` shifted ``by`` points towards +. Points that become free
+        get the end value, or zero.
         """
         if self.table.period is not None:
             yield {d: _around(values, by) for d, values in held.items()}
@@ -159,8 +159,6 @@ def _only_others(one: AxisCompensation) -> AxisCompensation:
 
 
 def _around(values: FloatArray, by: int) -> FloatArray:
-    """Return the values of a table on an endless axis, shifted ``by`` nodes. The last value repeats
-    the first.
-    """
+    """Return the values of an endless axis shifted ``by`` points; the last repeats the first."""
     turned = np.roll(values[:-1], by)
     return np.append(turned, turned[0])

@@ -1,4 +1,4 @@
-"""Compute how probable each way of loading is, given a test after loading.
+"""The probability of each hypothesis about how the table was loaded, given a test after loading.
 
 All unknowns are integrated, none is fitted (Kass and Raftery, J. Am. Stat. Assoc. 90, 1995): a name
 wins by probability, not by more adjustable values.
@@ -33,7 +33,7 @@ _SEEN: Final = 3.0
 
 @dataclass(frozen=True, slots=True)
 class RatedHypothesis:
-    """A hypothesis with its probability, given a test.
+    """A hypothesis with its probability, given a test after loading.
 
     ``expected`` (2, m), the best-fitting noise-free test; ``probability``; ``score`` of the
     residual; slope and factor with their standard errors.
@@ -113,8 +113,8 @@ def _rated_by(
 
 
 def _relevant(after: AfterMeans, rated: Sequence[RatedHypothesis]) -> list[RatedHypothesis]:
-    """Return the hypotheses with less weight for those that this test cannot distinguish from the
-    main ones.
+    """Return the hypotheses, with less weight for those that this test cannot distinguish from
+    ``loaded`` or ``not_active``.
 
     The weight is reduced by the square of the distance, up to `_SEEN` standard errors: such
     hypotheses change nothing that the test could show.
@@ -137,8 +137,8 @@ def _relevant(after: AfterMeans, rated: Sequence[RatedHypothesis]) -> list[Rated
 
 
 def _effect(ways: Sequence[Hypothesis]) -> Hypothesis | None:
-    """Return the hypothesis of the old control plus any share of the planned effect. None where it
-    is not needed.
+    """Return the hypothesis of the old correction plus an unknown share of the planned effect, or
+    None where it is not needed.
     """
     loaded = next((each for each in ways if each.name == "loaded"), None)
     inactive = next((each for each in ways if each.name == "not_active"), None)
@@ -148,8 +148,7 @@ def _effect(ways: Sequence[Hypothesis]) -> Hypothesis | None:
 
 
 def _on_slope(way: Hypothesis, share: float) -> Hypothesis:
-    """Return the hypothesis for an axis whose length has changed, which gives a slope in the
-    deviations.
+    """Return the hypothesis that the axis also changed its length, which adds a slope.
 
     ``share``: prior odds of a fault with the slope against the fault alone.
     """
@@ -158,7 +157,7 @@ def _on_slope(way: Hypothesis, share: float) -> Hypothesis:
 
 
 def _curves_of(ways: Sequence[Hypothesis]) -> Curves:
-    """Return the curves of hypotheses in the form for the likelihood."""
+    """Return the curves of the hypotheses as input of the likelihood."""
     return Curves(
         change=np.stack([each.change for each in ways], axis=2),
         free={number: each.free for number, each in enumerate(ways) if each.free is not None},
@@ -169,8 +168,8 @@ def _curves_of(ways: Sequence[Hypothesis]) -> Curves:
 def distances(
     after: AfterMeans, best: RatedHypothesis, rated: Sequence[RatedHypothesis]
 ) -> FloatArray:
-    """Return the distances (H,) between the noise-free tests of the hypotheses and that of the best
-    one, in standard errors.
+    """Return the distance (H,), in standard errors, between the test that each hypothesis predicts
+    and that of the ``best`` one.
     """
     used = np.isfinite(after.plain)
     along = np.broadcast_to(after.targets - after.targets.mean(), after.plain.shape)

@@ -1,4 +1,4 @@
-"""The likelihood of a test's mean readings under assumed deviation curves.
+"""The likelihood of the mean readings of a test under assumed curves of the deviation.
 
     mean of cell i = deviation before + change of the correction + datum (+ slope) + noise
 
@@ -43,7 +43,7 @@ _MANY_CELLS: Final = 800
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ErrorBelief:
-    """The expected deviation at m targets as a normal distribution.
+    """The expected deviation at m targets, as a normal distribution in both directions.
 
     ``mean`` (2, m) in + and -; covariance ``root`` root' (root (2, m, r)), and ``blocks`` (m, 2, 2)
     of both directions at one target.
@@ -54,7 +54,7 @@ class ErrorBelief:
     blocks: FloatArray
 
     def turned(self) -> ErrorBelief:
-        """Return the expected deviation with the directions exchanged."""
+        """Return the expected deviation with + and − exchanged."""
         return ErrorBelief(
             mean=self.mean[::-1], root=self.root[::-1], blocks=self.blocks[:, ::-1, ::-1]
         )
@@ -67,12 +67,12 @@ class ErrorBelief:
 
 
 def draws_for(targets: int) -> int:
-    """Return the number of random draws needed for this number of ``targets``."""
+    """Return the number of random draws that is used for this number of ``targets``."""
     return int(np.clip(_NUMBERS // max(2 * targets, 1), 400, _MOST_DRAWS))
 
 
 def belief_of(positive: FloatArray, negative: FloatArray) -> ErrorBelief:
-    """Return the expected deviation from random draws of it, (n, m) in + and in -."""
+    """Return the normal distribution of the deviation, from random draws (n, m) in + and in −."""
     both = np.hstack([positive, negative])
     mean = both.mean(axis=0)
     left = (both - mean) / math.sqrt(max(both.shape[0] - 1, 1))
@@ -96,7 +96,7 @@ def belief_of(positive: FloatArray, negative: FloatArray) -> ErrorBelief:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AfterMeans:
-    """The mean readings of a test of m targets under each of J equally likely noises.
+    """The mean readings of a test at m targets, under each of J equally likely draws of its noise.
 
     ``mean``, ``precision`` (J, 2, m): weighted means and their inverse variances, 0 where there is
     no reading; ``columns`` (J, 2, m, q): what else is common to them, of unit variance. ``plain``
@@ -115,22 +115,22 @@ class AfterMeans:
 
     @property
     def used(self) -> FloatArray:
-        """1 where there is a mean reading (2, m), else 0."""
+        """A mask (2, m): 1 where there is a mean reading, else 0."""
         return np.isfinite(self.plain).astype(np.float64)
 
     @property
     def count(self) -> int:
-        """The number of measured means (target and direction) in the test after loading."""
+        """The number of targets and directions with a mean reading."""
         return int(np.sum(np.isfinite(self.plain)))
 
     @property
     def std_error(self) -> float:
-        """The standard error of the difference of two means, s √(2/n), mm or deg."""
+        """The standard error of the difference of two mean readings, s √(2/n), mm or deg."""
         return self.sigma * math.sqrt(2.0 / self.readings)
 
 
 def after_means(test: PositioningTest, fallback: NoiseDraws) -> AfterMeans:
-    """Return the mean readings of a ``test`` with the noise from its own readings.
+    """Return the mean readings of a ``test``, with noise from its own readings if possible.
 
     Or, where they are too few, with ``fallback``: that of another test of the axis.
     """
@@ -155,7 +155,7 @@ def after_means(test: PositioningTest, fallback: NoiseDraws) -> AfterMeans:
 
 
 def _evenly(count: int, targets: int) -> NDArray[np.intp]:
-    """Return which of ``count`` equally likely draws are used for this number of ``targets``."""
+    """Return the indices of the draws, of ``count``, to use for this number of ``targets``."""
     most = _FEW if 2 * targets > _MANY_CELLS else _DRAWS
     return np.unique(np.linspace(0, count - 1, min(most, count)).astype(np.intp))
 
@@ -167,7 +167,7 @@ def _means(block: FloatArray) -> FloatArray:
 def _as_before(
     test: PositioningTest, plain: FloatArray, counts: FloatArray, noise: NoiseDraws
 ) -> AfterMeans:
-    """Return the mean readings with the noise of another test."""
+    """Return the mean readings with the ``noise`` of another test of the axis."""
     m = test.targets.size
     taken = noise.taken(_evenly(noise.count, m))
     floor = _LEAST_NOISE[test.kind]
@@ -210,7 +210,7 @@ class Curves:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Fits:
-    """How well H curves fit a test.
+    """How well each of H curves fits a test: log likelihood, residual, fitted slope and amount.
 
     ``log_likelihood`` (H,): of the means, integrated over all unknowns. ``score`` (H,): the
     residual, as an equally improbable standard normal value. ``slope`` (H, 2): slope of the test
@@ -231,8 +231,7 @@ def fits_of(
     declared_slope: float,
     more: Sequence[float] = (0.0,),
 ) -> Fits:
-    """Return how well the ``curves``, added to the expected deviation (``belief``), fit the test
-    ``after``.
+    """Return how well ``belief`` plus each of the ``curves`` fits the test ``after``.
 
     ``declared_slope``: standard deviation of the slope, mm/mm, by which every test may differ;
     ``more``: that of a further slope: all curves with the first of them, then all with the next.
@@ -263,7 +262,7 @@ def _one_noise(
     more: Sequence[float],
     j: int,
 ) -> Fits:
-    """Return how well the curves fit under one draw of the noise."""
+    """Return how well each curve fits the test under the noise draw with index ``j``."""
     used = after.used
     along = np.broadcast_to(_along(after), used.shape)
     columns = np.concatenate(
@@ -311,7 +310,7 @@ def _products(
     free: FloatArray | None,
     numbers: Sequence[int],
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the products of residuals, change, free direction and slope for the least-squares fit.
+    """Return scalar products for the least-squares fit of change, free direction and slope.
 
     (H, 3) of the residuals ``left`` with the whitened change, free direction and slope, and (H, 3,
     3) of these with each other; ``free`` (n, f): of the curves ``numbers``.
@@ -332,13 +331,14 @@ def _products(
 
 
 def _along(after: AfterMeans) -> FloatArray:
-    """Return the positions (m,) relative to their middle."""
+    """Return the target positions (m,) relative to their mean."""
     along: FloatArray = after.targets - after.targets.mean()
     return along
 
 
 def _estimate(slope: FloatArray, score: FloatArray, declared: float) -> FloatArray:
-    """Return the least-squares slope (H, 2) with its standard error, without the declared prior.
+    """Return the least-squares slope of each curve with its standard error, (H, 2), without the
+    prior of the declared slope.
 
     As if nothing was declared of it: a'V a = g / (1 + g s²) where V holds s² already (Sherman and
     Morrison).
@@ -352,8 +352,8 @@ def _estimate(slope: FloatArray, score: FloatArray, declared: float) -> FloatArr
 
 
 def _amounts(score: FloatArray, square: FloatArray) -> FloatArray:
-    """Return the amount (H, 2) of the free direction with its standard error. Both are 0 without
-    one.
+    """Return the fitted amount of each curve's free direction with its standard error, (H, 2); 0
+    where a curve has none.
     """
     there = square > 0.0
     safe = np.where(there, square, 1.0)
@@ -362,7 +362,7 @@ def _amounts(score: FloatArray, square: FloatArray) -> FloatArray:
 
 
 def _score(chi2: FloatArray, dof: float) -> FloatArray:
-    """Return the standard normal value with the same probability as a chi-square value.
+    """Return the standard normal value that is as improbable as the value ``chi2`` of chi-square.
 
     Wilson and Hilferty, Proc. Natl. Acad. Sci. 17 (1931) 684: its cube root is nearly normal.
     """
@@ -373,7 +373,7 @@ def _score(chi2: FloatArray, dof: float) -> FloatArray:
 
 @dataclass(frozen=True, slots=True)
 class _Whitener:
-    """The inverse root of a covariance matrix, which makes correlated readings independent.
+    """The inverse root of a covariance matrix, which turns correlated values into independent ones.
 
     Of blocks (Cholesky factors ``low`` (m, 3) of 2 x 2) and low rank: ``base`` (2m, r) orthonormal,
     ``shrink`` (r,). ``log_det``: logarithm of its determinant.
@@ -389,8 +389,8 @@ class _Whitener:
     def of(
         cls, precision: FloatArray, used: FloatArray, blocks: FloatArray, columns: FloatArray
     ) -> _Whitener:
-        """Return the inverse root of blocks + 1 / precision + columns columns', where ``used`` (2,
-        m).
+        """Return the inverse root of the covariance ``blocks`` + 1 / ``precision`` + ``columns``
+        ``columns``', for the means marked in ``used`` (2, m).
         """
         noise = np.where(used > 0.0, 1.0 / np.where(used > 0.0, precision, 1.0), 0.0)
         up, down = used
@@ -410,7 +410,7 @@ class _Whitener:
         return replace(plain, base=base, shrink=1.0 / np.sqrt(1.0 + values) - 1.0, log_det=log_det)
 
     def __call__(self, values: FloatArray) -> FloatArray:
-        """Return ``values`` (2, m, c) as independent values (2m, c)."""
+        """Return ``values`` (2, m, c) as independent values (2m, c) of unit variance."""
         l11, l21, l22 = self.low[:, :, np.newaxis]
         up = self.used[0][:, np.newaxis] * values[0] / l11
         down = (self.used[1][:, np.newaxis] * values[1] - l21 * up) / l22

@@ -1,5 +1,4 @@
-"""Decide whether the table was loaded. The test after loading is compared with every way of
-loading.
+"""Decision whether the table was loaded: the test after loading is compared with every hypothesis.
 
 `verification.loading_hypotheses`, by joint likelihood of the tests before and after.
 
@@ -57,7 +56,7 @@ def judge_loading(
     further: Callable[[], Sequence[MeasurementCase]] = tuple,
     read_back: bool = False,
 ) -> LoadingVerdict:
-    """Return the loading verdict from the test ``after``, using the hypotheses of all ``views``.
+    """Return the loading verdict from the test ``after`` and the hypotheses in all ``views``.
 
     ``further`` makes more hypotheses where the test fits neither the loaded table nor the control
     as before. The first view is the test as given; its first hypotheses of the names ``loaded`` and
@@ -89,9 +88,7 @@ def judge_loading(
 
 
 def _fits_unchanged(each: RatedHypothesis) -> bool:
-    """Return whether the test fits the loaded table, or the old control, without any further
-    change.
-    """
+    """Return whether the test fits the loaded table or the old correction exactly as planned."""
     return each.hypothesis.name in ("loaded", "not_active") and each.score <= REFUSED
 
 
@@ -133,8 +130,8 @@ def _verdict(
 
 
 def _neither(shown: ShownTest, names: NamedLoading) -> LoadingVerdict:
-    """Return the verdict where no hypothesis fits, because the least improbable one would
-    mislead.
+    """Return the verdict ``undecided`` where no hypothesis fits, because the least improbable one
+    would mislead.
     """
     sentence = neither_message(shown)
     return LoadingVerdict(
@@ -155,8 +152,8 @@ def _findings(verdict: LoadingName, sentence: Sentence) -> tuple[Finding, ...]:
 
 
 def _explains(shown: ShownTest, best: RatedHypothesis) -> bool:
-    """Return whether a fault of the table explains nearly all that neither the loaded table nor the
-    old control explains.
+    """Return whether a faulty table explains nearly all differences that remain with the loaded
+    table and with the old correction.
     """
     if best.name in ("loaded", "not_active", "thermal", "measurement"):
         return False
@@ -174,7 +171,7 @@ def _sentence(
     ways: Sequence[RatedHypothesis],
     declared_slope: float | None,
 ) -> Sentence:
-    """Return the sentence about a loading verdict."""
+    """Return the sentence that states a loading verdict."""
     best, declared = names.best, declared_slope or 0.0
     if best.name == "thermal":
         slope = slope_text(*best.slope, declared)

@@ -1,4 +1,4 @@
-"""The correction of a control after each possible fault of loading, at the targets of a test."""
+"""The correction at the targets of a test for each hypothesis about how the table was loaded."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ _FAULTS: Final = (
 
 
 def loading_hypotheses(loading: Loading, targets: FloatArray) -> tuple[Hypothesis, ...]:
-    """Return every possible way of loading the table, at ``targets`` (m,)."""
+    """Return every hypothesis about loading the table, with its correction at ``targets`` (m,)."""
     ways = HypothesisBuilder(loading, targets)
     found = [ways.made("loaded", ways.total(ways.own), 1.0)]
     found += [way for fault in _FAULTS for way in fault(ways)]

@@ -32,7 +32,7 @@ VISIBLE: Final = 10.2
 
 @dataclass(frozen=True, slots=True)
 class ShownTest:
-    """The measured and the expected values of a test, for the sentences of a verdict.
+    """The measured and the expected mean deviations of a test, for the sentences of a verdict.
 
     ``means`` (2, m) in + and - at ``targets``, NaN where there is none; ``noise`` of a reading; the
     means expected with the new table and without it. ``effect``: which part of their difference the
@@ -59,7 +59,9 @@ class ShownTest:
         *,
         read_back: bool = False,
     ) -> ShownTest:
-        """Return the test ``after`` minus the expected deviations of the first hypotheses."""
+        """Return the test ``after`` with its expected deviations if the table is loaded, and if it
+        is not.
+        """
         expected = {
             name: next((belief.mean + h.change for h in hypotheses if h.name == name), None)
             for name in ("loaded", "not_active")
@@ -76,22 +78,22 @@ class ShownTest:
         )
 
     def left(self, expected: FloatArray) -> FloatArray:
-        """Return the test minus the ``expected`` one and minus the common offset (2, m)."""
+        """Return the measured minus the ``expected`` means (2, m), less their common offset."""
         left = self.means - expected
         removed: FloatArray = left - np.nanmean(left)
         return removed
 
     def length(self, value: float) -> Amount:
-        """Return a deviation as text in µm or arcsec, with at least two significant digits."""
+        """Return a deviation as text in µm or arcsec with two significant digits or more."""
         outside = float(abs(value) * outside_factor(self.unit))
         return Amount(outside, shown_unit(self.unit), ".1f" if outside >= 1.0 else ".2f")
 
     def rms(self, values: FloatArray) -> Sentence:
-        """Return the root mean square of the finite values."""
+        """Return the root mean square of the finite ``values`` as text."""
         return say("loading.rms", rms=self.length(float(np.sqrt(np.nanmean(values**2)))))
 
     def worst(self, values: FloatArray) -> Sentence:
-        """Return the largest value and its target."""
+        """Return the largest of the ``values`` and its target, as text."""
         side, target = np.unravel_index(int(np.nanargmax(np.abs(values))), values.shape)
         return say(
             "loading.worst",
@@ -101,23 +103,21 @@ class ShownTest:
         )
 
     def between_directions(self, values: FloatArray) -> float:
-        """Return mean(+) minus mean(-) of the residuals (2, m). 0 where only one direction was
-        measured.
+        """Return the mean in + minus the mean in − of the residuals (2, m), 0 where only one
+        direction was measured.
         """
         there = np.isfinite(values).any(axis=1)
         return float(np.nanmean(values[0]) - np.nanmean(values[1])) if there.all() else 0.0
 
     @property
     def effect_text(self) -> Sentence | None:
-        """Return the measured share of the planned effect as text. None without a planned
-        effect.
-        """
+        """Return the measured share of the planned effect as text, None if no effect is planned."""
         part, error = self.effect
         return say("loading.effect", part=part, error=error) if math.isfinite(error) else None
 
     @property
     def size(self) -> float:
-        """The root mean square of the planned effect at the existing means, mm or deg."""
+        """The root mean square of the planned effect at the measured means, mm or deg."""
         if self.loaded is None or self.inactive is None:
             return 0.0
         step = (self.loaded - self.inactive)[np.isfinite(self.means)]
@@ -125,7 +125,7 @@ class ShownTest:
 
 
 def candidate_text(candidate: LoadingName, detail: str = "") -> Sentence:
-    """Return the printed name of a verdict with its variant."""
+    """Return a verdict and its variant as printed for the user."""
     return say("loading.name", name=candidate.replace("_", " "), detail=detail)
 
 
@@ -140,7 +140,7 @@ def named_message(
     factor: float,
     equivalent: Sequence[LoadingName],
 ) -> list[Sentence]:
-    """Return the sentences of a verdict: what was measured, by how much and where.
+    """Return the sentences of a verdict with one name: what was measured, how much and where.
 
     ``expected`` (2, m): the test that the verdict would show.
     """
@@ -200,7 +200,7 @@ def _evidence(shown: ShownTest, name: LoadingName, expected: FloatArray) -> Iter
 def open_message(
     shown: ShownTest, candidates: Sequence[Candidate], unexplained: FloatArray | None
 ) -> Sentence:
-    """Return the sentence of an undecided verdict, with the correction that a test could show.
+    """Return the sentence of an undecided verdict, with the correction that a test could detect.
 
     ``unexplained`` (2, m): the test that the most probable name would show, where the remaining
     difference is more than noise; None where the name fits.
@@ -229,7 +229,7 @@ def open_message(
 
 
 def neither_message(shown: ShownTest) -> Sentence:
-    """Return how much, and where, a test contradicts every way of loading, as text."""
+    """Return the sentence that a test contradicts every hypothesis, with how much and where."""
     loaded, inactive = (
         None if expected is None else shown.left(expected)
         for expected in (shown.loaded, shown.inactive)
@@ -251,8 +251,8 @@ def neither_message(shown: ShownTest) -> Sentence:
 
 
 def slope_text(slope: float, error: float, declared: float) -> Sentence:
-    """Return a slope (mm/mm) with its standard error as text, and the temperature difference that
-    would cause it.
+    """Return a slope (mm/mm) with standard error as text, and the temperature difference that would
+    cause it.
     """
     return say(
         "loading.slope",
@@ -264,8 +264,8 @@ def slope_text(slope: float, error: float, declared: float) -> Sentence:
 
 
 def declared_slope_text(slope: float, error: float, declared: float) -> Sentence | None:
-    """Return the sentence about the slope (mm/mm) of a test with an active table. None where the
-    slope is unclear or undeclared.
+    """Return the sentence about the slope (mm/mm) of a test with an active table, or None if it is
+    insignificant or no uncertainty is declared.
 
     The job declares some (``declared``: standard deviation between two tests).
     """
@@ -282,7 +282,7 @@ def declared_slope_text(slope: float, error: float, declared: float) -> Sentence
 
 
 def thermal_message(shown: ShownTest, expected: FloatArray, slope: Sentence) -> Sentence:
-    """Return the sentence about an active table on an axis that is now longer or shorter."""
+    """Return the sentence that the table is active, but the axis is now longer or shorter."""
     return say("loading.thermal", left=shown.rms(shown.left(expected)), slope=slope)
 
 

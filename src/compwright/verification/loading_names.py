@@ -1,4 +1,4 @@
-"""Name the loading verdict from rated hypotheses, with the alternatives that remain possible.
+"""The name of a loading verdict from rated hypotheses, with the names that remain possible.
 
 The most probable one, those that no test can distinguish from it, and those that this test leaves
 open.
@@ -34,7 +34,7 @@ _LISTED: Final = 0.005
 
 @dataclass(frozen=True, slots=True)
 class NamedLoading:
-    """The names of loading verdicts that a test supports.
+    """The name of a loading verdict that a test supports, and the possible other names.
 
     ``best``: the most probable hypothesis of the most probable name; ``fits``: whether the test
     fits it. ``together``: probability of that name and of everything within one standard error of
@@ -56,8 +56,8 @@ class NamedLoading:
 def name_loading(
     after: AfterMeans, rated: Sequence[RatedHypothesis], declared_slope: float | None
 ) -> NamedLoading:
-    """Return the name of the loading verdict from the ``rated`` hypotheses, with equivalent names
-    and odds.
+    """Return the name of the loading verdict from the ``rated`` hypotheses, with its odds and
+    equivalent names.
 
     ``declared_slope``: as in `judge_loading`.
     """
@@ -101,7 +101,7 @@ def _margin(
     names: Collection[LoadingName],
     excluded: Collection[LoadingName],
 ) -> float:
-    """Return the log odds of ``names`` over the most probable name that is not ``excluded``."""
+    """Return the log odds of ``names`` against the most probable name not ``excluded``."""
 
     def together(chosen: Collection[LoadingName]) -> float:
         logs = np.array([each.log for each in rated if each.name in chosen])
@@ -118,7 +118,7 @@ def _margin(
 def _loaded_or_thermal(
     rated: Sequence[RatedHypothesis], declared_slope: float | None
 ) -> LoadingName:
-    """Return ``loaded``, or ``thermal`` where the slope of the test exceeds the declared one."""
+    """Return the name ``loaded``, or ``thermal`` if the test's slope exceeds the declared one."""
     plain = next(each for each in rated if each.name == "loaded")
     if declared_slope is None:
         return "loaded"
@@ -130,7 +130,7 @@ def _loaded_or_thermal(
 def _equivalent(
     best: RatedHypothesis, far: FloatArray, rated: Sequence[RatedHypothesis]
 ) -> tuple[LoadingName, ...]:
-    """Return the names that no test could distinguish from the best.
+    """Return the names whose hypotheses no test could distinguish from the ``best`` one.
 
     A hypothesis whose limit is the loaded table, or none, is no other name there (a factor near
     one, a cut near an end, a small slope); nor is an unknown factor for an inverted table, whose
@@ -152,7 +152,7 @@ def _equivalent(
 
 
 def _near(far: FloatArray, rated: Sequence[RatedHypothesis]) -> tuple[LoadingName, ...]:
-    """Return the names that this test can hardly distinguish from the best.
+    """Return the names that this test hardly distinguishes from the best one.
 
     Left out: variants that can come arbitrarily close (a cut near an end, an unknown factor or
     slope), and faults of measurement.
@@ -185,7 +185,7 @@ def _candidates(
 
 
 def factor_of(best: RatedHypothesis) -> float:
-    """Return the factor of a scaled table: the known one, or the measured one."""
+    """Return the factor on the planned table, as in the hypothesis or, if unknown, as measured."""
     way = best.hypothesis
     if way.name != "scaled" or way.free is None:
         return way.factor

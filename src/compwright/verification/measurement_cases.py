@@ -1,5 +1,5 @@
-"""Possible faults of the test after loading: wrong sign, exchanged directions, another unit, or
-another axis.
+"""Hypotheses that the test after loading is faulty: wrong sign, exchanged directions, another unit,
+or another axis.
 """
 
 from __future__ import annotations
@@ -28,15 +28,15 @@ _UNITS: Final = (1000.0, 0.001, 25.4, 1.0 / 25.4)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class MeasurementCase:
-    """Ways of loading with a common expectation of the test without any change."""
+    """Hypotheses with one expected deviation ``belief`` before any change of the correction."""
 
     belief: ErrorBelief
     hypotheses: tuple[Hypothesis, ...]
 
 
 def measurement_cases(view: MeasurementCase, *, both: bool = True) -> tuple[MeasurementCase, ...]:
-    """Return the faults of measurement: the loaded table or the old control with wrong sign or
-    exchanged directions.
+    """Return the cases in which the test has the wrong sign or exchanged directions, for the loaded
+    table and for the old correction.
 
     ``both`` directions are measured.
     """
@@ -50,7 +50,7 @@ def measurement_cases(view: MeasurementCase, *, both: bool = True) -> tuple[Meas
 
 
 def unit_cases(view: MeasurementCase, louder: float) -> tuple[MeasurementCase, ...]:
-    """Return the case that the loaded table was measured in another unit.
+    """Return the cases in which the loaded table was measured in another unit.
 
     ``louder``: the noise of the test over that of the tests before. Readings in another unit
     scatter by as much more: honest noises differ by a factor of two or so (normal law of its
@@ -70,12 +70,12 @@ def unit_cases(view: MeasurementCase, louder: float) -> tuple[MeasurementCase, .
 
 
 def _honest(ratio: float) -> float:
-    """Return the log density of the ratio of two plausible noises, up to a constant."""
+    """Return the log probability density of a ``ratio`` of noises in one unit, up to a constant."""
     return -0.5 * (math.log(ratio) / _OTHER_NOISE) ** 2
 
 
 def other_axis_case(name: str, view: MeasurementCase) -> MeasurementCase:
-    """Return the case that the test belongs to another axis ``name``. ``view``: of that axis."""
+    """Return the case that the test was made on the axis ``name``, with hypotheses ``view``."""
     stood = [each for each in view.hypotheses if each.name in ("loaded", "not_active")][:2]
     read = _read(view.belief, stood, 1.0, "wrong_axis").hypotheses
     share = _OTHER_AXIS / _MEASURED_WRONG

@@ -1,5 +1,4 @@
-"""Check whether the test after loading is credible, before any verdict. It is compared with the
-first test of its axis.
+"""Check whether the test after loading is credible, by comparison with the first test of its axis.
 
 A named fault (`measurement_fault`) is certain: only a fault of the measurement gives such readings.
 A doubt (`doubts_of_test`) is a missing proof; each names the measurement that gives it. mm or deg.
@@ -51,8 +50,8 @@ _FEW_REPEATS: Final = 5
 
 @dataclass(frozen=True, slots=True)
 class NamedFault:
-    """A certain fault of the measurement. ``of``: its name in the JSON; ``sentence``: evidence and
-    next step.
+    """A certain fault of the measurement: its name in the JSON (``of``), and the ``sentence`` with
+    evidence and next step.
     """
 
     of: MeasurementFault
@@ -62,8 +61,8 @@ class NamedFault:
 def measurement_fault(
     after: PositioningTest, first: PositioningTest, travel: tuple[float, float]
 ) -> NamedFault | None:
-    """Return the certain fault of the test after loading compared with the ``first`` test of the
-    axis, or None.
+    """Return the fault that the test after loading certainly has, by comparison with the ``first``
+    test of the axis, or None.
     """
     spread = reading_range(after)
     if spread <= SAME_READING or any(finding.code == "CW-R009" for finding in after.findings):
@@ -81,7 +80,7 @@ def measurement_fault(
 
 
 def _copied(after: PositioningTest, first: PositioningTest) -> Sentence | None:
-    """Return how the readings were copied. None where they are an independent measurement."""
+    """Return how the readings were copied from the first test, or None if they are independent."""
     for way, positive, negative in (
         ("same", first.positive, first.negative),
         ("sign", -first.positive, -first.negative),
@@ -109,8 +108,8 @@ def _measured(test: PositioningTest) -> list[Direction]:
 def _shifted(
     after: PositioningTest, first: PositioningTest, positive: FloatArray, negative: FloatArray
 ) -> bool:
-    """Return whether ``after`` contains these readings of ``first`` except for one constant
-    (another zero of the instrument).
+    """Return whether the readings of ``after`` equal those of ``first`` in ``positive`` and
+    ``negative``, except for one constant.
     """
     if after.positive.shape != positive.shape or after.negative.shape != negative.shape:
         return False
@@ -124,16 +123,16 @@ def _shifted(
 
 
 def copied_scatter(one: PositioningTest, other: PositioningTest) -> float | None:
-    """Return the correlation of the scatter of two tests, if it proves that one was made from the
-    other. Else None.
+    """Return the correlation of the scatter in two tests if it proves that one is a copy of the
+    other, else None.
     """
     correlation, dof = _scatter_alike(one, other)
     return correlation if dof >= _ENOUGH and correlation > _COPIED else None
 
 
 def _scatter_alike(after: PositioningTest, first: PositioningTest) -> tuple[float, int]:
-    """Return the correlation of the scatter of two tests at the same targets, and its degrees of
-    freedom. 0, 0 where undefined.
+    """Return the correlation of the scatter in two tests at the same targets, with its degrees of
+    freedom; 0, 0 if undefined.
 
     Scatter: readings less the mean of their target and less the straight line of their run, because
     a drift over the runs may well be the same in two honest tests.
@@ -165,8 +164,8 @@ def _scatter(block: FloatArray) -> FloatArray:
 
 
 def _thousand(after: PositioningTest, first: PositioningTest) -> Sentence | None:
-    """Return the sentence that the readings are 1000 times too small or too large, by their
-    scatter. None where they are not.
+    """Return the sentence that the readings, by their scatter, are 1000 times too small or too
+    large, or None.
     """
     certain = certain_fault(after)
     if certain:
@@ -190,8 +189,8 @@ def _thousand(after: PositioningTest, first: PositioningTest) -> Sentence | None
 def noise_odds(
     s: float, dof: float, s_first: float, dof_first: float
 ) -> Literal["", "quiet", "loud"]:
-    """Return whether a scatter ``s`` is too small or too large compared with the first test's, from
-    both degrees of freedom.
+    """Return ``quiet`` or ``loud`` if the scatter ``s`` is too small or too large compared with
+    that of the first test, else an empty text.
 
     Too quiet: even with a third of the first test's noise, a scatter this small would appear less
     than once in 1000 tests (ratio of two variances, Paulson's normal score). Too loud: the same
@@ -207,7 +206,7 @@ def noise_odds(
 
 
 def normal_score(ratio: float, dof: float, noise_dof: float) -> float:
-    """Return the standard normal value with the same probability as a variance ratio F.
+    """Return the standard normal value that is as improbable as a variance ratio (F).
 
     Of ``dof`` and ``noise_dof`` degrees of freedom.
 
@@ -220,8 +219,8 @@ def normal_score(ratio: float, dof: float, noise_dof: float) -> float:
 
 
 def proof_findings(after: PositioningTest, first: PositioningTest) -> list[Finding]:
-    """Return what the test after loading lacks as a proof: targets (CW-V020) or plausible noise
-    (CW-V021).
+    """Return findings why the test after loading proves less: missing targets (CW-V020), or
+    implausible noise (CW-V021).
 
     Relative to the ``first`` test.
     """
@@ -257,9 +256,7 @@ def _coverage(after: PositioningTest, first: PositioningTest) -> Iterable[Findin
 
 
 def _full_turn(test: PositioningTest) -> bool:
-    """Return whether the targets cover a full turn, so that the start of counting does not
-    matter.
-    """
+    """Return whether the targets cover a full turn, so that the first target does not matter."""
     span = float(test.targets[-1] - test.targets[0])
     return (
         test.kind is AxisKind.ROTARY and span + 2.0 * span / max(test.targets.size - 1, 1) >= 360.0
@@ -289,8 +286,8 @@ def _noise(after: PositioningTest, first: PositioningTest) -> Iterable[Finding]:
 
 
 def file_disagreement(parts: Sequence[PositioningTest]) -> tuple[PositioningTest, str] | None:
-    """Return as text which file of one test differs most from the first, and by how much. None
-    where all agree.
+    """Return which file of one test differs most from the first file, and by how much as text, or
+    None if all agree.
 
     Two files differ where their means at the same targets and directions are more than `_BELIEVED`
     times the scatter of a reading within the files apart: another datum, or another correction. The
@@ -311,7 +308,7 @@ def file_disagreement(parts: Sequence[PositioningTest]) -> tuple[PositioningTest
 
 
 def _apart(one: PositioningTest, other: PositioningTest) -> float:
-    """Return the rms difference of the means of two tests where both have them, mm or deg."""
+    """Return the rms difference of the means of two tests at common targets, mm or deg."""
     _, mine, theirs = np.intersect1d(
         _places(one.targets), _places(other.targets), return_indices=True
     )
@@ -326,6 +323,6 @@ def _apart(one: PositioningTest, other: PositioningTest) -> float:
 
 
 def _places(targets: FloatArray) -> FloatArray:
-    """Return targets rounded so that equal places are equal numbers."""
+    """Return the targets, rounded so that the same position is the same number."""
     rounded: FloatArray = np.round(targets, 6)
     return rounded

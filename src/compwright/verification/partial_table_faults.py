@@ -1,5 +1,5 @@
-"""Faults of a part of the table: only one direction, a wrong backlash, or only some of the
-nodes.
+"""Hypotheses that part of the table is faulty: only one direction, a wrong backlash value, or only
+some of the points.
 """
 
 from __future__ import annotations
@@ -19,7 +19,9 @@ _FAMILY: Final = 0.025  # prior odds of a whole family of cuts of one kind
 
 
 def one_direction(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
-    """Yield the table in only one direction, with the possible corrections in the other one."""
+    """Yield hypotheses of a table that is active in only one direction, with possible corrections
+    in the other.
+    """
     new = ways.total(ways.own)
     beyond = [("the other as before", ways.old - ways.active_before)]
     if ways.has_old:
@@ -35,7 +37,7 @@ def one_direction(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
 
 
 def wrong_backlash(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
-    """Yield a wrong backlash: the old value of the control, or the effect of two tables."""
+    """Yield hypotheses of a wrong backlash value, such as none, the old one, or twice the new one."""
     step = ways.backlash
     if not np.any(step):
         step = _reversal(ways)
@@ -54,7 +56,7 @@ def wrong_backlash(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
 
 
 def _reversal(ways: HypothesisBuilder) -> Curve:
-    """Return the mean difference of two tables, expressed as a backlash."""
+    """Return the mean difference between the tables for + and −, as a backlash value."""
     mean = (
         float(np.mean(ways.table.negative - ways.table.positive))
         if ways.table.positions.size
@@ -68,8 +70,8 @@ def _reversal(ways: HypothesisBuilder) -> Curve:
 
 
 def partial(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
-    """Yield the table up to a node or from a node on, with the possible values at the other
-    nodes.
+    """Yield hypotheses of a table that is active only up to a point or from a point on, with
+    possible values at the other points.
     """
     nodes = ways.table.positions
     if nodes.size < 3:
@@ -109,7 +111,7 @@ def partial(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
 
 
 def cut_off(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
-    """Yield a table that ends suddenly between two nodes, its backlash included."""
+    """Yield hypotheses of a table that ends, with its backlash value, between two targets."""
     nodes, targets = ways.table.positions, ways.targets
     if nodes.size < 3 or targets.size < 3:
         return
@@ -136,7 +138,7 @@ def cut_off(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
 
 
 def _cuts(ways: HypothesisBuilder) -> list[int]:
-    """Return the nodes where a partial table may end: between the targets, at most `_CUTS`."""
+    """Return the indices of at most `_CUTS` table points at which a partial table may end."""
     nodes = ways.table.positions
     target_index = np.searchsorted(ways.targets, nodes)
     effective = [

@@ -1,5 +1,5 @@
-"""Requirements of a good verification besides its numbers: the right plan, all planned axes, and
-convincing tests.
+"""Requirements of a verification besides its numbers: the right plan, tests of all planned axes,
+and credible tests.
 
 A plan of this very job, every planned axis, and tests that prove something.
 
@@ -56,7 +56,7 @@ class AfterTest:
 
 
 def changed_limits(job: Job, plan: Plan) -> Iterator[Finding]:
-    """Yield a finding (CW-V022) if limits, standard, decision rule or declared uncertainty changed
+    """Yield the finding CW-V022 if limits, standard, decision rule or declared uncertainty changed
     since the run.
 
     An uncertainty declared after the measurement could explain any slope.
@@ -100,7 +100,7 @@ _Budget = TypeVar("_Budget", UncertaintyBudget, CircularBudget)
 
 
 def _budget(one: _Budget | None, other: _Budget | None) -> str:
-    """Return the values of one budget that differ from the other budget. Empty for no budget."""
+    """Return as text the values of one uncertainty budget that differ from another budget."""
     if one is None:
         return ""
     other_values = asdict(other or type(one)())
@@ -128,8 +128,8 @@ def _changed(what: str, was: str, now: str, of: str = "") -> Finding:
 def not_measured(
     job: Job, plan: Plan, axes: Mapping[str, str], circles: Mapping[str, CircularTest]
 ) -> Iterator[Finding]:
-    """Yield a finding (CW-V023) for each planned or limited axis or circle without a test after
-    loading.
+    """Yield the finding CW-V023 for each planned or limited axis or circle that was not measured
+    after loading.
 
     ``axes``: the measured ones, each with the name of the test that was repeated; ``circles``: the
     circular tests after loading by the name of those before.
@@ -150,8 +150,8 @@ def not_measured(
 
 
 def _circles_missing(plan: Plan, circles: Mapping[str, CircularTest]) -> Iterator[Finding]:
-    """Yield a finding for each scale or squareness that was corrected by circles and has no circle
-    after loading.
+    """Yield a finding for each scale error or squareness that was corrected from circles but not
+    measured by a circle after loading.
     """
     for name, entry in plan.axes.items():
         if (
@@ -172,7 +172,7 @@ def _circles_missing(plan: Plan, circles: Mapping[str, CircularTest]) -> Iterato
 
 
 def _limited_test(job: Job, axis: str) -> str | None:
-    """Return the name of the test to which the limits of an axis apply. None without limits."""
+    """Return the name of the test to which the limits of an axis apply, or None without limits."""
     entry = job.axes.get(axis)
     if entry is None or entry.accept is None:
         return None
@@ -199,8 +199,8 @@ def doubt_warnings(
     *,
     guarded: bool,
 ) -> Iterator[Finding]:
-    """Yield the warnings that make the verdict undecided (CW-V024). ``acknowledged``: doubts that
-    the job acknowledges.
+    """Yield the warnings (CW-V024) that make the verdict undecided, except for doubts in
+    ``acknowledged``.
     """
     had = {finding.code for finding in before.findings}
     for finding in after.findings:
@@ -220,9 +220,7 @@ def doubt_warnings(
 
 
 def copied_tests(tests: Iterable[AfterTest]) -> dict[str, NamedFault]:
-    """Return by axis the faults of duplicates: the same file twice in a test, or one measurement
-    for two axes.
-    """
+    """Return, by axis, faults of tests that repeat a file or another axis' measurement."""
     every = tuple(tests)
     found = {
         entry.axis: NamedFault("copied", say("CW-V026.file_twice", axis=entry.axis))
@@ -240,9 +238,7 @@ def copied_tests(tests: Iterable[AfterTest]) -> dict[str, NamedFault]:
 
 
 def repeated_circles(plan: Plan, circles: Mapping[str, CircularTest]) -> Iterator[Finding]:
-    """Yield circles that are copies of those before loading, by the contents of their files
-    (CW-V025).
-    """
+    """Yield the finding CW-V025 for each circle that has the same file as before loading."""
     for name, test in circles.items():
         if share_a_file(plan.circles[name].test.sources, test.sources):
             yield Finding.of("CW-V025", "warning", circle=name)

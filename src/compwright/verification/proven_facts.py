@@ -1,4 +1,4 @@
-"""The facts about a control that a good verification proves, and those that it does not prove."""
+"""Facts about a control that a good verification proves, and facts that it does not prove."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _FACTS: Final = (
 
 @dataclass(frozen=True, slots=True)
 class ProvenAxis:
-    """The facts that the tests of one axis prove, and those that they do not prove, as text."""
+    """Facts that the tests of one axis prove or do not prove, as text."""
 
     axis: str
     proven: tuple[str, ...]
@@ -39,8 +39,8 @@ def proven_axis(
     backlash: bool,
     two_curves: bool,
 ) -> ProvenAxis:
-    """Return the facts that the tests of a loaded axis prove. Without these facts the test would be
-    clearly different.
+    """Return the facts that the tests of a loaded axis prove, because the test would otherwise
+    differ clearly.
 
     That a fact is probable beforehand is no proof. ``loading``: the verdict as in its document;
     ``sign_odds`` from `sign_odds`; ``others``: more axes are planned; ``backlash``: the plan
@@ -68,8 +68,8 @@ def proven_axis(
 def sign_odds(
     curves: Sequence[tuple[FloatArray, FloatArray, FloatArray]], scatter: FloatArray
 ) -> float:
-    """Return the log odds of the planned table over the same table with opposite sign, from both
-    tests.
+    """Return the log odds of the planned table against the same table with opposite sign, from the
+    tests before and after loading.
 
     ``curves``: for each measured direction, (m,) each, the means expected with the table, those
     with the correction before, and those found after loading; ``scatter`` (m,): standard deviation

@@ -1,6 +1,4 @@
-"""Compare the correction read back from a control with the plan exactly, without any
-measurement.
-"""
+"""Exact comparison of the correction read back from a control with the plan, without measurement."""
 
 from __future__ import annotations
 
@@ -34,8 +32,8 @@ _FACTORS = {
 def judge_read_back(
     planned: Correction, loaded: Correction, old: Correction, nodes: FloatArray, spacing: float
 ) -> ReadBack:
-    """Return a verdict on the values read back, compared with the plan, mm or deg. ``old``: the
-    earlier values in the control.
+    """Return the verdict on the values read back (``loaded``) compared with the plan, mm or deg.
+    ``old``: the values in the control before.
 
     The first explanation that is exact (within `SAME`) everywhere counts; a table of zeros explains
     nothing.
@@ -66,7 +64,7 @@ def judge_read_back(
 
 @dataclass(frozen=True, slots=True)
 class _Mistake:
-    """The correction after one possible mistake, with its sentences."""
+    """A possible mistake of loading: the correction after it, and the sentences that state it."""
 
     verdict: str
     curves: _Curves
@@ -175,5 +173,5 @@ def _one_side(wish: _Curves, found: _Curves) -> Iterator[tuple[str, str]]:
 
 
 def _shifted(planned: Correction, where: FloatArray, side: Direction, by: float) -> FloatArray:
-    """Return the planned correction shifted by ``by``."""
+    """Return the planned correction shifted by ``by`` towards + (mm or deg)."""
     return planned(where - by, side)

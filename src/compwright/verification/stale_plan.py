@@ -1,4 +1,4 @@
-"""Check whether a plan was made from this job: axes, options, states, tests and circles."""
+"""Check whether a plan was made from the present job: axes, options, states, tests and circles."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ ReadAgain = Callable[[AxisJob, TestRequest], PositioningTest | None]
 def stale_plan(
     job: Job, plan: Plan, file: str, *, options: Mapping[str, object], read: ReadAgain
 ) -> list[Fault]:
-    """Return the differences between the job and the inputs of the plan, except limits.
+    """Return a fault for each difference between the job and the inputs of the plan, except limits.
 
     ``options``: those of the job, with the values that it leaves to the control; ``read``: reads a
     test of the job from its present files, None where they are gone.
@@ -42,9 +42,7 @@ def stale_plan(
 
 
 def stale_fault(what: str, mine: str, theirs: str, file: str) -> Fault:
-    """Return the fault that the job has the value ``mine`` but its plan has the value
-    ``theirs``.
-    """
+    """Return the fault that ``what`` is ``mine`` in the job but ``theirs`` in its plan."""
     return Fault(
         message="the plan was made for another job, or before this job was edited",
         file=file,
@@ -73,8 +71,8 @@ def _axes_differ(job: Job, plan: Plan, read: ReadAgain) -> Iterator[tuple[str, s
 
 
 def _differences(place: str, mine: Any, theirs: Any) -> Iterator[tuple[str, str, str]]:
-    """Yield the differences between two records of the same kind, each with the name of its job
-    key.
+    """Yield each difference between two records of one kind: key in the job, value in the first,
+    value in the second.
     """
     for field in fields(mine):
         one, other = getattr(mine, field.name), getattr(theirs, field.name)
@@ -138,7 +136,7 @@ def _options_differ(
 
 
 def _states_differ(job: Job, plan: Plan) -> Iterator[tuple[str, str, str]]:
-    """Yield the states that the job names differently than its run."""
+    """Yield each difference between the states of the control in the job and in the plan."""
     for name in sorted({AS_FOUND, *job.states} & {AS_FOUND, *plan.states}):
         mine, theirs = job.states.get(name), plan.states.get(name)
         if (mine is None) != (theirs is None) or bool(mine) != bool(theirs):
@@ -152,12 +150,12 @@ def _states_differ(job: Job, plan: Plan) -> Iterator[tuple[str, str, str]]:
 
 
 def _plain(value: Any) -> Any:
-    """Return a value as JSON returns it after writing and reading."""
+    """Return a value with tuples as lists, as it is after writing to JSON and reading."""
     return [_plain(entry) for entry in value] if isinstance(value, list | tuple) else value
 
 
 def _text(value: Any) -> str:
-    """Return a value as a job file writes it."""
+    """Return a value as it is written in a job file."""
     if value is None:
         return "not given"
     if isinstance(value, bool):

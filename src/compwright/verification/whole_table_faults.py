@@ -1,4 +1,4 @@
-"""Faults of the whole table: not active, wrong sign, factor, place or axis."""
+"""Hypotheses that the whole table is faulty: not active, wrong sign, factor, position or axis."""
 
 from __future__ import annotations
 
@@ -31,8 +31,8 @@ _OTHER: Final = 0.01
 
 
 def inactive(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
-    """Yield the cases of an inactive table: the old correction, none, or only the new backlash
-    value.
+    """Yield hypotheses of a table that is not active: the old correction, none, or only the new
+    backlash value.
     """
     kept, nothing = ways.old - ways.active_before, ways.stay - ways.active_before
     cases = [(kept, "")]
@@ -52,8 +52,8 @@ def inactive(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
 
 
 def with_existing(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
-    """Yield the cases with the existing table: change alone, total on top, or not active in the
-    earlier tests.
+    """Yield hypotheses about the existing table: only the change was loaded, the total was added to
+    it, or it was not active in the earlier tests.
     """
     if not ways.has_old:
         return
@@ -72,7 +72,7 @@ def with_existing(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
 
 
 def inverted(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
-    """Yield the opposite sign: of everything, or of all but the backlash."""
+    """Yield hypotheses of a table with the opposite sign, with and without its backlash value."""
     yield ways.made("inverted", ways.total(-ways.own, -ways.backlash), COMMON)
     if np.any(ways.backlash):
         apart = "all but the backlash"
@@ -80,7 +80,7 @@ def inverted(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
 
 
 def scaled(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
-    """Yield factors with a known cause, and one unknown factor."""
+    """Yield hypotheses of a table times a factor: factors with a known cause, and an unknown one."""
     for factor, (share, words) in _FACTORS.items():
         weight = COMMON * share
         curve = factor * ways.own
@@ -99,7 +99,7 @@ def scaled(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
 
 
 def shifted(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
-    """Yield the values shifted to further nodes towards + or -."""
+    """Yield hypotheses of a table shifted by whole points towards + or −."""
     nodes, held = ways.table.positions.size, ways.held()
     for k in range(1, min(_MOST_SHIFT, nodes - 2) + 1):
         for by in (k, -k):
@@ -108,7 +108,7 @@ def shifted(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
 
 
 def mirrored(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
-    """Yield the values in reverse order, counted singly or from step to step."""
+    """Yield hypotheses of a table with its values, or its increments, in reverse order."""
     if ways.table.positions.size > 2:
         held = ways.held()
         curves = {d: values[::-1] for d, values in held.items()}
@@ -128,7 +128,7 @@ def mirrored(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
 
 
 def wrong_axis(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
-    """Yield the tables of other axes, by position and by node number."""
+    """Yield hypotheses that another axis' table is active, by position or by number of the point."""
     for name, other in ways.loading.others.items():
         if other.kind is not ways.table.kind or not other.positions.size:
             continue
@@ -149,7 +149,7 @@ def wrong_axis(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
 
 
 def _resized(values: FloatArray, size: int, *, held: bool) -> FloatArray:
-    """Return the first ``size`` values. Missing nodes get the end value (``held``) or zero."""
+    """Return the first ``size`` values; missing ones are the last value if ``held``, else zero."""
     resized = np.full(size, values[-1] if held else 0.0)
     count = min(size, values.size)
     resized[:count] = values[:count]
