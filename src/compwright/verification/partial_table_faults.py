@@ -37,7 +37,7 @@ def one_direction(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
 
 
 def wrong_backlash(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
-    """Yield hypotheses of a wrong backlash value, such as none, the old one, or twice the new one."""
+    """Yield hypotheses of a wrong backlash value, such as none, the old one, or twice the new."""
     step = ways.backlash
     if not np.any(step):
         step = _reversal(ways)

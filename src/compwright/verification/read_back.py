@@ -1,4 +1,4 @@
-"""Exact comparison of the correction read back from a control with the plan, without measurement."""
+"""Exact comparison of the correction read back from a control with the plan, no test needed."""
 
 from __future__ import annotations
 

@@ -80,7 +80,7 @@ def inverted(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
 
 
 def scaled(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
-    """Yield hypotheses of a table times a factor: factors with a known cause, and an unknown one."""
+    """Yield hypotheses of a table times a factor, which has a known cause or is unknown."""
     for factor, (share, words) in _FACTORS.items():
         weight = COMMON * share
         curve = factor * ways.own
@@ -128,7 +128,7 @@ def mirrored(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
 
 
 def wrong_axis(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
-    """Yield hypotheses that another axis' table is active, by position or by number of the point."""
+    """Yield hypotheses that another axis' table is active, by position or by point number."""
     for name, other in ways.loading.others.items():
         if other.kind is not ways.table.kind or not other.positions.size:
             continue
